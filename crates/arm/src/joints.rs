@@ -1,0 +1,32 @@
+//! The four joint angles.
+
+use crate::Degrees;
+
+/// The angles of the four joints.
+///
+/// Rear arm and forearm are both absolute: the parallelogram keeps the forearm's angle independent
+/// of the rear arm's.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Joints {
+    /// Joint 1, from straight ahead, counter-clockwise positive seen from above.
+    pub base: Degrees,
+    /// Joint 2, the rear arm, from the vertical, forward positive.
+    pub rear: Degrees,
+    /// Joint 3, the forearm, below the horizontal: down is positive.
+    pub fore: Degrees,
+    /// Joint 4, the servo of the tool, from its middle, counter-clockwise positive.
+    pub servo: Degrees,
+}
+
+impl Joints {
+    /// The four angles, in degrees.
+    #[must_use]
+    pub const fn new(base_deg: f64, rear_deg: f64, fore_deg: f64, servo_deg: f64) -> Self {
+        Self {
+            base: Degrees(base_deg),
+            rear: Degrees(rear_deg),
+            fore: Degrees(fore_deg),
+            servo: Degrees(servo_deg),
+        }
+    }
+}

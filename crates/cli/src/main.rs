@@ -1,0 +1,3 @@
+//! The `dobot` program.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! A session with an original Dobot Arm over a serial port, TCP or in this process.

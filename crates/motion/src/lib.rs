@@ -1,0 +1,3 @@
+//! Speed profiles and the ways in which the original Dobot Arm moves.
+
+#![no_std]

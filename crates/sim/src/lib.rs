@@ -1,0 +1,1 @@
+//! Virtual Dobot Arms: in this process, on a virtual serial port and on TCP.

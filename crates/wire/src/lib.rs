@@ -1,0 +1,3 @@
+//! The packets of the original Dobot Arm: bytes, frames, commands and statuses.
+
+#![no_std]
