@@ -1,1 +1,41 @@
 //! A session with an original Dobot Arm over a serial port, TCP or in this process.
+//!
+//! [`Session`] is the engine: one command per status received, resynchronisation, link loss and
+//! completion read off the statuses. [`Connection`] is its thin async shell.
+//!
+//! ```no_run
+//! use dobot_client::Connection;
+//! use dobot_wire::{Dialect, MoveTo, MovingMode};
+//!
+//! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
+//! let address = "serial:/dev/ttyUSB0".parse()?;
+//! let mut arm = Connection::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
+//! let there = arm.send(MoveTo {
+//!     x_mm: 220.0,
+//!     y_mm: 0.0,
+//!     z_mm: 20.0,
+//!     rotation_deg: 0.0,
+//!     suction: false,
+//!     mode: MovingMode::Jump,
+//!     gripper_deg: 0.0,
+//!     pause_s: 0.0,
+//! })?;
+//! arm.completed(there).await?;
+//! # Ok(())
+//! # }
+//! ```
+
+mod address;
+mod completion;
+mod connection;
+mod open;
+mod peer;
+mod ports;
+mod session;
+
+pub use address::{Address, AddressError, DEFAULT_BAUD};
+pub use connection::{Connection, LinkError};
+pub use open::OpenError;
+pub use peer::Peer;
+pub use ports::{Port, ports};
+pub use session::{CommandId, Event, SendError, Session};
