@@ -1,1 +1,33 @@
 //! Virtual Dobot Arms: in this process, on a virtual serial port and on TCP.
+//!
+//! [`VirtualArm`] is a controller at the end of a serial line, an engine without a clock.
+//! [`InProcess`] runs it as fast as it is waited for; [`Server`] in real time.
+//!
+//! ```
+//! use dobot_client::Connection;
+//! use dobot_controller::{Controller, PowerUp};
+//! use dobot_sim::{InProcess, Line, VirtualArm};
+//! use dobot_wire::Dialect;
+//!
+//! # #[tokio::main(flavor = "current_thread")]
+//! # async fn main() -> Result<(), dobot_client::LinkError> {
+//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+//! let mut connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
+//! assert_eq!(connection.next_status().await?.rear_deg, 45.0);
+//! # Ok(())
+//! # }
+//! ```
+
+mod in_process;
+mod line;
+#[cfg(unix)]
+mod pty;
+mod serve;
+mod virtual_arm;
+
+pub use in_process::InProcess;
+pub use line::Line;
+#[cfg(unix)]
+pub use pty::Pty;
+pub use serve::{DEFAULT_TCP, RECORDING_PERIOD, Server, ServerEvent};
+pub use virtual_arm::{Sample, VirtualArm};

@@ -1,0 +1,54 @@
+//! A virtual arm in this process, in virtual time.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use dobot_client::Peer;
+
+use crate::VirtualArm;
+
+/// A virtual arm in this process: time passes as fast as it is waited for.
+///
+/// Clones share the arm: one is given to a `Connection`, another looks at the arm afterwards.
+#[derive(Clone, Debug)]
+pub struct InProcess {
+    arm: Arc<Mutex<VirtualArm>>,
+}
+
+impl InProcess {
+    /// Shares a virtual arm.
+    #[must_use]
+    pub fn new(arm: VirtualArm) -> Self {
+        Self {
+            arm: Arc::new(Mutex::new(arm)),
+        }
+    }
+
+    /// The arm, to look at; nobody else gets it meanwhile.
+    pub fn arm(&self) -> MutexGuard<'_, VirtualArm> {
+        self.arm.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Peer for InProcess {
+    fn now(&self) -> Duration {
+        self.arm().now()
+    }
+
+    fn send(&mut self, bytes: &[u8]) {
+        let mut arm = self.arm();
+        let now = arm.now();
+        arm.handle_bytes(now, bytes);
+    }
+
+    fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool {
+        let mut arm = self.arm();
+        arm.poll_bytes(bytes);
+        while bytes.is_empty() && arm.now() < until {
+            let next = arm.poll_wakeup().min(until);
+            arm.handle_time(next);
+            arm.poll_bytes(bytes);
+        }
+        true
+    }
+}

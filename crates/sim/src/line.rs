@@ -1,0 +1,101 @@
+//! The serial line: bytes take their time.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+/// One direction of a serial line.
+///
+/// A byte needs its time, one after the other; what is sent faster than that waits.
+#[derive(Clone, Debug)]
+pub struct Line {
+    byte_time: Duration,
+    /// When the last byte sent arrives.
+    busy_until: Duration,
+    /// Arrival and value of the bytes on the line.
+    bytes: VecDeque<(Duration, u8)>,
+    /// When the last byte of each `send` arrives.
+    bursts: VecDeque<Duration>,
+}
+
+impl Line {
+    /// A line as that of a stock arm: 9600 baud nominal, of which its chip makes 1.04 ms a byte,
+    /// 43.68 ms a packet (note N3).
+    pub const STOCK: Self = Self::new(Duration::from_micros(1040));
+
+    /// A line on which a byte takes so long.
+    #[must_use]
+    pub const fn new(byte_time: Duration) -> Self {
+        Self {
+            byte_time,
+            busy_until: Duration::ZERO,
+            bytes: VecDeque::new(),
+            bursts: VecDeque::new(),
+        }
+    }
+
+    /// Starts sending bytes, behind those still on the line.
+    pub fn send(&mut self, now: Duration, bytes: &[u8]) {
+        if bytes.is_empty() {
+            return;
+        }
+        self.busy_until = self.busy_until.max(now);
+        for &byte in bytes {
+            self.busy_until += self.byte_time;
+            self.bytes.push_back((self.busy_until, byte));
+        }
+        self.bursts.push_back(self.busy_until);
+    }
+
+    /// When the earliest burst of bytes has arrived whole, if one is under way.
+    #[must_use]
+    pub fn next_burst(&self) -> Option<Duration> {
+        self.bursts.front().copied()
+    }
+
+    /// Takes the bytes that have arrived by `now`, and tells when the last of them did.
+    pub fn receive(&mut self, now: Duration, bytes: &mut Vec<u8>) -> Option<Duration> {
+        let mut last = None;
+        while let Some(&(arrival, byte)) = self.bytes.front()
+            && arrival <= now
+        {
+            self.bytes.pop_front();
+            bytes.push(byte);
+            last = Some(arrival);
+        }
+        while self.bursts.front().is_some_and(|&end| end <= now) {
+            self.bursts.pop_front();
+        }
+        last
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const fn us(us: u64) -> Duration {
+        Duration::from_micros(us)
+    }
+
+    #[test]
+    fn a_packet_takes_43_68_ms() {
+        let mut line = Line::STOCK;
+        line.send(us(1000), &[0xA5; 42]);
+        assert_eq!(line.next_burst(), Some(us(1000 + 43_680)));
+    }
+
+    #[test]
+    fn bytes_arrive_one_by_one_and_bursts_queue_up_behind_each_other() {
+        let mut line = Line::new(us(100));
+        line.send(us(0), &[1, 2]);
+        line.send(us(50), &[3]);
+        let mut bytes = Vec::new();
+        assert_eq!(line.receive(us(99), &mut bytes), None);
+        assert_eq!(line.receive(us(150), &mut bytes), Some(us(100)));
+        assert_eq!(bytes, [1]);
+        assert_eq!(line.next_burst(), Some(us(200)));
+        assert_eq!(line.receive(us(300), &mut bytes), Some(us(300)));
+        assert_eq!(bytes, [1, 2, 3]);
+        assert_eq!(line.next_burst(), None);
+    }
+}
