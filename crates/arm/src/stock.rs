@@ -1,0 +1,88 @@
+//! The kinematics of the stock controller: single precision, pi = 3.1416.
+//!
+//! Its rounding is part of its behaviour: ticks are counted and values truncated, so that a
+//! difference in the last digit may show as millimetres later. A twin of the stock controller
+//! calculates with these; planning calculates with [`forward`](crate::forward) and
+//! [`inverse`](crate::inverse).
+
+/// The joint angles as the stock controller holds them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Joints {
+    /// Joint 1.
+    pub base_deg: f32,
+    /// Joint 2.
+    pub rear_deg: f32,
+    /// Joint 3.
+    pub fore_deg: f32,
+    /// Joint 4.
+    pub servo_deg: f32,
+}
+
+/// The pose as the stock controller holds it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Forward.
+    pub x_mm: f32,
+    /// To the left.
+    pub y_mm: f32,
+    /// Up.
+    pub z_mm: f32,
+    /// Base plus servo.
+    pub rotation_deg: f32,
+}
+
+/// Where these joint angles bring a tool that reaches `tool_mm` beyond the wrist.
+#[must_use]
+pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
+    let [base, rear, fore] = [joints.base_deg, joints.rear_deg, joints.fore_deg].map(radians);
+    let reach_mm = REAR_MM * libm::sinf(rear) + FORE_MM * libm::cosf(fore) + tool_mm;
+    Pose {
+        x_mm: reach_mm * libm::cosf(base),
+        y_mm: reach_mm * libm::sinf(base),
+        z_mm: REAR_MM * libm::cosf(rear) - FORE_MM * libm::sinf(fore),
+        rotation_deg: joints.servo_deg + joints.base_deg,
+    }
+}
+
+/// The joint angles for a pose, as the stock controller calculates them.
+///
+/// Out of reach its answer is NaN. Nearer to the base axis than `tool_mm` it is wrong, because it
+/// takes the wrist's elevation from a plain arc tangent; the stock limits forbid that place.
+#[must_use]
+pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
+    let base_deg = degrees(libm::atan2f(pose.y_mm, pose.x_mm));
+    let across_mm = libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm) - tool_mm;
+    let up_mm = pose.z_mm;
+    let distance_mm = libm::sqrtf(across_mm * across_mm + up_mm * up_mm);
+    let cosine = (REAR_MM * REAR_MM + distance_mm * distance_mm - FORE_MM * FORE_MM)
+        / (2.0 * REAR_MM * distance_mm);
+    let rear_above_level = libm::acosf(cosine) + libm::atanf(up_mm / across_mm);
+    let fore = libm::atan2f(
+        REAR_MM * libm::sinf(rear_above_level) - up_mm,
+        across_mm - REAR_MM * libm::cosf(rear_above_level),
+    );
+    Joints {
+        base_deg,
+        rear_deg: 90.0 - degrees(rear_above_level),
+        fore_deg: degrees(fore),
+        servo_deg: pose.rotation_deg - base_deg,
+    }
+}
+
+fn radians(angle_deg: f32) -> f32 {
+    angle_deg * PI / 180.0
+}
+
+fn degrees(angle_rad: f32) -> f32 {
+    angle_rad * 180.0 / PI
+}
+
+const REAR_MM: f32 = 135.0;
+const FORE_MM: f32 = 160.0;
+
+/// Four decimals: the stock controller's own pi.
+#[expect(
+    clippy::approx_constant,
+    reason = "the stock controller calculates with this value"
+)]
+const PI: f32 = 3.1416;
