@@ -22,9 +22,8 @@ pub const FOREARM: Millimeters = Millimeters(160.0);
 #[must_use]
 pub fn forward(joints: &Joints, tool: Tool) -> Pose {
     let [reach_mm, z_mm] = reach_and_height(joints, tool);
-    let (sin, cos) = libm::sincos(joints.base.0 * RAD_PER_DEG);
     Pose {
-        position: Position::new(reach_mm * cos, reach_mm * sin, z_mm),
+        position: Position::polar(Millimeters(reach_mm), joints.base, Millimeters(z_mm)),
         rotation: joints.base + joints.servo,
     }
 }
@@ -49,7 +48,7 @@ pub fn forward(joints: &Joints, tool: Tool) -> Pose {
 /// [`Unreachable`] where a number is not finite, or where the wrist would be nearer to the pivot
 /// than the difference of the two links or farther than their sum.
 pub fn inverse(pose: &Pose, tool: Tool) -> Result<Joints, Unreachable> {
-    let Position { x, y, z } = pose.position;
+    let z = pose.position.z;
     let across_mm = pose.position.reach().0 - tool.reach().0;
     let distance_v2 = across_mm * across_mm + z.0 * z.0;
     let distance_mm = libm::sqrt(distance_v2);
@@ -61,7 +60,7 @@ pub fn inverse(pose: &Pose, tool: Tool) -> Result<Joints, Unreachable> {
     let alpha_rad = acos((distance_v2 - LINKS_V2) * per_distance / REAR_ARM.0);
     let gamma_rad = acos((distance_v2 + LINKS_V2) * per_distance / FOREARM.0);
     let elevation_rad = libm::atan2(z.0, across_mm);
-    let base = Degrees(libm::atan2(y.0, x.0) * DEG_PER_RAD);
+    let base = pose.position.direction();
     Ok(Joints {
         base,
         rear: Degrees(90.0 - (elevation_rad + alpha_rad) * DEG_PER_RAD),
@@ -106,7 +105,7 @@ fn why_unreachable(pose: &Pose, distance_mm: f64) -> Unreachable {
 }
 
 pub(crate) const RAD_PER_DEG: f64 = PI / 180.0;
-const DEG_PER_RAD: f64 = 180.0 / PI;
+pub(crate) const DEG_PER_RAD: f64 = 180.0 / PI;
 
 /// What rounding may add to a value that stands right on a limit.
 pub(crate) const ROUNDING: f64 = 1e-9;

@@ -2,7 +2,8 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::Millimeters;
+use crate::kinematics::{DEG_PER_RAD, RAD_PER_DEG};
+use crate::{Degrees, Millimeters};
 
 /// A point in the base frame, or the way from one point to another.
 ///
@@ -32,6 +33,29 @@ impl Position {
             y: Millimeters(y_mm),
             z: Millimeters(z_mm),
         }
+    }
+
+    /// The point at a distance from the base axis, in the direction of a base angle.
+    ///
+    /// ```
+    /// # use dobot_arm::{Degrees, Millimeters, Position};
+    /// let left = Position::polar(Millimeters(200.0), Degrees(90.0), Millimeters(10.0));
+    /// assert!(left.distance(Position::new(0.0, 200.0, 10.0)).0 < 1e-12);
+    /// ```
+    #[must_use]
+    pub fn polar(reach: Millimeters, base: Degrees, z: Millimeters) -> Self {
+        let (sin, cos) = libm::sincos(base.0 * RAD_PER_DEG);
+        Self {
+            x: reach * cos,
+            y: reach * sin,
+            z,
+        }
+    }
+
+    /// The base angle that points here, in -180..=180 degrees; 0 on the base axis itself.
+    #[must_use]
+    pub fn direction(self) -> Degrees {
+        Degrees(libm::atan2(self.y.0, self.x.0) * DEG_PER_RAD)
     }
 
     /// The horizontal distance from the base axis, never negative.

@@ -3,6 +3,8 @@
 use core::fmt;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
+use crate::kinematics::RAD_PER_DEG;
+
 macro_rules! unit {
     ($(#[$doc:meta])* $name:ident, $symbol:literal) => {
         $(#[$doc])*
@@ -63,6 +65,14 @@ macro_rules! unit {
 unit! {
     /// An angle in degrees: the only angle unit on the wire and in public APIs.
     Degrees, "°"
+}
+
+impl Degrees {
+    /// The length of the arc that a point at this distance from the axis goes, with its sign.
+    #[must_use]
+    pub const fn arc(self, radius: Millimeters) -> Millimeters {
+        Millimeters(self.0 * RAD_PER_DEG * radius.0)
+    }
 }
 
 unit! {

@@ -1,0 +1,181 @@
+//! Up, across, down (JUMP).
+
+use dobot_arm::{Degrees, Millimeters, Pose, Position};
+
+use crate::pace::Pace;
+use crate::plan_error::{finite, not_negative};
+use crate::{PlanError, Profile, Speeds};
+
+/// A move over whatever stands in between (JUMP; Table 3.7, Figure 3.2).
+///
+/// ```text
+///        _______________        height above the higher end
+///       |    across     |
+///    up |               | down
+///       |               * to
+///  from *
+/// ```
+///
+/// Each of the three phases starts and ends at rest; one that has no way to go takes no time.
+/// Across, reach and base angle change evenly together, so that the tool comes neither nearer nor
+/// farther than the two ends are, and the tool turns. The base turns the way that does not cross
+/// straight behind, as its joint has to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jump {
+    from: Pose,
+    to: Pose,
+    top: Millimeters,
+    start: Polar,
+    way: Polar,
+    up: Profile,
+    across: Profile,
+    down: Profile,
+}
+
+impl Jump {
+    /// Plans the jump, which rises to `height` above the higher of its two ends (0 or more).
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where a coordinate is not finite, the height is negative, or a speed or
+    /// acceleration is not positive.
+    pub fn new(
+        from: Pose,
+        to: Pose,
+        height: Millimeters,
+        speeds: &Speeds,
+    ) -> Result<Self, PlanError> {
+        speeds.check()?;
+        not_negative("jump height", height.0)?;
+        let (start, end) = (Polar::of(from.position), Polar::of(to.position));
+        let way = start.way_to(end);
+        let top = Millimeters(from.position.z.0.max(to.position.z.0) + height.0);
+        let turn = to.rotation - from.rotation;
+        finite(
+            "top of the jump",
+            top.0 + from.position.z.0 + to.position.z.0,
+        )?;
+        finite("reach of the jump's start", start.reach.0)?;
+        finite("reach of the jump's end", end.reach.0)?;
+        finite("turn of the tool", turn.0)?;
+        let farthest = Millimeters(start.reach.0.max(end.reach.0));
+        Ok(Self {
+            from,
+            to,
+            top,
+            start,
+            way,
+            up: vertical(top - from.position.z, speeds)?,
+            across: across(way, farthest, turn - way.base, speeds)?,
+            down: vertical(top - to.position.z, speeds)?,
+        })
+    }
+
+    /// The pose at a time.
+    #[must_use]
+    pub fn pose_at(&self, t_s: f64) -> Pose {
+        let across_from_s = self.up.duration_s();
+        let down_from_s = across_from_s + self.across.duration_s();
+        if t_s >= self.duration_s() {
+            self.to
+        } else if t_s >= down_from_s {
+            let below = self.down.distance_at(t_s - down_from_s);
+            at_height(self.to, self.top - Millimeters(below))
+        } else if t_s >= across_from_s {
+            self.across_at(t_s - across_from_s)
+        } else {
+            let above = self.up.distance_at(t_s);
+            at_height(self.from, self.from.position.z + Millimeters(above))
+        }
+    }
+
+    /// How long it takes, all three phases together.
+    #[must_use]
+    pub const fn duration_s(&self) -> f64 {
+        self.up.duration_s() + self.across.duration_s() + self.down.duration_s()
+    }
+
+    /// Where it ends.
+    #[must_use]
+    pub const fn target(&self) -> Pose {
+        self.to
+    }
+
+    fn across_at(&self, t_s: f64) -> Pose {
+        let share = self.across.distance_at(t_s);
+        let reach = self.start.reach + self.way.reach * share;
+        let base = self.start.base + self.way.base * share;
+        Pose {
+            position: Position::polar(reach, base, self.top),
+            rotation: self.from.rotation + (self.to.rotation - self.from.rotation) * share,
+        }
+    }
+}
+
+/// A place seen from above, or the way from one to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Polar {
+    reach: Millimeters,
+    base: Degrees,
+}
+
+impl Polar {
+    fn of(position: Position) -> Self {
+        Self {
+            reach: position.reach(),
+            base: position.direction(),
+        }
+    }
+
+    fn way_to(self, end: Self) -> Self {
+        Self {
+            reach: end.reach - self.reach,
+            base: end.base - self.base,
+        }
+    }
+}
+
+fn at_height(pose: Pose, z: Millimeters) -> Pose {
+    Pose {
+        position: Position { z, ..pose.position },
+        ..pose
+    }
+}
+
+fn vertical(height: Millimeters, speeds: &Speeds) -> Result<Profile, PlanError> {
+    Profile::plan(height.0, 0.0, 0.0, speeds.line_mm_s, speeds.line_mm_s2).finite()
+}
+
+/// The pace across, at which the tool's whole acceleration stays within the line's.
+///
+/// At a pace `u'` and its change `u''` (shares of the way per s and s2) the acceleration is at most
+/// `length u'' + bend u'^2`: the first along the way, the second because the way bends. At full
+/// pace the bend may take half of what is allowed; speeding up and slowing down get the rest.
+fn across(
+    way: Polar,
+    farthest: Millimeters,
+    servo: Degrees,
+    speeds: &Speeds,
+) -> Result<Profile, PlanError> {
+    let arc_mm = way.base.arc(farthest).abs().0;
+    let length_mm = libm::hypot(way.reach.0, arc_mm);
+    let bend_mm = way
+        .base
+        .arc(Millimeters(libm::hypot(2.0 * way.reach.0, arc_mm)))
+        .abs()
+        .0;
+    let servo = Pace::of(servo.abs().0, speeds.servo_deg_s, speeds.servo_deg_s2);
+    let per_speed_s = (length_mm / speeds.line_mm_s)
+        .max(libm::sqrt(2.0 * bend_mm / speeds.line_mm_s2))
+        .max(servo.per_speed_s);
+    let bending_mm_s2 = if bend_mm > 0.0 {
+        bend_mm / (per_speed_s * per_speed_s)
+    } else {
+        0.0
+    };
+    let along = Pace {
+        per_speed_s,
+        per_acceleration_s2: length_mm / (speeds.line_mm_s2 - bending_mm_s2),
+    };
+    along.with(servo).profile()
+}

@@ -1,0 +1,101 @@
+//! The writing and laser vector.
+
+use dobot_arm::Position;
+
+use crate::plan_error::finite;
+use crate::{PlanError, Profile};
+
+/// A straight stroke with a speed at each end (state 4; Table 2.6).
+///
+/// Strokes join without a halt: the end speed of one is the start speed of the next.
+///
+/// ```
+/// # use dobot_arm::Position;
+/// # use dobot_motion::{Stroke, StrokeSpeeds};
+/// let speeds = StrokeSpeeds { start_mm_s: 0.0, end_mm_s: 20.0, max_mm_s: 40.0, acceleration_mm_s2: 100.0 };
+/// let stroke = Stroke::new(Position::new(200.0, 0.0, 0.0), Position::new(0.0, 30.0, 0.0), &speeds)?;
+/// assert_eq!(stroke.position_at(0.2), Position::new(200.0, 2.0, 0.0));
+/// assert_eq!(stroke.end_speed(), 20.0);
+/// # Ok::<(), dobot_motion::PlanError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    from: Position,
+    to: Position,
+    profile: Profile,
+}
+
+impl Stroke {
+    /// Plans the stroke from a position along a vector; a vector of length 0 lasts 0 s.
+    ///
+    /// A vector too short for its two speeds lowers one of them, as [`Profile`] says.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where a coordinate is not finite, or as of [`Profile::new`].
+    pub fn new(from: Position, vector: Position, speeds: &StrokeSpeeds) -> Result<Self, PlanError> {
+        let to = from + vector;
+        finite("end of the stroke", to.x.0 + to.y.0 + to.z.0)?;
+        let profile = Profile::new(
+            vector.length().0,
+            speeds.start_mm_s,
+            speeds.end_mm_s,
+            speeds.max_mm_s,
+            speeds.acceleration_mm_s2,
+        )?;
+        Ok(Self { from, to, profile })
+    }
+
+    /// The position at a time.
+    #[must_use]
+    pub fn position_at(&self, t_s: f64) -> Position {
+        if t_s >= self.profile.duration_s() {
+            return self.to;
+        }
+        let share = self.profile.distance_at(t_s) / self.profile.distance();
+        self.from + (self.to - self.from) * share
+    }
+
+    /// The speed in mm/s at a time.
+    #[must_use]
+    pub fn speed_at(&self, t_s: f64) -> f64 {
+        self.profile.speed_at(t_s)
+    }
+
+    /// How long it takes.
+    #[must_use]
+    pub const fn duration_s(&self) -> f64 {
+        self.profile.duration_s()
+    }
+
+    /// The speed in mm/s with which it starts: as asked for, or lower where the vector is too short.
+    #[must_use]
+    pub const fn start_speed(&self) -> f64 {
+        self.profile.start_speed()
+    }
+
+    /// The speed in mm/s with which it ends: as asked for, or lower where the vector is too short.
+    #[must_use]
+    pub const fn end_speed(&self) -> f64 {
+        self.profile.end_speed()
+    }
+
+    /// Where it ends.
+    #[must_use]
+    pub const fn target(&self) -> Position {
+        self.to
+    }
+}
+
+/// The speeds of a stroke (Table 2.6) and its acceleration (Table 3.9, state 9, mode 2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrokeSpeeds {
+    /// Speed at the start, 0 to the maximum.
+    pub start_mm_s: f64,
+    /// Speed at the end, 0 to the maximum.
+    pub end_mm_s: f64,
+    /// Highest speed on the way, above 0.
+    pub max_mm_s: f64,
+    /// Highest acceleration, above 0.
+    pub acceleration_mm_s2: f64,
+}
