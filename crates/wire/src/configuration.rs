@@ -1,0 +1,216 @@
+//! Configuration.
+
+use crate::table::Table;
+use crate::{Dialect, Frame, ParseError};
+
+/// Sets the parameters of the arm (state 9; Table 3.9). Speeds and accelerations are above 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(tag = "mode", rename_all = "snake_case"))]
+pub enum Configuration {
+    /// How fast a jog is (mode 0).
+    Teach {
+        /// The speed of base, rear arm and forearm, in degrees/s.
+        joint_speed_deg_s: f32,
+        /// Their acceleration, in degrees/s2.
+        joint_acceleration_deg_s2: f32,
+        /// The speed of the servo (joint 4), in degrees/s.
+        servo_speed_deg_s: f32,
+        /// Its acceleration, in degrees/s2.
+        servo_acceleration_deg_s2: f32,
+        /// The speed along an axis, in mm/s.
+        linear_speed_mm_s: f32,
+        /// The acceleration along an axis, in mm/s2.
+        linear_acceleration_mm_s2: f32,
+    },
+    /// How fast a target is reached (mode 1).
+    Playback {
+        /// The largest speed of base, rear arm and forearm, in degrees/s.
+        joint_speed_deg_s: f32,
+        /// Their largest acceleration, in degrees/s2.
+        joint_acceleration_deg_s2: f32,
+        /// The largest speed of the servo, in degrees/s.
+        servo_speed_deg_s: f32,
+        /// Its largest acceleration, in degrees/s2.
+        servo_acceleration_deg_s2: f32,
+        /// The largest speed along a line, in mm/s.
+        linear_speed_mm_s: f32,
+        /// The largest acceleration along a line, in mm/s2.
+        linear_acceleration_mm_s2: f32,
+        /// The pause of targets that have none, 0 to 655 seconds (note N10).
+        default_pause_s: f32,
+        /// How high a JUMP lifts, 0 or above, in millimetres (note N11).
+        jump_height_mm: f32,
+    },
+    /// How fast a line is written (mode 2).
+    Writing {
+        /// The acceleration, in mm/s2.
+        acceleration_mm_s2: f32,
+    },
+    /// Where the arm is, said by hand (mode 3; note N8).
+    InitialAngles {
+        /// The rear arm's angle in degrees from the vertical, whatever the dialect's form.
+        rear_deg: f32,
+        /// The forearm's angle in degrees below the horizontal.
+        fore_deg: f32,
+    },
+    /// What is mounted (mode 4).
+    EndEffector {
+        /// The tool.
+        tool: EndEffector,
+    },
+}
+
+impl Configuration {
+    /// Float 1 of this command.
+    pub const STATE: f32 = 9.0;
+
+    /// Reads the command.
+    ///
+    /// # Errors
+    ///
+    /// [`ParseError::OutOfRange`] where a float breaks its range in Table 3.9.
+    pub fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
+        TABLE.state(frame, Self::STATE, "9")?;
+        let modes = [
+            parse_teach,
+            parse_playback,
+            parse_writing,
+            parse_initial_angles,
+            parse_end_effector,
+        ];
+        let parse = TABLE.code(frame, 2, "mode", &modes, "0 to 4")?;
+        parse(frame, dialect)
+    }
+
+    /// Writes the command; `parse` reads it back unchanged, but for the rounding of `90 - rear`
+    /// (up to 8e-6 degrees) in a dialect that complements the initial angle.
+    #[must_use]
+    pub fn emit(&self, dialect: &Dialect) -> Frame {
+        let frame = Frame::ZERO.with(1, Self::STATE);
+        match *self {
+            Self::Teach {
+                joint_speed_deg_s,
+                joint_acceleration_deg_s2,
+                servo_speed_deg_s,
+                servo_acceleration_deg_s2,
+                linear_speed_mm_s,
+                linear_acceleration_mm_s2,
+            } => frame
+                .with(2, 0.0)
+                .with(3, joint_speed_deg_s)
+                .with(4, joint_acceleration_deg_s2)
+                .with(5, servo_speed_deg_s)
+                .with(6, servo_acceleration_deg_s2)
+                .with(7, linear_speed_mm_s)
+                .with(8, linear_acceleration_mm_s2),
+            Self::Playback {
+                joint_speed_deg_s,
+                joint_acceleration_deg_s2,
+                servo_speed_deg_s,
+                servo_acceleration_deg_s2,
+                linear_speed_mm_s,
+                linear_acceleration_mm_s2,
+                default_pause_s,
+                jump_height_mm,
+            } => frame
+                .with(2, 1.0)
+                .with(3, joint_speed_deg_s)
+                .with(4, joint_acceleration_deg_s2)
+                .with(5, servo_speed_deg_s)
+                .with(6, servo_acceleration_deg_s2)
+                .with(7, linear_speed_mm_s)
+                .with(8, linear_acceleration_mm_s2)
+                .with(9, default_pause_s)
+                .with(10, jump_height_mm),
+            Self::Writing { acceleration_mm_s2 } => frame.with(2, 2.0).with(3, acceleration_mm_s2),
+            Self::InitialAngles { rear_deg, fore_deg } => frame
+                .with(2, 3.0)
+                .with(3, dialect.initial_rear(rear_deg))
+                .with(4, fore_deg),
+            Self::EndEffector { tool } => frame.with(2, 4.0).with(3, tool.emit()),
+        }
+    }
+}
+
+impl Dialect {
+    /// Turns float 3 of mode 3 into the rear arm's angle, and back (note N8).
+    pub(crate) fn initial_rear(&self, rear_deg: f32) -> f32 {
+        if self.complements_initial_rear {
+            90.0 - rear_deg
+        } else {
+            rear_deg
+        }
+    }
+}
+
+/// What is mounted at the end of the arm (state 9, mode 4; Table 3.9).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[repr(u8)]
+pub enum EndEffector {
+    /// The suction cup.
+    SuctionCup = 0,
+    /// The gripper.
+    Gripper = 1,
+    /// The laser.
+    Laser = 2,
+}
+
+impl EndEffector {
+    fn parse(frame: &Frame) -> Result<Self, ParseError> {
+        let choices = [Self::SuctionCup, Self::Gripper, Self::Laser];
+        let allowed = "0 (suction cup), 1 (gripper) or 2 (laser)";
+        TABLE.code(frame, 3, "end effector", &choices, allowed)
+    }
+
+    fn emit(self) -> f32 {
+        f32::from(self as u8)
+    }
+}
+
+fn parse_teach(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
+    Ok(Configuration::Teach {
+        joint_speed_deg_s: TABLE.positive(frame, 3, "joint jog speed")?,
+        joint_acceleration_deg_s2: TABLE.positive(frame, 4, "joint jog acceleration")?,
+        servo_speed_deg_s: TABLE.positive(frame, 5, "joint 4 speed")?,
+        servo_acceleration_deg_s2: TABLE.positive(frame, 6, "joint 4 acceleration")?,
+        linear_speed_mm_s: TABLE.positive(frame, 7, "linear jog speed")?,
+        linear_acceleration_mm_s2: TABLE.positive(frame, 8, "linear jog acceleration")?,
+    })
+}
+
+fn parse_playback(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
+    Ok(Configuration::Playback {
+        joint_speed_deg_s: TABLE.positive(frame, 3, "max joint moving speed")?,
+        joint_acceleration_deg_s2: TABLE.positive(frame, 4, "max joint moving acceleration")?,
+        servo_speed_deg_s: TABLE.positive(frame, 5, "max servo speed")?,
+        servo_acceleration_deg_s2: TABLE.positive(frame, 6, "max servo acceleration")?,
+        linear_speed_mm_s: TABLE.positive(frame, 7, "max linear moving speed")?,
+        linear_acceleration_mm_s2: TABLE.positive(frame, 8, "max linear moving acceleration")?,
+        default_pause_s: TABLE.pause(frame, 9, "default pause time")?,
+        jump_height_mm: TABLE.not_negative(frame, 10, "JUMP height")?,
+    })
+}
+
+fn parse_writing(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
+    Ok(Configuration::Writing {
+        acceleration_mm_s2: TABLE.positive(frame, 3, "writing acceleration")?,
+    })
+}
+
+fn parse_initial_angles(frame: &Frame, dialect: &Dialect) -> Result<Configuration, ParseError> {
+    Ok(Configuration::InitialAngles {
+        rear_deg: dialect.initial_rear(TABLE.finite(frame, 3, "joint2 angle")?),
+        fore_deg: TABLE.finite(frame, 4, "joint3 angle")?,
+    })
+}
+
+fn parse_end_effector(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
+    Ok(Configuration::EndEffector {
+        tool: EndEffector::parse(frame)?,
+    })
+}
+
+const TABLE: Table = Table("Table 3.9");

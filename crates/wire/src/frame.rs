@@ -1,0 +1,93 @@
+//! The frame: ten floats between two delimiters.
+
+/// Ten floats, numbered from 1 as in the tables (Tables 2.1 and 2.3).
+///
+/// A frame judges nothing: every bit pattern of every float survives the way from bytes to frame
+/// and back, those of NaN included. What the floats mean is the business of
+/// [`Command`](crate::Command) and [`Status`](crate::Status).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct Frame {
+    floats: [f32; FLOATS],
+}
+
+impl Frame {
+    /// Ten zeros: Appendix 1 wants every float that a command does not use to be 0.
+    pub const ZERO: Self = Self {
+        floats: [0.0; FLOATS],
+    };
+
+    /// Reads a packet; `None` where the delimiters are not `A5` and `5A`.
+    #[must_use]
+    pub fn from_bytes(bytes: &[u8; PACKET_LEN]) -> Option<Self> {
+        if bytes[0] != HEADER || bytes[PACKET_LEN - 1] != TAIL {
+            return None;
+        }
+        let mut frame = Self::ZERO;
+        let (floats, _) = bytes[1..].as_chunks();
+        for (float, bytes) in frame.floats.iter_mut().zip(floats) {
+            *float = f32::from_le_bytes(*bytes);
+        }
+        Some(frame)
+    }
+
+    /// The same frame with float `n` replaced.
+    ///
+    /// # Panics
+    ///
+    /// If `n` is not 1 to 10: the numbers are those of the tables, known when the code is written.
+    #[must_use]
+    pub const fn with(mut self, n: usize, value: f32) -> Self {
+        self.floats[n - 1] = value;
+        self
+    }
+
+    /// Float `n`.
+    ///
+    /// # Panics
+    ///
+    /// If `n` is not 1 to 10.
+    #[must_use]
+    pub const fn float(&self, n: usize) -> f32 {
+        self.floats[n - 1]
+    }
+
+    /// All ten floats in the order of the tables; float 1 is at index 0.
+    #[must_use]
+    pub const fn floats(&self) -> &[f32; FLOATS] {
+        &self.floats
+    }
+
+    /// Whether no float is infinite or NaN.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.floats
+            .iter()
+            .fold(true, |all, float| all & float.is_finite())
+    }
+
+    /// Writes the packet: `A5`, ten floats with their low byte first, `5A`.
+    #[must_use]
+    pub fn to_bytes(&self) -> [u8; PACKET_LEN] {
+        let mut bytes = [0; PACKET_LEN];
+        bytes[0] = HEADER;
+        let (floats, _) = bytes[1..].as_chunks_mut();
+        for (bytes, float) in floats.iter_mut().zip(self.floats) {
+            *bytes = float.to_le_bytes();
+        }
+        bytes[PACKET_LEN - 1] = TAIL;
+        bytes
+    }
+}
+
+/// The length of every packet in bytes, both ways.
+pub const PACKET_LEN: usize = 42;
+
+/// The first byte of a frame.
+pub const HEADER: u8 = 0xA5;
+
+/// The last byte of a frame.
+pub const TAIL: u8 = 0x5A;
+
+const FLOATS: usize = 10;

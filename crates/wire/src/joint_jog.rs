@@ -1,0 +1,124 @@
+//! Joint jog.
+
+use crate::table::Table;
+use crate::{Dialect, Frame, ParseError};
+
+/// Moves one joint while a button is held (state 2; Tables 3.5 and 2.5).
+///
+/// The arm keeps moving until the next jog packet says otherwise: there is no dead-man in it
+/// (note N13).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct JointJog {
+    /// What the button moves or switches.
+    pub axis: JointJogAxis,
+    /// The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
+    pub speed_percent: f32,
+}
+
+impl JointJog {
+    /// Float 1 of this command.
+    pub const STATE: f32 = 2.0;
+
+    /// Reads the command.
+    ///
+    /// # Errors
+    ///
+    /// [`ParseError::OutOfRange`] where a float breaks its range in Table 3.5 or Table 2.5.
+    pub fn parse(frame: &Frame, _: &Dialect) -> Result<Self, ParseError> {
+        TABLE.state(frame, Self::STATE, "2")?;
+        let axis = JointJogAxis::parse(frame)?;
+        Ok(Self {
+            axis,
+            speed_percent: TABLE.jog_speed(frame, axis.moves())?,
+        })
+    }
+
+    /// Writes the command; `parse` reads it back unchanged.
+    #[must_use]
+    pub fn emit(&self, _: &Dialect) -> Frame {
+        Frame::ZERO
+            .with(1, Self::STATE)
+            .with(2, self.axis.emit())
+            .with(8, self.speed_percent)
+    }
+}
+
+/// What a button of joint jog moves or switches (Table 2.5; note N14).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[repr(u8)]
+pub enum JointJogAxis {
+    /// The button is released.
+    Released = 0,
+    /// The base, counter-clockwise seen from above.
+    BasePlus = 1,
+    /// The base, clockwise.
+    BaseMinus = 2,
+    /// The rear arm, forward.
+    RearPlus = 3,
+    /// The rear arm, back.
+    RearMinus = 4,
+    /// The forearm, down.
+    ForePlus = 5,
+    /// The forearm, up.
+    ForeMinus = 6,
+    /// The servo, counter-clockwise.
+    ServoPlus = 7,
+    /// The servo, clockwise.
+    ServoMinus = 8,
+    /// The pump on.
+    SuctionOn = 9,
+    /// The pump off.
+    SuctionOff = 10,
+    /// The gripper opens.
+    GripperOpen = 11,
+    /// The gripper closes.
+    GripperClose = 12,
+    /// The laser on.
+    LaserOn = 13,
+    /// The laser off.
+    LaserOff = 14,
+}
+
+impl JointJogAxis {
+    /// All fifteen, in the order of Table 2.5.
+    pub const ALL: [Self; 15] = [
+        Self::Released,
+        Self::BasePlus,
+        Self::BaseMinus,
+        Self::RearPlus,
+        Self::RearMinus,
+        Self::ForePlus,
+        Self::ForeMinus,
+        Self::ServoPlus,
+        Self::ServoMinus,
+        Self::SuctionOn,
+        Self::SuctionOff,
+        Self::GripperOpen,
+        Self::GripperClose,
+        Self::LaserOn,
+        Self::LaserOff,
+    ];
+
+    /// Whether something moves for as long as the button is held: all but the release and the
+    /// switches of pump and laser.
+    #[must_use]
+    pub const fn moves(self) -> bool {
+        !matches!(
+            self,
+            Self::Released | Self::SuctionOn | Self::SuctionOff | Self::LaserOn | Self::LaserOff
+        )
+    }
+
+    fn parse(frame: &Frame) -> Result<Self, ParseError> {
+        Table("Table 2.5").code(frame, 2, "Axis", &Self::ALL, "0 to 14")
+    }
+
+    fn emit(self) -> f32 {
+        f32::from(self as u8)
+    }
+}
+
+const TABLE: Table = Table("Table 3.5");

@@ -1,0 +1,59 @@
+//! Mouse control.
+
+use crate::table::Table;
+use crate::{Dialect, Frame, ParseError};
+
+/// Moves the end effector by a little, as a mouse does (state 1; Table 2.4).
+///
+/// Float 3 is Y and float 4 is X, in that order: Table 2.4 and Appendix 1 agree. The unit of the
+/// increments is the dialect's (note N9): millimetres by the document, units of the mouse on a stock
+/// arm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MouseMove {
+    /// How far along Y; on a stock arm the base swings by -0.225 degrees for each unit.
+    pub y: f32,
+    /// How far along X; on a stock arm the reach grows by 0.4 mm for each unit.
+    pub x: f32,
+    /// How far along Z; on a stock arm 0.4 mm for each unit.
+    pub z: f32,
+    /// The rotation of the end effector, absolute, in degrees (note N9).
+    pub rotation_deg: f32,
+    /// Whether the pump runs.
+    pub suction: bool,
+}
+
+impl MouseMove {
+    /// Float 1 of this command.
+    pub const STATE: f32 = 1.0;
+
+    /// Reads the command.
+    ///
+    /// # Errors
+    ///
+    /// [`ParseError::OutOfRange`] where a float breaks its range in Table 2.4.
+    pub fn parse(frame: &Frame, _: &Dialect) -> Result<Self, ParseError> {
+        TABLE.state(frame, Self::STATE, "1")?;
+        Ok(Self {
+            y: TABLE.finite(frame, 3, "Y")?,
+            x: TABLE.finite(frame, 4, "X")?,
+            z: TABLE.finite(frame, 5, "Z")?,
+            rotation_deg: TABLE.finite(frame, 6, "RHead")?,
+            suction: TABLE.switch(frame, 7, "isGrab")?,
+        })
+    }
+
+    /// Writes the command; `parse` reads it back unchanged.
+    #[must_use]
+    pub fn emit(&self, _: &Dialect) -> Frame {
+        Frame::ZERO
+            .with(1, Self::STATE)
+            .with(3, self.y)
+            .with(4, self.x)
+            .with(5, self.z)
+            .with(6, self.rotation_deg)
+            .with(7, f32::from(self.suction))
+    }
+}
+
+const TABLE: Table = Table("Table 2.4");

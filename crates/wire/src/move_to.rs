@@ -1,0 +1,68 @@
+//! The target given as a point.
+
+use crate::table::Table;
+use crate::{Dialect, Frame, MovingMode, ParseError};
+
+/// Go to a point, then set the tool (state 3; Table 3.7).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MoveTo {
+    /// Forward of the base's axis, in millimetres.
+    pub x_mm: f32,
+    /// To the left of it, in millimetres.
+    pub y_mm: f32,
+    /// Above the rear arm's pivot, in millimetres.
+    pub z_mm: f32,
+    /// The end effector's rotation relative to the base, in degrees: servo plus base angle, not the
+    /// joint 4 angle.
+    pub rotation_deg: f32,
+    /// Whether the pump runs after the move.
+    pub suction: bool,
+    /// The way there.
+    pub mode: MovingMode,
+    /// The gripper's angle after the move, -90 to 90 degrees.
+    pub gripper_deg: f32,
+    /// The pause after the move, 0 to 655 seconds (note N10).
+    pub pause_s: f32,
+}
+
+impl MoveTo {
+    /// Float 1 of this command.
+    pub const STATE: f32 = 3.0;
+
+    /// Reads the command.
+    ///
+    /// # Errors
+    ///
+    /// [`ParseError::OutOfRange`] where a float breaks its range in Table 3.7.
+    pub fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
+        TABLE.state(frame, Self::STATE, "3")?;
+        Ok(Self {
+            x_mm: TABLE.finite(frame, 3, "X")?,
+            y_mm: TABLE.finite(frame, 4, "Y")?,
+            z_mm: TABLE.finite(frame, 5, "Z")?,
+            rotation_deg: TABLE.finite(frame, 6, "RHead")?,
+            suction: TABLE.switch(frame, 7, "isGrab")?,
+            mode: MovingMode::parse(frame, dialect)?,
+            gripper_deg: TABLE.gripper(frame, 9)?,
+            pause_s: TABLE.pause(frame, 10, "PauseTime")?,
+        })
+    }
+
+    /// Writes the command; `parse` reads it back unchanged.
+    #[must_use]
+    pub fn emit(&self, dialect: &Dialect) -> Frame {
+        Frame::ZERO
+            .with(1, Self::STATE)
+            .with(3, self.x_mm)
+            .with(4, self.y_mm)
+            .with(5, self.z_mm)
+            .with(6, self.rotation_deg)
+            .with(7, f32::from(self.suction))
+            .with(8, self.mode.emit(dialect))
+            .with(9, self.gripper_deg)
+            .with(10, self.pause_s)
+    }
+}
+
+const TABLE: Table = Table("Table 3.7");

@@ -1,0 +1,40 @@
+//! The three ways to a target.
+
+use crate::table::Table;
+use crate::{Dialect, Frame, ParseError};
+
+/// The way to a target (float 8 of states 3 and 6; Table 3.7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum MovingMode {
+    /// Lift, move across, lower (note N11).
+    Jump,
+    /// A straight line of the end effector (note N12).
+    MovL,
+    /// All joints start and stop together.
+    MovJ,
+}
+
+impl MovingMode {
+    /// Reads float 8.
+    pub(crate) fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
+        if dialect.codes_movj_before_movl {
+            let allowed = "0 (jump), 1 (joint) or 2 (linear)";
+            let choices = [Self::Jump, Self::MovJ, Self::MovL];
+            return Table("note N2").code(frame, 8, "MovingMode", &choices, allowed);
+        }
+        let allowed = "0 (jump), 1 (linear) or 2 (joint)";
+        let choices = [Self::Jump, Self::MovL, Self::MovJ];
+        Table("Table 3.7").code(frame, 8, "MovingMode", &choices, allowed)
+    }
+
+    /// Writes float 8.
+    pub(crate) const fn emit(self, dialect: &Dialect) -> f32 {
+        match (self, dialect.codes_movj_before_movl) {
+            (Self::Jump, _) => 0.0,
+            (Self::MovL, false) | (Self::MovJ, true) => 1.0,
+            (Self::MovJ, false) | (Self::MovL, true) => 2.0,
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The status: the only thing that the controller ever says.
+
+use crate::table::Table;
+use crate::{Frame, ParseError};
+
+/// Where the arm is (Table 2.3); each one received permits one command (note N20).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Status {
+    /// Forward of the base's axis, in millimetres.
+    pub x_mm: f32,
+    /// To the left of it, in millimetres.
+    pub y_mm: f32,
+    /// Above the rear arm's pivot, in millimetres.
+    pub z_mm: f32,
+    /// The end effector's rotation relative to the base, in degrees: servo plus base angle.
+    pub rotation_deg: f32,
+    /// The base's angle in degrees, counter-clockwise seen from above.
+    pub base_deg: f32,
+    /// The rear arm's angle in degrees from the vertical, forward positive.
+    pub rear_deg: f32,
+    /// The forearm's angle in degrees below the horizontal.
+    pub fore_deg: f32,
+    /// The servo's angle in degrees.
+    pub servo_deg: f32,
+    /// Whether the pump runs; the laser does not show (note N21).
+    pub suction: bool,
+    /// The gripper's angle in degrees.
+    pub gripper_deg: f32,
+}
+
+impl Status {
+    /// Reads the status.
+    ///
+    /// # Errors
+    ///
+    /// [`ParseError::OutOfRange`] where a float is not finite, or isGrab not 0 or 1 (Table 2.3).
+    pub fn parse(frame: &Frame) -> Result<Self, ParseError> {
+        Ok(Self {
+            x_mm: TABLE.finite(frame, 1, "X")?,
+            y_mm: TABLE.finite(frame, 2, "Y")?,
+            z_mm: TABLE.finite(frame, 3, "Z")?,
+            rotation_deg: TABLE.finite(frame, 4, "rHead")?,
+            base_deg: TABLE.finite(frame, 5, "baseAngle")?,
+            rear_deg: TABLE.finite(frame, 6, "longArmAngle")?,
+            fore_deg: TABLE.finite(frame, 7, "shortArmAngle")?,
+            servo_deg: TABLE.finite(frame, 8, "pawArmAngle")?,
+            suction: TABLE.switch(frame, 9, "isGrab")?,
+            gripper_deg: TABLE.finite(frame, 10, "GripperAngle")?,
+        })
+    }
+
+    /// Writes the status; `parse` reads it back unchanged.
+    #[must_use]
+    pub fn emit(&self) -> Frame {
+        Frame::ZERO
+            .with(1, self.x_mm)
+            .with(2, self.y_mm)
+            .with(3, self.z_mm)
+            .with(4, self.rotation_deg)
+            .with(5, self.base_deg)
+            .with(6, self.rear_deg)
+            .with(7, self.fore_deg)
+            .with(8, self.servo_deg)
+            .with(9, f32::from(self.suction))
+            .with(10, self.gripper_deg)
+    }
+}
+
+const TABLE: Table = Table("Table 2.3");
