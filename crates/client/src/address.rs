@@ -80,13 +80,17 @@ pub enum AddressError {
         found: String,
     },
     /// `serial:` without a port's name.
-    #[error("address `{found}` names no serial port; allowed is serial:PORT[@BAUD], as in serial:/dev/ttyUSB0")]
+    #[error(
+        "address `{found}` names no serial port; allowed is serial:PORT[@BAUD], as in serial:/dev/ttyUSB0"
+    )]
     NoPort {
         /// The whole text.
         found: String,
     },
     /// The part behind `@` is not a line speed.
-    #[error("address `{found}` has `{baud}` for a line speed; allowed is a whole number of bits per second from 300, as in serial:/dev/ttyUSB0@9600")]
+    #[error(
+        "address `{found}` has `{baud}` for a line speed; allowed is a whole number of bits per second from 300, as in serial:/dev/ttyUSB0@9600"
+    )]
     BadBaud {
         /// The whole text.
         found: String,
@@ -94,7 +98,9 @@ pub enum AddressError {
         baud: String,
     },
     /// `tcp:` without host and port.
-    #[error("address is `{found}`; allowed is tcp:HOST:PORT with a port from 1 to 65535, as in tcp:localhost:5555")]
+    #[error(
+        "address is `{found}`; allowed is tcp:HOST:PORT with a port from 1 to 65535, as in tcp:localhost:5555"
+    )]
     BadTcp {
         /// The whole text.
         found: String,

@@ -84,7 +84,9 @@ impl Completion {
         }
         let found = position(status);
         let (on_course, progress_mm) = self.on_course(found);
-        let over = on_course.max(self.over_at_rest(now, found)).max(self.instant());
+        let over = on_course
+            .max(self.over_at_rest(now, found))
+            .max(self.instant());
         for _ in 0..over {
             let Some(first) = self.finish_first() else {
                 break;
@@ -168,7 +170,8 @@ impl Completion {
             let ended = under_way
                 .end()
                 .is_some_and(|end| end.distance(found).0 <= ARRIVED_MM);
-            if under_way.statuses >= SEEN_AFTER && ended && now - seen.since >= pauses {
+            if under_way.statuses >= SEEN_AFTER && ended && now.saturating_sub(seen.since) >= pauses
+            {
                 over = index + 1;
             }
         }
@@ -178,11 +181,14 @@ impl Completion {
     /// The first command and its end, if the arm rests elsewhere for so long that it gave up.
     fn not_reached(&self, now: Duration, found: Position) -> Option<(Position, CommandId)> {
         let seen = self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
-        let first = self.under_way.front().filter(|it| it.statuses >= GIVEN_UP)?;
+        let first = self
+            .under_way
+            .front()
+            .filter(|it| it.statuses >= GIVEN_UP)?;
         let pauses: Duration = self.under_way.iter().map(|it| it.pause).sum();
         let end = first.end()?;
         let elsewhere = end.distance(found).0 > ARRIVED_MM;
-        (elsewhere && now - seen.since >= pauses).then_some((end, first.command))
+        (elsewhere && now.saturating_sub(seen.since) >= pauses).then_some((end, first.command))
     }
 
     fn finish_first(&mut self) -> Option<UnderWay> {
@@ -221,7 +227,12 @@ impl Completion {
                 way(it.mode, from, to)
             }
             Command::MoveJoints(it) => {
-                let joints = Joints::new(it.base_deg.into(), it.rear_deg.into(), it.fore_deg.into(), 0.0);
+                let joints = Joints::new(
+                    it.base_deg.into(),
+                    it.rear_deg.into(),
+                    it.fore_deg.into(),
+                    0.0,
+                );
                 way(it.mode, from, forward(&joints, self.tool).position)
             }
             Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) => {
@@ -241,9 +252,9 @@ impl Completion {
                     to: from.map(|from| retooled(from, before, self.tool)),
                 }
             }
-            Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::WriteVector(_) => {
-                Course::Open { to: from }
-            }
+            Command::Configuration(_)
+            | Command::PlaybackAdjustment(_)
+            | Command::WriteVector(_) => Course::Open { to: from },
             _ => Course::Open { to: None },
         }
     }

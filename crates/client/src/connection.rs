@@ -59,7 +59,9 @@ pub enum LinkError {
     #[error("the link broke")]
     Broken(#[source] io::Error),
     /// The arm rests elsewhere than a command leads.
-    #[error("the arm rests at {found}, not at {expected}, where the command leads: it was refused or stopped at a limit")]
+    #[error(
+        "the arm rests at {found}, not at {expected}, where the command leads: it was refused or stopped at a limit"
+    )]
     NotReached {
         /// Where the command leads.
         expected: String,
@@ -84,8 +86,12 @@ impl Connection {
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
         Ok(match address {
             Address::Virtual => return Err(OpenError::Virtual),
-            Address::Serial { path, baud } => Self::over_stream(open::serial(path, *baud)?, dialect),
-            Address::Tcp { host, port } => Self::over_stream(open::tcp(host, *port).await?, dialect),
+            Address::Serial { path, baud } => {
+                Self::over_stream(open::serial(path, *baud)?, dialect)
+            }
+            Address::Tcp { host, port } => {
+                Self::over_stream(open::tcp(host, *port).await?, dialect)
+            }
         })
     }
 
@@ -166,7 +172,10 @@ impl Connection {
                 self.outgoing.extend_from_slice(&packet.to_bytes());
             }
             let wakeup = self.session.poll_wakeup();
-            let open = self.link.carry(&mut self.outgoing, &mut self.incoming, wakeup).await?;
+            let open = self
+                .link
+                .carry(&mut self.outgoing, &mut self.incoming, wakeup)
+                .await?;
             let now = self.now();
             self.session.handle_bytes(now, &self.incoming);
             self.incoming.clear();
@@ -277,7 +286,10 @@ impl Link {
 impl std::fmt::Debug for Link {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Stream { opened, .. } => f.debug_struct("Stream").field("opened", opened).finish_non_exhaustive(),
+            Self::Stream { opened, .. } => f
+                .debug_struct("Stream")
+                .field("opened", opened)
+                .finish_non_exhaustive(),
             Self::Peer(peer) => f.debug_tuple("Peer").field(peer).finish(),
         }
     }

@@ -33,7 +33,11 @@ fn device(kind: SerialPortType) -> Option<String> {
         SerialPortType::UsbPort(usb) => {
             let names = [usb.manufacturer, usb.product];
             let name = names.into_iter().flatten().collect::<Vec<_>>().join(" ");
-            Some(format!("USB {:04x}:{:04x} {name}", usb.vid, usb.pid).trim_end().to_owned())
+            Some(
+                format!("USB {:04x}:{:04x} {name}", usb.vid, usb.pid)
+                    .trim_end()
+                    .to_owned(),
+            )
         }
         SerialPortType::BluetoothPort => Some("Bluetooth".into()),
         SerialPortType::PciPort => Some("PCI".into()),

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, ParseError, Status};
+use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, ParseError, Status, Statuses};
 
 use crate::completion::{Completion, Outcome};
 
@@ -31,7 +31,7 @@ use crate::completion::{Completion, Outcome};
 #[derive(Debug)]
 pub struct Session {
     dialect: Option<Dialect>,
-    decoder: Decoder,
+    decoder: Decoder<Statuses>,
     waiting: VecDeque<(CommandId, Command)>,
     next_id: u64,
     /// A status came and no command has used it yet.
@@ -159,7 +159,7 @@ impl Session {
     /// Takes bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         // The frames borrow the decoder, so they are set aside: a read holds a few at the most.
-        let frames: Vec<Frame> = self.decoder.feed(bytes).filter_map(frame).collect();
+        let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
         for frame in frames {
             if let Ok(status) = Status::parse(&frame) {
                 self.handle_status(now, status);
@@ -174,7 +174,8 @@ impl Session {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
-                noise: self.decoder.counts().skipped - self.skipped + self.decoder.pending() as u64,
+                noise: self.decoder.counts().skipped_bytes - self.skipped
+                    + self.decoder.waiting() as u64,
             });
         }
     }
@@ -215,6 +216,12 @@ impl Session {
     #[must_use]
     pub const fn dialect(&self) -> Option<&Dialect> {
         self.dialect.as_ref()
+    }
+
+    /// Whether something happened that nobody has been told.
+    #[must_use]
+    pub fn has_event(&self) -> bool {
+        !self.events.is_empty()
     }
 
     /// Commands that wait for a permit.
@@ -292,35 +299,18 @@ impl Session {
         let counts = self.decoder.counts();
         if counts.resyncs > self.resyncs {
             self.events.push_back(Event::Resynced {
-                skipped: counts.skipped - self.skipped,
+                skipped: counts.skipped_bytes - self.skipped,
             });
             self.resyncs = counts.resyncs;
-            self.skipped = counts.skipped;
+            self.skipped = counts.skipped_bytes;
         }
     }
 }
 
 /// Whether a frame can be a status: its position agrees with its angles (note N4).
 fn plausible(frame: &Frame) -> bool {
-    Status::parse(frame).is_ok_and(|it| {
-        dobot_arm::agrees(
-            crate::completion::position(&it),
-            it.rotation_deg.into(),
-            &dobot_arm::Joints::new(
-                it.base_deg.into(),
-                it.rear_deg.into(),
-                it.fore_deg.into(),
-                it.servo_deg.into(),
-            ),
-        )
-    })
-}
-
-const fn frame(packet: Packet) -> Option<Frame> {
-    match packet {
-        Packet::Frame(frame) => Some(frame),
-        Packet::Voice(_) => None,
-    }
+    let float = |n| f64::from(frame.float(n));
+    dobot_arm::agrees([1, 2, 3].map(float), float(4), [5, 6, 7, 8].map(float))
 }
 
 /// A status comes every 80 ms; a dozen missing are no accident.

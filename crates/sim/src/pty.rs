@@ -43,8 +43,13 @@ impl Pty {
             }
             symlink(&path, link)?;
         }
+        #[expect(
+            deprecated,
+            reason = "its successor is unsafe; an `OwnedFd` keeps its descriptor, which is all that is asked"
+        )]
+        let master = AsyncFd::new(master)?;
         Ok(Self {
-            master: AsyncFd::new(master)?,
+            master,
             path,
             link: link.map(Path::to_owned),
         })

@@ -220,10 +220,8 @@ async fn read_pty(pty: &Pty, buffer: &mut Vec<u8>) -> io::Result<usize> {
 }
 
 /// The vendor's bridge listens here, so old programs find the virtual arm (note N3).
-pub const DEFAULT_TCP: SocketAddr = SocketAddr::new(
-    std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST),
-    5555,
-);
+pub const DEFAULT_TCP: SocketAddr =
+    SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5555);
 
 /// How often a moving arm is recorded.
 pub const RECORDING_PERIOD: Duration = Duration::from_millis(5);
