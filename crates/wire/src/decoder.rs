@@ -1,0 +1,220 @@
+//! The decoder: a stream of bytes in, packets out.
+
+use crate::direction::{Commands, Direction, Statuses};
+use crate::{Frame, PACKET_LEN};
+
+/// Finds the packets in a stream of bytes, whatever happened to it on the way.
+///
+/// It keeps its place from packet to packet. Where a window of 42 bytes cannot be trusted it goes on
+/// looking at the byte after the false header, so that damage costs no packet but the one it hit;
+/// what it trusts is the business of the direction: [`Statuses`] (note N22) or [`Commands`]
+/// (note N24).
+#[derive(Clone, Debug)]
+pub struct Decoder<D> {
+    direction: D,
+    /// The beginning of a packet whose end has not arrived; `window[0]` is a header whenever
+    /// `filled > 0`.
+    window: [u8; PACKET_LEN],
+    /// Below `PACKET_LEN` whenever `feed` has run to its end.
+    filled: usize,
+    /// The next window begins where the last packet ended, or where the stream began.
+    locked: bool,
+    counts: Counts,
+}
+
+impl Decoder<Statuses> {
+    /// A decoder of what the controller sends.
+    ///
+    /// `plausible` judges frames whose floats are all in range (note N22). X, Y and Z that equal the
+    /// forward kinematics of the angles are the checksum that the protocol does not have.
+    #[must_use]
+    pub const fn statuses(plausible: fn(&Frame) -> bool) -> Self {
+        Self::new(Statuses::new(plausible))
+    }
+}
+
+impl Decoder<Commands> {
+    /// A decoder of what clients send.
+    #[must_use]
+    pub const fn commands() -> Self {
+        Self::new(Commands)
+    }
+}
+
+impl<D> Decoder<D> {
+    const fn new(direction: D) -> Self {
+        Self {
+            direction,
+            window: [0; PACKET_LEN],
+            filled: 0,
+            locked: true,
+            counts: Counts {
+                frames: 0,
+                skipped_bytes: 0,
+                resyncs: 0,
+            },
+        }
+    }
+
+    /// What happened so far.
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// How many bytes wait for the rest of their packet: below 42.
+    ///
+    /// Every byte taken belongs to a packet, was skipped, or waits.
+    #[must_use]
+    pub const fn waiting(&self) -> usize {
+        self.filled
+    }
+}
+
+impl<D: Direction> Decoder<D> {
+    /// Takes bytes, of any number, and gives the packets that they complete.
+    ///
+    /// The iterator must be run to its end: bytes that it has not reached when it is dropped are
+    /// lost.
+    pub fn feed<'d, 'b>(&'d mut self, bytes: &'b [u8]) -> Packets<'d, 'b, D> {
+        Packets {
+            decoder: self,
+            rest: bytes,
+        }
+    }
+
+    /// The next packet that is not simply the next 42 bytes of `rest`.
+    #[cold]
+    fn hunt(&mut self, rest: &mut &[u8]) -> Option<D::Item> {
+        loop {
+            let step = match rest.split_first_chunk() {
+                Some((window, after)) if self.filled == 0 => self.step_slice(rest, window, after),
+                _ => self.step_window(rest),
+            };
+            match step {
+                Step::Found(item) => return Some(item),
+                Step::Skipped => {}
+                Step::Starved => return None,
+            }
+        }
+    }
+
+    /// Judges the next 42 bytes of `rest` where they lie.
+    fn step_slice<'b>(
+        &mut self,
+        rest: &mut &'b [u8],
+        window: &'b [u8; PACKET_LEN],
+        after: &'b [u8],
+    ) -> Step<D::Item> {
+        if let Some(item) = self.direction.read(window, self.locked) {
+            *rest = after;
+            self.count_packet();
+            return Step::Found(item);
+        }
+        let len = false_start_len::<D>(window);
+        *rest = &rest[len..];
+        self.count_skipped(len);
+        Step::Skipped
+    }
+
+    /// Fills the window from `rest` and judges it when it is full.
+    fn step_window(&mut self, rest: &mut &[u8]) -> Step<D::Item> {
+        if self.filled == 0 {
+            let len = rest
+                .iter()
+                .position(|&byte| D::begins(byte))
+                .unwrap_or(rest.len());
+            *rest = &rest[len..];
+            self.count_skipped(len);
+        }
+        self.fill(rest);
+        if self.filled < PACKET_LEN {
+            return Step::Starved;
+        }
+        if let Some(item) = self.direction.read(&self.window, self.locked) {
+            self.filled = 0;
+            self.count_packet();
+            return Step::Found(item);
+        }
+        let len = false_start_len::<D>(&self.window);
+        self.window.copy_within(len.., 0);
+        self.filled -= len;
+        self.count_skipped(len);
+        Step::Skipped
+    }
+
+    /// Moves bytes from `rest` to the window, as many as fit.
+    fn fill(&mut self, rest: &mut &[u8]) {
+        let (now, later) = rest.split_at(rest.len().min(PACKET_LEN - self.filled));
+        self.window[self.filled..][..now.len()].copy_from_slice(now);
+        self.filled += now.len();
+        *rest = later;
+    }
+
+    #[inline]
+    fn count_packet(&mut self) {
+        self.counts.frames += 1;
+        self.counts.resyncs += u64::from(!self.locked);
+        self.locked = true;
+    }
+
+    fn count_skipped(&mut self, len: usize) {
+        self.counts.skipped_bytes += len as u64;
+        self.locked &= len == 0;
+    }
+}
+
+/// The packets that [`Decoder::feed`] finds.
+#[derive(Debug)]
+#[must_use = "bytes are taken as the iterator runs"]
+pub struct Packets<'d, 'b, D> {
+    decoder: &'d mut Decoder<D>,
+    rest: &'b [u8],
+}
+
+impl<D: Direction> Iterator for Packets<'_, '_, D> {
+    type Item = D::Item;
+
+    #[inline]
+    fn next(&mut self) -> Option<D::Item> {
+        let decoder = &mut *self.decoder;
+        if decoder.filled == 0
+            && let Some((window, after)) = self.rest.split_first_chunk()
+            && let Some(item) = decoder.direction.read(window, decoder.locked)
+        {
+            self.rest = after;
+            decoder.count_packet();
+            return Some(item);
+        }
+        decoder.hunt(&mut self.rest)
+    }
+}
+
+/// What a decoder counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Counts {
+    /// Packets found, voice packets included.
+    pub frames: u64,
+    /// Bytes that belong to no packet.
+    pub skipped_bytes: u64,
+    /// How often a packet was found after bytes had to be skipped.
+    pub resyncs: u64,
+}
+
+enum Step<T> {
+    /// A packet was found.
+    Found(T),
+    /// Bytes were skipped; go on.
+    Skipped,
+    /// All bytes are taken.
+    Starved,
+}
+
+/// How many bytes lie before the next header after the first byte.
+fn false_start_len<D: Direction>(window: &[u8; PACKET_LEN]) -> usize {
+    window[1..]
+        .iter()
+        .position(|&byte| D::begins(byte))
+        .map_or(PACKET_LEN, |at| at + 1)
+}

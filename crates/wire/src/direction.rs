@@ -1,0 +1,125 @@
+//! The two directions of the line: what a decoder trusts in each.
+
+use crate::table::whole_number;
+use crate::{Frame, HEADER, PACKET_LEN, Packet, VOICE_HEADER, Voice};
+
+/// A direction of the line: [`Statuses`] or [`Commands`].
+pub trait Direction: sealed::Sealed {
+    /// What travels in this direction.
+    type Item;
+
+    /// Whether a packet can begin with this byte.
+    fn begins(byte: u8) -> bool;
+
+    /// Reads a window if it is to be trusted; `locked` says that the packet before ended where this
+    /// one begins.
+    fn read(&self, window: &[u8; PACKET_LEN], locked: bool) -> Option<Self::Item>;
+}
+
+/// From controller to client: frames that hold a [`Status`](crate::Status).
+///
+/// A window is trusted only when it is plausible, locked or not (note N22).
+#[derive(Clone, Copy, Debug)]
+pub struct Statuses {
+    plausible: fn(&Frame) -> bool,
+}
+
+impl Statuses {
+    pub(crate) const fn new(plausible: fn(&Frame) -> bool) -> Self {
+        Self { plausible }
+    }
+}
+
+impl Direction for Statuses {
+    type Item = Frame;
+
+    #[inline]
+    fn begins(byte: u8) -> bool {
+        byte == HEADER
+    }
+
+    #[inline]
+    fn read(&self, window: &[u8; PACKET_LEN], _: bool) -> Option<Frame> {
+        Frame::from_bytes(window).filter(|frame| is_status(frame) && (self.plausible)(frame))
+    }
+}
+
+/// From client to controller: frames that hold a [`Command`](crate::Command), and voice packets.
+///
+/// In lock a window is trusted by its delimiters alone, so that a bad command is refused and not
+/// lost; without lock it must be plausible (note N24).
+#[derive(Clone, Copy, Debug)]
+pub struct Commands;
+
+impl Direction for Commands {
+    type Item = Packet;
+
+    #[inline]
+    fn begins(byte: u8) -> bool {
+        byte == HEADER || byte == VOICE_HEADER
+    }
+
+    #[inline]
+    fn read(&self, window: &[u8; PACKET_LEN], locked: bool) -> Option<Packet> {
+        if let Some(frame) = Frame::from_bytes(window) {
+            let trusted = is_command(&frame) || is_bad_in_place(window, locked);
+            return trusted.then_some(Packet::Frame(frame));
+        }
+        let voice = Voice::from_bytes(window)?;
+        let trusted = voice.text().is_ok() || is_bad_in_place(window, locked);
+        trusted.then_some(Packet::Voice(voice))
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+
+    impl Sealed for super::Statuses {}
+
+    impl Sealed for super::Commands {}
+}
+
+/// Whether a frame may be a status by itself: every float in range and isGrab 0 or 1 (note N22).
+#[inline]
+fn is_status(frame: &Frame) -> bool {
+    let floats = frame.floats();
+    let in_range = floats
+        .iter()
+        .zip(STATUS_LIMITS)
+        .fold(true, |all, (float, limit)| all & (float.abs() <= limit));
+    let is_grab = floats[8].to_bits();
+    in_range && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
+}
+
+/// Whether a frame may be a command by itself: a state that somebody sends, and nothing infinite
+/// (note N24).
+#[inline]
+fn is_command(frame: &Frame) -> bool {
+    is_state(frame.float(1)) & frame.is_finite()
+}
+
+/// The states of Table 2.2, and the undocumented 15 (note N25).
+#[inline]
+fn is_state(float: f32) -> bool {
+    matches!(whole_number(float), Some(1..=10 | 15))
+}
+
+/// Whether a window is a bad packet in the right place, not a good one read at the wrong place: in
+/// the latter the true header lies inside (note N24).
+#[cold]
+fn is_bad_in_place(window: &[u8; PACKET_LEN], locked: bool) -> bool {
+    locked
+        && !window[1..].array_windows().any(|&[header, a, b, c, d]| {
+            header == HEADER && is_state(f32::from_le_bytes([a, b, c, d]))
+        })
+}
+
+/// The largest absolute value of each float of a status, in millimetres and degrees (note N22).
+const STATUS_LIMITS: [f32; 10] = [
+    1000.0, 1000.0, 1000.0, // X, Y, Z
+    1000.0, // rHead
+    190.0, 179.0, 179.0,  // base, rear arm, forearm
+    1000.0, // servo
+    1.0,    // isGrab
+    3600.0, // gripper
+];
