@@ -1,0 +1,137 @@
+//! Kinematics against the library calls that they cannot do without.
+//!
+//! `cargo bench -p dobot-arm --bench kinematics`: compare `inverse` with `inverse_calls` and
+//! `forward` with `forward_calls` of the same run. Each sample goes through a thousand poses.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use dobot_arm::{FOREARM, Joints, Limits, Pose, REAR_ARM, Tool, agrees, forward, inverse};
+
+fn main() {
+    divan::main();
+}
+
+#[divan::bench]
+fn inverse_calls(bencher: Bencher) {
+    each(
+        bencher,
+        &spread().map(|joints| arguments(&forward(&joints, TOOL))),
+        |a| {
+            [
+                libm::sqrt(a[0]),
+                libm::sqrt(a[1]),
+                libm::atan2(a[2], a[3]),
+                libm::atan2(a[4], a[5]),
+                libm::acos(a[6]),
+                libm::acos(a[7]),
+            ]
+        },
+    );
+}
+
+#[divan::bench(name = "inverse")]
+fn inverse_whole(bencher: Bencher) {
+    each(
+        bencher,
+        &spread().map(|joints| forward(&joints, TOOL)),
+        |pose| inverse(pose, TOOL),
+    );
+}
+
+#[divan::bench]
+fn forward_calls(bencher: Bencher) {
+    each(bencher, &spread(), |joints| {
+        [joints.base.0, joints.rear.0, joints.fore.0].map(|angle| libm::sincos(angle * 0.017))
+    });
+}
+
+#[divan::bench(name = "forward")]
+fn forward_whole(bencher: Bencher) {
+    each(bencher, &spread(), |joints| forward(joints, TOOL));
+}
+
+#[divan::bench]
+fn limits_check(bencher: Bencher) {
+    each(bencher, &spread(), |joints| {
+        Limits::STOCK.check(joints, TOOL)
+    });
+}
+
+#[divan::bench]
+fn limits_check_at(bencher: Bencher) {
+    let places = spread().map(|joints| (joints, forward(&joints, TOOL).position));
+    each(bencher, &places, |(joints, position)| {
+        Limits::STOCK.check_at(joints, *position)
+    });
+}
+
+#[divan::bench]
+fn status_agrees(bencher: Bencher) {
+    let statuses = spread().map(|joints| {
+        let Pose { position, rotation } = forward(&joints, TOOL);
+        let Joints {
+            base,
+            rear,
+            fore,
+            servo,
+        } = joints;
+        let position_mm = [position.x.0, position.y.0, position.z.0];
+        (position_mm, rotation.0, [base.0, rear.0, fore.0, servo.0])
+    });
+    each(bencher, &statuses, |status| {
+        agrees(status.0, status.1, status.2)
+    });
+}
+
+fn each<T: Sync, O>(bencher: Bencher, inputs: &[T], calculate: impl Fn(&T) -> O + Sync) {
+    bencher.counter(ItemsCount::new(inputs.len())).bench(|| {
+        for input in inputs {
+            divan::black_box(calculate(divan::black_box(input)));
+        }
+    });
+}
+
+/// A thousand joint angles, spread evenly over the workspace by the golden ratio and its kin.
+fn spread() -> [Joints; 1000] {
+    let mut joints = [Joints::default(); 1000];
+    let mut tries = (0..).map(|n| {
+        let part = |step: f64| (f64::from(n) * step).fract();
+        let [base, rear, fore] = [part(0.819_17), part(0.671_04), part(0.549_70)];
+        Joints::new(
+            base * 270.0 - 135.0,
+            rear * 90.0 - 5.0,
+            fore * 105.0 - 10.0,
+            base * 60.0,
+        )
+    });
+    joints.fill_with(|| {
+        tries
+            .find(|joints| Limits::STOCK.check(joints, TOOL).is_ok())
+            .expect("the tries are without end and a third of them is allowed")
+    });
+    joints
+}
+
+/// What the calls of `inverse` are given: two squares, two pairs of sides, two cosines.
+fn arguments(pose: &Pose) -> [f64; 8] {
+    let [x, y, z] = [pose.position.x.0, pose.position.y.0, pose.position.z.0];
+    let reach_v2 = x * x + y * y;
+    let across = reach_v2.sqrt() - TOOL.reach().0;
+    let distance_v2 = across * across + z * z;
+    let [rear, fore] = [REAR_ARM.0, FOREARM.0];
+    let cosine = |near: f64, far: f64| {
+        (near * near + distance_v2 - far * far) / (2.0 * near * distance_v2.sqrt())
+    };
+    [
+        reach_v2,
+        distance_v2,
+        y,
+        x,
+        z,
+        across,
+        cosine(rear, fore),
+        cosine(fore, rear),
+    ]
+}
+
+const TOOL: Tool = Tool::SuctionCup;
