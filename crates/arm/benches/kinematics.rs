@@ -1,7 +1,7 @@
 //! Kinematics against the library calls that they cannot do without.
 //!
-//! `cargo bench -p dobot-arm --bench kinematics`: compare `inverse` with `inverse_calls` and
-//! `forward` with `forward_calls` of the same run. Each sample goes through a thousand poses.
+//! `cargo bench -p dobot-arm --bench kinematics`: compare `inverse` with `inverse_calls_*`
+//! and `forward` with `forward_calls` of the same run. Each sample goes through a thousand poses.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -11,19 +11,37 @@ fn main() {
     divan::main();
 }
 
+/// Two roots, two arc tangents and two arc cosines, each waiting for the one before.
 #[divan::bench]
-fn inverse_calls(bencher: Bencher) {
+fn inverse_calls_one_by_one(bencher: Bencher) {
     each(
         bencher,
         &spread().map(|joints| arguments(&forward(&joints, TOOL))),
         |a| {
+            let reach = libm::sqrt(a[0]);
+            let distance = libm::sqrt(a[1] + NOTHING * reach);
+            let base = libm::atan2(a[2] + NOTHING * distance, a[3]);
+            let elevation = libm::atan2(a[4] + NOTHING * base, a[5]);
+            let alpha = libm::acos(a[6] + NOTHING * elevation);
+            libm::acos(a[7] + NOTHING * alpha)
+        },
+    );
+}
+
+/// The same where each waits only for what the formula makes it wait for.
+#[divan::bench]
+fn inverse_calls_side_by_side(bencher: Bencher) {
+    each(
+        bencher,
+        &spread().map(|joints| arguments(&forward(&joints, TOOL))),
+        |a| {
+            let reach = libm::sqrt(a[0]);
+            let distance = libm::sqrt(a[1] + NOTHING * reach);
             [
-                libm::sqrt(a[0]),
-                libm::sqrt(a[1]),
                 libm::atan2(a[2], a[3]),
-                libm::atan2(a[4], a[5]),
-                libm::acos(a[6]),
-                libm::acos(a[7]),
+                libm::atan2(a[4], a[5] + NOTHING * reach),
+                libm::acos(a[6] + NOTHING * distance),
+                libm::acos(a[7] + NOTHING * distance),
             ]
         },
     );
@@ -133,5 +151,8 @@ fn arguments(pose: &Pose) -> [f64; 8] {
         cosine(fore, rear),
     ]
 }
+
+/// Makes a call wait for another without changing its argument.
+const NOTHING: f64 = 1e-30;
 
 const TOOL: Tool = Tool::SuctionCup;

@@ -56,9 +56,9 @@ pub fn inverse(pose: &Pose, tool: Tool) -> Result<Joints, Unreachable> {
     if !(within && pose.rotation.0.is_finite()) {
         return Err(why_unreachable(pose, distance_mm));
     }
-    let per_distance = 0.5 / distance_mm;
-    let alpha_rad = acos((distance_v2 - LINKS_V2) * per_distance / REAR_ARM.0);
-    let gamma_rad = acos((distance_v2 + LINKS_V2) * per_distance / FOREARM.0);
+    let per_distance = 1.0 / distance_mm;
+    let alpha_rad = acos((distance_v2 - LINKS_V2) * per_distance * PER_REAR);
+    let gamma_rad = acos((distance_v2 + LINKS_V2) * per_distance * PER_FORE);
     let elevation_rad = libm::atan2(z.0, across_mm);
     let base = pose.position.direction();
     Ok(Joints {
@@ -115,3 +115,6 @@ const FARTHEST_MM: f64 = FOREARM.0 + REAR_ARM.0 + ROUNDING;
 
 /// The difference of the squared link lengths.
 const LINKS_V2: f64 = FOREARM.0 * FOREARM.0 - REAR_ARM.0 * REAR_ARM.0;
+
+const PER_REAR: f64 = 0.5 / REAR_ARM.0;
+const PER_FORE: f64 = 0.5 / FOREARM.0;

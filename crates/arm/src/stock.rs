@@ -32,14 +32,20 @@ pub struct Pose {
 }
 
 /// Where these joint angles bring a tool that reaches `tool_mm` beyond the wrist.
+///
+/// The rear arm is calculated from its angle above level, 90 degrees less the joint angle. That
+/// shows: with this pi a right angle is not quite one, and thirty poses of a real arm fit to
+/// 0.0001 mm only so.
 #[must_use]
 pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
-    let [base, rear, fore] = [joints.base_deg, joints.rear_deg, joints.fore_deg].map(radians);
-    let reach_mm = REAR_MM * libm::sinf(rear) + FORE_MM * libm::cosf(fore) + tool_mm;
+    let base = radians(joints.base_deg);
+    let rear_above_level = radians(90.0 - joints.rear_deg);
+    let fore = radians(joints.fore_deg);
+    let reach_mm = REAR_MM * libm::cosf(rear_above_level) + FORE_MM * libm::cosf(fore) + tool_mm;
     Pose {
         x_mm: reach_mm * libm::cosf(base),
         y_mm: reach_mm * libm::sinf(base),
-        z_mm: REAR_MM * libm::cosf(rear) - FORE_MM * libm::sinf(fore),
+        z_mm: REAR_MM * libm::sinf(rear_above_level) - FORE_MM * libm::sinf(fore),
         rotation_deg: joints.servo_deg + joints.base_deg,
     }
 }
