@@ -283,6 +283,7 @@ impl Controller {
             }
         }
         self.counters.begun += 1;
+        self.guard(at);
         Ok(())
     }
 

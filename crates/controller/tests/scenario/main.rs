@@ -1,0 +1,9 @@
+//! Scenarios on simulated time: each reads like a page of a lab notebook.
+#![expect(missing_docs, reason = "these are tests")]
+
+mod bad_input;
+mod jogging;
+mod lab;
+mod moving;
+mod queue;
+mod writing;
