@@ -47,6 +47,7 @@ struct UnderWay {
     command: CommandId,
     course: Course,
     pause: Duration,
+    sent: Duration,
     /// Statuses received since it was sent, or since it became the first.
     statuses: u32,
 }
@@ -62,12 +63,14 @@ enum Course {
 }
 
 impl Completion {
-    pub(crate) fn handle_sent(&mut self, id: CommandId, command: &Command) {
+    /// Takes a command that leaves with the status of `now`.
+    pub(crate) fn handle_sent(&mut self, now: Duration, id: CommandId, command: &Command) {
         let course = self.course(command);
         self.under_way.push_back(UnderWay {
             command: id,
             course,
             pause: pause(command),
+            sent: now,
             statuses: 0,
         });
     }
@@ -170,8 +173,10 @@ impl Completion {
             let ended = under_way
                 .end()
                 .is_some_and(|end| end.distance(found).0 <= ARRIVED_MM);
-            if under_way.statuses >= SEEN_AFTER && ended && now.saturating_sub(seen.since) >= pauses
-            {
+            // A later command may lead back to where the arm has stood all the time.
+            let went = index == 0 || seen.since > under_way.sent || seen.repeats >= GIVEN_UP;
+            let paused = now.saturating_sub(seen.since) >= pauses;
+            if under_way.statuses >= SEEN_AFTER && ended && went && paused {
                 over = index + 1;
             }
         }

@@ -277,7 +277,7 @@ impl Session {
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
-        self.completion.handle_sent(id, &command);
+        self.completion.handle_sent(self.heard, id, &command);
         self.to_send.push_back(packet);
         self.events.push_back(Event::Sent(id));
     }

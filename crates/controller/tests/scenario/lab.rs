@@ -7,19 +7,19 @@ use dobot_controller::{Controller, PowerUp, Refused};
 use dobot_wire::{Command, Dialect, Frame, Packet, Status};
 
 /// A controller on simulated time, and all that it told.
-pub struct Lab {
-    pub controller: Controller,
+pub(crate) struct Lab {
+    pub(crate) controller: Controller,
     now: Duration,
     /// Times in milliseconds and what was told then.
-    pub statuses: Vec<(u64, Status)>,
+    pub(crate) statuses: Vec<(u64, Status)>,
 }
 
 impl Lab {
-    pub fn power_up() -> Self {
+    pub(crate) fn power_up() -> Self {
         Self::power_up_with(PowerUp::default())
     }
 
-    pub fn power_up_with(power_up: PowerUp) -> Self {
+    pub(crate) fn power_up_with(power_up: PowerUp) -> Self {
         Self {
             controller: Controller::power_up(power_up),
             now: Duration::ZERO,
@@ -28,26 +28,26 @@ impl Lab {
     }
 
     /// Sends a command that arrives now.
-    pub fn send(self, command: impl Into<Command>) -> Self {
+    pub(crate) fn send(self, command: impl Into<Command>) -> Self {
         let packet = command.into().emit(&Dialect::SPECIFICATION);
         self.send_packet(packet)
     }
 
-    pub fn send_packet(self, packet: Packet) -> Self {
+    pub(crate) fn send_packet(self, packet: Packet) -> Self {
         self.send_bytes(&packet.to_bytes())
     }
 
-    pub fn send_floats(self, floats: [f32; 10]) -> Self {
+    pub(crate) fn send_floats(self, floats: [f32; 10]) -> Self {
         let frame = (1..=10).fold(Frame::ZERO, |frame, n| frame.with(n, floats[n - 1]));
         self.send_packet(Packet::Frame(frame))
     }
 
-    pub fn send_bytes(mut self, bytes: &[u8]) -> Self {
+    pub(crate) fn send_bytes(mut self, bytes: &[u8]) -> Self {
         self.controller.handle_bytes(self.now, bytes);
         self
     }
 
-    pub fn wait_ms(mut self, ms: u64) -> Self {
+    pub(crate) fn wait_ms(mut self, ms: u64) -> Self {
         let until = self.now + Duration::from_millis(ms);
         while self.controller.poll_wakeup() <= until {
             let at = self.controller.poll_wakeup();
@@ -63,16 +63,16 @@ impl Lab {
         self
     }
 
-    pub fn position(&self) -> Position {
+    pub(crate) fn position(&self) -> Position {
         self.controller.pose_at(self.now).position
     }
 
-    pub fn joints(&self) -> Joints {
+    pub(crate) fn joints(&self) -> Joints {
         self.controller.joints_at(self.now)
     }
 
     #[track_caller]
-    pub fn expect_at(self, x_mm: f64, y_mm: f64, z_mm: f64) -> Self {
+    pub(crate) fn expect_at(self, x_mm: f64, y_mm: f64, z_mm: f64) -> Self {
         let (found, expected) = (self.position(), Position::new(x_mm, y_mm, z_mm));
         let apart = found.distance(expected).0;
         assert!(
@@ -83,7 +83,7 @@ impl Lab {
     }
 
     #[track_caller]
-    pub fn expect_joints(self, base: f64, rear: f64, fore: f64, servo: f64) -> Self {
+    pub(crate) fn expect_joints(self, base: f64, rear: f64, fore: f64, servo: f64) -> Self {
         let found = self.joints();
         for (found, expected) in [
             (found.base.0, base),
@@ -101,20 +101,21 @@ impl Lab {
     }
 
     /// What was refused, as texts.
-    pub fn refusals(&mut self) -> Vec<String> {
+    pub(crate) fn refusals(&mut self) -> Vec<String> {
         std::iter::from_fn(|| self.controller.poll_refused())
             .map(|it: Refused| it.to_string())
             .collect()
     }
 
     #[track_caller]
-    pub fn expect_no_refusal(mut self) -> Self {
-        assert_eq!(self.refusals(), [String::new(); 0]);
+    pub(crate) fn expect_no_refusal(mut self) -> Self {
+        let refusals = self.refusals();
+        assert!(refusals.is_empty(), "refused were {refusals:?}");
         self
     }
 
     #[track_caller]
-    pub fn expect_refusal(mut self, part: &str) -> Self {
+    pub(crate) fn expect_refusal(mut self, part: &str) -> Self {
         let refusals = self.refusals();
         assert!(
             refusals.len() == 1 && refusals[0].contains(part),

@@ -1,5 +1,4 @@
 //! Scenarios on simulated time: each reads like a page of a lab notebook.
-#![expect(missing_docs, reason = "these are tests")]
 
 mod bad_input;
 mod jogging;

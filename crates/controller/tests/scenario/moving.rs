@@ -11,7 +11,7 @@ use crate::lab::Lab;
     clippy::cast_possible_truncation,
     reason = "the wire is single precision"
 )]
-pub fn target(mode: MovingMode, x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
+pub(crate) fn target(mode: MovingMode, x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
     MoveTo {
         x_mm: x_mm as f32,
         y_mm: y_mm as f32,
@@ -24,7 +24,7 @@ pub fn target(mode: MovingMode, x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
     }
 }
 
-pub fn movl(x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
+pub(crate) fn movl(x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
     target(MovingMode::MovL, x_mm, y_mm, z_mm)
 }
 

@@ -1,0 +1,322 @@
+//! The session engine against statuses made by hand.
+
+use std::time::Duration;
+
+use dobot_arm::{Joints, Pose, Position, Tool, forward, inverse};
+use dobot_client::{CommandId, Event, SendError, Session};
+use dobot_wire::{
+    Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode, WriteVector,
+};
+
+const PERIOD: Duration = Duration::from_millis(80);
+
+/// A session, and an arm that does nothing but stand where it is put.
+struct Desk {
+    session: Session,
+    now: Duration,
+}
+
+impl Desk {
+    fn new(dialect: Option<Dialect>) -> Self {
+        Self {
+            session: Session::new(dialect),
+            now: Duration::ZERO,
+        }
+    }
+
+    /// The next status, 80 ms after the last one; returns what happened.
+    fn status_at(&mut self, x_mm: f64, y_mm: f64, z_mm: f64) -> Vec<Event> {
+        self.now += PERIOD;
+        let bytes = status(x_mm, y_mm, z_mm).emit().to_bytes();
+        self.session.handle_bytes(self.now, &bytes);
+        self.events()
+    }
+
+    fn events(&mut self) -> Vec<Event> {
+        std::iter::from_fn(|| self.session.poll_event())
+            .filter(|event| !matches!(event, Event::Status(_)))
+            .collect()
+    }
+
+    fn packets(&mut self) -> usize {
+        std::iter::from_fn(|| self.session.poll_bytes()).count()
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the wire is single precision"
+)]
+fn status(x_mm: f64, y_mm: f64, z_mm: f64) -> Status {
+    let pose = Pose {
+        position: Position::new(x_mm, y_mm, z_mm),
+        ..Pose::default()
+    };
+    let joints = inverse(&pose, Tool::SuctionCup).expect("within reach");
+    let pose = forward(&joints, Tool::SuctionCup);
+    let Joints {
+        base,
+        rear,
+        fore,
+        servo,
+    } = joints;
+    Status {
+        x_mm: pose.position.x.0 as f32,
+        y_mm: pose.position.y.0 as f32,
+        z_mm: pose.position.z.0 as f32,
+        rotation_deg: pose.rotation.0 as f32,
+        base_deg: base.0 as f32,
+        rear_deg: rear.0 as f32,
+        fore_deg: fore.0 as f32,
+        servo_deg: servo.0 as f32,
+        suction: false,
+        gripper_deg: 0.0,
+    }
+}
+
+fn target(mode: MovingMode, x_mm: f32, y_mm: f32) -> MoveTo {
+    MoveTo {
+        x_mm,
+        y_mm,
+        z_mm: 0.0,
+        rotation_deg: 0.0,
+        suction: false,
+        mode,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+fn vector(x_mm: f32, y_mm: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm,
+        y_mm,
+        z_mm: 0.0,
+        laser: false,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 50.0,
+        stop: false,
+    }
+}
+
+fn completed(events: &[Event]) -> Vec<u64> {
+    let id = |event: &Event| match event {
+        Event::Completed(CommandId(id)) => Some(*id),
+        _ => None,
+    };
+    events.iter().filter_map(id).collect()
+}
+
+#[test]
+fn one_command_leaves_for_each_status() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    for y in [1.0, 2.0, 3.0] {
+        desk.session.send(vector(0.0, y)).expect("it is allowed");
+    }
+    assert_eq!(desk.packets(), 0);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 1);
+    assert_eq!(desk.packets(), 0);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 2);
+}
+
+#[test]
+fn permits_are_not_saved_up() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    for _ in 0..5 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    for y in [1.0, 2.0] {
+        desk.session.send(vector(0.0, y)).expect("it is allowed");
+    }
+    assert_eq!(desk.packets(), 1);
+}
+
+#[test]
+fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
+    let mut session = Session::new(None);
+    for command in [
+        target(MovingMode::MovL, 200.0, 0.0),
+        target(MovingMode::MovJ, 200.0, 0.0),
+    ] {
+        let error = session
+            .send(command)
+            .expect_err("1 and 2 are read both ways");
+        assert!(matches!(error, SendError::Undecided { .. }), "{error}");
+    }
+    let error = session
+        .send(vector(5.0, 0.0))
+        .expect_err("X goes either way");
+    assert!(error.to_string().contains("float"), "{error}");
+    let jump = target(MovingMode::Jump, 200.0, 0.0);
+    session.send(jump).expect("0 is JUMP everywhere");
+    let laser_off = JointJog {
+        axis: JointJogAxis::LaserOff,
+        speed_percent: 0.0,
+    };
+    session
+        .send(laser_off)
+        .expect("it means the same everywhere");
+}
+
+#[test]
+fn a_value_beyond_its_table_is_not_sent() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let error = session
+        .send(target(MovingMode::MovL, f32::NAN, 0.0))
+        .expect_err("NaN goes nowhere");
+    let SendError::Invalid(source) = error else {
+        panic!("{error}");
+    };
+    assert!(source.to_string().contains("float 3"), "{source}");
+    assert_eq!(session.waiting(), 0);
+}
+
+#[test]
+fn a_move_is_over_when_the_arm_rests_at_its_target() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .send(target(MovingMode::MovJ, 220.0, 10.0))
+        .expect("it is allowed");
+    assert_eq!(completed(&desk.status_at(200.0, 0.0, 0.0)), []);
+    assert_eq!(completed(&desk.status_at(210.0, 5.0, 2.0)), []);
+    assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), []);
+    assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
+    assert_eq!(desk.session.under_way(), 0);
+}
+
+#[test]
+fn a_pause_is_part_of_its_command() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    let rest = MoveTo {
+        pause_s: 0.375,
+        ..target(MovingMode::MovL, 220.0, 10.0)
+    };
+    desk.session.send(rest).expect("it is allowed");
+    desk.status_at(200.0, 0.0, 0.0);
+    let at: Vec<usize> = (0..8)
+        .filter(|_| !completed(&desk.status_at(220.0, 10.0, 0.0)).is_empty())
+        .collect();
+    assert_eq!(at, [5]);
+}
+
+#[test]
+fn a_vector_is_over_when_the_arm_is_seen_on_a_later_one() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for by in [vector(0.0, 10.0), vector(10.0, 0.0), vector(0.0, -10.0)] {
+        desk.session.send(by).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!(completed(&desk.status_at(200.0, 5.0, 0.0)), []);
+    assert_eq!(completed(&desk.status_at(204.0, 10.0, 0.0)), [0]);
+    assert_eq!(completed(&desk.status_at(210.0, 3.0, 0.0)), [1]);
+    desk.status_at(210.0, 0.0, 0.0);
+    assert_eq!(completed(&desk.status_at(210.0, 0.0, 0.0)), [2]);
+}
+
+#[test]
+fn an_arm_that_comes_to_rest_elsewhere_has_not_reached_its_target() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .send(target(MovingMode::MovL, 220.0, 10.0))
+        .expect("it is allowed");
+    let mut events = Vec::new();
+    for _ in 0..20 {
+        events.extend(desk.status_at(208.0, 4.0, 0.0));
+    }
+    let short = events.iter().find_map(|event| match event {
+        Event::NotReached {
+            command,
+            expected,
+            found,
+        } => Some((*command, *expected, *found)),
+        _ => None,
+    });
+    let (command, expected, found) = short.expect("the person is told");
+    assert_eq!(command, CommandId(0));
+    assert_eq!(expected, Position::new(220.0, 10.0, 0.0));
+    assert!(found.distance(Position::new(208.0, 4.0, 0.0)).0 < 1e-3);
+}
+
+#[test]
+fn a_second_of_silence_is_a_lost_link() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(999));
+    assert_eq!(desk.events(), []);
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(1000));
+    assert_eq!(
+        desk.events(),
+        [Event::LinkLost {
+            silent_for: Duration::from_secs(1),
+            noise: 0
+        }]
+    );
+    desk.session.handle_time(desk.now + Duration::from_secs(9));
+    assert_eq!(desk.events(), [], "it is told once");
+}
+
+#[test]
+fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
+    let mut session = Session::new(None);
+    session.handle_time(Duration::from_millis(4900));
+    assert_eq!(session.poll_event(), None);
+    session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);
+    session.handle_time(Duration::from_secs(5));
+    assert_eq!(
+        session.poll_event(),
+        Some(Event::LinkLost {
+            silent_for: Duration::from_secs(5),
+            noise: 30
+        })
+    );
+}
+
+#[test]
+fn a_full_queue_is_not_a_lost_link() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 1..=5_u8 {
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!(desk.session.under_way(), 5);
+    desk.session.handle_time(desk.now + Duration::from_secs(20));
+    assert_eq!(desk.events(), []);
+    desk.session
+        .handle_time(desk.now + Duration::from_secs(1000));
+    assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+#[test]
+fn noise_between_statuses_is_told_and_costs_none() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);
+    let events = desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(events, [Event::Resynced { skipped: 5 }]);
+}
+
+#[test]
+fn parting_words_leave_without_a_permit_and_before_all_that_waits() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.session.send(vector(0.0, 1.0)).expect("it is allowed");
+    let laser_off = JointJog {
+        axis: JointJogAxis::LaserOff,
+        speed_percent: 0.0,
+    };
+    desk.session.send_now(laser_off).expect("it is allowed");
+    assert_eq!(desk.session.waiting(), 0);
+    assert_eq!(desk.packets(), 1);
+}
