@@ -253,8 +253,7 @@ fn a_second_of_silence_is_a_lost_link() {
     desk.session
         .handle_time(desk.now + Duration::from_millis(999));
     assert_eq!(desk.events(), []);
-    desk.session
-        .handle_time(desk.now + Duration::from_millis(1000));
+    desk.session.handle_time(desk.now + Duration::from_secs(1));
     assert_eq!(
         desk.events(),
         [Event::LinkLost {

@@ -70,6 +70,7 @@ impl Controller {
                 suction: false,
                 laser: false,
                 gripper_deg: 0.0,
+                write_speed_mm_s: 0.0,
             },
             settings: Settings::new(&power_up.dialect),
             running: None,
@@ -231,7 +232,8 @@ impl Controller {
         };
         match running.then {
             Then::Nothing => {}
-            Then::EndStroke => {
+            Then::EndStroke { speed_mm_s } => {
+                self.state.write_speed_mm_s = speed_mm_s;
                 if !matches!(self.queue.front(), Some(Command::WriteVector(_))) {
                     self.state.laser = false;
                 }
@@ -263,7 +265,7 @@ impl Controller {
     }
 
     fn begin(&mut self, command: &Command, at: Duration) -> Result<(), Refused> {
-        match plan(command, &self.state, &self.settings)? {
+        match plan(command, &self.state, &self.settings, &self.dialect)? {
             Plan::Settings(settings) => self.settings = settings,
             Plan::State(state) => self.state = state,
             Plan::Move {

@@ -40,7 +40,9 @@ pub(crate) enum Then {
         pause: Duration,
     },
     /// Write mode: the laser goes off unless another vector follows at once (note N22).
-    EndStroke,
+    EndStroke {
+        speed_mm_s: f64,
+    },
 }
 
 impl Running {

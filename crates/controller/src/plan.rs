@@ -4,7 +4,10 @@ use core::time::Duration;
 
 use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, Tool, Unreachable};
 use dobot_motion::{JointMove, Jump, LineMove, Speeds, Stroke, StrokeSpeeds};
-use dobot_wire::{Command, Configuration, EndEffector, MovingMode, Voice, WriteMode, WriteVector};
+use dobot_wire::{
+    Command, Configuration, Dialect, EndEffector, Gesture, MouseMove, MovingMode, Voice, WriteMode,
+    WriteVector,
+};
 
 use crate::Refused;
 use crate::jog::{Button, Jog};
@@ -29,7 +32,12 @@ pub(crate) enum Plan {
 }
 
 /// Plans a command from where the arm is.
-pub(crate) fn plan(command: &Command, state: &State, settings: &Settings) -> Result<Plan, Refused> {
+pub(crate) fn plan(
+    command: &Command,
+    state: &State,
+    settings: &Settings,
+    dialect: &Dialect,
+) -> Result<Plan, Refused> {
     let speeds = settings.move_speeds();
     let from = state.place.pose;
     match command {
@@ -54,17 +62,14 @@ pub(crate) fn plan(command: &Command, state: &State, settings: &Settings) -> Res
             laser: false,
             ..*state
         })),
-        Command::WriteVector(it) => write(it, state, settings),
+        Command::WriteVector(it) => write(it, state, settings, dialect),
         Command::MouseMove(it) => {
-            let to = Pose {
-                position: from.position + position(it.x, it.y, it.z),
-                rotation: Degrees(it.rotation_deg.into()),
-            };
+            let to = moused(it, &state.place, dialect);
             grabbing_line(from, to, it.suction, &speeds)
         }
         Command::Gesture(it) => {
             let to = Pose {
-                position: position(it.x, it.y, it.z),
+                position: gestured(it, dialect),
                 ..from
             };
             grabbing_line(from, to, it.grab, &speeds)
@@ -72,7 +77,7 @@ pub(crate) fn plan(command: &Command, state: &State, settings: &Settings) -> Res
         Command::Voice(it) => spoken(it, state, &speeds),
         Command::JointJog(it) => pressed(Button::of_joint(*it), state, settings),
         Command::LinearJog(it) => pressed(Button::of_linear(*it), state, settings),
-        Command::Configuration(it) => configure(it, state, settings),
+        Command::Configuration(it) => configure(it, state, settings, dialect),
         Command::PlaybackAdjustment(it) => {
             let mut settings = *settings;
             settings.adjust(it);
@@ -145,14 +150,56 @@ fn way(
     .map_err(Refused::Unplannable)
 }
 
-fn write(vector: &WriteVector, state: &State, settings: &Settings) -> Result<Plan, Refused> {
+/// Where a mouse increment leads: by that much of X, Y and Z, or by a swing of the base, a longer
+/// reach and more height (note N9).
+fn moused(by: &MouseMove, from: &Place, dialect: &Dialect) -> Pose {
+    let [y, x, z] = [by.y, by.x, by.z].map(f64::from);
+    if !dialect.mouse_swings {
+        return Pose {
+            position: from.pose.position + Position::new(x, y, z),
+            rotation: Degrees(by.rotation_deg.into()),
+        };
+    }
+    let [swing, longer, higher] = [y, x, z];
+    let at = from.pose.position;
+    let base = from.joints.base - Degrees(swing * SWING_DEG_PER_UNIT);
+    let reach = at.reach() + Millimeters(longer * MOUSE_MM_PER_UNIT);
+    Pose {
+        position: Position::polar(reach, base, at.z + Millimeters(higher * MOUSE_MM_PER_UNIT)),
+        rotation: base + Degrees(by.rotation_deg.into()),
+    }
+}
+
+/// Where a hand position leads: to that very place, or to a scaled one in front of the arm
+/// (note N18).
+fn gestured(hand: &Gesture, dialect: &Dialect) -> Position {
+    if dialect.scales_gesture {
+        let [x, y, z] = [hand.x, hand.y, hand.z].map(f64::from);
+        Position::new(230.0 + 0.5 * x, y, 0.5 * (z - 200.0) - 30.0)
+    } else {
+        position(hand.x, hand.y, hand.z)
+    }
+}
+
+fn write(
+    vector: &WriteVector,
+    state: &State,
+    settings: &Settings,
+    dialect: &Dialect,
+) -> Result<Plan, Refused> {
+    let max_mm_s = f64::from(vector.max_speed_mm_s);
+    let start_mm_s = if dialect.uses_start_speed {
+        vector.start_speed_mm_s.into()
+    } else {
+        state.write_speed_mm_s.min(max_mm_s)
+    };
     let stroke = Stroke::new(
         state.place.pose.position,
         position(vector.x_mm, vector.y_mm, vector.z_mm),
         &StrokeSpeeds {
-            start_mm_s: vector.start_speed_mm_s.into(),
+            start_mm_s,
             end_mm_s: vector.end_speed_mm_s.into(),
-            max_mm_s: vector.max_speed_mm_s.into(),
+            max_mm_s,
             acceleration_mm_s2: settings.write_acceleration_mm_s2,
         },
     )
@@ -162,7 +209,9 @@ fn write(vector: &WriteVector, state: &State, settings: &Settings) -> Result<Pla
             stroke,
             rotation: state.place.pose.rotation,
         },
-        then: Then::EndStroke,
+        then: Then::EndStroke {
+            speed_mm_s: stroke.end_speed(),
+        },
         suction: None,
         laser: Some(vector.mode == WriteMode::Laser && vector.laser),
     })
@@ -212,6 +261,7 @@ fn configure(
     configuration: &Configuration,
     state: &State,
     settings: &Settings,
+    dialect: &Dialect,
 ) -> Result<Plan, Refused> {
     let mut settings = *settings;
     match *configuration {
@@ -250,7 +300,9 @@ fn configure(
                 line_mm_s: linear_speed_mm_s.into(),
                 line_mm_s2: linear_acceleration_mm_s2.into(),
             };
-            settings.default_pause_s = default_pause_s.into();
+            if dialect.uses_default_pause {
+                settings.default_pause_s = default_pause_s.into();
+            }
             settings.jump_height = Millimeters(jump_height_mm.into());
         }
         Configuration::Writing { acceleration_mm_s2 } => {
@@ -316,5 +368,8 @@ fn checked(place: Place) -> Result<(), Unreachable> {
     place.check()
 }
 
+/// What stock arms make of a mouse unit (note N9).
+const SWING_DEG_PER_UNIT: f64 = 0.225;
+const MOUSE_MM_PER_UNIT: f64 = 0.4;
 /// As often as this a way is checked against the limits: once a control tick.
 const SAMPLING_S: f64 = 0.02;
