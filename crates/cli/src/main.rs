@@ -1,3 +1,73 @@
-//! The `dobot` program.
+//! The `dobot` program: everything that a person needs to use the original Dobot Arm.
 
-fn main() {}
+mod arm;
+mod connect;
+mod decode;
+mod failure;
+mod jog;
+mod output;
+mod ports;
+mod set;
+mod status;
+mod travel;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::failure::Failure;
+
+/// Everything that a person needs to use the original Dobot Arm (V1.0, 2016), with or without it.
+#[derive(Debug, Parser)]
+#[command(name = "dobot", version, max_term_width = 100, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    Arm(arm::Args),
+    Status(status::Args),
+    Move(travel::Args),
+    Jog(jog::Args),
+    Set(set::Args),
+    Decode(decode::Args),
+    Ports(ports::Args),
+}
+
+/// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match run(cli) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn run(cli: Cli) -> Result<(), Failure> {
+    let runtime = tokio::runtime::Runtime::new()?;
+    let result = runtime.block_on(async {
+        match cli.verb {
+            Verb::Arm(args) => arm::run(args).await,
+            Verb::Status(args) => status::run(args).await,
+            Verb::Move(args) => travel::run(args).await,
+            Verb::Jog(args) => jog::run(args).await,
+            Verb::Set(args) => set::run(args).await,
+            Verb::Decode(args) => decode::run(&args),
+            Verb::Ports(args) => ports::run(&args),
+        }
+    });
+    // A read of standard input or a port may still hang in a thread of its own.
+    runtime.shutdown_background();
+    result
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  dobot draw picture.svg --picture drawn.svg   draw with a virtual arm and see what comes out
+  dobot arm                                    serve a virtual arm on TCP and a virtual serial port
+  dobot status --to serial:/dev/ttyUSB0        watch a real arm
+  dobot move 220 0 30                          go to a point
+
+An arm's address (--to) is virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT.";

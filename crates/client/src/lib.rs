@@ -38,4 +38,4 @@ pub use connection::{Connection, LinkError};
 pub use open::OpenError;
 pub use peer::Peer;
 pub use ports::{Port, ports};
-pub use session::{CommandId, Event, SendError, Session};
+pub use session::{CommandId, Event, SendError, Session, plausible};

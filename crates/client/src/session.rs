@@ -308,7 +308,8 @@ impl Session {
 }
 
 /// Whether a frame can be a status: its position agrees with its angles (note N4).
-fn plausible(frame: &Frame) -> bool {
+#[must_use]
+pub fn plausible(frame: &Frame) -> bool {
     let float = |n| f64::from(frame.float(n));
     dobot_arm::agrees([1, 2, 3].map(float), float(4), [5, 6, 7, 8].map(float))
 }

@@ -1,0 +1,92 @@
+//! What went wrong, what to do about it, and the exit code.
+
+use std::fmt;
+use std::process::ExitCode;
+
+use dobot_client::{LinkError, OpenError, SendError};
+
+/// What went wrong.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    error: anyhow::Error,
+    hint: Option<String>,
+    usage: bool,
+}
+
+impl Failure {
+    /// A failure with something to do about it.
+    pub(crate) fn new(error: impl Into<anyhow::Error>, hint: impl Into<String>) -> Self {
+        Self {
+            error: error.into(),
+            hint: Some(hint.into()),
+            usage: false,
+        }
+    }
+
+    /// The command line asks for something that makes no sense.
+    pub(crate) fn usage(text: impl fmt::Display, hint: impl Into<String>) -> Self {
+        Self {
+            usage: true,
+            ..Self::new(anyhow::anyhow!("{text}"), hint)
+        }
+    }
+
+    /// Tells the person, and gives the exit code. Output that nobody wants to read any more, as
+    /// with `dobot decode FILE | head`, is no failure.
+    pub(crate) fn report(&self) -> ExitCode {
+        let causes = || self.error.chain();
+        let unread = |cause: &(dyn std::error::Error + 'static)| {
+            let io = cause.downcast_ref::<std::io::Error>();
+            io.is_some_and(|it| it.kind() == std::io::ErrorKind::BrokenPipe)
+        };
+        if causes().any(unread) {
+            return ExitCode::SUCCESS;
+        }
+        eprintln!("error: {:#}", self.error);
+        if let Some(hint) = self.hint.clone().or_else(|| causes().find_map(known_hint)) {
+            eprintln!("hint: {hint}");
+        }
+        ExitCode::from(if self.usage { 2 } else { 1 })
+    }
+}
+
+impl<E: Into<anyhow::Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self {
+            error: error.into(),
+            hint: None,
+            usage: false,
+        }
+    }
+}
+
+fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
+    if let Some(error) = cause.downcast_ref::<OpenError>() {
+        return error.hint();
+    }
+    let send =
+        cause
+            .downcast_ref::<SendError>()
+            .or_else(|| match cause.downcast_ref::<LinkError>() {
+                Some(LinkError::Send(error)) => Some(error),
+                _ => None,
+            });
+    if let Some(SendError::Undecided { .. }) = send {
+        return Some(
+            "say which: `--dialect firmware-1.1` for an arm as it was sold, `--dialect specification` for one that follows the published protocol".into(),
+        );
+    }
+    match cause.downcast_ref::<LinkError>() {
+        Some(LinkError::Silent { noise: 0, .. }) => {
+            Some("is the arm switched on, and is this its port? `dobot ports` lists them".into())
+        }
+        Some(LinkError::Silent { .. }) => Some(
+            "wrong line speed or not a Dobot Arm? 9600 is usual; a green board wants `@256000` behind the port".into(),
+        ),
+        Some(LinkError::Closed | LinkError::Broken(_)) => {
+            Some("is the arm still plugged in and switched on? it may still be executing what it has".into())
+        }
+        Some(LinkError::NotReached { .. }) => Some("`dobot status` tells where the arm is; a nearer target may be allowed".into()),
+        _ => None,
+    }
+}

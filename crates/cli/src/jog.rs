@@ -1,0 +1,189 @@
+//! `dobot jog`: move one axis for a while.
+
+use std::time::Duration;
+
+use anyhow::bail;
+use dobot_client::{Connection, LinkError};
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
+
+use crate::connect::To;
+use crate::failure::Failure;
+use crate::output;
+
+/// Move one axis for a while, or switch the suction cup or the laser
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot jog x+ --for 1.5                 forward for a second and a half
+  dobot jog base- --for 0.5 --speed 20   slowly to the right
+  dobot jog suction-on
+  dobot jog laser-on --for 0.2           on, and off again
+
+The axis is released when the time is over, on Ctrl-C, and when anything goes wrong.")]
+pub(crate) struct Args {
+    /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
+    /// suction-on suction-off laser-on laser-off
+    #[arg(value_parser = button)]
+    button: Button,
+    /// How long, in seconds
+    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds)]
+    time: Duration,
+    /// Share of the jog speed, in percent from 1 to 100
+    #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
+    speed: f32,
+    #[command(flatten)]
+    to: To,
+    /// Print the last status as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What to press, and what to press when it is over.
+#[derive(Clone, Copy, Debug)]
+enum Button {
+    Joint(JointJogAxis),
+    Linear(LinearJogAxis),
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let mut arm = args.to.connect().await?.arm;
+    arm.next_status().await?;
+    let pressed = arm.send(args.button.pressed(args.speed))?;
+    let held = tokio::select! {
+        held = hold(&mut arm, pressed, args.time) => held,
+        _ = tokio::signal::ctrl_c() => Ok(()),
+    };
+    if let Some(released) = args.button.released() {
+        release(&mut arm, released, held.is_err()).await?;
+    }
+    held?;
+    let status = settled(&mut arm).await?;
+    output::status(&status, args.json)?;
+    Ok(())
+}
+
+/// Waits until the button has left, and then for as long as it is held.
+async fn hold(
+    arm: &mut Connection,
+    pressed: dobot_client::CommandId,
+    time: Duration,
+) -> Result<(), LinkError> {
+    use dobot_client::Event;
+    loop {
+        match arm.next_event().await?.or_failed()? {
+            Event::Sent(id) if id == pressed => break,
+            _ => {}
+        }
+    }
+    let until = arm.now() + time;
+    while arm.now() < until {
+        arm.next_event().await?.or_failed()?;
+    }
+    Ok(())
+}
+
+/// On a link that is failing nobody waits for a permit.
+async fn release(arm: &mut Connection, released: Command, failing: bool) -> Result<(), LinkError> {
+    if failing {
+        arm.session_mut().send_now(released)?;
+        return arm.flush().await;
+    }
+    let id = arm.send(released)?;
+    while arm.session().waiting() > 0 {
+        arm.next_event().await?.or_failed()?;
+    }
+    arm.completed(id).await
+}
+
+/// The first status that says the same as the one before.
+async fn settled(arm: &mut Connection) -> Result<Status, LinkError> {
+    let mut before = arm.next_status().await?;
+    loop {
+        let status = arm.next_status().await?;
+        if status == before {
+            return Ok(status);
+        }
+        before = status;
+    }
+}
+
+impl Button {
+    fn pressed(self, speed_percent: f32) -> Command {
+        match self {
+            Self::Joint(axis) => JointJog {
+                axis,
+                speed_percent,
+            }
+            .into(),
+            Self::Linear(axis) => LinearJog {
+                axis,
+                speed_percent,
+            }
+            .into(),
+        }
+    }
+
+    /// What ends it; nothing, for a switch that may stay as it is.
+    fn released(self) -> Option<Command> {
+        let joint = |axis| {
+            Some(
+                JointJog {
+                    axis,
+                    speed_percent: 0.0,
+                }
+                .into(),
+            )
+        };
+        match self {
+            Self::Joint(JointJogAxis::LaserOn) => joint(JointJogAxis::LaserOff),
+            Self::Joint(
+                JointJogAxis::SuctionOn | JointJogAxis::SuctionOff | JointJogAxis::LaserOff,
+            ) => None,
+            Self::Joint(_) => joint(JointJogAxis::Released),
+            Self::Linear(_) => Some(
+                LinearJog {
+                    axis: LinearJogAxis::Released,
+                    speed_percent: 0.0,
+                }
+                .into(),
+            ),
+        }
+    }
+}
+
+fn button(text: &str) -> anyhow::Result<Button> {
+    use JointJogAxis as J;
+    use LinearJogAxis as L;
+    Ok(match text {
+        "base+" => Button::Joint(J::BasePlus),
+        "base-" => Button::Joint(J::BaseMinus),
+        "rear+" => Button::Joint(J::RearPlus),
+        "rear-" => Button::Joint(J::RearMinus),
+        "fore+" => Button::Joint(J::ForePlus),
+        "fore-" => Button::Joint(J::ForeMinus),
+        "servo+" => Button::Joint(J::ServoPlus),
+        "servo-" => Button::Joint(J::ServoMinus),
+        "gripper+" => Button::Joint(J::GripperOpen),
+        "gripper-" => Button::Joint(J::GripperClose),
+        "suction-on" => Button::Joint(J::SuctionOn),
+        "suction-off" => Button::Joint(J::SuctionOff),
+        "laser-on" => Button::Joint(J::LaserOn),
+        "laser-off" => Button::Joint(J::LaserOff),
+        "x+" => Button::Linear(L::XPlus),
+        "x-" => Button::Linear(L::XMinus),
+        "y+" => Button::Linear(L::YPlus),
+        "y-" => Button::Linear(L::YMinus),
+        "z+" => Button::Linear(L::ZPlus),
+        "z-" => Button::Linear(L::ZMinus),
+        _ => bail!(
+            "allowed are base, rear, fore, servo, gripper, x, y and z with + or -, suction-on, suction-off, laser-on and laser-off"
+        ),
+    })
+}
+
+fn seconds(text: &str) -> anyhow::Result<Duration> {
+    match text.parse() {
+        Ok(seconds) if (0.02..=60.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
+        _ => bail!("allowed are 0.02 to 60 seconds"),
+    }
+}

@@ -1,0 +1,127 @@
+//! What is printed: one line for a person, or one JSON object for a program.
+
+use std::io::{self, Write};
+
+use dobot_wire::Status;
+use serde::Serialize;
+use serde_json::Value;
+
+/// Prints a line.
+pub(crate) fn line(text: &str) -> io::Result<()> {
+    writeln!(io::stdout(), "{text}")
+}
+
+/// Prints a value as one line of JSON.
+pub(crate) fn json(value: &impl Serialize) -> io::Result<()> {
+    let text = serde_json::to_string(value).map_err(io::Error::other)?;
+    line(&text)
+}
+
+/// Prints a status, as text or as JSON.
+pub(crate) fn status(status: &Status, as_json: bool) -> io::Result<()> {
+    if as_json {
+        json(status)
+    } else {
+        line(&status_text(status))
+    }
+}
+
+/// A status on one line.
+pub(crate) fn status_text(it: &Status) -> String {
+    format!(
+        "x {:8.3}  y {:8.3}  z {:8.3} mm   turn {:7.2}°   base {:7.2}°  rear {:6.2}°  fore {:6.2}°  servo {:6.2}°   suction {}  gripper {:.1}°",
+        it.x_mm,
+        it.y_mm,
+        it.z_mm,
+        it.rotation_deg,
+        it.base_deg,
+        it.rear_deg,
+        it.fore_deg,
+        it.servo_deg,
+        if it.suction { "on " } else { "off" },
+        it.gripper_deg,
+    )
+}
+
+/// The fields of a message for a person: `x 200 mm, y -50 mm, suction off`.
+pub(crate) fn fields(message: &impl Serialize) -> String {
+    let Ok(Value::Object(fields)) = serde_json::to_value(message) else {
+        return String::new();
+    };
+    fields
+        .iter()
+        .filter(|(name, _)| *name != "type")
+        .map(|(name, value)| field(name, value))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn field(name: &str, value: &Value) -> String {
+    let (name, unit) = UNITS
+        .iter()
+        .find_map(|(suffix, unit)| Some((name.strip_suffix(suffix)?, *unit)))
+        .unwrap_or((name, ""));
+    let value = match value {
+        Value::Bool(true) => "on".to_owned(),
+        Value::Bool(false) => "off".to_owned(),
+        // The shortest decimal that is this very f32: 0.1, not 0.10000000149.
+        Value::Number(number) => number
+            .as_f64()
+            .map_or_else(|| number.to_string(), |wide| narrow(wide).to_string()),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    format!("{} {value}{unit}", name.replace('_', " "))
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "every number of a message is an f32"
+)]
+const fn narrow(wide: f64) -> f32 {
+    wide as f32
+}
+
+/// Longer suffixes first.
+const UNITS: [(&str, &str); 8] = [
+    ("_deg_s2", "°/s²"),
+    ("_deg_s", "°/s"),
+    ("_mm_s2", " mm/s²"),
+    ("_mm_s", " mm/s"),
+    ("_deg", "°"),
+    ("_mm", " mm"),
+    ("_percent", " %"),
+    ("_s", " s"),
+];
+
+#[cfg(test)]
+mod tests {
+    use dobot_wire::{MoveTo, MovingMode};
+
+    use super::*;
+
+    #[test]
+    fn fields_carry_their_units() {
+        let target = MoveTo {
+            x_mm: 200.1,
+            y_mm: -50.0,
+            z_mm: 0.0,
+            rotation_deg: 15.5,
+            suction: true,
+            mode: MovingMode::Jump,
+            gripper_deg: 0.0,
+            pause_s: 0.5,
+        };
+        let text = fields(&target);
+        for part in [
+            "x 200.1 mm",
+            "y -50 mm",
+            "rotation 15.5°",
+            "suction on",
+            "mode jump",
+            "pause 0.5 s",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+}

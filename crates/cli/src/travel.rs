@@ -1,0 +1,191 @@
+//! `dobot move`: go to a point or to joint angles.
+
+use std::fmt;
+use std::str::FromStr;
+
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
+use dobot_client::Connection;
+use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
+
+use crate::connect::To;
+use crate::failure::Failure;
+use crate::output;
+
+/// Go to a point or to joint angles
+#[derive(Debug, clap::Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "\
+Examples:
+  dobot move 220 0 30                               to a point, lifted (JUMP)
+  dobot move 220 50 30 --path movl                  to a point, in a straight line
+  dobot move --joints 30 45 40                      base, rear arm and forearm in degrees
+  dobot move 220 0 -20 --suction on --pause 0.5     go, then grab
+
+Points are millimetres in the base frame: x forward, y left, z up from the pivot of the rear arm,
+about 103 mm above the table. Tool, gripper and suction stay as they are unless told otherwise.
+The protocol has no stop: a move that has begun goes on to its end."
+)]
+pub(crate) struct Args {
+    /// The point, in millimetres
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints")]
+    point: Vec<f32>,
+    /// The joint angles instead of a point, in degrees
+    #[arg(long, num_args = 3, value_names = ["BASE", "REAR", "FORE"], conflicts_with_all = ["point", "rotation"])]
+    joints: Option<Vec<f32>>,
+    /// How the tool is turned relative to the base frame, in degrees (default: the servo stays)
+    #[arg(long, value_name = "DEGREES", conflicts_with = "servo")]
+    rotation: Option<f32>,
+    /// The servo's angle, in degrees (default: it stays)
+    #[arg(long, value_name = "DEGREES")]
+    servo: Option<f32>,
+    /// The way there: jump, movl or movj
+    #[arg(long, default_value = "jump")]
+    path: Path,
+    /// The suction cup, once there: on or off
+    #[arg(long, value_name = "on|off", value_parser = on_off)]
+    suction: Option<bool>,
+    /// The gripper's angle, once there, in degrees from -90 to 90
+    #[arg(long, value_name = "DEGREES")]
+    gripper: Option<f32>,
+    /// How long to wait there, in seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
+    pause: f32,
+    #[command(flatten)]
+    to: To,
+    /// Print the last status as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let mut arm = args.to.connect().await?.arm;
+    let from = arm.next_status().await?;
+    let command = args.command(&from)?;
+    let id = arm.send(command)?;
+    tokio::select! {
+        done = arm.completed(id) => done?,
+        _ = tokio::signal::ctrl_c() => return Err(interrupted(&arm)),
+    }
+    let status = arm.next_status().await?;
+    output::status(&status, args.json)?;
+    Ok(())
+}
+
+impl Args {
+    fn command(&self, from: &Status) -> Result<Command, Failure> {
+        let suction = self.suction.unwrap_or(from.suction);
+        let gripper_deg = self.gripper.unwrap_or(from.gripper_deg);
+        let servo_deg = self.servo.unwrap_or(from.servo_deg);
+        if let Some(joints) = &self.joints {
+            let [base_deg, rear_deg, fore_deg] = three(joints);
+            check_joints([base_deg, rear_deg, fore_deg, servo_deg]).map_err(out_of_reach)?;
+            return Ok(MoveJoints {
+                base_deg,
+                rear_deg,
+                fore_deg,
+                servo_deg,
+                suction,
+                mode: self.path.0,
+                gripper_deg,
+                pause_s: self.pause,
+            }
+            .into());
+        }
+        let [x_mm, y_mm, z_mm] = three(&self.point);
+        let base_deg = y_mm.atan2(x_mm).to_degrees();
+        let rotation_deg = self.rotation.unwrap_or(base_deg + servo_deg);
+        check_point([x_mm, y_mm, z_mm], rotation_deg).map_err(out_of_reach)?;
+        Ok(MoveTo {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg,
+            suction,
+            mode: self.path.0,
+            gripper_deg,
+            pause_s: self.pause,
+        }
+        .into())
+    }
+}
+
+/// A way to move, by the protocol's word.
+#[derive(Clone, Copy, Debug)]
+struct Path(MovingMode);
+
+impl FromStr for Path {
+    type Err = NoSuchPath;
+
+    fn from_str(text: &str) -> Result<Self, NoSuchPath> {
+        match text.to_ascii_lowercase().as_str() {
+            "jump" => Ok(Self(MovingMode::Jump)),
+            "movl" => Ok(Self(MovingMode::MovL)),
+            "movj" => Ok(Self(MovingMode::MovJ)),
+            _ => Err(NoSuchPath),
+        }
+    }
+}
+
+#[derive(Debug)]
+struct NoSuchPath;
+
+impl fmt::Display for NoSuchPath {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "allowed are jump (lift, across, down), movl (straight) and movj (all joints at once)",
+        )
+    }
+}
+
+impl std::error::Error for NoSuchPath {}
+
+fn on_off(text: &str) -> Result<bool, &'static str> {
+    match text {
+        "on" => Ok(true),
+        "off" => Ok(false),
+        _ => Err("allowed are on and off"),
+    }
+}
+
+fn three(values: &[f32]) -> [f32; 3] {
+    values.try_into().expect("the command line takes three")
+}
+
+/// The reach of the tool is not in a status, so what any tool allows is let through.
+fn check_point(point: [f32; 3], rotation_deg: f32) -> Result<(), Unreachable> {
+    let [x, y, z] = point.map(f64::from);
+    let pose = Pose {
+        position: Position::new(x, y, z),
+        rotation: Degrees(rotation_deg.into()),
+    };
+    any_tool(|tool| {
+        let joints = inverse(&pose, tool)?;
+        Limits::STOCK.check_at(&joints, pose.position)
+    })
+}
+
+fn check_joints(joints: [f32; 4]) -> Result<(), Unreachable> {
+    let [base, rear, fore, servo] = joints.map(f64::from);
+    any_tool(|tool| Limits::STOCK.check(&Joints::new(base, rear, fore, servo), tool))
+}
+
+fn any_tool(check: impl Fn(Tool) -> Result<(), Unreachable>) -> Result<(), Unreachable> {
+    check(Tool::SuctionCup).or_else(|error| check(Tool::Laser).map_err(|_| error))
+}
+
+fn out_of_reach(error: Unreachable) -> Failure {
+    Failure::new(
+        anyhow::Error::from(error).context("the target is out of reach"),
+        "nothing was sent; `dobot status` tells where the arm is now",
+    )
+}
+
+fn interrupted(arm: &Connection) -> Failure {
+    let begun = if arm.session().waiting() > 0 {
+        "nothing was sent"
+    } else {
+        "the arm goes on to its target: the protocol has no stop; switch it off to stop it at once"
+    };
+    Failure::new(anyhow::anyhow!("interrupted"), begun)
+}
