@@ -26,24 +26,24 @@ fn copy(bencher: Bencher) {
 
 #[divan::bench(sample_count = 30)]
 fn commands_clean(bencher: Bencher) {
-    bench(bencher, Decoder::commands(), &commands());
+    bench(bencher, &Decoder::commands(), &commands());
 }
 
 #[divan::bench(sample_count = 30)]
 fn commands_one_percent_damaged(bencher: Bencher) {
-    bench(bencher, Decoder::commands(), &damaged(commands()));
+    bench(bencher, &Decoder::commands(), &damaged(commands()));
 }
 
 #[divan::bench(sample_count = 30)]
 fn statuses_clean_with_a_trivial_check(bencher: Bencher) {
-    bench(bencher, Decoder::statuses(|_| true), &statuses());
+    bench(bencher, &Decoder::statuses(|_| true), &statuses());
 }
 
 #[divan::bench(sample_count = 30)]
 fn statuses_clean_with_kinematics(bencher: Bencher) {
     bench(
         bencher,
-        Decoder::statuses(agrees_with_its_angles),
+        &Decoder::statuses(agrees_with_its_angles),
         &statuses(),
     );
 }
@@ -52,12 +52,12 @@ fn statuses_clean_with_kinematics(bencher: Bencher) {
 fn statuses_one_percent_damaged_with_kinematics(bencher: Bencher) {
     bench(
         bencher,
-        Decoder::statuses(agrees_with_its_angles),
+        &Decoder::statuses(agrees_with_its_angles),
         &damaged(statuses()),
     );
 }
 
-fn bench<D: Direction + Clone>(bencher: Bencher, decoder: Decoder<D>, bytes: &[u8]) {
+fn bench<D: Direction + Clone>(bencher: Bencher, decoder: &Decoder<D>, bytes: &[u8]) {
     bencher
         .counter(BytesCount::of_slice(bytes))
         .bench_local(|| {

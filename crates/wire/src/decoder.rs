@@ -83,16 +83,34 @@ impl<D: Direction> Decoder<D> {
         }
     }
 
+    /// The window of the next packet.
+    #[inline]
+    fn next_window<'w, 'b: 'w>(&'w mut self, rest: &mut &'b [u8]) -> Option<&'w [u8; PACKET_LEN]> {
+        if self.locked
+            && self.filled == 0
+            && let Some((window, after)) = rest.split_first_chunk()
+            && self.direction.trusts(window, true)
+        {
+            *rest = after;
+            self.counts.frames += 1;
+            return Some(window);
+        }
+        match self.hunt(rest)? {
+            Found::Outside(window) => Some(window),
+            Found::Inside => Some(&self.window),
+        }
+    }
+
     /// The next packet that is not simply the next 42 bytes of `rest`.
     #[cold]
-    fn hunt(&mut self, rest: &mut &[u8]) -> Option<D::Item> {
+    fn hunt<'b>(&mut self, rest: &mut &'b [u8]) -> Option<Found<'b>> {
         loop {
             let step = match rest.split_first_chunk() {
-                Some((window, after)) if self.filled == 0 => self.step_slice(rest, window, after),
-                _ => self.step_window(rest),
+                Some((window, after)) if self.filled == 0 => self.step_outside(rest, window, after),
+                _ => self.step_inside(rest),
             };
             match step {
-                Step::Found(item) => return Some(item),
+                Step::Found(found) => return Some(found),
                 Step::Skipped => {}
                 Step::Starved => return None,
             }
@@ -100,16 +118,16 @@ impl<D: Direction> Decoder<D> {
     }
 
     /// Judges the next 42 bytes of `rest` where they lie.
-    fn step_slice<'b>(
+    fn step_outside<'b>(
         &mut self,
         rest: &mut &'b [u8],
         window: &'b [u8; PACKET_LEN],
         after: &'b [u8],
-    ) -> Step<D::Item> {
-        if let Some(item) = self.direction.read(window, self.locked) {
+    ) -> Step<'b> {
+        if self.direction.trusts(window, self.locked) {
             *rest = after;
             self.count_packet();
-            return Step::Found(item);
+            return Step::Found(Found::Outside(window));
         }
         let len = false_start_len::<D>(window);
         *rest = &rest[len..];
@@ -118,7 +136,7 @@ impl<D: Direction> Decoder<D> {
     }
 
     /// Fills the window from `rest` and judges it when it is full.
-    fn step_window(&mut self, rest: &mut &[u8]) -> Step<D::Item> {
+    fn step_inside<'b>(&mut self, rest: &mut &'b [u8]) -> Step<'b> {
         if self.filled == 0 {
             let len = rest
                 .iter()
@@ -131,10 +149,10 @@ impl<D: Direction> Decoder<D> {
         if self.filled < PACKET_LEN {
             return Step::Starved;
         }
-        if let Some(item) = self.direction.read(&self.window, self.locked) {
+        if self.direction.trusts(&self.window, self.locked) {
             self.filled = 0;
             self.count_packet();
-            return Step::Found(item);
+            return Step::Found(Found::Inside);
         }
         let len = false_start_len::<D>(&self.window);
         self.window.copy_within(len.., 0);
@@ -151,7 +169,6 @@ impl<D: Direction> Decoder<D> {
         *rest = later;
     }
 
-    #[inline]
     fn count_packet(&mut self) {
         self.counts.frames += 1;
         self.counts.resyncs += u64::from(!self.locked);
@@ -177,16 +194,7 @@ impl<D: Direction> Iterator for Packets<'_, '_, D> {
 
     #[inline]
     fn next(&mut self) -> Option<D::Item> {
-        let decoder = &mut *self.decoder;
-        if decoder.filled == 0
-            && let Some((window, after)) = self.rest.split_first_chunk()
-            && let Some(item) = decoder.direction.read(window, decoder.locked)
-        {
-            self.rest = after;
-            decoder.count_packet();
-            return Some(item);
-        }
-        decoder.hunt(&mut self.rest)
+        self.decoder.next_window(&mut self.rest).map(D::read)
     }
 }
 
@@ -202,9 +210,17 @@ pub struct Counts {
     pub resyncs: u64,
 }
 
-enum Step<T> {
+/// Where the window of a packet lies.
+enum Found<'b> {
+    /// In the bytes that were fed.
+    Outside(&'b [u8; PACKET_LEN]),
+    /// In the decoder.
+    Inside,
+}
+
+enum Step<'b> {
     /// A packet was found.
-    Found(T),
+    Found(Found<'b>),
     /// Bytes were skipped; go on.
     Skipped,
     /// All bytes are taken.

@@ -11,9 +11,11 @@ pub trait Direction: sealed::Sealed {
     /// Whether a packet can begin with this byte.
     fn begins(byte: u8) -> bool;
 
-    /// Reads a window if it is to be trusted; `locked` says that the packet before ended where this
-    /// one begins.
-    fn read(&self, window: &[u8; PACKET_LEN], locked: bool) -> Option<Self::Item>;
+    /// Whether to trust a window; `locked` says that the packet before ended where this one begins.
+    fn trusts(&self, window: &[u8; PACKET_LEN], locked: bool) -> bool;
+
+    /// Reads a trusted window.
+    fn read(window: &[u8; PACKET_LEN]) -> Self::Item;
 }
 
 /// From controller to client: frames that hold a [`Status`](crate::Status).
@@ -39,8 +41,16 @@ impl Direction for Statuses {
     }
 
     #[inline]
-    fn read(&self, window: &[u8; PACKET_LEN], _: bool) -> Option<Frame> {
-        Frame::from_bytes(window).filter(|frame| is_status(frame) && (self.plausible)(frame))
+    fn trusts(&self, window: &[u8; PACKET_LEN], _: bool) -> bool {
+        Frame::is_delimited(window) && {
+            let frame = Frame::from_window(window);
+            is_status(&frame) && (self.plausible)(&frame)
+        }
+    }
+
+    #[inline]
+    fn read(window: &[u8; PACKET_LEN]) -> Frame {
+        Frame::from_window(window)
     }
 }
 
@@ -60,14 +70,23 @@ impl Direction for Commands {
     }
 
     #[inline]
-    fn read(&self, window: &[u8; PACKET_LEN], locked: bool) -> Option<Packet> {
-        if let Some(frame) = Frame::from_bytes(window) {
-            let trusted = is_command(&frame) || is_bad_in_place(window, locked);
-            return trusted.then_some(Packet::Frame(frame));
+    fn trusts(&self, window: &[u8; PACKET_LEN], locked: bool) -> bool {
+        if Frame::is_delimited(window) {
+            let frame = Frame::from_window(window);
+            return is_state(frame.float(1)) && (locked || frame.is_finite())
+                || locked && is_bad_in_place(window);
         }
-        let voice = Voice::from_bytes(window)?;
-        let trusted = voice.text().is_ok() || is_bad_in_place(window, locked);
-        trusted.then_some(Packet::Voice(voice))
+        Voice::is_delimited(window)
+            && (Voice::from_window(window).text().is_ok() || locked && is_bad_in_place(window))
+    }
+
+    #[inline]
+    fn read(window: &[u8; PACKET_LEN]) -> Packet {
+        if window[0] == HEADER {
+            Packet::Frame(Frame::from_window(window))
+        } else {
+            Packet::Voice(Voice::from_window(window))
+        }
     }
 }
 
@@ -91,13 +110,6 @@ fn is_status(frame: &Frame) -> bool {
     in_range && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
 }
 
-/// Whether a frame may be a command by itself: a state that somebody sends, and nothing infinite
-/// (note N24).
-#[inline]
-fn is_command(frame: &Frame) -> bool {
-    is_state(frame.float(1)) & frame.is_finite()
-}
-
 /// The states of Table 2.2, and the undocumented 15 (note N25).
 #[inline]
 fn is_state(float: f32) -> bool {
@@ -107,11 +119,10 @@ fn is_state(float: f32) -> bool {
 /// Whether a window is a bad packet in the right place, not a good one read at the wrong place: in
 /// the latter the true header lies inside (note N24).
 #[cold]
-fn is_bad_in_place(window: &[u8; PACKET_LEN], locked: bool) -> bool {
-    locked
-        && !window[1..].array_windows().any(|&[header, a, b, c, d]| {
-            header == HEADER && is_state(f32::from_le_bytes([a, b, c, d]))
-        })
+fn is_bad_in_place(window: &[u8; PACKET_LEN]) -> bool {
+    !window[1..]
+        .array_windows()
+        .any(|&[header, a, b, c, d]| header == HEADER && is_state(f32::from_le_bytes([a, b, c, d])))
 }
 
 /// The largest absolute value of each float of a status, in millimetres and degrees (note N22).

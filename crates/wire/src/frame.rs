@@ -20,16 +20,9 @@ impl Frame {
 
     /// Reads a packet; `None` where the delimiters are not `A5` and `5A`.
     #[must_use]
+    #[inline]
     pub fn from_bytes(bytes: &[u8; PACKET_LEN]) -> Option<Self> {
-        if bytes[0] != HEADER || bytes[PACKET_LEN - 1] != TAIL {
-            return None;
-        }
-        let mut frame = Self::ZERO;
-        let (floats, _) = bytes[1..].as_chunks();
-        for (float, bytes) in frame.floats.iter_mut().zip(floats) {
-            *float = f32::from_le_bytes(*bytes);
-        }
-        Some(frame)
+        Self::is_delimited(bytes).then(|| Self::from_window(bytes))
     }
 
     /// The same frame with float `n` replaced.
@@ -49,18 +42,21 @@ impl Frame {
     ///
     /// If `n` is not 1 to 10.
     #[must_use]
+    #[inline]
     pub const fn float(&self, n: usize) -> f32 {
         self.floats[n - 1]
     }
 
     /// All ten floats in the order of the tables; float 1 is at index 0.
     #[must_use]
+    #[inline]
     pub const fn floats(&self) -> &[f32; FLOATS] {
         &self.floats
     }
 
     /// Whether no float is infinite or NaN.
     #[must_use]
+    #[inline]
     pub fn is_finite(&self) -> bool {
         self.floats
             .iter()
@@ -78,6 +74,23 @@ impl Frame {
         }
         bytes[PACKET_LEN - 1] = TAIL;
         bytes
+    }
+
+    /// Whether a window begins and ends as a frame does.
+    #[inline]
+    pub(crate) const fn is_delimited(window: &[u8; PACKET_LEN]) -> bool {
+        matches!(window, [HEADER, .., TAIL])
+    }
+
+    /// The floats of a window, whatever its delimiters.
+    #[inline]
+    pub(crate) fn from_window(window: &[u8; PACKET_LEN]) -> Self {
+        let mut frame = Self::ZERO;
+        let (floats, _) = window[1..].as_chunks();
+        for (float, bytes) in frame.floats.iter_mut().zip(floats) {
+            *float = f32::from_le_bytes(*bytes);
+        }
+        frame
     }
 }
 

@@ -188,6 +188,7 @@ impl Table {
     clippy::cast_sign_loss,
     reason = "the cast saturates, and the comparison sees it"
 )]
+#[inline]
 pub(crate) fn whole_number(found: f32) -> Option<u8> {
     let whole = found as u8;
     (f32::from(whole) == found).then_some(whole)

@@ -7,6 +7,7 @@ use crate::{PACKET_LEN, ParseError};
 /// As bytes it holds any forty; [`Voice::text`] judges them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(align(4))] // As a frame: then both lie at one place in a packet, and reading is one copy.
 pub struct Voice {
     /// The text, filled up with zeros.
     #[cfg_attr(feature = "serde", serde(with = "as_text"))]
@@ -36,10 +37,7 @@ impl Voice {
     /// Reads a packet; `None` where the delimiters are not `B5` and `5B`.
     #[must_use]
     pub fn from_bytes(bytes: &[u8; PACKET_LEN]) -> Option<Self> {
-        match bytes {
-            [VOICE_HEADER, text @ .., VOICE_TAIL] => Some(Self { text: *text }),
-            _ => None,
-        }
+        Self::is_delimited(bytes).then(|| Self::from_window(bytes))
     }
 
     /// The text without the zeros that fill it up.
@@ -72,6 +70,18 @@ impl Voice {
         bytes[1..=TEXT_LEN].copy_from_slice(&self.text);
         bytes[PACKET_LEN - 1] = VOICE_TAIL;
         bytes
+    }
+
+    /// Whether a window begins and ends as a voice packet does.
+    #[inline]
+    pub(crate) const fn is_delimited(window: &[u8; PACKET_LEN]) -> bool {
+        matches!(window, [VOICE_HEADER, .., VOICE_TAIL])
+    }
+
+    /// The text of a window, whatever its delimiters.
+    #[inline]
+    pub(crate) const fn from_window([_, text @ .., _]: &[u8; PACKET_LEN]) -> Self {
+        Self { text: *text }
     }
 }
 
