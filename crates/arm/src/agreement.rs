@@ -6,7 +6,7 @@ use crate::{FOREARM, REAR_ARM, Tool};
 /// Whether position, rotation and joint angles of a status tell of the same pose.
 ///
 /// A status carries no checksum, but it says where the tool is twice: as coordinates and as joint
-/// angles (Table 2.2). They agree where the position lies within 0.01 mm of the forward
+/// angles (Table 2.3). They agree where the position lies within 0.01 mm of the forward
 /// kinematics with one of the tools, and the rotation within 0.01 degrees of base plus servo. A
 /// number that is not finite never agrees.
 ///

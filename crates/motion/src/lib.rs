@@ -10,7 +10,7 @@
 //! | [`LineMove`] | MOVL (Table 3.7) | a straight line |
 //! | [`Jump`] | JUMP (Table 3.7) | up, across, down (Figure 3.2) |
 //! | [`Stroke`] | writing and laser vector (Table 2.6) | a straight line with a speed at each end |
-//! | [`Ramp`] | jog (Tables 2.4 and 2.5) | one axis, until told otherwise |
+//! | [`Ramp`] | jog (Tables 3.5 and 2.5) | one axis, until told otherwise |
 //!
 //! ```
 //! use dobot_arm::{Degrees, Pose, Position};

@@ -80,7 +80,7 @@ proptest! {
         let expected = if t_s < change_s {
             from * t_s + signed * t_s * t_s / 2.0
         } else {
-            (from + to) / 2.0 * change_s + to * (t_s - change_s)
+            f64::midpoint(from, to) * change_s + to * (t_s - change_s)
         };
         prop_assert!((ramp.distance_at(t_s) - expected).abs() < 1e-9);
         let [before, after] = [ramp.speed_at(t_s), ramp.speed_at(t_s + 1e-3)];
