@@ -1,1 +1,19 @@
 //! Drawings for the original Dobot Arm: SVG to strokes to vectors that arm and link can carry.
+
+mod deviation;
+mod index;
+mod lookahead;
+mod order;
+mod plan;
+mod point;
+mod simplify;
+mod svg;
+
+pub use deviation::{Deviation, Worst, deviation};
+pub use lookahead::{Cornering, Run};
+pub use order::{order, travel_mm};
+pub use plan::{LinkRate, MoveKind, Pen, Plan, PlanError, PlannedVector, Summary};
+pub use point::{Bounds, Point, Stroke};
+pub use simplify::{MIN_VECTOR_MM, simplify};
+pub use svg::{Drawing, Place, SvgError, SvgOptions, Warning, WarningKind};
+pub use usvg::fontdb;

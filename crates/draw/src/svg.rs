@@ -1,0 +1,244 @@
+//! Reading SVG files: visible outlines as strokes in true millimetres.
+
+mod affine;
+mod check;
+mod clip;
+mod dash;
+mod entities;
+mod error;
+mod expand;
+mod flatten;
+mod walk;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use usvg::roxmltree::{Document, ParsingOptions};
+use usvg::{FontResolver, ImageHrefResolver, Tree, fontdb};
+
+pub use self::error::{Place, SvgError, Warning, WarningKind};
+use crate::point::Stroke;
+
+/// The lines of a page: x to the right, y down, from the upper left corner, in millimetres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// The page's width in millimetres.
+    pub width_mm: f64,
+    /// The page's height in millimetres.
+    pub height_mm: f64,
+    /// What to draw, in the order of the file; never empty.
+    pub strokes: Vec<Stroke>,
+}
+
+impl Drawing {
+    /// Reads an SVG file as a browser does, at 96 dots per inch.
+    ///
+    /// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
+    /// dashed; text gives the outlines of its letters. What a clip path or the edge of the page
+    /// hides is cut off. What a pen cannot show comes back as warnings.
+    ///
+    /// # Errors
+    ///
+    /// [`SvgError`] where the file is not an SVG file, holds values that browsers skip or cut short
+    /// in silence, shows nothing, or is too large.
+    pub fn from_svg(text: &str, options: &SvgOptions) -> Result<(Self, Vec<Warning>), SvgError> {
+        let tolerance_mm = options.checked_tolerance_mm()?;
+        let unseen = Unseen::default();
+        let tree = parse(text, options, &unseen)?;
+        let mut walk = walk::Walk::new(&tree, tolerance_mm, Budget::new(MAX_SEGMENTS));
+        walk.tree(&tree)?;
+        let (strokes, mut warnings) = walk.finish();
+        unseen.warn(&mut warnings);
+        if strokes.is_empty() {
+            return Err(nothing_to_draw(&warnings));
+        }
+        let [width_mm, height_mm] = walk::page_mm(&tree);
+        let drawing = Self {
+            width_mm,
+            height_mm,
+            strokes,
+        };
+        Ok((drawing, warnings))
+    }
+}
+
+/// How to read an SVG file.
+#[derive(Clone, Debug)]
+pub struct SvgOptions {
+    /// How far a line may leave the curve that it stands for, in millimetres on the page; from
+    /// 1e-6 up.
+    pub tolerance_mm: f64,
+    /// The fonts that text is drawn with.
+    pub fonts: Arc<fontdb::Database>,
+}
+
+impl SvgOptions {
+    fn checked_tolerance_mm(&self) -> Result<f64, SvgError> {
+        let (found_mm, least_mm) = (self.tolerance_mm, 1e-6);
+        if found_mm >= least_mm && found_mm.is_finite() {
+            return Ok(found_mm);
+        }
+        Err(SvgError::Tolerance { found_mm, least_mm })
+    }
+}
+
+impl Default for SvgOptions {
+    /// 0.005 mm, and no fonts.
+    fn default() -> Self {
+        Self {
+            tolerance_mm: 0.005,
+            fonts: Arc::default(),
+        }
+    }
+}
+
+/// How many segments may still come: the guard against drawings that would fill the memory.
+#[derive(Debug)]
+pub(crate) struct Budget {
+    limit: usize,
+    left: usize,
+}
+
+impl Budget {
+    pub(crate) const fn new(limit: usize) -> Self {
+        Self { limit, left: limit }
+    }
+
+    pub(crate) fn spend(&mut self, segments: usize) -> Result<(), SvgError> {
+        let limit = self.limit as u64;
+        let left = self.left.checked_sub(segments);
+        self.left = left.ok_or(SvgError::TooManySegments { limit })?;
+        Ok(())
+    }
+}
+
+/// What never reaches the tree: counted while it is being built.
+#[derive(Default)]
+struct Unseen {
+    images: AtomicUsize,
+    fontless: AtomicUsize,
+    missing_glyphs: AtomicUsize,
+}
+
+impl Unseen {
+    fn image_resolver(&self) -> ImageHrefResolver<'_> {
+        ImageHrefResolver {
+            resolve_data: Box::new(|_, _, _| count(&self.images)),
+            resolve_string: Box::new(|_, _| count(&self.images)),
+        }
+    }
+
+    /// As a browser, takes any font rather than none.
+    fn font_resolver(&self) -> FontResolver<'_> {
+        let by_name = FontResolver::default_font_selector();
+        let by_character = FontResolver::default_fallback_selector();
+        FontResolver {
+            select_font: Box::new(move |font, fonts| {
+                by_name(font, fonts)
+                    .or_else(|| fonts.faces().next().map(|face| face.id))
+                    .or_else(|| count(&self.fontless))
+            }),
+            select_fallback: Box::new(move |character, used, fonts| {
+                by_character(character, used, fonts).or_else(|| count(&self.missing_glyphs))
+            }),
+        }
+    }
+
+    fn warn(&self, warnings: &mut Vec<Warning>) {
+        let counts = [
+            (WarningKind::Image, &self.images),
+            (WarningKind::TextWithoutFont, &self.fontless),
+            (WarningKind::MissingGlyph, &self.missing_glyphs),
+        ];
+        let found = counts.map(|(kind, count)| Warning {
+            kind,
+            count: count.load(Ordering::Relaxed),
+        });
+        warnings.extend(found.into_iter().filter(|warning| warning.count > 0));
+    }
+}
+
+fn count<T>(counter: &AtomicUsize) -> Option<T> {
+    counter.fetch_add(1, Ordering::Relaxed);
+    None
+}
+
+fn parse(text: &str, options: &SvgOptions, unseen: &Unseen) -> Result<Tree, SvgError> {
+    if text.trim().is_empty() {
+        return Err(SvgError::EmptyFile);
+    }
+    entities::check(text)?;
+    let xml = ParsingOptions {
+        allow_dtd: true,
+        nodes_limit: MAX_NODES,
+        ..ParsingOptions::default()
+    };
+    let doc = Document::parse_with_options(text, xml).map_err(|error| malformed(&error))?;
+    check_root(&doc)?;
+    let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
+    expand::check(&doc, &segments)?;
+    let options = usvg::Options {
+        fontdb: Arc::clone(&options.fonts),
+        font_resolver: unseen.font_resolver(),
+        image_href_resolver: unseen.image_resolver(),
+        ..usvg::Options::default()
+    };
+    Tree::from_xmltree(&doc, &options).map_err(|error| unreadable(&error))
+}
+
+fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
+    let place = error.pos();
+    let problem = error.to_string();
+    let suffix = format!(" at {place}");
+    SvgError::Malformed {
+        place: place.into(),
+        problem: problem.strip_suffix(&suffix).unwrap_or(&problem).to_owned(),
+    }
+}
+
+fn check_root(doc: &Document<'_>) -> Result<(), SvgError> {
+    let root = doc.root_element();
+    let name = root.tag_name();
+    if name.name() == "svg" && matches!(name.namespace(), None | Some(SVG_NAMESPACE)) {
+        return Ok(());
+    }
+    Err(SvgError::NotSvg {
+        place: doc.text_pos_at(root.range().start).into(),
+        found: name.name().to_owned(),
+    })
+}
+
+fn unreadable(error: &usvg::Error) -> SvgError {
+    match error {
+        usvg::Error::InvalidSize => SvgError::NoPage,
+        usvg::Error::ParsingFailed(error) => malformed(error),
+        other => SvgError::NothingToDraw {
+            reason: other.to_string(),
+        },
+    }
+}
+
+fn nothing_to_draw(warnings: &[Warning]) -> SvgError {
+    if warnings.is_empty() {
+        let reason = "no visible shape or text on the page".to_owned();
+        return SvgError::NothingToDraw { reason };
+    }
+    let only_text = |warning: &Warning| warning.kind == WarningKind::TextWithoutFont;
+    if warnings.iter().all(only_text) {
+        return SvgError::NoFont;
+    }
+    let reasons: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    SvgError::NothingToDraw {
+        reason: reasons.join("; "),
+    }
+}
+
+const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
+/// A drawing of that many vectors takes the arm two days.
+const MAX_SEGMENTS: usize = 2_000_000;
+const MAX_NODES: u32 = 2_000_000;
+/// Larger numbers are a mistake, and would overflow further on.
+const MAX_NUMBER: f64 = 1e9;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,198 @@
+//! Values read strictly: what a lenient reader would skip or cut short in silence is an error.
+
+use std::collections::HashMap;
+use std::str::FromStr;
+
+use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, ViewBox};
+use usvg::roxmltree::{Attribute, Document, Node, NodeId};
+
+use super::error::SvgError;
+use super::{Budget, MAX_NUMBER};
+
+/// Reads every path, point list, length, transform and viewBox of the document, and tells how many
+/// line segments and curves each element describes.
+pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments, SvgError> {
+    let mut segments = Segments::new();
+    for node in doc.descendants().filter(Node::is_element) {
+        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+            match check_value(node, attribute.name(), attribute.value()) {
+                Ok(0) => {}
+                Ok(count) => {
+                    budget.spend(count)?;
+                    segments.insert(node.id(), count as u64);
+                }
+                Err(problem) => return Err(bad_value(doc, node, &attribute, &problem)),
+            }
+        }
+    }
+    Ok(segments)
+}
+
+/// How many line segments and curves the elements describe that describe any.
+pub(crate) type Segments = HashMap<NodeId, u64>;
+
+struct Problem {
+    /// Where in the value, in bytes.
+    at: usize,
+    expected: &'static str,
+}
+
+fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Problem> {
+    let whole = |ok: bool, expected| {
+        if ok {
+            Ok(0)
+        } else {
+            Err(Problem { at: 0, expected })
+        }
+    };
+    match name {
+        "d" if node.tag_name().name() == "path" => check_path(value),
+        "points" => check_points(value),
+        "transform" | "gradientTransform" | "patternTransform" => whole(
+            Transform::from_str(value).is_ok_and(is_sane) || value.trim() == "none",
+            "a transform such as translate(10 20) or rotate(45)",
+        ),
+        "viewBox" => whole(
+            ViewBox::from_str(value).is_ok_and(|v| [v.x, v.y, v.w, v.h].iter().all(is_small)),
+            "four numbers: x, y, width and height above 0",
+        ),
+        _ if is_length(node.tag_name().name(), name) => whole(
+            value.trim() == "auto" || Length::from_str(value).is_ok_and(|l| is_small(&l.number)),
+            "a length such as 12, 12mm or 50%",
+        ),
+        _ => Ok(0),
+    }
+}
+
+fn check_path(value: &str) -> Result<usize, Problem> {
+    let expected = "path data: commands MLHVCSQTAZ and finite numbers";
+    if value.trim() == "none" {
+        return Ok(0);
+    }
+    let mut count = 0;
+    for segment in PathParser::from(value) {
+        let segment = segment.map_err(|error| Problem {
+            at: position(&error, value),
+            expected,
+        })?;
+        if !numbers(segment).iter().all(is_small) {
+            let expected = "coordinates of at most 1e9";
+            return Err(Problem { at: 0, expected });
+        }
+        count += 1;
+    }
+    Ok(count)
+}
+
+fn check_points(value: &str) -> Result<usize, Problem> {
+    let mut count = 0;
+    for number in NumberListParser::from(value) {
+        let number = number.map_err(|error| Problem {
+            at: position(&error, value),
+            expected: "a list of finite numbers",
+        })?;
+        if !is_small(&number) {
+            let expected = "coordinates of at most 1e9";
+            return Err(Problem { at: 0, expected });
+        }
+        count += 1;
+    }
+    let expected = "an even count of numbers: x and y of each point";
+    if count % 2 == 0 {
+        Ok(count / 2)
+    } else {
+        Err(Problem { at: 0, expected })
+    }
+}
+
+fn numbers(segment: PathSegment) -> [f64; 6] {
+    use PathSegment as P;
+    match segment {
+        P::MoveTo { x, y, .. } | P::LineTo { x, y, .. } | P::SmoothQuadratic { x, y, .. } => {
+            [x, y, 0.0, 0.0, 0.0, 0.0]
+        }
+        P::HorizontalLineTo { x, .. } => [x, 0.0, 0.0, 0.0, 0.0, 0.0],
+        P::VerticalLineTo { y, .. } => [0.0, y, 0.0, 0.0, 0.0, 0.0],
+        P::CurveTo {
+            x1,
+            y1,
+            x2,
+            y2,
+            x,
+            y,
+            ..
+        } => [x1, y1, x2, y2, x, y],
+        P::SmoothCurveTo { x2, y2, x, y, .. } => [x2, y2, x, y, 0.0, 0.0],
+        P::Quadratic { x1, y1, x, y, .. } => [x1, y1, x, y, 0.0, 0.0],
+        P::EllipticalArc { rx, ry, x, y, .. } => [rx, ry, x, y, 0.0, 0.0],
+        P::ClosePath { .. } => [0.0; 6],
+    }
+}
+
+fn is_small(number: &f64) -> bool {
+    number.abs() <= MAX_NUMBER
+}
+
+fn is_sane(t: Transform) -> bool {
+    [t.a, t.b, t.c, t.d, t.e, t.f].iter().all(is_small)
+}
+
+fn is_length(element: &str, name: &str) -> bool {
+    let shapes = [
+        "rect", "circle", "ellipse", "line", "svg", "use", "symbol", "image",
+    ];
+    let lengths = [
+        "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2",
+    ];
+    shapes.contains(&element) && lengths.contains(&name)
+}
+
+/// Where the parser stopped, in bytes of the value. The parser counts characters from 1.
+fn position(error: &svgtypes::Error, value: &str) -> usize {
+    use svgtypes::Error as E;
+    let (E::UnexpectedData(at)
+    | E::InvalidNumber(at)
+    | E::InvalidChar(_, at)
+    | E::InvalidString(_, at)) = error
+    else {
+        return value.len();
+    };
+    let characters = at.saturating_sub(1);
+    value
+        .char_indices()
+        .nth(characters)
+        .map_or(value.len(), |(byte, _)| byte)
+}
+
+fn bad_value(
+    doc: &Document<'_>,
+    node: Node<'_, '_>,
+    attribute: &Attribute<'_, '_>,
+    problem: &Problem,
+) -> SvgError {
+    let value = attribute.value();
+    let range = attribute.range_value();
+    // Where entities were replaced, the value no longer lines up with the file.
+    let offset = if range.len() == value.len() {
+        problem.at
+    } else {
+        0
+    };
+    SvgError::BadValue {
+        place: doc.text_pos_at(range.start + offset).into(),
+        attribute: attribute.name().to_owned(),
+        element: node.tag_name().name().to_owned(),
+        found: shortened(&value[problem.at..]),
+        expected: problem.expected,
+    }
+}
+
+fn shortened(text: &str) -> String {
+    let mut short: String = text.chars().take(FOUND_CHARACTERS).collect();
+    if short.len() < text.len() {
+        short.push('…');
+    }
+    short
+}
+
+const FOUND_CHARACTERS: usize = 24;

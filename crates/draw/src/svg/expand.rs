@@ -1,0 +1,135 @@
+//! References: a small file can describe a huge drawing, or one inside itself.
+
+use std::collections::HashMap;
+
+use usvg::roxmltree::{Document, Node, NodeId};
+
+use super::check::Segments;
+use super::error::SvgError;
+
+/// Refuses a document that grows too large or too deep once every reference is replaced by a copy
+/// of what it names, and one in which that never ends.
+pub(crate) fn check(doc: &Document<'_>, segments: &Segments) -> Result<(), SvgError> {
+    let named = doc
+        .descendants()
+        .filter_map(|node| Some((node.attribute("id")?, node)));
+    let mut counter = Counter {
+        doc,
+        segments,
+        // Of elements with the same name, the first counts.
+        named: named.collect::<Vec<_>>().into_iter().rev().collect(),
+        known: HashMap::new(),
+    };
+    let cost = counter.cost(doc.root_element(), 0)?;
+    if cost.elements > MAX_ELEMENTS {
+        let limit = MAX_ELEMENTS;
+        return Err(SvgError::TooManyElements { limit });
+    }
+    if cost.segments > MAX_COPIED_SEGMENTS {
+        let limit = MAX_COPIED_SEGMENTS;
+        return Err(SvgError::TooManySegments { limit });
+    }
+    Ok(())
+}
+
+#[derive(Clone, Copy, Default)]
+struct Cost {
+    elements: u64,
+    segments: u64,
+    /// How many levels of elements it holds.
+    height: u32,
+}
+
+impl Cost {
+    fn add(&mut self, inner: Self, times: u64) {
+        self.elements = self
+            .elements
+            .saturating_add(inner.elements.saturating_mul(times));
+        self.segments = self
+            .segments
+            .saturating_add(inner.segments.saturating_mul(times));
+        self.height = self.height.max(inner.height + 1);
+    }
+}
+
+struct Counter<'a> {
+    doc: &'a Document<'a>,
+    segments: &'a Segments,
+    named: HashMap<&'a str, Node<'a, 'a>>,
+    /// `None` while an element is being counted.
+    known: HashMap<NodeId, Option<Cost>>,
+}
+
+impl<'a> Counter<'a> {
+    /// What an element costs with all that it holds and names. Never deeper than the limit.
+    fn cost(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
+        let cost = match self.known.get(&node.id()) {
+            Some(Some(cost)) => *cost,
+            Some(None) => return Err(self.recursive(node)),
+            None if depth > MAX_DEPTH => return Err(self.too_deep(node)),
+            None => self.count(node, depth)?,
+        };
+        if depth + cost.height > MAX_DEPTH {
+            return Err(self.too_deep(node));
+        }
+        Ok(cost)
+    }
+
+    fn count(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
+        self.known.insert(node.id(), None);
+        let mut cost = Cost {
+            elements: 1,
+            segments: self.segments.get(&node.id()).copied().unwrap_or(0),
+            height: 0,
+        };
+        for child in node.children().filter(Node::is_element) {
+            cost.add(self.cost(child, depth + 1)?, 1);
+        }
+        for (name, is_marker) in references(node) {
+            if let Some(&target) = self.named.get(name) {
+                // A marker is drawn on every corner.
+                let times = if is_marker { cost.segments + 1 } else { 1 };
+                cost.add(self.cost(target, depth + 1)?, times);
+            }
+        }
+        self.known.insert(node.id(), Some(cost));
+        Ok(cost)
+    }
+
+    fn recursive(&self, node: Node<'_, '_>) -> SvgError {
+        SvgError::Recursive {
+            place: self.doc.text_pos_at(node.range().start).into(),
+            element: node.tag_name().name().to_owned(),
+        }
+    }
+
+    fn too_deep(&self, node: Node<'_, '_>) -> SvgError {
+        SvgError::TooDeep {
+            place: self.doc.text_pos_at(node.range().start).into(),
+            limit: MAX_DEPTH,
+        }
+    }
+}
+
+/// The names that an element refers to, and whether each is of a marker.
+fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
+    // A link leads somewhere without drawing what is there.
+    let draws = !matches!(node.tag_name().name(), "a" | "animate" | "set" | "mpath");
+    node.attributes().flat_map(move |attribute| {
+        let (name, value) = (attribute.name(), attribute.value());
+        let is_marker = name.starts_with("marker") || (name == "style" && value.contains("marker"));
+        let href = value.strip_prefix('#').filter(|_| draws && name == "href");
+        let urls = value.split("url(").skip(1).filter_map(|rest| {
+            let inner = rest.split(')').next()?.trim().trim_matches(['"', '\'']);
+            inner.strip_prefix('#')
+        });
+        href.into_iter()
+            .chain(urls)
+            .map(move |target| (target, is_marker))
+    })
+}
+
+/// Far above any drawing, far below what the stack holds.
+const MAX_DEPTH: u32 = 100;
+const MAX_ELEMENTS: u64 = 500_000;
+const MAX_COPIED_SEGMENTS: u64 = 20_000_000;
