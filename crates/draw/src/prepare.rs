@@ -1,0 +1,219 @@
+//! The whole way from a file's text to a plan.
+
+use std::fmt;
+use std::sync::Arc;
+
+use dobot_arm::Position;
+use thiserror::Error;
+use usvg::fontdb;
+
+use crate::order::order;
+use crate::place::{PlaceError, Placed, Placement, check_reach};
+use crate::plan::{LinkRate, Pen, Plan, PlanError};
+use crate::point::{Point, Stroke};
+use crate::simplify::{MIN_VECTOR_MM, simplify};
+use crate::svg::{Drawing, SvgError, SvgOptions, Warning};
+
+/// How a drawing is to be made.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 up.
+    pub tolerance_mm: f64,
+    /// Where on the paper, and how large.
+    pub placement: Placement,
+    /// Heights and speeds.
+    pub pen: Pen,
+    /// How fast vectors come.
+    pub link: LinkRate,
+    /// The fonts that text is drawn with.
+    pub fonts: Arc<fontdb::Database>,
+}
+
+impl Default for Settings {
+    /// 0.05 mm, true size, a stock arm's link, no fonts.
+    fn default() -> Self {
+        Self {
+            tolerance_mm: 0.05,
+            placement: Placement::default(),
+            pen: Pen::default(),
+            link: LinkRate::default(),
+            fonts: Arc::default(),
+        }
+    }
+}
+
+/// A drawing, ready to be sent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prepared {
+    /// The path wanted: the file's curves in the base frame, within a tenth of the tolerance.
+    pub wanted: Vec<Stroke>,
+    /// What the arm is to do.
+    pub plan: Plan,
+    /// How much larger than the file says it becomes.
+    pub scale: f64,
+    /// What the pen does not show.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads an SVG file, places it, puts its strokes in order, merges what the tolerance allows and
+/// plans the vectors. `reachable` tells which places the arm gets to.
+///
+/// # Errors
+///
+/// [`PrepareError`] with the step that failed.
+pub fn prepare<E: fmt::Display>(
+    svg: &str,
+    settings: &Settings,
+    reachable: impl Fn(Position) -> Result<(), E>,
+) -> Result<Prepared, PrepareError> {
+    let tolerance_mm = settings.tolerance_mm;
+    if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
+        return Err(PrepareError::Tolerance { tolerance_mm });
+    }
+    let flatten_mm = tolerance_mm * FLATTEN_SHARE;
+    let (placed, warnings) = read(svg, settings, flatten_mm)?;
+    let wanted = order(placed.strokes, home(settings));
+    let merge = |stroke: &Stroke| simplify(stroke, tolerance_mm - flatten_mm);
+    let merged: Vec<Stroke> = wanted.iter().map(merge).collect();
+    let plan = Plan::new(&merged, &settings.pen, settings.link)?;
+    check_reach(&plan, &settings.pen, reachable)?;
+    Ok(Prepared {
+        wanted,
+        plan,
+        scale: placed.scale,
+        warnings,
+    })
+}
+
+/// Why a drawing cannot be prepared.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PrepareError {
+    /// Vectors this short would not be vectors any more.
+    #[error("the tolerance is {tolerance_mm} mm; it must be a number from 0.02 mm up")]
+    Tolerance {
+        /// What was asked for.
+        tolerance_mm: f64,
+    },
+    /// The file cannot be drawn.
+    #[error(transparent)]
+    Svg(#[from] SvgError),
+    /// It does not fit on the paper.
+    #[error(transparent)]
+    Place(#[from] PlaceError),
+    /// It cannot be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
+
+/// The strokes on the paper, within `flatten_mm` of the curves there.
+fn read(
+    svg: &str,
+    settings: &Settings,
+    flatten_mm: f64,
+) -> Result<(Placed, Vec<Warning>), PrepareError> {
+    let mut options = SvgOptions {
+        tolerance_mm: flatten_mm,
+        fonts: Arc::clone(&settings.fonts),
+    };
+    let (mut drawing, warnings) = Drawing::from_svg(svg, &options)?;
+    let mut placed = settings.placement.place(&drawing.strokes)?;
+    if placed.scale > 1.0 {
+        // What is enlarged must be read more finely; the size is known only now.
+        options.tolerance_mm = (flatten_mm / placed.scale).max(1e-6);
+        drawing = Drawing::from_svg(svg, &options)?.0;
+        placed = settings.placement.place(&drawing.strokes)?;
+    }
+    Ok((placed, warnings))
+}
+
+/// Where the pen is taken to come from: the upper left corner of the area.
+fn home(settings: &Settings) -> Point {
+    settings.placement.area.max
+}
+
+const FLATTEN_SHARE: f64 = 0.1;
+const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::deviation::deviation;
+    use crate::place::Size;
+    use crate::plan::MoveKind;
+
+    const EXAMPLES: [&str; 3] = [
+        include_str!("../../../examples/drawings/harbour.svg"),
+        include_str!("../../../examples/drawings/rosette.svg"),
+        include_str!("../../../examples/drawings/square.svg"),
+    ];
+
+    fn anywhere(_: Position) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn in_reach(p: Position) -> Result<(), String> {
+        let reach = p.reach().0;
+        if (129.0..=321.0).contains(&reach) {
+            Ok(())
+        } else {
+            Err(format!("reach is {reach}"))
+        }
+    }
+
+    #[test]
+    fn the_examples_are_planned_within_tolerance_and_reach() {
+        for svg in EXAMPLES {
+            let prepared = prepare(svg, &Settings::default(), in_reach).unwrap();
+            let planned = prepared.plan.paths(MoveKind::Draw);
+            let worst = deviation(&prepared.wanted, &planned);
+            assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
+            assert_eq!(prepared.warnings, []);
+            assert!(prepared.plan.summary().vectors < 1000);
+        }
+    }
+
+    #[test]
+    fn an_enlarged_drawing_keeps_the_tolerance() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="2mm" height="2mm" viewBox="0 0 2 2">
+            <path d="M0 2C0 0 2 0 2 2" stroke="red" fill="none"/></svg>"#;
+        let mut settings = Settings::default();
+        settings.placement.size = Size::Fit;
+        let prepared = prepare(svg, &settings, anywhere).unwrap();
+        assert!((prepared.scale - 80.0).abs() < 0.1, "{}", prepared.scale);
+        // The curve is 2 mm wide and 1.5 mm high, its top at t = 1/2; the area is 120 mm deep.
+        let top = prepared.wanted[0]
+            .points
+            .iter()
+            .fold(0.0, |top: f64, p| top.max(p.x));
+        assert!((top - 270.0).abs() < 0.01, "{top}");
+        let planned = prepared.plan.paths(MoveKind::Draw);
+        assert!(deviation(&prepared.wanted, &planned).largest_mm() <= 0.0451);
+        assert!(prepared.wanted[0].points.len() > 60);
+    }
+
+    #[test]
+    fn a_tolerance_below_what_vectors_can_follow_is_refused() {
+        let settings = Settings {
+            tolerance_mm: 0.01,
+            ..Settings::default()
+        };
+        let error = prepare(EXAMPLES[2], &settings, anywhere).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the tolerance is 0.01 mm; it must be a number from 0.02 mm up"
+        );
+    }
+
+    #[test]
+    fn what_is_out_of_reach_is_refused() {
+        let mut settings = Settings::default();
+        settings.placement.center = Some(Point::new(320.0, 0.0));
+        let error = prepare(EXAMPLES[2], &settings, in_reach).unwrap_err();
+        assert!(
+            matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
+            "{error}"
+        );
+    }
+}
