@@ -8,6 +8,7 @@ mod place;
 mod plan;
 mod point;
 mod prepare;
+mod run;
 mod simplify;
 mod svg;
 
@@ -18,6 +19,7 @@ pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{LinkRate, MoveKind, Pen, Plan, PlanError, PlannedVector, Summary};
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare};
+pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use svg::{Drawing, Place, SvgError, SvgOptions, Warning, WarningKind};
 pub use usvg::fontdb;

@@ -64,6 +64,12 @@ impl Plan {
             .map(move |vector| vector.duration_s(acceleration))
     }
 
+    /// The acceleration that it was planned with, in mm/s2.
+    #[must_use]
+    pub const fn acceleration_mm_s2(&self) -> f64 {
+        self.acceleration_mm_s2
+    }
+
     /// How long the whole plan takes, in seconds.
     #[must_use]
     pub fn duration_s(&self) -> f64 {

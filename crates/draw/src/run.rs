@@ -1,0 +1,317 @@
+//! Sending a plan: one vector for each status, pen up and laser off at the end, whatever happens.
+
+use std::future::Future;
+use std::pin::pin;
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_client::{CommandId, Connection, Event, LinkError};
+use dobot_wire::{
+    Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode,
+    WriteVector,
+};
+use thiserror::Error;
+
+use crate::plan::{MoveKind, Pen, Plan, PlannedVector};
+
+/// How far a drawing has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Vectors seen to be over.
+    pub vectors: usize,
+    /// Strokes finished.
+    pub strokes: usize,
+    /// How much of the planned time they take, in seconds.
+    pub planned_s: f64,
+}
+
+/// A drawing made to its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finished {
+    /// From the first vector sent to the last one over, by the clock of the link.
+    pub time: Duration,
+    /// Where the statuses saw the tool.
+    pub seen: Vec<Position>,
+}
+
+/// Why a drawing was not made to its end. The pen is up and the laser off, unless `parting` says
+/// that this could not be told to the arm.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+#[error("{cause} after {} of {vectors} vectors and {} strokes{}", progress.vectors, progress.strokes, parted(*parting))]
+pub struct Stopped {
+    /// What stopped it.
+    #[source]
+    pub cause: Cause,
+    /// How far it got.
+    pub progress: Progress,
+    /// How many vectors the plan has.
+    pub vectors: usize,
+    /// What became of the parting words.
+    pub parting: Parting,
+}
+
+/// What stopped a drawing.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// The person did.
+    #[error("the drawing was stopped")]
+    Asked,
+    /// The arm or the link failed.
+    #[error("the drawing failed")]
+    Failed(#[from] LinkError),
+}
+
+/// Whether pen up and laser off reached the arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parting {
+    /// The arm was seen to obey.
+    Done,
+    /// They were sent, and nobody knows whether they were heard.
+    Sent,
+    /// They could not be sent.
+    Lost,
+}
+
+/// Draws a plan: goes to its start, sends the vectors, and waits until the last one is over.
+///
+/// `stop` ends the drawing when it completes; `tell` hears of each vector that is over.
+///
+/// # Errors
+///
+/// [`Stopped`], with the pen lifted and the laser switched off as far as the arm can be told so.
+pub async fn run(
+    arm: &mut Connection,
+    plan: &Plan,
+    pen: &Pen,
+    stop: impl Future<Output = ()>,
+    tell: impl FnMut(Progress),
+) -> Result<Finished, Stopped> {
+    let mut runner = Runner {
+        arm,
+        plan,
+        pen,
+        sent: 0,
+        first: None,
+        progress: Progress::default(),
+        seen: Vec::new(),
+        tell,
+    };
+    let cause = {
+        let mut stop = pin!(stop);
+        tokio::select! {
+            biased;
+            () = &mut stop => Cause::Asked,
+            drawn = runner.draw() => match drawn {
+                Ok(time) => return Ok(Finished { time, seen: runner.seen }),
+                Err(error) => Cause::Failed(error),
+            },
+        }
+    };
+    let parting = runner.part(&cause).await;
+    Err(Stopped {
+        cause,
+        progress: runner.progress,
+        vectors: plan.moves.len(),
+        parting,
+    })
+}
+
+struct Runner<'a, T> {
+    arm: &'a mut Connection,
+    plan: &'a Plan,
+    pen: &'a Pen,
+    /// Vectors given to the session.
+    sent: usize,
+    /// The first of them.
+    first: Option<CommandId>,
+    progress: Progress,
+    seen: Vec<Position>,
+    tell: T,
+}
+
+impl<T: FnMut(Progress)> Runner<'_, T> {
+    async fn draw(&mut self) -> Result<Duration, LinkError> {
+        self.approach().await?;
+        let began = self.arm.now();
+        while self.progress.vectors < self.plan.moves.len() {
+            self.top_up()?;
+            // A runtime that has other work (a signal that asks to stop) gets its turn.
+            tokio::task::consume_budget().await;
+            match self.arm.next_event().await?.or_failed()? {
+                Event::Status(status) => self.seen.push(position(&status)),
+                Event::Completed(id) => self.completed(id),
+                _ => {}
+            }
+        }
+        Ok(self.arm.now().saturating_sub(began))
+    }
+
+    /// Laser off, pen holder mounted, acceleration set, and then to the start of the first vector.
+    async fn approach(&mut self) -> Result<(), LinkError> {
+        self.arm.next_status().await?;
+        self.arm.send(LASER_OFF)?;
+        self.arm.send(Configuration::EndEffector {
+            tool: EndEffector::SuctionCup,
+        })?;
+        self.arm.send(Configuration::Writing {
+            acceleration_mm_s2: single(self.pen.acceleration_mm_s2),
+        })?;
+        let [x_mm, y_mm, z_mm] = self.plan.start.map(single);
+        let there = self.arm.send(MoveTo {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg: y_mm.atan2(x_mm).to_degrees(),
+            suction: false,
+            mode: MovingMode::Jump,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        })?;
+        self.arm.completed(there).await
+    }
+
+    /// Keeps a few vectors waiting for their permits.
+    fn top_up(&mut self) -> Result<(), LinkError> {
+        while self.arm.session().waiting() < WAITING
+            && let Some(vector) = self.plan.moves.get(self.sent)
+        {
+            let id = self.arm.send(write(vector))?;
+            self.first.get_or_insert(id);
+            self.sent += 1;
+        }
+        Ok(())
+    }
+
+    fn completed(&mut self, id: CommandId) {
+        let Some(first) = self.first.filter(|&first| id >= first) else {
+            return;
+        };
+        let index = usize::try_from(id.0 - first.0).expect("a plan fits into memory");
+        let acceleration = self.plan.acceleration_mm_s2();
+        for vector in &self.plan.moves[self.progress.vectors..=index] {
+            self.progress.vectors += 1;
+            self.progress.strokes += usize::from(vector.kind == MoveKind::Lift);
+            self.progress.planned_s += vector.duration_s(acceleration);
+        }
+        (self.tell)(self.progress);
+    }
+
+    /// Laser off first, then pen up; the vectors that the arm has already got come before.
+    async fn part(&mut self, cause: &Cause) -> Parting {
+        let forgotten = self.arm.session_mut().forget_waiting();
+        let lift = self.lift(self.sent.saturating_sub(forgotten));
+        if matches!(
+            cause,
+            Cause::Asked | Cause::Failed(LinkError::NotReached { .. })
+        ) && self.obeyed(lift).await.is_ok()
+        {
+            return Parting::Done;
+        }
+        if self.blind(lift).await.is_ok() {
+            Parting::Sent
+        } else {
+            Parting::Lost
+        }
+    }
+
+    async fn obeyed(&mut self, lift: Option<WriteVector>) -> Result<(), LinkError> {
+        let mut last = self.arm.send(LASER_OFF)?;
+        if let Some(lift) = lift {
+            last = self.arm.send(lift)?;
+        }
+        loop {
+            match self.arm.next_event().await? {
+                Event::Completed(id) => {
+                    self.completed_before_parting(id);
+                    if id >= last {
+                        return Ok(());
+                    }
+                }
+                event @ Event::LinkLost { .. } => {
+                    event.or_failed()?;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn completed_before_parting(&mut self, id: CommandId) {
+        let last = self.first.map(|first| first.0 + self.sent as u64);
+        if last.is_some_and(|last| id.0 < last) {
+            self.completed(id);
+        }
+    }
+
+    /// On a link that is failing nobody waits for permits; a stock arm wants a gap between packets
+    /// (note N3).
+    async fn blind(&mut self, lift: Option<WriteVector>) -> Result<(), LinkError> {
+        self.arm.session_mut().send_now(LASER_OFF)?;
+        self.arm.flush().await?;
+        if let Some(lift) = lift {
+            tokio::time::sleep(GAP).await;
+            self.arm.session_mut().send_now(lift)?;
+            self.arm.flush().await?;
+        }
+        Ok(())
+    }
+
+    /// The way up from where the pen is after `sent` vectors, unless it is up.
+    fn lift(&self, sent: usize) -> Option<WriteVector> {
+        let moves = &self.plan.moves[..sent];
+        let risen_mm: f64 = moves.iter().map(|vector| vector.increments()[2]).sum();
+        (risen_mm < -LEAST_LIFT_MM).then(|| WriteVector {
+            mode: WriteMode::Writing,
+            x_mm: 0.0,
+            y_mm: 0.0,
+            z_mm: single(-risen_mm),
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: single(self.pen.lift_speed_mm_s),
+            stop: false,
+        })
+    }
+}
+
+/// The packet's contents for a planned vector (state 4; Table 2.6).
+const fn write(vector: &PlannedVector) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm: vector.x_mm,
+        y_mm: vector.y_mm,
+        z_mm: vector.z_mm,
+        laser: false,
+        start_speed_mm_s: vector.start_speed_mm_s,
+        end_speed_mm_s: vector.end_speed_mm_s,
+        max_speed_mm_s: vector.max_speed_mm_s,
+        stop: false,
+    }
+}
+
+fn position(status: &Status) -> Position {
+    Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
+}
+
+const fn parted(parting: Parting) -> &'static str {
+    match parting {
+        Parting::Done => "; the pen is up and the laser off",
+        Parting::Sent => "; pen up and laser off were sent, but the arm does not answer",
+        Parting::Lost => "; pen up and laser off could not be sent: look after the arm",
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
+}
+
+const LASER_OFF: JointJog = JointJog {
+    axis: JointJogAxis::LaserOff,
+    speed_percent: 0.0,
+};
+/// Enough that a permit never finds nothing to send.
+const WAITING: usize = 4;
+const GAP: Duration = Duration::from_millis(60);
+const LEAST_LIFT_MM: f64 = 0.01;
