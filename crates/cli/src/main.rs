@@ -3,6 +3,7 @@
 mod arm;
 mod connect;
 mod decode;
+mod draw;
 mod failure;
 mod jog;
 mod output;
@@ -27,6 +28,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Verb {
+    Draw(draw::Args),
     Arm(arm::Args),
     Status(status::Args),
     Move(travel::Args),
@@ -49,6 +51,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
     let runtime = tokio::runtime::Runtime::new()?;
     let result = runtime.block_on(async {
         match cli.verb {
+            Verb::Draw(args) => draw::run(args).await,
             Verb::Arm(args) => arm::run(args).await,
             Verb::Status(args) => status::run(args).await,
             Verb::Move(args) => travel::run(args).await,

@@ -2,6 +2,7 @@
 
 mod deviation;
 mod index;
+mod ink;
 mod lookahead;
 mod order;
 mod place;
@@ -13,6 +14,7 @@ mod simplify;
 mod svg;
 
 pub use deviation::{Deviation, Worst, deviation};
+pub use ink::{ink, ink_seen};
 pub use lookahead::{Cornering, Run};
 pub use order::{order, travel_mm};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};

@@ -1,0 +1,414 @@
+//! `dobot draw`: from a picture in a file to ink on the paper.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use anyhow::{Context, anyhow};
+use dobot_arm::{Limits, Pose, Position, Tool, Unreachable};
+use dobot_draw::{
+    Deviation, Parting, Pen, Picture, Placement, Point, PrepareError, Prepared, Progress, Settings,
+    Size, Stopped, Stroke, View, deviation, fontdb, ink, ink_seen, prepare,
+};
+use dobot_sim::RECORDING_PERIOD;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+
+use crate::connect::{Connected, To};
+use crate::failure::Failure;
+use crate::output;
+
+/// Draw an SVG file
+#[derive(Debug, clap::Args)]
+#[command(allow_negative_numbers = true, after_help = "\
+Examples:
+  dobot draw picture.svg --picture drawn.png             a virtual arm draws, as fast as it can be calculated
+  dobot draw picture.svg --fit                           as large as the drawing area allows
+  dobot draw picture.svg --scale 0.5 --at 200 30         half the size, its middle at that point
+  dobot draw picture.svg --to serial:/dev/ttyUSB0 --dialect firmware-1.1
+
+The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
+arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down says
+otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.")]
+pub(crate) struct Args {
+    /// The SVG file, or - for standard input
+    file: PathBuf,
+    #[command(flatten)]
+    to: To,
+    /// As large as the drawing area allows
+    #[arg(long, conflicts_with = "scale")]
+    fit: bool,
+    /// Times the true size
+    #[arg(long, value_name = "FACTOR")]
+    scale: Option<f64>,
+    /// Where the middle of the drawing goes, in mm (default: the middle of the drawing area)
+    #[arg(long, num_args = 2, value_names = ["X", "Y"])]
+    at: Option<Vec<f64>>,
+    /// Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
+    #[arg(long, value_name = "Z")]
+    pen_down: Option<f64>,
+    /// Z where the pen travels, in mm (default: 10 mm higher)
+    #[arg(long, value_name = "Z")]
+    pen_up: Option<f64>,
+    /// Speed while drawing, in mm/s
+    #[arg(long, value_name = "MM/S", default_value_t = Pen::default().draw_speed_mm_s)]
+    speed: f64,
+    /// Speed between the strokes, in mm/s
+    #[arg(long, value_name = "MM/S", default_value_t = Pen::default().travel_speed_mm_s)]
+    travel_speed: f64,
+    /// Acceleration, in mm/s²
+    #[arg(long, value_name = "MM/S2", default_value_t = Pen::default().acceleration_mm_s2)]
+    acceleration: f64,
+    /// How far the drawn path may leave the wanted one, in mm
+    #[arg(long, value_name = "MM", default_value_t = Settings::default().tolerance_mm)]
+    tolerance: f64,
+    /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = picture_file)]
+    picture: Option<PathBuf>,
+    /// Show all that the arm reaches in the picture, not only the paper
+    #[arg(long, requires = "picture")]
+    whole_reach: bool,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let svg = read(&args.file)?;
+    let mut settings = args.settings(&svg);
+    // What is wrong with the file is told before any arm is touched.
+    let mut prepared = args.prepare(&svg, &settings)?;
+    for warning in &prepared.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let mut connected = args.to.connect().await?;
+    if args.pen_down.is_none() && !args.to.is_virtual() {
+        let z_mm = connected.arm.next_status().await?.z_mm;
+        settings.pen = args.pen(z_mm.into());
+        prepared = args.prepare(&svg, &settings)?;
+    }
+    if let Some(arm) = &connected.virtual_arm {
+        arm.arm().record(RECORDING_PERIOD);
+    }
+    let (outcome, drawn) = draw(&mut connected, &prepared, &settings.pen).await;
+    let report = Report::new(&prepared, &drawn, outcome.as_ref().ok().copied());
+    if let Some(file) = &args.picture {
+        args.write_picture(file, &prepared, &drawn, &report)?;
+    }
+    let time = outcome.map_err(stopped)?;
+    report.print(time, args.json)?;
+    Ok(())
+}
+
+/// What became ink, and what is known of it.
+struct Drawn {
+    strokes: Vec<Stroke>,
+    deviation: Deviation,
+    /// The true position was recorded; otherwise only the statuses tell.
+    true_position: bool,
+}
+
+async fn draw(
+    connected: &mut Connected,
+    prepared: &Prepared,
+    pen: &Pen,
+) -> (Result<Duration, Stopped>, Drawn) {
+    let bar = progress_bar(prepared);
+    let total_s = prepared.plan.duration_s();
+    let tell = |progress: Progress| {
+        bar.set_position(progress.vectors as u64);
+        bar.set_message(clock(total_s - progress.planned_s));
+    };
+    let stop = async {
+        if tokio::signal::ctrl_c().await.is_err() {
+            std::future::pending().await
+        }
+    };
+    let mut seen = Vec::new();
+    let outcome = dobot_draw::run(&mut connected.arm, &prepared.plan, pen, stop, tell).await;
+    bar.finish_and_clear();
+    let outcome = outcome.map(|finished| {
+        seen = finished.seen;
+        finished.time
+    });
+    let strokes = match &connected.virtual_arm {
+        Some(arm) => ink(arm.arm().samples().iter().map(|it| it.position), pen.down_z_mm),
+        None => ink_seen(seen, pen.down_z_mm),
+    };
+    let drawn = Drawn {
+        deviation: deviation(&prepared.wanted, &strokes),
+        strokes,
+        true_position: connected.virtual_arm.is_some(),
+    };
+    (outcome, drawn)
+}
+
+impl Args {
+    fn settings(&self, svg: &str) -> Settings {
+        let size = match (self.fit, self.scale) {
+            (true, _) => Size::Fit,
+            (false, Some(factor)) => Size::Scaled(factor),
+            (false, None) => Size::True,
+        };
+        let center = self.at.as_ref().map(|at| Point::new(at[0], at[1]));
+        Settings {
+            tolerance_mm: self.tolerance,
+            placement: Placement {
+                size,
+                center,
+                ..Placement::default()
+            },
+            pen: self.pen(self.pen_down.unwrap_or(Pen::default().down_z_mm)),
+            fonts: fonts(svg),
+            ..Settings::default()
+        }
+    }
+
+    fn pen(&self, down_z_mm: f64) -> Pen {
+        let lift_mm = Pen::default().up_z_mm - Pen::default().down_z_mm;
+        Pen {
+            down_z_mm,
+            up_z_mm: self.pen_up.unwrap_or(down_z_mm + lift_mm),
+            draw_speed_mm_s: self.speed,
+            travel_speed_mm_s: self.travel_speed,
+            acceleration_mm_s2: self.acceleration,
+            ..Pen::default()
+        }
+    }
+
+    fn prepare(&self, svg: &str, settings: &Settings) -> Result<Prepared, Failure> {
+        prepare(svg, settings, reachable).map_err(|error| {
+            let hint = hint(&error);
+            let error = anyhow::Error::from(error).context(format!("{}", self.file.display()));
+            match hint {
+                Some(hint) => Failure::new(error, hint),
+                None => error.into(),
+            }
+        })
+    }
+
+    fn write_picture(
+        &self,
+        file: &Path,
+        prepared: &Prepared,
+        drawn: &Drawn,
+        report: &Report,
+    ) -> Result<(), Failure> {
+        let picture = Picture {
+            title: &self.title(),
+            figures: &report.figures(),
+            area: Placement::default().area,
+            plan: &prepared.plan,
+            drawn: &drawn.strokes,
+            view: if self.whole_reach { View::Reach } else { View::Paper },
+        };
+        let bytes = if is_png(file) {
+            picture.to_png(PNG_WIDTH_PX)?
+        } else {
+            picture.to_svg().into_bytes()
+        };
+        fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
+        Ok(())
+    }
+
+    fn title(&self) -> String {
+        self.file
+            .file_name()
+            .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    }
+}
+
+/// The closing report.
+#[derive(Debug, Serialize)]
+struct Report {
+    strokes: usize,
+    vectors: usize,
+    drawn_mm: f64,
+    travelled_mm: f64,
+    planned_s: f64,
+    /// From the first vector sent to the last one over; absent where the drawing was stopped.
+    time_s: Option<f64>,
+    deviation_mm: f64,
+    deviation_at_mm: [f64; 2],
+    /// What the deviation was measured from.
+    measured_from: &'static str,
+}
+
+impl Report {
+    fn new(prepared: &Prepared, drawn: &Drawn, time: Option<Duration>) -> Self {
+        let summary = prepared.plan.summary();
+        let worst = drawn.worst();
+        Self {
+            strokes: summary.strokes,
+            vectors: summary.vectors,
+            drawn_mm: summary.drawn_mm,
+            travelled_mm: summary.travelled_mm,
+            planned_s: summary.duration_s,
+            time_s: time.map(|it| it.as_secs_f64()),
+            deviation_mm: worst.distance_mm,
+            deviation_at_mm: [worst.at.x, worst.at.y],
+            measured_from: if drawn.true_position {
+                "the arm's true position"
+            } else {
+                "the statuses"
+            },
+        }
+    }
+
+    fn print(&self, time: Duration, as_json: bool) -> std::io::Result<()> {
+        if as_json {
+            return output::json(self);
+        }
+        output::line(&format!("strokes            {}", self.strokes))?;
+        output::line(&format!("vectors            {}", self.vectors))?;
+        output::line(&format!("drawn              {:.1} mm", self.drawn_mm))?;
+        output::line(&format!("travelled          {:.1} mm, pen up", self.travelled_mm))?;
+        let (time, planned) = (clock(time.as_secs_f64()), clock(self.planned_s));
+        output::line(&format!("time on the arm    {time} ({planned} planned)"))?;
+        let [x, y] = self.deviation_at_mm;
+        output::line(&format!(
+            "largest deviation  {:.3} mm, at x {x:.1} y {y:.1}, measured from {}",
+            self.deviation_mm, self.measured_from
+        ))
+    }
+
+    fn figures(&self) -> Vec<(String, String)> {
+        let time_s = self.time_s.unwrap_or(self.planned_s);
+        [
+            ("strokes", self.strokes.to_string()),
+            ("vectors", self.vectors.to_string()),
+            ("drawn", format!("{:.0} mm", self.drawn_mm)),
+            ("travelled", format!("{:.0} mm", self.travelled_mm)),
+            ("time", clock(time_s)),
+            ("deviation", format!("{:.3} mm", self.deviation_mm)),
+        ]
+        .map(|(name, figure)| (name.to_owned(), figure))
+        .to_vec()
+    }
+}
+
+impl Drawn {
+    /// What the statuses do not show is not missing.
+    fn worst(&self) -> dobot_draw::Worst {
+        let Deviation { astray, missed } = self.deviation;
+        if self.true_position && missed.distance_mm > astray.distance_mm {
+            missed
+        } else {
+            astray
+        }
+    }
+}
+
+fn read(file: &Path) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    if file == Path::new("-") {
+        std::io::stdin()
+            .read_to_end(&mut bytes)
+            .context("cannot read standard input")?;
+    } else {
+        bytes = fs::read(file).map_err(|error| {
+            let missing = error.kind() == std::io::ErrorKind::NotFound;
+            let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
+            if missing {
+                Failure::new(error, "give the name of an SVG file; examples/drawings/ has some")
+            } else {
+                error.into()
+            }
+        })?;
+    }
+    String::from_utf8(bytes).map_err(|_| {
+        Failure::new(
+            anyhow!("{} is not text, so it is not an SVG file", file.display()),
+            "save the drawing as plain SVG (not compressed .svgz, not a bitmap)",
+        )
+    })
+}
+
+/// The fonts of this machine, if there is anything to letter.
+fn fonts(svg: &str) -> Arc<fontdb::Database> {
+    let mut fonts = fontdb::Database::new();
+    if svg.contains("<text") || svg.contains(":text") {
+        fonts.load_system_fonts();
+    }
+    Arc::new(fonts)
+}
+
+fn reachable(position: Position) -> Result<(), Unreachable> {
+    let pose = Pose {
+        position,
+        rotation: position.direction(),
+    };
+    Limits::STOCK.solve(&pose, Tool::SuctionCup).map(|_| ())
+}
+
+fn hint(error: &PrepareError) -> Option<String> {
+    use dobot_draw::PlaceError;
+    match error {
+        PrepareError::Place(PlaceError::TooLarge { .. }) => {
+            Some("`--fit` makes it as large as the drawing area allows".into())
+        }
+        PrepareError::Place(PlaceError::OutOfReach { .. }) => Some(
+            "`--fit` without `--at` places it inside reach; `--pen-down` and `--pen-up` set the heights".into(),
+        ),
+        _ => None,
+    }
+}
+
+fn stopped(stopped: Stopped) -> Failure {
+    let hint = match stopped.parting {
+        Parting::Done => "draw again to start from the beginning",
+        Parting::Sent | Parting::Lost => "look after the arm: lift the pen or switch it off by hand",
+    };
+    Failure::new(stopped, hint)
+}
+
+fn progress_bar(prepared: &Prepared) -> ProgressBar {
+    let vectors = prepared.plan.moves.len() as u64;
+    let style = ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} vectors, {msg} left");
+    ProgressBar::new(vectors).with_style(style.expect("the template is well-formed"))
+}
+
+/// Minutes and seconds, or seconds with a decimal.
+fn clock(seconds: f64) -> String {
+    if seconds < 59.95 {
+        return format!("{:.1} s", seconds.max(0.0));
+    }
+    let whole = Duration::from_secs_f64(seconds.round()).as_secs();
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    if hours > 0 {
+        format!("{hours}:{minutes:02}:{seconds:02} h")
+    } else {
+        format!("{minutes}:{seconds:02} min")
+    }
+}
+
+fn picture_file(text: &str) -> Result<PathBuf, String> {
+    let file = PathBuf::from(text);
+    let ending = file.extension().and_then(|it| it.to_str()).map(str::to_ascii_lowercase);
+    match ending.as_deref() {
+        Some("svg" | "png") => Ok(file),
+        _ => Err("allowed are names that end in .svg or .png".into()),
+    }
+}
+
+fn is_png(file: &Path) -> bool {
+    file.extension().is_some_and(|it| it.eq_ignore_ascii_case("png"))
+}
+
+const PNG_WIDTH_PX: u32 = 2000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_read_like_a_clock() {
+        assert_eq!(clock(0.04), "0.0 s");
+        assert_eq!(clock(12.34), "12.3 s");
+        assert_eq!(clock(59.96), "1:00 min");
+        assert_eq!(clock(61.4), "1:01 min");
+        assert_eq!(clock(3725.0), "1:02:05 h");
+    }
+}
