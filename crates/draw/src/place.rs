@@ -57,12 +57,11 @@ impl Placement {
         let (wide, deep) = (self.area.height(), self.area.width());
         let fitting = (wide / ink.width()).min(deep / ink.height());
         let scale = match self.size {
-            Size::True => 1.0,
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
             Size::Scaled(factor) => return Err(PlaceError::Scale { factor }),
-            // A dot fits as it is.
             Size::Fit if fitting.is_finite() => fitting,
-            Size::Fit => 1.0,
+            // A dot fits as it is.
+            Size::Fit | Size::True => 1.0,
         };
         if scale > fitting * (1.0 + 1e-9) && self.center.is_none() {
             return Err(PlaceError::TooLarge {

@@ -93,11 +93,10 @@ impl Plan {
         let mut goes_on = false;
         for (vector, [x, y, _]) in self.moves.iter().zip(self.positions()) {
             let there = Point::new(x, y);
-            if vector.kind == kind {
-                if !goes_on {
-                    paths.push(Stroke::open(vec![here]));
-                }
-                paths.last_mut().expect("pushed above").points.push(there);
+            match paths.last_mut().filter(|_| goes_on) {
+                _ if vector.kind != kind => {}
+                Some(path) => path.points.push(there),
+                None => paths.push(Stroke::open(vec![here, there])),
             }
             goes_on = vector.kind == kind;
             here = there;

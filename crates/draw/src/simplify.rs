@@ -216,7 +216,7 @@ mod tests {
             prop_assert_eq!(simple.points[0], stroke.points[0]);
             if simple.points.len() > 1 {
                 prop_assert_eq!(simple.last(), stroke.last());
-                let worst = deviation(&[stroke], &[simple.clone()]).largest_mm();
+                let worst = deviation(&[stroke], std::slice::from_ref(&simple)).largest_mm();
                 prop_assert!(worst <= tolerance + 1e-9, "{worst} > {tolerance}");
             }
             for (a, b) in simple.segments() {

@@ -50,7 +50,7 @@ impl Affine {
     pub(crate) fn max_stretch(self) -> f64 {
         let turn = (self.xx + self.yy).hypot(self.yx - self.xy);
         let mirror = (self.xx - self.yy).hypot(self.yx + self.xy);
-        (turn + mirror) / 2.0
+        f64::midpoint(turn, mirror)
     }
 }
 

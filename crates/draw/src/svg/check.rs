@@ -53,11 +53,11 @@ fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Pro
             "a transform such as translate(10 20) or rotate(45)",
         ),
         "viewBox" => whole(
-            ViewBox::from_str(value).is_ok_and(|v| [v.x, v.y, v.w, v.h].iter().all(is_small)),
+            ViewBox::from_str(value).is_ok_and(|v| [v.x, v.y, v.w, v.h].into_iter().all(is_small)),
             "four numbers: x, y, width and height above 0",
         ),
         _ if is_length(node.tag_name().name(), name) => whole(
-            value.trim() == "auto" || Length::from_str(value).is_ok_and(|l| is_small(&l.number)),
+            value.trim() == "auto" || Length::from_str(value).is_ok_and(|l| is_small(l.number)),
             "a length such as 12, 12mm or 50%",
         ),
         _ => Ok(0),
@@ -75,7 +75,7 @@ fn check_path(value: &str) -> Result<usize, Problem> {
             at: position(&error, value),
             expected,
         })?;
-        if !numbers(segment).iter().all(is_small) {
+        if !numbers(segment).into_iter().all(is_small) {
             let expected = "coordinates of at most 1e9";
             return Err(Problem { at: 0, expected });
         }
@@ -91,7 +91,7 @@ fn check_points(value: &str) -> Result<usize, Problem> {
             at: position(&error, value),
             expected: "a list of finite numbers",
         })?;
-        if !is_small(&number) {
+        if !is_small(number) {
             let expected = "coordinates of at most 1e9";
             return Err(Problem { at: 0, expected });
         }
@@ -129,12 +129,12 @@ fn numbers(segment: PathSegment) -> [f64; 6] {
     }
 }
 
-fn is_small(number: &f64) -> bool {
+fn is_small(number: f64) -> bool {
     number.abs() <= MAX_NUMBER
 }
 
 fn is_sane(t: Transform) -> bool {
-    [t.a, t.b, t.c, t.d, t.e, t.f].iter().all(is_small)
+    [t.a, t.b, t.c, t.d, t.e, t.f].into_iter().all(is_small)
 }
 
 fn is_length(element: &str, name: &str) -> bool {

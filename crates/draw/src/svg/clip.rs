@@ -165,17 +165,18 @@ fn crossing((a, b): (Point, Point), p: Point) -> i32 {
     }
 }
 
-/// The share of the way from `a` to `b` at which the segment meets an edge, if it does.
-fn meeting(a: Point, b: Point, (c, d): (Point, Point)) -> Option<f64> {
-    let (along, edge) = (b - a, d - c);
-    let turn = along.cross(edge);
+/// The share of the way at which the segment meets an edge, if it does.
+fn meeting(from: Point, to: Point, edge: (Point, Point)) -> Option<f64> {
+    let (way, side) = (to - from, edge.1 - edge.0);
+    let turn = way.cross(side);
     if turn == 0.0 {
         return None;
     }
-    let t = (c - a).cross(edge) / turn;
-    let u = (c - a).cross(along) / turn;
-    let slack = ON_EDGE_MM / edge.length();
-    (t > 0.0 && t < 1.0 && u >= -slack && u <= 1.0 + slack).then_some(t)
+    let gap = edge.0 - from;
+    let (on_way, on_side) = (gap.cross(side) / turn, gap.cross(way) / turn);
+    let slack = ON_EDGE_MM / side.length();
+    let meets = on_way > 0.0 && on_way < 1.0 && on_side >= -slack && on_side <= 1.0 + slack;
+    meets.then_some(on_way)
 }
 
 fn place(a: Point, b: Point, t: f64) -> Point {

@@ -60,15 +60,15 @@ impl Pen<'_> {
         Ok(())
     }
 
-    fn cubic(&mut self, b: Point, c: Point, d: Point) -> Result<(), SvgError> {
+    fn cubic(&mut self, b: Point, c: Point, end: Point) -> Result<(), SvgError> {
         let a = self.here();
-        let n = self.chords(6.0 * bend(a, b, c).max(bend(b, c, d)))?;
+        let chords = self.chords(6.0 * bend(a, b, c).max(bend(b, c, end)))?;
         let at = |t| {
             let middle = b.lerp(c, t);
             let left = a.lerp(b, t).lerp(middle, t);
-            left.lerp(middle.lerp(c.lerp(d, t), t), t)
+            left.lerp(middle.lerp(c.lerp(end, t), t), t)
         };
-        self.curve(n, at, d);
+        self.curve(chords, at, end);
         Ok(())
     }
 

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+use std::fmt::Write as _;
+
 use super::*;
 use crate::point::{Bounds, Point};
 
@@ -129,14 +131,14 @@ fn curves_keep_the_tolerance_when_their_group_is_enlarged() {
 #[test]
 fn what_a_pen_cannot_show_is_counted() {
     let (_, warnings) = draw(
-        r##"<linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient>
+        r#"<linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient>
         <mask id="m"><rect width="9" height="9" fill="white"/></mask>
         <filter id="f"><feGaussianBlur stdDeviation="2"/></filter>
         <rect width="9" height="9" fill="url(#g)"/>
         <rect width="9" height="9" mask="url(#m)"/>
         <rect width="9" height="9" filter="url(#f)"/>
         <image href="cat.png" width="5" height="5"/>
-        <image href="data:image/png;base64,AAAA" width="5" height="5"/>"##,
+        <image href="data:image/png;base64,AAAA" width="5" height="5"/>"#,
     );
     let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
@@ -255,7 +257,11 @@ fn copies_of_copies_of_copies_are_refused_before_they_are_made() {
     let mut content = r#"<defs><path id="a0" d="M0 0L1 1"/>"#.to_owned();
     for i in 1..40 {
         let j = i - 1;
-        content += &format!(r##"<g id="a{i}"><use href="#a{j}"/><use href="#a{j}"/></g>"##);
+        write!(
+            content,
+            r##"<g id="a{i}"><use href="#a{j}"/><use href="#a{j}"/></g>"##
+        )
+        .unwrap();
     }
     content += r##"</defs><use href="#a39"/>"##;
     assert!(error(&page(&content)).contains("more than 500000 elements"));

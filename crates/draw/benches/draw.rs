@@ -1,0 +1,136 @@
+//! How long a drawing takes on its way to vectors: `cargo bench -p dobot-draw`.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use dobot_draw::{
+    Cornering, Drawing, LinkRate, Pen, Placement, Plan, Point, Run, Settings, Size, Stroke,
+    SvgOptions, deviation, order, prepare, simplify,
+};
+
+fn main() {
+    divan::main();
+}
+
+/// Look-ahead alone: the aim is below 60 ns per vector.
+#[divan::bench]
+fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
+    let chain: Vec<Run> = (0..50_000)
+        .map(|i| {
+            let (sin, cos) = (f64::from(i) * 0.37).sin_cos();
+            Run {
+                direction: [cos, sin, 0.0],
+                length_mm: 0.5 + cos.abs(),
+                limit_mm_s: 40.0,
+            }
+        })
+        .collect();
+    let cornering = Cornering {
+        acceleration_mm_s2: 100.0,
+        deviation_mm: 0.02,
+    };
+    let mut speeds = Vec::new();
+    bencher
+        .counter(ItemsCount::new(chain.len()))
+        .bench_local(|| cornering.speeds(divan::black_box(&chain), &mut speeds));
+}
+
+/// Rounding, look-ahead and speeds of one stroke.
+#[divan::bench]
+fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
+    let strokes = [spiral(50_000)];
+    bencher
+        .counter(ItemsCount::new(50_000_usize))
+        .bench_local(|| Plan::new(&strokes, &Pen::default(), LinkRate::default()));
+}
+
+/// Flattening alone.
+#[divan::bench]
+fn flatten_50_000_vectors(bencher: Bencher<'_, '_>) {
+    let svg = waves();
+    let options = SvgOptions::default();
+    let (drawing, _) = Drawing::from_svg(&svg, &options).expect("a drawing");
+    let vectors: usize = drawing.strokes.iter().map(|s| s.points.len() - 1).sum();
+    bencher
+        .counter(ItemsCount::new(vectors))
+        .bench_local(|| Drawing::from_svg(&svg, &options));
+}
+
+/// The whole way, from the text of the file to the plan.
+#[divan::bench(sample_count = 20)]
+fn prepare_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
+    let svg = waves();
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Fit;
+    let reach = |_| Ok::<(), String>(());
+    let plan = prepare(&svg, &settings, reach).expect("a drawing").plan;
+    bencher
+        .counter(ItemsCount::new(plan.moves.len()))
+        .bench_local(|| prepare(&svg, &settings, reach));
+}
+
+#[divan::bench(sample_count = 10)]
+fn order_100_000_strokes(bencher: Bencher<'_, '_>) {
+    let strokes = scattered(100_000);
+    bencher
+        .counter(ItemsCount::new(strokes.len()))
+        .with_inputs(|| strokes.clone())
+        .bench_local_values(|strokes| order(strokes, Point::default()));
+}
+
+#[divan::bench]
+fn simplify_50_000_vectors(bencher: Bencher<'_, '_>) {
+    let stroke = spiral(50_000);
+    bencher
+        .counter(ItemsCount::new(50_000_usize))
+        .bench_local(|| simplify(&stroke, 0.05));
+}
+
+#[divan::bench(sample_count = 10)]
+fn deviation_of_100_000_samples(bencher: Bencher<'_, '_>) {
+    let (wanted, drawn) = ([spiral(50_000)], [spiral(100_000)]);
+    bencher
+        .counter(ItemsCount::new(100_000_usize))
+        .bench_local(|| deviation(&wanted, &drawn));
+}
+
+fn spiral(points: u32) -> Stroke {
+    let center = Placement::default().area.center();
+    let at = |i: u32| {
+        let share = f64::from(i) / f64::from(points);
+        let (sin, cos) = (TAU * 100.0 * share).sin_cos();
+        center + Point::new(cos, sin) * (5.0 + 50.0 * share)
+    };
+    Stroke::open((0..=points).map(at).collect())
+}
+
+/// Lines of waves that become some 50,000 vectors at the default tolerance.
+fn waves() -> String {
+    let mut svg =
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="120mm" viewBox="0 0 200 120" fill="none" stroke="black">"#
+            .to_owned();
+    for line in 0..240 {
+        write!(svg, r#"<path d="M0 {:.1}"#, 0.5 * f64::from(line)).expect("a string takes all");
+        svg += &"q.5 -.7 1 0t1 0".repeat(100);
+        svg += r#""/>"#;
+    }
+    svg + "</svg>"
+}
+
+/// Short strokes all over the place; the same ones every time.
+fn scattered(count: u32) -> Vec<Stroke> {
+    let mut state = 1_u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        f64::from((state >> 40) as u32) / f64::from(1 << 24)
+    };
+    let mut stroke = |_| {
+        let start = Point::new(150.0 + 120.0 * random(), 200.0 * random() - 100.0);
+        Stroke::open(vec![start, start + Point::new(random(), random())])
+    };
+    (0..count).map(&mut stroke).collect()
+}
