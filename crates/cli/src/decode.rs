@@ -203,7 +203,7 @@ fn readings(
 /// Pieces in the order of the stream.
 #[derive(Default)]
 struct Pieces {
-    pieces: Vec<Piece>,
+    found: Vec<Piece>,
     offset: u64,
     skipped: u64,
 }
@@ -220,12 +220,12 @@ impl Pieces {
         if count == 0 {
             return;
         }
-        match self.pieces.last_mut() {
+        match self.found.last_mut() {
             Some(Piece {
                 content: Content::Skipped(before),
                 ..
             }) => *before += count,
-            _ => self.pieces.push(Piece {
+            _ => self.found.push(Piece {
                 offset: self.offset,
                 content: Content::Skipped(count),
             }),
@@ -234,7 +234,7 @@ impl Pieces {
     }
 
     fn push(&mut self, content: Content) {
-        self.pieces.push(Piece {
+        self.found.push(Piece {
             offset: self.offset,
             content,
         });
@@ -244,7 +244,7 @@ impl Pieces {
     fn finish(mut self, len: usize) -> Vec<Piece> {
         let rest = (len as u64).saturating_sub(self.offset);
         self.skip(rest);
-        self.pieces
+        self.found
     }
 }
 

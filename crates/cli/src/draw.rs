@@ -22,7 +22,9 @@ use crate::output;
 
 /// Draw an SVG file
 #[derive(Debug, clap::Args)]
-#[command(allow_negative_numbers = true, after_help = "\
+#[command(
+    allow_negative_numbers = true,
+    after_help = "\
 Examples:
   dobot draw picture.svg --picture drawn.png             a virtual arm draws, as fast as it can be calculated
   dobot draw picture.svg --fit                           as large as the drawing area allows
@@ -31,7 +33,8 @@ Examples:
 
 The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
 arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down says
-otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.")]
+otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got."
+)]
 pub(crate) struct Args {
     /// The SVG file, or - for standard input
     file: PathBuf,
@@ -123,26 +126,29 @@ async fn draw(
     };
     let stop = async {
         if tokio::signal::ctrl_c().await.is_err() {
-            std::future::pending().await
+            std::future::pending::<()>().await;
         }
     };
-    let mut seen = Vec::new();
+
     let outcome = dobot_draw::run(&mut connected.arm, &prepared.plan, pen, stop, tell).await;
     bar.finish_and_clear();
-    let outcome = outcome.map(|finished| {
-        seen = finished.seen;
-        finished.time
-    });
+    let seen = match &outcome {
+        Ok(finished) => &finished.seen,
+        Err(stopped) => &stopped.seen,
+    };
     let strokes = match &connected.virtual_arm {
-        Some(arm) => ink(arm.arm().samples().iter().map(|it| it.position), pen.down_z_mm),
-        None => ink_seen(seen, pen.down_z_mm),
+        Some(arm) => ink(
+            arm.arm().samples().iter().map(|it| it.position),
+            pen.down_z_mm,
+        ),
+        None => ink_seen(seen.iter().copied(), pen.down_z_mm),
     };
     let drawn = Drawn {
         deviation: deviation(&prepared.wanted, &strokes),
         strokes,
         true_position: connected.virtual_arm.is_some(),
     };
-    (outcome, drawn)
+    (outcome.map(|it| it.time), drawn)
 }
 
 impl Args {
@@ -202,7 +208,11 @@ impl Args {
             area: Placement::default().area,
             plan: &prepared.plan,
             drawn: &drawn.strokes,
-            view: if self.whole_reach { View::Reach } else { View::Paper },
+            view: if self.whole_reach {
+                View::Reach
+            } else {
+                View::Paper
+            },
         };
         let bytes = if is_png(file) {
             picture.to_png(PNG_WIDTH_PX)?
@@ -264,7 +274,10 @@ impl Report {
         output::line(&format!("strokes            {}", self.strokes))?;
         output::line(&format!("vectors            {}", self.vectors))?;
         output::line(&format!("drawn              {:.1} mm", self.drawn_mm))?;
-        output::line(&format!("travelled          {:.1} mm, pen up", self.travelled_mm))?;
+        output::line(&format!(
+            "travelled          {:.1} mm, pen up",
+            self.travelled_mm
+        ))?;
         let (time, planned) = (clock(time.as_secs_f64()), clock(self.planned_s));
         output::line(&format!("time on the arm    {time} ({planned} planned)"))?;
         let [x, y] = self.deviation_at_mm;
@@ -310,9 +323,13 @@ fn read(file: &Path) -> Result<String, Failure> {
     } else {
         bytes = fs::read(file).map_err(|error| {
             let missing = error.kind() == std::io::ErrorKind::NotFound;
-            let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
+            let error =
+                anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
             if missing {
-                Failure::new(error, "give the name of an SVG file; examples/drawings/ has some")
+                Failure::new(
+                    error,
+                    "give the name of an SVG file; examples/drawings/ has some",
+                )
             } else {
                 error.into()
             }
@@ -359,14 +376,17 @@ fn hint(error: &PrepareError) -> Option<String> {
 fn stopped(stopped: Stopped) -> Failure {
     let hint = match stopped.parting {
         Parting::Done => "draw again to start from the beginning",
-        Parting::Sent | Parting::Lost => "look after the arm: lift the pen or switch it off by hand",
+        Parting::Sent | Parting::Lost => {
+            "look after the arm: lift the pen or switch it off by hand"
+        }
     };
     Failure::new(stopped, hint)
 }
 
 fn progress_bar(prepared: &Prepared) -> ProgressBar {
     let vectors = prepared.plan.moves.len() as u64;
-    let style = ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} vectors, {msg} left");
+    let style =
+        ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} vectors, {msg} left");
     ProgressBar::new(vectors).with_style(style.expect("the template is well-formed"))
 }
 
@@ -386,7 +406,10 @@ fn clock(seconds: f64) -> String {
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {
     let file = PathBuf::from(text);
-    let ending = file.extension().and_then(|it| it.to_str()).map(str::to_ascii_lowercase);
+    let ending = file
+        .extension()
+        .and_then(|it| it.to_str())
+        .map(str::to_ascii_lowercase);
     match ending.as_deref() {
         Some("svg" | "png") => Ok(file),
         _ => Err("allowed are names that end in .svg or .png".into()),
@@ -394,7 +417,8 @@ fn picture_file(text: &str) -> Result<PathBuf, String> {
 }
 
 fn is_png(file: &Path) -> bool {
-    file.extension().is_some_and(|it| it.eq_ignore_ascii_case("png"))
+    file.extension()
+        .is_some_and(|it| it.eq_ignore_ascii_case("png"))
 }
 
 const PNG_WIDTH_PX: u32 = 2000;

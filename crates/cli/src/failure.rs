@@ -1,6 +1,5 @@
 //! What went wrong, what to do about it, and the exit code.
 
-use std::fmt;
 use std::process::ExitCode;
 
 use dobot_client::{LinkError, OpenError, SendError};
@@ -10,7 +9,6 @@ use dobot_client::{LinkError, OpenError, SendError};
 pub(crate) struct Failure {
     error: anyhow::Error,
     hint: Option<String>,
-    usage: bool,
 }
 
 impl Failure {
@@ -19,15 +17,6 @@ impl Failure {
         Self {
             error: error.into(),
             hint: Some(hint.into()),
-            usage: false,
-        }
-    }
-
-    /// The command line asks for something that makes no sense.
-    pub(crate) fn usage(text: impl fmt::Display, hint: impl Into<String>) -> Self {
-        Self {
-            usage: true,
-            ..Self::new(anyhow::anyhow!("{text}"), hint)
         }
     }
 
@@ -46,7 +35,7 @@ impl Failure {
         if let Some(hint) = self.hint.clone().or_else(|| causes().find_map(known_hint)) {
             eprintln!("hint: {hint}");
         }
-        ExitCode::from(if self.usage { 2 } else { 1 })
+        ExitCode::FAILURE
     }
 }
 
@@ -55,7 +44,6 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
         Self {
             error: error.into(),
             hint: None,
-            usage: false,
         }
     }
 }

@@ -151,6 +151,7 @@ fn tcp(text: &str, rest: &str) -> Result<Address, AddressError> {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
 

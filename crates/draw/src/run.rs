@@ -49,6 +49,8 @@ pub struct Stopped {
     pub vectors: usize,
     /// What became of the parting words.
     pub parting: Parting,
+    /// Where the statuses saw the tool.
+    pub seen: Vec<Position>,
 }
 
 /// What stopped a drawing.
@@ -115,6 +117,7 @@ pub async fn run(
         progress: runner.progress,
         vectors: plan.moves.len(),
         parting,
+        seen: runner.seen,
     })
 }
 
