@@ -1,0 +1,143 @@
+//! Verbs and their arguments, on a virtual arm in the process.
+
+use serde_json::Value;
+
+use crate::program::dobot;
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).expect("it is one line of JSON")
+}
+
+fn near(value: &Value, expected: f64) -> bool {
+    value
+        .as_f64()
+        .is_some_and(|found| (found - expected).abs() < 1e-3)
+}
+
+#[test]
+fn help_shows_examples_for_every_verb() {
+    for verb in [
+        "draw", "arm", "status", "move", "jog", "set", "decode", "ports",
+    ] {
+        let outcome = dobot(&[verb, "--help"]).succeeds();
+        assert!(outcome.stdout.contains(&format!("dobot {verb}")), "{verb}");
+        assert!(outcome.stdout.contains("Examples:"), "{verb}");
+    }
+}
+
+#[test]
+fn what_is_no_command_line_ends_with_two() {
+    for arguments in [
+        &["dance"][..],
+        &["move", "1", "2"],
+        &["jog", "sideways"],
+        &["jog", "x+", "--for", "1000"],
+        &["status", "--to", "nowhere"],
+        &["status", "--dialect", "klingon"],
+        &["draw"],
+        &["draw", "a.svg", "--picture", "a.bmp"],
+        &["set"],
+    ] {
+        dobot(arguments).fails(2, &[]);
+    }
+}
+
+#[test]
+fn a_virtual_arm_stands_in_its_power_up_pose() {
+    let status = json(&dobot(&["status", "--json"]).succeeds().stdout);
+    assert!(near(&status["rear_deg"], 45.0) && near(&status["fore_deg"], 45.0));
+    // 135 sin 45 + 160 cos 45 + 55.07
+    assert!(near(&status["x_mm"], 263.666_5), "{status}");
+}
+
+#[test]
+fn a_move_ends_at_its_target() {
+    for path in ["jump", "movl", "movj"] {
+        let status = json(
+            &dobot(&["move", "220", "-40", "-10", "--path", path, "--json"])
+                .succeeds()
+                .stdout,
+        );
+        assert!(near(&status["x_mm"], 220.0), "{path}: {status}");
+        assert!(near(&status["y_mm"], -40.0), "{path}: {status}");
+        assert!(near(&status["z_mm"], -10.0), "{path}: {status}");
+        assert!(near(&status["servo_deg"], 0.0), "{path}: {status}");
+    }
+}
+
+#[test]
+fn a_move_to_joint_angles_ends_there_and_sets_the_tool() {
+    let arguments = [
+        "move",
+        "--joints",
+        "30",
+        "40",
+        "35",
+        "--servo",
+        "-15",
+        "--suction",
+        "on",
+        "--gripper",
+        "20",
+        "--json",
+    ];
+    let status = json(&dobot(&arguments).succeeds().stdout);
+    for (name, expected) in [
+        ("base_deg", 30.0),
+        ("rear_deg", 40.0),
+        ("fore_deg", 35.0),
+        ("servo_deg", -15.0),
+        ("rotation_deg", 15.0),
+        ("gripper_deg", 20.0),
+    ] {
+        assert!(near(&status[name], expected), "{name}: {status}");
+    }
+    assert_eq!(status["suction"], true);
+}
+
+#[test]
+fn a_target_out_of_reach_is_refused_with_how_far_and_which_limit() {
+    dobot(&["move", "400", "0", "30"]).fails(1, &["out of reach", "too far", "nothing was sent"]);
+    dobot(&["move", "--joints", "0", "90", "60"])
+        .fails(1, &["rear arm angle is 90°", "5° too much"]);
+    dobot(&["move", "nan", "0", "30"]).fails(1, &["x is NaN"]);
+}
+
+#[test]
+fn a_jog_moves_its_axis_and_comes_to_rest() {
+    let status = json(
+        &dobot(&["jog", "base+", "--for", "1", "--json"])
+            .succeeds()
+            .stdout,
+    );
+    let base = status["base_deg"].as_f64().expect("a number");
+    // Half of 15 degrees per second for about a second, ramps included.
+    assert!((5.0..10.0).contains(&base), "{status}");
+}
+
+#[test]
+fn a_tool_and_angles_can_be_set() {
+    let laser = json(&dobot(&["set", "tool", "laser", "--json"]).succeeds().stdout);
+    assert!(near(&laser["x_mm"], 263.666_5 - 5.5), "{laser}");
+    let angles = json(
+        &dobot(&["set", "angles", "-5", "20.5", "--json"])
+            .succeeds()
+            .stdout,
+    );
+    assert!(
+        near(&angles["rear_deg"], -5.0) && near(&angles["fore_deg"], 20.5),
+        "{angles}"
+    );
+}
+
+#[test]
+fn a_setting_that_would_hang_an_arm_is_not_sent() {
+    dobot(&["set", "writing", "--acceleration", "0"]).fails(1, &["float 3", "Table 3.9"]);
+    dobot(&["set", "percent", "--speed", "101"]).fails(1, &["percent"]);
+}
+
+#[test]
+fn ports_are_listed_as_text_and_as_json() {
+    dobot(&["ports"]).succeeds();
+    assert!(json(&dobot(&["ports", "--json"]).succeeds().stdout).is_array());
+}

@@ -1,0 +1,303 @@
+//! Ports and TCP in real time: good ones, bad ones, and Ctrl-C.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::process::{Child, ChildStdout, Stdio};
+use std::sync::mpsc;
+use std::thread;
+
+use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, WriteVector};
+use rustix::process::{Pid, Signal, kill_process};
+
+use crate::program::{Outcome, command, dobot, example};
+
+/// `dobot arm` as a process of its own; it ends with the test.
+struct Served {
+    child: Child,
+    output: BufReader<ChildStdout>,
+}
+
+impl Served {
+    fn new(arguments: &[&str]) -> Self {
+        let mut child = command(&[&["arm"], arguments].concat())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let output = BufReader::new(child.stdout.take().expect("it is piped"));
+        Self { child, output }
+    }
+
+    /// The next address that it prints.
+    fn address(&mut self) -> String {
+        let mut line = String::new();
+        self.output
+            .read_line(&mut line)
+            .expect("it prints where it is");
+        line.split_whitespace()
+            .next()
+            .expect("an address comes first")
+            .to_owned()
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[test]
+fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let link = folder.path().join("dobot");
+    let mut arm = Served::new(&[
+        "--tcp",
+        "127.0.0.1:0",
+        "--pty",
+        link.to_str().expect("the path is text"),
+    ]);
+    for _ in 0..2 {
+        let address = arm.address();
+        let arguments = [
+            "draw",
+            &example("square.svg"),
+            "--to",
+            &address,
+            "--dialect",
+            "specification",
+            "--json",
+        ];
+        let outcome = dobot(&arguments).succeeds();
+        let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("it is JSON");
+        assert_eq!(report["measured_from"], "the statuses", "{address}");
+        assert!(
+            report["deviation_mm"].as_f64().expect("a number") < 0.1,
+            "{report}"
+        );
+    }
+}
+
+#[test]
+fn over_a_port_the_dialect_is_undecided_until_it_is_given() {
+    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let address = arm.address();
+    dobot(&["draw", &example("square.svg"), "--to", &address])
+        .fails(1, &["--dialect firmware-1.1"]);
+    dobot(&["move", "220", "0", "20", "--path", "movl", "--to", &address]).fails(1, &["--dialect"]);
+    dobot(&["status", "--count", "2", "--to", &address]).succeeds();
+}
+
+#[test]
+fn a_port_that_does_not_exist_or_is_none_is_told() {
+    dobot(&["status", "--to", "serial:/dev/no-such-port"])
+        .fails(1, &["no serial port /dev/no-such-port", "dobot ports"]);
+    dobot(&["status", "--to", "serial:/dev/null"]).fails(1, &["/dev/null is not a serial port"]);
+}
+
+#[test]
+fn a_port_in_use_is_told() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let link = folder.path().join("dobot");
+    let mut arm = Served::new(&["--pty", link.to_str().expect("the path is text")]);
+    let address = arm.address();
+    let mut first = command(&["status", "--json", "--to", &address])
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut line = String::new();
+    let mut output = BufReader::new(first.stdout.take().expect("it is piped"));
+    output
+        .read_line(&mut line)
+        .expect("the first one has the port");
+    let second = dobot(&["status", "--to", &address]);
+    let _ = first.kill();
+    let _ = first.wait();
+    second.fails(1, &["in use by another program", "fuser"]);
+}
+
+/// A peer that does one thing with its one client.
+fn peer(act: impl FnOnce(TcpStream) + Send + 'static) -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = listener.local_addr().expect("it is bound");
+    thread::spawn(move || {
+        let (stream, _) = listener.accept().expect("the program connects");
+        act(stream);
+    });
+    format!("tcp:{address}")
+}
+
+/// Rear arm upright, forearm level.
+fn status() -> Vec<u8> {
+    let floats: [f32; 10] = [215.07, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let body = floats.iter().flat_map(|float| float.to_le_bytes());
+    [0xA5].into_iter().chain(body).chain([0x5A]).collect()
+}
+
+#[test]
+fn a_peer_that_closes_in_the_middle_is_told() {
+    let address = peer(|mut stream| stream.write_all(&status()[..20]).expect("it is open"));
+    dobot(&["status", "--to", &address]).fails(1, &["closed the link"]);
+}
+
+#[test]
+fn a_peer_that_sends_noise_is_told() {
+    let address = peer(|mut stream| {
+        // Until the program has enough of it.
+        while stream
+            .write_all(&[0xA5, 0x11, 0x22, 0x5A].repeat(100))
+            .is_ok()
+        {}
+    });
+    dobot(&["status", "--to", &address])
+        .fails(1, &["no valid status", "bytes that belong to none"]);
+}
+
+#[test]
+fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same() {
+    let (tell, told) = mpsc::channel();
+    let address = peer(move |mut stream| {
+        // One status, never another one; and then everything that comes.
+        stream.write_all(&status()).expect("it is open");
+        let mut bytes = Vec::new();
+        let _ = stream.read_to_end(&mut bytes);
+        let _ = tell.send(bytes);
+    });
+    let arguments = [
+        "draw",
+        &example("square.svg"),
+        "--to",
+        &address,
+        "--dialect",
+        "specification",
+        "--pen-down",
+        "-40",
+    ];
+    dobot(&arguments).fails(1, &["no valid status", "after 0 of", "laser off were sent"]);
+    let commands = commands(&told.recv().expect("the peer tells"));
+    let last = commands.last().expect("something was sent");
+    assert!(is_laser_off(last), "{commands:?}");
+}
+
+/// Stands between the program and a virtual arm, and sends Ctrl-C after so many write vectors.
+/// Returns what came of the program, the commands before Ctrl-C and those after it.
+fn interrupted(vectors: usize) -> (Outcome, Vec<Command>, Vec<Command>) {
+    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
+    let child = command(&[
+        "draw",
+        &example("harbour.svg"),
+        "--to",
+        &address,
+        "--dialect",
+        "specification",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program starts");
+    let pid = Pid::from_child(&child);
+    let (mut client, _) = listener.accept().expect("the program connects");
+    let mut server = TcpStream::connect(arm_address).expect("the arm is served");
+    let mut back = (
+        server.try_clone().expect("it is open"),
+        client.try_clone().expect("it is open"),
+    );
+    thread::spawn(move || std::io::copy(&mut back.0, &mut back.1));
+    let (mut before, mut after) = (Vec::new(), Vec::new());
+    let mut packet = [0; 42];
+    while client.read_exact(&mut packet).is_ok() {
+        server.write_all(&packet).expect("the arm is served");
+        let command = commands(&packet).remove(0);
+        if before.iter().filter(|it| vector(it).is_some()).count() < vectors {
+            before.push(command);
+            if before.iter().filter(|it| vector(it).is_some()).count() == vectors {
+                kill_process(pid, Signal::INT).expect("it runs");
+            }
+        } else {
+            after.push(command);
+        }
+    }
+    let output = child.wait_with_output().expect("the program ends");
+    (output.into(), before, after)
+}
+
+#[test]
+fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
+    // Travel, lower, and four vectors with the pen down.
+    let (outcome, before, after) = interrupted(6);
+    let outcome = outcome.fails(
+        1,
+        &[
+            "the drawing was stopped after",
+            "of 848 vectors",
+            "the pen is up and the laser off",
+        ],
+    );
+    // One more vector may have been on its way when the signal came.
+    let parting: Vec<_> = after.iter().skip_while(|it| vector(it).is_some()).collect();
+    assert!(
+        parting.first().is_some_and(|it| is_laser_off(it)),
+        "{after:?} {outcome:?}"
+    );
+    let lift = parting
+        .get(1)
+        .and_then(|it| vector(it))
+        .expect("the pen is lifted");
+    let z = |commands: &[Command]| -> f32 {
+        commands.iter().filter_map(vector).map(|it| it.z_mm).sum()
+    };
+    let sent_down = z(&before) + z(&after[..after.len() - 1]);
+    assert!(
+        (sent_down + 10.0).abs() < 1e-3,
+        "the pen was down: {sent_down}"
+    );
+    assert!((lift.z_mm - 10.0).abs() < 1e-3, "{lift:?}");
+    assert_eq!((lift.x_mm, lift.y_mm), (0.0, 0.0));
+}
+
+#[test]
+fn ctrl_c_ends_the_served_arm() {
+    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    arm.address();
+    kill_process(Pid::from_child(&arm.child), Signal::INT).expect("it runs");
+    assert_eq!(arm.child.wait().expect("it ends").code(), Some(0));
+}
+
+#[test]
+fn a_tcp_port_that_is_taken_is_told() {
+    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let taken = arm.address()[4..].to_owned();
+    dobot(&["arm", "--tcp", &taken]).fails(1, &["cannot serve on", "127.0.0.1:0"]);
+}
+
+#[test]
+fn something_in_the_way_of_the_virtual_serial_port_is_left_alone() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("precious");
+    std::fs::write(&file, "data").expect("there is room");
+    dobot(&["arm", "--pty", file.to_str().expect("the path is text")])
+        .fails(1, &["precious", "there already"]);
+    assert_eq!(std::fs::read_to_string(&file).expect("it is there"), "data");
+}
+
+fn commands(bytes: &[u8]) -> Vec<Command> {
+    Decoder::commands()
+        .feed(bytes)
+        .map(|packet| Command::parse(&packet, &Dialect::SPECIFICATION).expect("it is allowed"))
+        .collect()
+}
+
+fn is_laser_off(command: &Command) -> bool {
+    matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::LaserOff)
+}
+
+fn vector(command: &Command) -> Option<&WriteVector> {
+    match command {
+        Command::WriteVector(vector) => Some(vector),
+        _ => None,
+    }
+}

@@ -1,0 +1,8 @@
+//! The program as a process: exit codes, standard output and errors.
+
+mod arguments;
+mod decoding;
+mod drawing;
+#[cfg(unix)]
+mod links;
+mod program;
