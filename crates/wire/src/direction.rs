@@ -73,7 +73,7 @@ impl Direction for Commands {
     fn trusts(&self, window: &[u8; PACKET_LEN], locked: bool) -> bool {
         if Frame::is_delimited(window) {
             let frame = Frame::from_window(window);
-            return is_state(frame.float(1)) && (locked || frame.is_finite())
+            return is_state(frame.float(1)) && (locked || is_sized(&frame))
                 || locked && is_bad_in_place(window);
         }
         Voice::is_delimited(window)
@@ -116,6 +116,15 @@ fn is_state(float: f32) -> bool {
     matches!(whole_number(float), Some(1..=10 | 15))
 }
 
+/// Whether every float has a size that somebody sends: bytes read at the wrong place mostly give
+/// numbers beyond it (note N24).
+fn is_sized(frame: &Frame) -> bool {
+    frame
+        .floats()
+        .iter()
+        .all(|float| float.abs() <= COMMAND_LIMIT && !float.is_subnormal())
+}
+
 /// Whether a window is a bad packet in the right place, not a good one read at the wrong place: in
 /// the latter the true header lies inside (note N24).
 #[cold]
@@ -124,6 +133,9 @@ fn is_bad_in_place(window: &[u8; PACKET_LEN]) -> bool {
         .array_windows()
         .any(|&[header, a, b, c, d]| header == HEADER && is_state(f32::from_le_bytes([a, b, c, d])))
 }
+
+/// The largest absolute value of a float of a command, whatever its unit (note N24).
+const COMMAND_LIMIT: f32 = 1e6;
 
 /// The largest absolute value of each float of a status, in millimetres and degrees (note N22).
 const STATUS_LIMITS: [f32; 10] = [

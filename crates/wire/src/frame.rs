@@ -54,15 +54,6 @@ impl Frame {
         &self.floats
     }
 
-    /// Whether no float is infinite or NaN.
-    #[must_use]
-    #[inline]
-    pub fn is_finite(&self) -> bool {
-        self.floats
-            .iter()
-            .fold(true, |all, float| all & float.is_finite())
-    }
-
     /// Writes the packet: `A5`, ten floats with their low byte first, `5A`.
     #[must_use]
     pub fn to_bytes(&self) -> [u8; PACKET_LEN] {

@@ -1,4 +1,41 @@
 //! The packets of the original Dobot Arm: bytes, frames, commands and statuses.
+//!
+//! Every packet is 42 bytes long. A [`Frame`] holds any ten floats; a [`Command`] or a [`Status`]
+//! only what makes sense. A [`Dialect`] says how to read the fields on which the published document
+//! and the stock firmware disagree. A [`Decoder`] finds the packets in a stream of bytes.
+//!
+//! Numbers are the packet's own `f32`, with the unit in the name of the field. Tables and figures
+//! are those of the published protocol; notes (N1, N2 ...) stand in `docs/protocol.md`.
+//!
+//! No I/O, no clock, no heap.
+//!
+//! ```
+//! use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet};
+//!
+//! let command = Command::from(MoveTo {
+//!     x_mm: 200.0,
+//!     y_mm: -50.0,
+//!     z_mm: 20.0,
+//!     rotation_deg: 15.0,
+//!     suction: false,
+//!     mode: MovingMode::Jump,
+//!     gripper_deg: 0.0,
+//!     pause_s: 0.0,
+//! });
+//! let bytes = command.emit(&Dialect::SPECIFICATION).to_bytes();
+//!
+//! let mut decoder = Decoder::commands();
+//! let packets: Vec<Packet> = decoder.feed(&bytes).collect();
+//! assert_eq!(Command::parse(&packets[0], &Dialect::SPECIFICATION), Ok(command));
+//!
+//! // What makes no sense is refused, with the table that says so.
+//! let Packet::Frame(frame) = packets[0] else { unreachable!() };
+//! let error = MoveTo::parse(&frame.with(8, 3.0), &Dialect::SPECIFICATION).unwrap_err();
+//! assert_eq!(
+//!     error.to_string(),
+//!     "float 8 (MovingMode) is 3; Table 3.7 allows 0 (jump), 1 (linear) or 2 (joint)"
+//! );
+//! ```
 
 #![no_std]
 
@@ -24,6 +61,7 @@ mod packet;
 mod status;
 mod table;
 mod voice;
+mod voice_order;
 mod write_vector;
 
 pub use adjustment::PlaybackAdjustment;
@@ -44,4 +82,5 @@ pub use moving_mode::MovingMode;
 pub use packet::Packet;
 pub use status::Status;
 pub use voice::{VOICE_HEADER, VOICE_TAIL, Voice};
+pub use voice_order::VoiceOrder;
 pub use write_vector::{WriteMode, WriteVector};

@@ -85,9 +85,13 @@ impl WriteVector {
 }
 
 impl Dialect {
-    /// Turns X of the frame into X of the arm, and back (note N4).
+    /// Turns X of the frame into X of the arm, and back, without a negative zero (note N4).
     fn write_x(&self, x_mm: f32) -> f32 {
-        if self.reverses_write_x { -x_mm } else { x_mm }
+        if self.reverses_write_x {
+            0.0 - x_mm
+        } else {
+            x_mm
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! What holds for every command: it reads back what it wrote, and knows where dialects part.
 
+#![expect(clippy::unwrap_used, reason = "tests")]
+
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, Frame, Gesture, JointJog, JointJogAxis,
     LinearJog, LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, Packet,

@@ -1,5 +1,7 @@
 //! What damage on the line costs: the packet that it hit, and nothing else (notes N22 to N24).
 
+#![expect(clippy::unwrap_used, reason = "tests")]
+
 use std::ops::Range;
 
 use dobot_wire::{
@@ -148,6 +150,31 @@ fn skips_a_bad_command_that_stands_behind_noise() {
     let mut decoder = Decoder::commands();
     assert_eq!(decode(&mut decoder, &bytes), [good]);
     assert_eq!(decoder.counts().skipped_bytes, 43);
+}
+
+/// Without the last byte of its servo angle, the second command reads `A5 00 00 80 3F` inside, as a
+/// mouse move begins, and the third holds a `5A` where that would end.
+#[test]
+fn takes_no_command_out_of_the_pieces_of_two() {
+    let angles = [
+        [0.0; 4],
+        [TRAP_DEG; 4],
+        [0.0, 0.0, 0.0, f32::from_bits(0x415A_7E80)],
+        [0.0; 4],
+    ];
+    let sent = angles.map(|angles| Packet::from(move_joints(angles).emit(&DIALECT)));
+    let mut bytes = stream(sent.map(|packet| packet.to_bytes()));
+    let last_of_servo = PACKET_LEN + 6 * 4;
+    assert_eq!(bytes.remove(last_of_servo), 0x42);
+    assert_eq!(
+        bytes[last_of_servo - 1..][..5],
+        [0xA5, 0x00, 0x00, 0x80, 0x3F]
+    );
+    assert_eq!(bytes[last_of_servo - 1 + 41], 0x5A);
+    assert_eq!(
+        decode(&mut Decoder::commands(), &bytes),
+        [sent[0], sent[2], sent[3]]
+    );
 }
 
 #[test]

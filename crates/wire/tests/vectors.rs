@@ -1,5 +1,6 @@
 //! The packets of `vectors/` mean what they say, and are written as they stand there.
 #![cfg(feature = "serde")]
+#![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::fs;
 use std::path::Path;
