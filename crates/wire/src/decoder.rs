@@ -95,7 +95,11 @@ impl<D: Direction> Decoder<D> {
             self.counts.frames += 1;
             return Some(window);
         }
-        match self.hunt(rest)? {
+        // A copy, so that `rest` itself may stay in registers while packets follow each other.
+        let mut later = *rest;
+        let found = self.hunt(&mut later);
+        *rest = later;
+        match found? {
             Found::Outside(window) => Some(window),
             Found::Inside => Some(&self.window),
         }
