@@ -28,9 +28,8 @@ pub(crate) struct Args {
     tcp: Option<SocketAddr>,
     /// Serve on a virtual serial port, with a symbolic link to it at LINK
     #[cfg(unix)]
-    #[arg(long, value_name = "LINK", num_args = 0..=1)]
-    #[expect(clippy::option_option, reason = "absent, present, present with a name")]
-    pty: Option<Option<PathBuf>>,
+    #[arg(long, value_name = "LINK", num_args = 0..=1, default_missing_value = "")]
+    pty: Option<PathBuf>,
     /// What the arm understands: specification or firmware-1.1
     #[arg(long, value_name = "DIALECT", default_value = "specification")]
     dialect: Dialect,
@@ -50,6 +49,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     #[cfg(unix)]
     if let Some(link) = pty {
+        let link = Some(link).filter(|it| !it.as_os_str().is_empty());
         let pty =
             dobot_sim::Pty::open(link.as_deref()).map_err(|error| no_pty(error, link.as_ref()))?;
         output::line(&format!("serial:{}   the same arm", pty.path().display()))?;
@@ -62,11 +62,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 }
 
 impl Args {
-    /// Where to serve: everywhere, unless told where.
+    /// Where to serve: everywhere, unless told where. A virtual serial port without a link has an
+    /// empty name.
     #[cfg(unix)]
-    fn places(&self) -> (Option<SocketAddr>, Option<Option<PathBuf>>) {
+    fn places(&self) -> (Option<SocketAddr>, Option<PathBuf>) {
         match (self.tcp, &self.pty) {
-            (None, None) => (Some(DEFAULT_TCP), Some(None)),
+            (None, None) => (Some(DEFAULT_TCP), Some(PathBuf::new())),
             (tcp, pty) => (tcp, pty.clone()),
         }
     }

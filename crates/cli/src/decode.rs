@@ -193,7 +193,8 @@ fn readings(
         return vec![read(dialect)];
     }
     let [specification, firmware] = Dialect::ALL.map(read);
-    if specification.1 == firmware.1 {
+    let refused = specification.1.is_err() && firmware.1.is_err();
+    if refused || specification.1 == firmware.1 {
         vec![specification]
     } else {
         vec![specification, firmware]

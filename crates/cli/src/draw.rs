@@ -374,13 +374,13 @@ fn hint(error: &PrepareError) -> Option<String> {
 }
 
 fn stopped(stopped: Stopped) -> Failure {
-    let hint = match stopped.parting {
-        Parting::Done => "draw again to start from the beginning",
-        Parting::Sent | Parting::Lost => {
-            "look after the arm: lift the pen or switch it off by hand"
-        }
-    };
-    Failure::new(stopped, hint)
+    match stopped.parting {
+        Parting::Done | Parting::Unneeded => stopped.into(),
+        Parting::Sent | Parting::Lost => Failure::new(
+            stopped,
+            "look after the arm: lift the pen or switch it off by hand",
+        ),
+    }
 }
 
 fn progress_bar(prepared: &Prepared) -> ProgressBar {

@@ -38,7 +38,7 @@ pub enum Address {
     },
 }
 
-/// The speed of the serial line of a stock arm with program 1.1 (note N3).
+/// The speed of the serial line of a stock arm with program 1.1 (note N26).
 pub const DEFAULT_BAUD: u32 = 9600;
 
 impl FromStr for Address {

@@ -117,7 +117,7 @@ impl Completion {
     }
 
     /// How long the commands under way may take at the most before the arm has room for another:
-    /// a full queue keeps an arm silent for just that long (note N6).
+    /// a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
         self.under_way.iter().map(UnderWay::longest).sum()
     }

@@ -13,7 +13,7 @@ use crate::completion::{Completion, Outcome};
 /// Things happen to it (`handle_*`), it wants things (`poll_*`), and [`Session::poll_wakeup`] says
 /// when it next needs the time, which counts from the connect and never goes back.
 ///
-/// Each status received is a permit to send one command (note N6): what is given to
+/// Each status received is a permit to send one command (note N20): what is given to
 /// [`Session::send`] waits here for its turn.
 ///
 /// ```
@@ -134,6 +134,15 @@ impl Session {
         self.waiting.push_back((id, command));
         self.dispatch();
         Ok(id)
+    }
+
+    /// Whether a command would be sent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Session::send`].
+    pub fn check(&self, command: &Command) -> Result<(), SendError> {
+        self.packet(command).map(|_| ())
     }
 
     /// Sends a command at once and ahead of all others, permit or not: for parting words on a
@@ -307,7 +316,7 @@ impl Session {
     }
 }
 
-/// Whether a frame can be a status: its position agrees with its angles (note N4).
+/// Whether a frame can be a status: its position agrees with its angles (note N22).
 #[must_use]
 pub fn plausible(frame: &Frame) -> bool {
     let float = |n| f64::from(frame.float(n));
@@ -318,5 +327,5 @@ pub fn plausible(frame: &Frame) -> bool {
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
-/// With that many commands under way the queue may be full, and a full queue is silent (note N6).
+/// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

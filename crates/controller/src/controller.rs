@@ -408,11 +408,11 @@ fn button(command: &Command) -> Option<Button> {
     }
 }
 
-/// The control tick (note N14).
+/// The control tick (note N27).
 const TICK: Duration = Duration::from_millis(20);
-/// A status comes every 80 ms (note N6).
+/// A status comes every 80 ms (note N20).
 const TICKS_PER_STATUS: u8 = 4;
-/// With that many commands waiting no status is sent (note N6).
+/// With that many commands waiting no status is sent (note N20).
 const STALLS_AT: usize = 4;
 /// Beyond the last of them statuses are lost: more than a second's worth.
 const UPLOADS_LEN: usize = 16;

@@ -23,7 +23,6 @@ mod power_up;
 mod refused;
 mod settings;
 mod state;
-mod voice;
 
 pub use controller::{Controller, Counters};
 pub use power_up::{Personality, PowerUp};

@@ -39,7 +39,7 @@ pub(crate) enum Then {
         gripper_deg: f64,
         pause: Duration,
     },
-    /// Write mode: the laser goes off unless another vector follows at once (note N22).
+    /// Write mode: the laser goes off unless another vector follows at once (note N36).
     EndStroke {
         speed_mm_s: f64,
     },

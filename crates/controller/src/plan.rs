@@ -5,8 +5,8 @@ use core::time::Duration;
 use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, Tool, Unreachable};
 use dobot_motion::{JointMove, Jump, LineMove, Speeds, Stroke, StrokeSpeeds};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Gesture, MouseMove, MovingMode, Voice, WriteMode,
-    WriteVector,
+    Command, Configuration, Dialect, EndEffector, Gesture, MouseMove, MovingMode, Voice,
+    VoiceOrder, WriteMode, WriteVector,
 };
 
 use crate::Refused;
@@ -14,7 +14,6 @@ use crate::jog::{Button, Jog};
 use crate::motion::{Motion, Then};
 use crate::settings::Settings;
 use crate::state::{Place, State};
-use crate::voice::{Spoken, understand};
 
 /// What a command makes the arm do.
 pub(crate) enum Plan {
@@ -86,7 +85,7 @@ pub(crate) fn plan(
     }
 }
 
-/// Refuses a motion whose way leaves the limits (note N21). An arm that stands outside of them
+/// Refuses a motion whose way leaves the limits (note N30). An arm that stands outside of them
 /// may come back in.
 pub(crate) fn check_way(motion: &Motion, duration_s: f64, state: &State) -> Result<(), Refused> {
     let samples = libm::ceil(duration_s / SAMPLING_S).max(1.0);
@@ -189,16 +188,17 @@ fn write(
 ) -> Result<Plan, Refused> {
     let max_mm_s = f64::from(vector.max_speed_mm_s);
     let start_mm_s = if dialect.uses_start_speed {
-        vector.start_speed_mm_s.into()
+        f64::from(vector.start_speed_mm_s)
     } else {
-        state.write_speed_mm_s.min(max_mm_s)
+        state.write_speed_mm_s
     };
     let stroke = Stroke::new(
         state.place.pose.position,
         position(vector.x_mm, vector.y_mm, vector.z_mm),
         &StrokeSpeeds {
-            start_mm_s,
-            end_mm_s: vector.end_speed_mm_s.into(),
+            // Speeds above the largest count as the largest (note N5).
+            start_mm_s: start_mm_s.min(max_mm_s),
+            end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
             max_mm_s,
             acceleration_mm_s2: settings.write_acceleration_mm_s2,
         },
@@ -228,13 +228,14 @@ fn grabbing_line(from: Pose, to: Pose, grab: bool, speeds: &Speeds) -> Result<Pl
 }
 
 fn spoken(voice: &Voice, state: &State, speeds: &Speeds) -> Result<Plan, Refused> {
-    let text = voice.text().map_err(Refused::Unreadable)?;
-    match understand(text).ok_or(Refused::NotUnderstood)? {
-        Spoken::Grab(suction) => Ok(Plan::State(State { suction, ..*state })),
-        Spoken::Move(by) => {
+    let grab = |suction| Ok(Plan::State(State { suction, ..*state }));
+    match VoiceOrder::parse(voice).ok_or(Refused::NotUnderstood)? {
+        VoiceOrder::Catch => grab(true),
+        VoiceOrder::Release => grab(false),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
             let from = state.place.pose;
             let to = Pose {
-                position: from.position + by,
+                position: from.position + position(x_mm, y_mm, z_mm),
                 ..from
             };
             let line = LineMove::new(from, to, speeds).map_err(Refused::Unplannable)?;

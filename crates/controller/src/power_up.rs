@@ -35,7 +35,7 @@ pub struct PowerUp {
 }
 
 impl PowerUp {
-    /// A controller of that personality, speaking its dialect, in the usual pose (note N14).
+    /// A controller of that personality, speaking its dialect, in the usual pose (note N28).
     #[must_use]
     pub const fn new(personality: Personality) -> Self {
         Self {

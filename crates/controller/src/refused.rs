@@ -19,7 +19,7 @@ pub enum Refused {
         "a packet was refused: all {QUEUE_LEN} places of the queue are taken; one packet per status is allowed"
     )]
     QueueFull,
-    /// The way of a command leaves the limits (note N21); it was not begun.
+    /// The way of a command leaves the limits (note N30); it was not begun.
     #[error("a command was refused before it moved: on its way {0}")]
     Unreachable(Unreachable),
     /// A command cannot be planned.
@@ -27,7 +27,7 @@ pub enum Refused {
     Unplannable(PlanError),
     /// No word of a voice command is known.
     #[error(
-        "a voice command was refused: it says none of ahead, back, left, right, up and down with a number word, catch or release"
+        "a voice command was refused: it is none of ahead, back, left, right, up and down with a number word, catch and release"
     )]
     NotUnderstood,
     /// A jog came to a limit and stopped there.
@@ -43,5 +43,5 @@ pub enum Refused {
     },
 }
 
-/// Commands that wait behind the one that is executed (note N6).
+/// Commands that wait behind the one that is executed (note N20).
 pub(crate) const QUEUE_LEN: usize = 6;

@@ -1,11 +1,12 @@
 //! Sending a plan: one vector for each status, pen up and laser off at the end, whatever happens.
 
+use std::fmt;
 use std::future::Future;
 use std::pin::pin;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_client::{CommandId, Connection, Event, LinkError};
+use dobot_client::{CommandId, Connection, Event, LinkError, SendError};
 use dobot_wire::{
     Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode,
     WriteVector,
@@ -38,7 +39,11 @@ pub struct Finished {
 /// that this could not be told to the arm.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-#[error("{cause} after {} of {vectors} vectors and {} strokes{}", progress.vectors, progress.strokes, parted(*parting))]
+#[error(
+    "the drawing was stopped after {} of {vectors} vectors and {} strokes; {parting}",
+    progress.vectors,
+    progress.strokes
+)]
 pub struct Stopped {
     /// What stopped it.
     #[source]
@@ -58,16 +63,18 @@ pub struct Stopped {
 #[non_exhaustive]
 pub enum Cause {
     /// The person did.
-    #[error("the drawing was stopped")]
+    #[error("interrupted")]
     Asked,
     /// The arm or the link failed.
-    #[error("the drawing failed")]
+    #[error(transparent)]
     Failed(#[from] LinkError),
 }
 
 /// Whether pen up and laser off reached the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parting {
+    /// Nothing had been sent, so nothing was to be put right.
+    Unneeded,
     /// The arm was seen to obey.
     Done,
     /// They were sent, and nobody knows whether they were heard.
@@ -100,6 +107,9 @@ pub async fn run(
         seen: Vec::new(),
         tell,
     };
+    if let Err(error) = runner.check() {
+        return Err(runner.stopped(Cause::Failed(error.into()), Parting::Unneeded));
+    }
     let cause = {
         let mut stop = pin!(stop);
         tokio::select! {
@@ -112,13 +122,7 @@ pub async fn run(
         }
     };
     let parting = runner.part(&cause).await;
-    Err(Stopped {
-        cause,
-        progress: runner.progress,
-        vectors: plan.moves.len(),
-        parting,
-        seen: runner.seen,
-    })
+    Err(runner.stopped(cause, parting))
 }
 
 struct Runner<'a, T> {
@@ -149,6 +153,25 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
             }
         }
         Ok(self.arm.now().saturating_sub(began))
+    }
+
+    /// Nothing is sent unless everything can be.
+    fn check(&self) -> Result<(), SendError> {
+        let session = self.arm.session();
+        self.plan
+            .moves
+            .iter()
+            .try_for_each(|vector| session.check(&write(vector).into()))
+    }
+
+    fn stopped(self, cause: Cause, parting: Parting) -> Stopped {
+        Stopped {
+            cause,
+            progress: self.progress,
+            vectors: self.plan.moves.len(),
+            parting,
+            seen: self.seen,
+        }
     }
 
     /// Laser off, pen holder mounted, acceleration set, and then to the start of the first vector.
@@ -248,7 +271,7 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
     }
 
     /// On a link that is failing nobody waits for permits; a stock arm wants a gap between packets
-    /// (note N3).
+    /// (note N26).
     async fn blind(&mut self, lift: Option<WriteVector>) -> Result<(), LinkError> {
         self.arm.session_mut().send_now(LASER_OFF)?;
         self.arm.flush().await?;
@@ -297,11 +320,14 @@ fn position(status: &Status) -> Position {
     Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
 }
 
-const fn parted(parting: Parting) -> &'static str {
-    match parting {
-        Parting::Done => "; the pen is up and the laser off",
-        Parting::Sent => "; pen up and laser off were sent, but the arm does not answer",
-        Parting::Lost => "; pen up and laser off could not be sent: look after the arm",
+impl fmt::Display for Parting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Unneeded => "nothing was sent",
+            Self::Done => "the pen is up and the laser off",
+            Self::Sent => "pen up and laser off were sent, but the arm does not answer",
+            Self::Lost => "pen up and laser off could not be sent",
+        })
     }
 }
 

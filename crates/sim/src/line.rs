@@ -19,7 +19,7 @@ pub struct Line {
 
 impl Line {
     /// A line as that of a stock arm: 9600 baud nominal, of which its chip makes 1.04 ms a byte,
-    /// 43.68 ms a packet (note N3).
+    /// 43.68 ms a packet (note N26).
     pub const STOCK: Self = Self::new(Duration::from_micros(1040));
 
     /// A line on which a byte takes so long.

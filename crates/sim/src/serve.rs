@@ -219,7 +219,7 @@ async fn read_pty(pty: &Pty, buffer: &mut Vec<u8>) -> io::Result<usize> {
     Ok(count)
 }
 
-/// The vendor's bridge listens here, so old programs find the virtual arm (note N3).
+/// The vendor's bridge listens here, so old programs find the virtual arm (note N26).
 pub const DEFAULT_TCP: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5555);
 

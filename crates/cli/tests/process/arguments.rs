@@ -38,7 +38,8 @@ fn what_is_no_command_line_ends_with_two() {
         &["draw", "a.svg", "--picture", "a.bmp"],
         &["set"],
     ] {
-        dobot(arguments).fails(2, &[]);
+        let outcome = dobot(arguments);
+        assert_eq!(outcome.code, Some(2), "{outcome:?}");
     }
 }
 
