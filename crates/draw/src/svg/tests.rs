@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use proptest::prelude::*;
+
 use super::*;
 use crate::point::{Bounds, Point};
 
@@ -103,6 +105,13 @@ fn dashes_scale_with_their_path() {
         draw(r#"<path transform="scale(2)" d="M0 5H20" stroke="red" stroke-dasharray="5 3"/>"#);
     let lengths: Vec<f64> = strokes.iter().map(|s| s.length_mm().round()).collect();
     assert_eq!(lengths, [10.0, 10.0, 8.0]);
+}
+
+#[test]
+fn a_line_without_length_is_a_dot_where_its_ends_are_drawn() {
+    let line = |cap| format!(r#"<path d="M5 5h0M7 7h2" stroke="red" stroke-linecap="{cap}"/>"#);
+    let count = |cap| draw(&line(cap)).0.len();
+    assert_eq!([count("butt"), count("round"), count("square")], [1, 2, 2]);
 }
 
 #[test]
@@ -331,4 +340,28 @@ fn text_becomes_outlines_where_fonts_are() {
         "{ink:?}"
     );
     assert_eq!(warnings, []);
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_file_is_drawn_or_refused_but_never_breaks_the_program(
+        at in 0.0..1.0_f64,
+        length in 0..40_usize,
+        filler in proptest::sample::select(vec!["", "<", "\"", "9e99", "-", "url(#frame)", "&", "0", "é"]),
+    ) {
+        let text = include_str!("../../../../examples/drawings/harbour.svg");
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a place in a short text"
+        )]
+        let start = (at * text.len() as f64) as usize;
+        let end = (start + length).min(text.len());
+        let damaged = [&text[..start], filler, &text[end..]].concat();
+        match Drawing::from_svg(&damaged, &options()) {
+            Ok((drawing, _)) => prop_assert!(!drawing.strokes.is_empty()),
+            Err(error) => prop_assert!(!error.to_string().contains('\n')),
+        }
+    }
 }

@@ -103,19 +103,13 @@ impl Walk {
         }
         self.paint(stroke.map(usvg::Stroke::paint));
         self.paint(fill.map(usvg::Fill::paint));
-        let dashes = stroke.and_then(|s| Some((s, s.dasharray()?)));
+        let dashes = stroke.and_then(|s| Some((s.dasharray()?, f64::from(s.dashoffset()))));
         for outline in self.flatten(path, transform)? {
-            let Some((stroke, lengths)) = dashes else {
-                self.show(outline, transform, clips)?;
-                continue;
+            let pieces = match dashes {
+                Some((lengths, offset)) => dash(outline, lengths, offset, &mut self.budget)?,
+                None => vec![outline],
             };
-            let pieces = dash(
-                outline,
-                lengths,
-                f64::from(stroke.dashoffset()),
-                &mut self.budget,
-            )?;
-            for piece in pieces.into_iter().filter(|p| has_ink(p, stroke)) {
+            for piece in pieces.into_iter().filter(|piece| has_ink(piece, stroke)) {
                 self.show(piece, transform, clips)?;
             }
         }
@@ -235,9 +229,10 @@ pub(crate) fn page_mm(tree: &Tree) -> [f64; 2] {
     [size.width(), size.height()].map(|px| f64::from(px) * MM_PER_PX)
 }
 
-/// A dash without length is a dot where its ends are drawn, and nothing where they are cut off.
-fn has_ink(dash: &Stroke, stroke: &usvg::Stroke) -> bool {
-    dash.points.len() > 1 || stroke.linecap() != LineCap::Butt
+/// A line without length is a dot where its ends are drawn, and nothing where they are cut off.
+fn has_ink(line: &Stroke, stroke: Option<&usvg::Stroke>) -> bool {
+    let has_ends = stroke.is_some_and(|stroke| stroke.linecap() != LineCap::Butt);
+    has_ends || line.points.iter().any(|p| *p != line.points[0])
 }
 
 fn place(stroke: &mut Stroke, transform: Affine) -> Result<(), SvgError> {
