@@ -294,7 +294,7 @@ const DRAWN: &str = r##"stroke="#1b2a41" stroke-width="0.42""##;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::{LinkRate, Pen};
+    use crate::pen::{LinkRate, Pen};
 
     fn strokes() -> Vec<Stroke> {
         let line = |points: &[(f64, f64)]| {

@@ -5,7 +5,8 @@ use std::fmt;
 use dobot_arm::Position;
 use thiserror::Error;
 
-use crate::plan::{Pen, Plan};
+use crate::pen::Pen;
+use crate::plan::Plan;
 use crate::point::{Bounds, Point, Stroke};
 
 /// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
@@ -192,7 +193,7 @@ const STEP_MM: f64 = 2.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::LinkRate;
+    use crate::pen::LinkRate;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())

@@ -1,8 +1,7 @@
 //! From strokes to vectors that arm and link can carry.
 
-use thiserror::Error;
-
 use crate::lookahead::{Cornering, Run};
+use crate::pen::{LinkRate, Pen, PlanError};
 use crate::point::{Point, Stroke};
 
 /// Everything the arm does for a drawing, vector by vector.
@@ -124,7 +123,7 @@ impl Plan {
     }
 }
 
-/// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.10).
+/// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.6).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedVector {
     /// Forward, in mm.
@@ -190,80 +189,6 @@ pub enum MoveKind {
     Lift,
 }
 
-/// Heights and speeds of the pen. Heights are those of the wrist in the base frame, whose origin
-/// is about 103 mm above the table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pen {
-    /// Z where the pen draws, in mm.
-    pub down_z_mm: f64,
-    /// Z where it travels, in mm; above `down_z_mm`.
-    pub up_z_mm: f64,
-    /// Largest speed while drawing, in mm/s.
-    pub draw_speed_mm_s: f64,
-    /// Largest speed while travelling, in mm/s.
-    pub travel_speed_mm_s: f64,
-    /// Largest speed up and down, in mm/s.
-    pub lift_speed_mm_s: f64,
-    /// Acceleration along the path, in mm/s2.
-    pub acceleration_mm_s2: f64,
-    /// How far an imagined arc may cut a corner, in mm; see [`Cornering`].
-    pub corner_deviation_mm: f64,
-}
-
-impl Pen {
-    fn check(&self) -> Result<(), PlanError> {
-        positive("draw speed", self.draw_speed_mm_s, "mm/s")?;
-        positive("travel speed", self.travel_speed_mm_s, "mm/s")?;
-        positive("lift speed", self.lift_speed_mm_s, "mm/s")?;
-        positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
-        positive("corner deviation", self.corner_deviation_mm, "mm")?;
-        let (down_mm, up_mm) = (self.down_z_mm, self.up_z_mm);
-        if up_mm - down_mm >= LEAST_LIFT_MM && (up_mm - down_mm).is_finite() {
-            return Ok(());
-        }
-        Err(PlanError::PenHeights { down_mm, up_mm })
-    }
-}
-
-impl Default for Pen {
-    /// Down at -40 mm, up at -30 mm; 40 mm/s to draw and to lift, 80 mm/s to travel, 100 mm/s2.
-    fn default() -> Self {
-        Self {
-            down_z_mm: -40.0,
-            up_z_mm: -30.0,
-            draw_speed_mm_s: 40.0,
-            travel_speed_mm_s: 80.0,
-            lift_speed_mm_s: 40.0,
-            acceleration_mm_s2: 100.0,
-            corner_deviation_mm: 0.02,
-        }
-    }
-}
-
-/// How fast the link brings vectors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinkRate {
-    /// Seconds from one vector to the next; 0 where the link does not matter.
-    pub period_s: f64,
-}
-
-impl LinkRate {
-    fn check(self) -> Result<(), PlanError> {
-        if self.period_s >= 0.0 && self.period_s.is_finite() {
-            return Ok(());
-        }
-        let (name, unit, found) = ("link period", "s", self.period_s);
-        Err(PlanError::NotPositive { name, unit, found })
-    }
-}
-
-impl Default for LinkRate {
-    /// One vector per status, which a stock arm sends every 80 ms, and 5 % to spare.
-    fn default() -> Self {
-        Self { period_s: 0.084 }
-    }
-}
-
 /// The figures of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Summary {
@@ -277,42 +202,6 @@ pub struct Summary {
     pub travelled_mm: f64,
     /// How long all of it takes, in seconds.
     pub duration_s: f64,
-}
-
-/// Why strokes cannot be planned.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum PlanError {
-    /// There is no stroke.
-    #[error("there is no stroke to plan")]
-    NoStrokes,
-    /// A setting that must be positive is not.
-    #[error("{name} is {found} {unit}; it must be a number above 0")]
-    NotPositive {
-        /// Which setting.
-        name: &'static str,
-        /// Its unit.
-        unit: &'static str,
-        /// What it is.
-        found: f64,
-    },
-    /// The pen would not leave the paper.
-    #[error(
-        "pen up is at {up_mm} mm and pen down at {down_mm} mm; up must be at least 0.1 mm higher"
-    )]
-    PenHeights {
-        /// Z where the pen draws.
-        down_mm: f64,
-        /// Z where it travels.
-        up_mm: f64,
-    },
-}
-
-fn positive(name: &'static str, found: f64, unit: &'static str) -> Result<(), PlanError> {
-    if found > 0.0 && found.is_finite() {
-        return Ok(());
-    }
-    Err(PlanError::NotPositive { name, unit, found })
 }
 
 struct Planner {
@@ -417,7 +306,6 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-const LEAST_LIFT_MM: f64 = 0.1;
 const LEAST_VECTOR_MM: f64 = 0.001;
 
 #[cfg(test)]
@@ -489,43 +377,9 @@ mod tests {
     }
 
     #[test]
-    fn settings_that_make_no_sense_are_refused() {
-        let strokes = [line(&[(200.0, 0.0), (240.0, 0.0)])];
-        let error = |pen: Pen, link| Plan::new(&strokes, &pen, link).unwrap_err().to_string();
-        let pen = Pen::default();
-        let link = LinkRate::default();
-        assert_eq!(
-            error(
-                Pen {
-                    draw_speed_mm_s: 0.0,
-                    ..pen
-                },
-                link
-            ),
-            "draw speed is 0 mm/s; it must be a number above 0"
-        );
-        assert_eq!(
-            error(
-                Pen {
-                    up_z_mm: -40.0,
-                    ..pen
-                },
-                link
-            ),
-            "pen up is at -40 mm and pen down at -40 mm; up must be at least 0.1 mm higher"
-        );
-        assert_eq!(
-            error(
-                Pen {
-                    acceleration_mm_s2: f64::NAN,
-                    ..pen
-                },
-                link
-            ),
-            "acceleration is NaN mm/s2; it must be a number above 0"
-        );
-        assert!(error(pen, LinkRate { period_s: -1.0 }).starts_with("link period is -1 s"));
-        assert_eq!(Plan::new(&[], &pen, link), Err(PlanError::NoStrokes));
+    fn nothing_to_draw_is_refused() {
+        let planned = Plan::new(&[], &Pen::default(), NO_LINK);
+        assert_eq!(planned, Err(PlanError::NoStrokes));
     }
 
     fn strokes() -> impl Strategy<Value = Vec<Stroke>> {

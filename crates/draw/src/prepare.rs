@@ -8,8 +8,9 @@ use thiserror::Error;
 use usvg::fontdb;
 
 use crate::order::order;
+use crate::pen::{LinkRate, Pen, PlanError};
 use crate::place::{PlaceError, Placed, Placement, check_reach};
-use crate::plan::{LinkRate, Pen, Plan, PlanError};
+use crate::plan::Plan;
 use crate::point::{Point, Stroke};
 use crate::simplify::{MIN_VECTOR_MM, simplify};
 use crate::svg::{Drawing, SvgError, SvgOptions, Warning};
