@@ -18,7 +18,7 @@ pub struct Pen {
     pub lift_speed_mm_s: f64,
     /// Acceleration along the path, in mm/s2.
     pub acceleration_mm_s2: f64,
-    /// How far an imagined arc may cut a corner, in mm; see [`Cornering`].
+    /// How far an imagined arc may cut a corner, in mm; see [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
 }
 
