@@ -293,6 +293,11 @@ mod tests {
         assert_eq!(cut(&wide, square(300.0, 400.0)), []);
     }
 
+    /// A piece counts as on the edge by its middle: its ends may lie twice as far out.
+    fn edge_distance_mm(area: &Area, p: Point) -> f64 {
+        area.edges.nearest(p).unwrap().1.sqrt()
+    }
+
     proptest! {
         #[test]
         fn pieces_lie_inside_and_nothing_inside_is_lost(
@@ -310,7 +315,7 @@ mod tests {
                 kept += a.distance(b);
                 for i in 1..8 {
                     let p = a.lerp(b, f64::from(i) / 8.0);
-                    prop_assert!(area.is_inside(p) || area.is_on_edge(p), "{p:?} is outside");
+                    prop_assert!(area.is_inside(p) || edge_distance_mm(area, p) < 2.1 * ON_EDGE_MM, "{p:?} is outside");
                 }
             }
             let mut wanted = 0.0;
