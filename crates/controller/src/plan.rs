@@ -85,9 +85,12 @@ pub(crate) fn plan(
     }
 }
 
-/// Refuses a motion whose way leaves the limits (note N30). An arm that stands outside of them
-/// may come back in.
+/// Refuses a motion whose way leaves the limits (note N30), or that takes too long to look all along
+/// it. An arm that stands outside of the limits may come back in.
 pub(crate) fn check_way(motion: &Motion, duration_s: f64, state: &State) -> Result<(), Refused> {
+    if duration_s > LONGEST_S {
+        return Err(Refused::TooSlow { found: duration_s });
+    }
     let samples = libm::ceil(duration_s / SAMPLING_S).max(1.0);
     let mut inside = state.place.check().is_ok();
     let mut index = 0.0;
@@ -374,3 +377,5 @@ const SWING_DEG_PER_UNIT: f64 = 0.225;
 const MOUSE_MM_PER_UNIT: f64 = 0.4;
 /// As often as this a way is checked against the limits: once a control tick.
 const SAMPLING_S: f64 = 0.02;
+/// Across the whole workspace at 0.2 mm/s, which nobody is slower than on purpose.
+pub(crate) const LONGEST_S: f64 = 3600.0;

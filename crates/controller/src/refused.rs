@@ -4,6 +4,8 @@ use dobot_arm::Unreachable;
 use dobot_motion::PlanError;
 use dobot_wire::ParseError;
 
+use crate::plan::LONGEST_S;
+
 /// Why the controller did not do what a packet says, or stopped.
 ///
 /// Nothing of it travels to the client: the protocol has no word for it. The host of a virtual arm
@@ -25,6 +27,14 @@ pub enum Refused {
     /// A command cannot be planned.
     #[error("a command was refused before it moved: {0}")]
     Unplannable(PlanError),
+    /// A command asks for speeds so low that it would take hours.
+    #[error(
+        "a command was refused before it moved: it takes {found} s; a motion is allowed {LONGEST_S} s"
+    )]
+    TooSlow {
+        /// How long it would take, in seconds.
+        found: f64,
+    },
     /// No word of a voice command is known.
     #[error(
         "a voice command was refused: it is none of ahead, back, left, right, up and down with a number word, catch and release"

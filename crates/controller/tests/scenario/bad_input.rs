@@ -174,6 +174,20 @@ fn any_frame() -> impl Strategy<Value = [f32; 10]> {
 }
 
 #[test]
+fn a_motion_of_hours_is_refused_at_once() {
+    let crawl = dobot_wire::PlaybackAdjustment {
+        speed_percent: 1e-9,
+        acceleration_percent: 1.0,
+        teach_speed_percent: 1.0,
+    };
+    Lab::power_up()
+        .send(crawl)
+        .send(movl(250.0, 0.0, 0.0))
+        .wait_ms(100)
+        .expect_refusal("a motion is allowed 3600 s");
+}
+
+#[test]
 fn a_status_is_a_status_even_after_the_wildest_vector() {
     let vector = WriteVector {
         mode: WriteMode::Writing,
