@@ -295,6 +295,7 @@ impl Controller {
             began,
             ends: began.saturating_add(lasts),
             then,
+            ahead: None,
         });
     }
 
@@ -351,34 +352,43 @@ impl Controller {
     /// Stops a jog that would be beyond a limit one tick later. An arm that stands outside of the
     /// limits may be jogged back in.
     fn guard(&mut self, at: Duration) {
-        let Some(Running {
-            motion: Motion::Jog(jog),
-            ..
-        }) = self.running
-        else {
+        let Some(running) = &self.running else {
             return;
         };
-        if let Some(refused) = self.at_limit(&jog, at + TICK) {
-            self.running = None;
-            self.refuse(refused);
+        let Motion::Jog(jog) = running.motion else {
+            return;
+        };
+        let next = running.ends.min(at + TICK);
+        match self.look_ahead(&jog, next.saturating_sub(running.began)) {
+            Err(refused) => {
+                self.running = None;
+                self.refuse(refused);
+            }
+            Ok(place) => {
+                let running = self.running.as_mut();
+                running.expect("it was seen just above").ahead = place.map(|it| (next, it));
+            }
         }
     }
 
-    fn at_limit(&self, jog: &Jog, next: Duration) -> Option<Refused> {
-        let running = self.running.as_ref()?;
-        let next_s = next
-            .min(running.ends)
-            .saturating_sub(running.began)
-            .as_secs_f64();
-        let gripper_deg = jog.gripper_deg_at(next_s);
+    /// Where a jog leads, if it moves the arm, and the arm may go there.
+    fn look_ahead(&self, jog: &Jog, time: Duration) -> Result<Option<Place>, Refused> {
+        let t_s = time.as_secs_f64();
+        let gripper_deg = jog.gripper_deg_at(t_s);
         if gripper_deg.abs() > GRIPPER_DEG && gripper_deg.abs() > self.state.gripper_deg.abs() {
-            return Some(Refused::GripperAtLimit { found: gripper_deg });
+            return Err(Refused::GripperAtLimit { found: gripper_deg });
         }
-        let ahead = jog.place_at(next_s, self.state.tool)?;
-        let error = ahead.and_then(|place| place.check()).err()?;
+        let Some(ahead) = jog.place_at(t_s, self.state.tool) else {
+            return Ok(None);
+        };
+        let Err(error) = ahead.and_then(|place| place.check()) else {
+            return Ok(ahead.ok());
+        };
         let returning = |now: Unreachable| error.excess() < now.excess();
-        let outside = self.state.place.check().err();
-        (!outside.is_some_and(returning)).then_some(Refused::AtLimit(error))
+        if self.state.place.check().is_err_and(returning) {
+            return Ok(ahead.ok());
+        }
+        Err(Refused::AtLimit(error))
     }
 
     fn refuse(&mut self, refused: Refused) {

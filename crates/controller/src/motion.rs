@@ -16,6 +16,8 @@ pub(crate) struct Running {
     /// When it is over; never, for a jog whose button is held.
     pub(crate) ends: Duration,
     pub(crate) then: Then,
+    /// Where a jog leads until the next tick, as far as it was looked ahead already.
+    pub(crate) ahead: Option<(Duration, Place)>,
 }
 
 /// The ways to move.
@@ -48,6 +50,9 @@ pub(crate) enum Then {
 impl Running {
     /// Where the arm is at a time; `None` while it stands.
     pub(crate) fn place_at(&self, at: Duration, tool: Tool) -> Option<Result<Place, Unreachable>> {
+        if let Some((_, place)) = self.ahead.filter(|(when, _)| *when == at) {
+            return Some(Ok(place));
+        }
         self.motion
             .place_at(at.saturating_sub(self.began).as_secs_f64(), tool)
     }
