@@ -1,0 +1,135 @@
+//! What one control tick costs: idle, and in each way to move.
+//!
+//! `cargo bench -p dobot-controller --bench tick`: each sample is 500 ticks of 20 ms, with
+//! the statuses fetched as a host does. The aim: below 150 ns a tick while moving.
+
+use std::time::Duration;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use dobot_controller::{Controller, PowerUp};
+use dobot_wire::{
+    Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode,
+    PlaybackAdjustment, WriteMode, WriteVector,
+};
+
+fn main() {
+    divan::main();
+}
+
+#[divan::bench]
+fn idle(bencher: Bencher) {
+    bench(bencher, None, SPED_UP);
+}
+
+#[divan::bench]
+fn movl(bencher: Bencher) {
+    bench(bencher, Some(target(MovingMode::MovL)), SPED_UP);
+}
+
+#[divan::bench]
+fn movj(bencher: Bencher) {
+    bench(bencher, Some(target(MovingMode::MovJ)), SPED_UP);
+}
+
+#[divan::bench]
+fn jump(bencher: Bencher) {
+    bench(bencher, Some(target(MovingMode::Jump)), ACROSS);
+}
+
+#[divan::bench]
+fn write_vector(bencher: Bencher) {
+    let vector = WriteVector {
+        mode: WriteMode::Writing,
+        x_mm: -10.0,
+        y_mm: 80.0,
+        z_mm: 0.0,
+        laser: false,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 3.0,
+        stop: false,
+    };
+    bench(bencher, Some(vector.into()), SPED_UP);
+}
+
+#[divan::bench]
+fn joint_jog(bencher: Bencher) {
+    let jog = JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: 10.0,
+    };
+    bench(bencher, Some(jog.into()), SPED_UP);
+}
+
+#[divan::bench]
+fn linear_jog(bencher: Bencher) {
+    let jog = LinearJog {
+        axis: LinearJogAxis::YPlus,
+        speed_percent: 5.0,
+    };
+    bench(bencher, Some(jog.into()), SPED_UP);
+}
+
+/// Measures the ticks that follow the first `from`.
+fn bench(bencher: Bencher, command: Option<Command>, from: u32) {
+    let mut last = under_way(command, from);
+    tick(&mut last, from);
+    let end = TICK * (from + TICKS);
+    assert_eq!(
+        last.pose_at(end) != last.pose_at(end + TICK / 2),
+        command.is_some(),
+        "the arm moves until after the last tick, if it does"
+    );
+    bencher
+        .counter(ItemsCount::new(TICKS))
+        .with_inputs(|| under_way(command, from))
+        .bench_local_refs(|controller| tick(controller, from));
+}
+
+/// A controller that has begun what it was told.
+fn under_way(command: Option<Command>, until: u32) -> Controller {
+    let mut controller = Controller::power_up(PowerUp::default());
+    for command in [Some(SLOWLY), command].into_iter().flatten() {
+        let packet = command.emit(&Dialect::SPECIFICATION);
+        controller.handle_bytes(Duration::ZERO, &packet.to_bytes());
+    }
+    controller.handle_time(TICK * until);
+    while controller.poll_bytes().is_some() {}
+    controller
+}
+
+fn tick(controller: &mut Controller, from: u32) {
+    for n in 1..=TICKS {
+        controller.handle_time(TICK * (from + n));
+        while let Some(status) = controller.poll_bytes() {
+            divan::black_box(&status);
+        }
+    }
+}
+
+fn target(mode: MovingMode) -> Command {
+    Command::MoveTo(MoveTo {
+        x_mm: 180.0,
+        y_mm: 160.0,
+        z_mm: -20.0,
+        rotation_deg: 10.0,
+        suction: false,
+        mode,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    })
+}
+
+/// So slow that a sample lies within one motion.
+const SLOWLY: Command = Command::PlaybackAdjustment(PlaybackAdjustment {
+    speed_percent: 1.0,
+    acceleration_percent: 50.0,
+    teach_speed_percent: 50.0,
+});
+const TICK: Duration = Duration::from_millis(20);
+const TICKS: u32 = 500;
+/// The ticks after which a motion has its speed.
+const SPED_UP: u32 = 10;
+/// The ticks after which a jump is over its rise.
+const ACROSS: u32 = 1500;
