@@ -1,0 +1,186 @@
+#!/usr/bin/env bash
+# Every check of this project: what CI runs is what anyone can run.
+#
+#   ./ci.sh              all of CI's steps, in order
+#   ./ci.sh STEP...      some steps
+#   ./ci.sh help         the steps, a line each
+#
+# Set-up: Rust and git are enough. Cargo fetches the dependencies at the first run.
+#
+# Why these steps:
+#
+# - Everything up to `bench-check` builds with the profile `dev` only, whose property tests are
+#   optimised enough (Cargo.toml), so that nothing big is built twice. `no-std` is the exception: it
+#   links only with `panic = "abort"` and link-time optimisation, and it is small.
+# - `test` is plain `cargo test`: other test runners have to be installed first.
+# - `examples` runs the very command in the first line of each example, so that none grows old.
+# - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
+#   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
+# - `licences` looks at every dependency on every platform with `cargo tree` alone.
+#
+# Why not others:
+#
+# - Minimum Rust version: it is the version that we build with (`rust-version`); another would need a
+#   second toolchain.
+# - Other targets: they would have to be installed. What is Unix-only sits behind a `cfg`; that no
+#   `std` slips into the lower rooms is proved by linking (`no-std`) on the host.
+# - Fuzzing: it needs a nightly toolchain. The damage tests of `wire` and the bad input tests of
+#   `controller` throw as many random bytes at them as CI has time for.
+# - Advisories: they come from the network and change without a commit.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+# name, what it does; in the order in which CI runs them, cheap ones first
+readonly CI_STEPS=(
+  "fmt          is all code formatted?"
+  "licences     does every dependency have a licence that we may ship?"
+  "lint         clippy over everything, warnings are errors"
+  "test         all tests, those in the documentation included"
+  "doc          the documentation, warnings are errors"
+  "no-std       do wire, arm, motion and controller link without the standard library?"
+  "examples     run every example; none needs an arm"
+  "bench-check  run every benchmark once, unoptimised"
+)
+readonly OTHER_STEPS=(
+  "bench        all benchmarks (not part of CI; see docs/performance.md)"
+)
+
+# The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
+# whose files, unchanged here, keep it.
+readonly LICENCES='0BSD OR MIT OR Apache-2.0
+(MIT OR Apache-2.0) AND Unicode-3.0
+Apache-2.0 OR MIT
+Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT
+BSD-2-Clause
+BSD-2-Clause OR MIT OR Apache-2.0
+BSD-3-Clause
+MIT
+MIT / Apache-2.0
+MIT OR Apache-2.0
+MIT OR GPL-3.0-only
+MIT OR Zlib OR Apache-2.0
+MIT/Apache-2.0
+MPL-2.0
+Unlicense OR MIT
+Zlib
+Zlib OR Apache-2.0 OR MIT'
+
+step_fmt() {
+  needs_component fmt rustfmt
+  cargo fmt --all --check
+  cargo fmt --manifest-path tests/no-std/Cargo.toml --check
+}
+
+step_licences() {
+  local found licence package unknown=
+  found=$(dependencies)
+  while IFS='|' read -r licence package; do
+    if ! grep -qxF "$licence" <<<"$LICENCES"; then
+      unknown+=$'\n'"  $package: ${licence:-none}"
+    fi
+  done <<<"$found"
+  if [[ -n $unknown ]]; then
+    fail "may we ship these? then add their licences to the list in ci.sh:$unknown"
+  fi
+}
+
+dependencies() {
+  cargo tree --workspace --locked --target all --edges normal,build --prefix none \
+    --format '{l}|{p}' | sed '/^$/d; s/ (\*)$//' | sort -u
+}
+
+step_lint() {
+  needs_component clippy clippy
+  cargo clippy --locked --workspace --all-targets --all-features -- -D warnings
+}
+
+step_test() {
+  cargo test --locked --workspace --all-features
+}
+
+step_doc() {
+  RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --all-features --no-deps
+}
+
+step_no-std() {
+  cargo run --locked --release --manifest-path tests/no-std/Cargo.toml --target-dir target/no-std
+  echo "it links, and what it calculates is right"
+}
+
+step_examples() {
+  local file command
+  for file in crates/*/examples/*.rs crates/*/examples/*/main.rs; do
+    [[ -e $file ]] || continue
+    command=$(sed -n '1s/^\/\/! `\(cargo run [^`]*\)`.*/\1/p' "$file")
+    if [[ -z $command ]]; then
+      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p ...\`"
+    fi
+    echo "\$ $command"
+    bash -c "$command" </dev/null
+  done
+}
+
+step_bench-check() {
+  cargo test --locked --workspace --all-features --bench '*'
+}
+
+step_bench() {
+  cargo bench --locked --workspace --bench '*'
+}
+
+needs_component() {
+  local subcommand=$1 component=$2
+  if ! cargo "$subcommand" --version >/dev/null 2>&1; then
+    fail "$component is missing; run: rustup component add $component"
+  fi
+}
+
+main() {
+  local names=("$@") name
+  if [[ ${names[0]:-} =~ ^(help|-h|--help)$ ]]; then
+    help
+    return
+  fi
+  if [[ ${#names[@]} == 0 ]]; then
+    mapfile -t names < <(printf '%s\n' "${CI_STEPS[@]%% *}")
+  fi
+  for name in "${names[@]}"; do
+    if [[ $name == *[!a-z-]* ]] || ! declare -F "step_$name" >/dev/null; then
+      help >&2
+      fail "there is no step \`$name\`"
+    fi
+  done
+  if ! command -v cargo >/dev/null; then
+    fail "cargo is missing; https://rustup.rs tells how to install Rust"
+  fi
+  for name in "${names[@]}"; do
+    run "$name"
+  done
+  echo "ci.sh: all passed (${names[*]}) in ${SECONDS} s"
+}
+
+run() {
+  local name=$1 began=$SECONDS
+  echo "==> $name"
+  CURRENT=$name
+  "step_$name"
+  CURRENT=
+  echo "<== $name: passed in $((SECONDS - began)) s"
+  echo
+}
+
+help() {
+  echo "./ci.sh [STEP...]   runs the steps named, or all of CI's:"
+  printf '  %s\n' "${CI_STEPS[@]}"
+  echo "others:"
+  printf '  %s\n' "${OTHER_STEPS[@]}"
+}
+
+fail() {
+  echo "error: $1" >&2
+  exit 1
+}
+
+CURRENT=
+trap 'if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
+main "$@"
