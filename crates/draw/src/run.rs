@@ -13,7 +13,8 @@ use dobot_wire::{
 };
 use thiserror::Error;
 
-use crate::plan::{MoveKind, Pen, Plan, PlannedVector};
+use crate::pen::Pen;
+use crate::plan::{MoveKind, Plan, PlannedVector};
 
 /// How far a drawing has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
