@@ -48,33 +48,50 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
     }
 }
 
+/// What helps against the failures that any verb may meet.
 fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if let Some(error) = cause.downcast_ref::<OpenError>() {
         return error.hint();
     }
-    let send =
-        cause
-            .downcast_ref::<SendError>()
-            .or_else(|| match cause.downcast_ref::<LinkError>() {
-                Some(LinkError::Send(error)) => Some(error),
-                _ => None,
-            });
-    if let Some(SendError::Undecided { .. }) = send {
-        return Some(
-            "say which: `--dialect firmware-1.1` for an arm as it was sold, `--dialect specification` for one that follows the published protocol".into(),
-        );
-    }
-    match cause.downcast_ref::<LinkError>() {
-        Some(LinkError::Silent { noise: 0, .. }) => {
-            Some("is the arm switched on, and is this its port? `dobot ports` lists them".into())
+    let link = cause.downcast_ref::<LinkError>().or_else(|| {
+        match cause.downcast_ref::<dobot_draw::Cause>() {
+            Some(dobot_draw::Cause::Failed(error)) => Some(error),
+            _ => None,
         }
-        Some(LinkError::Silent { .. }) => Some(
-            "wrong line speed or not a Dobot Arm? 9600 is usual; a green board wants `@256000` behind the port".into(),
+    });
+    let send = match link {
+        Some(LinkError::Send(error)) => Some(error),
+        _ => cause.downcast_ref::<SendError>(),
+    };
+    let hint = send
+        .and_then(send_hint)
+        .or_else(|| link.and_then(link_hint));
+    hint.map(str::to_owned)
+}
+
+const fn send_hint(error: &SendError) -> Option<&'static str> {
+    match error {
+        SendError::Undecided { .. } => Some(
+            "say which: `--dialect firmware-1.1` for an arm as it was sold, `--dialect specification` for one that follows the published protocol",
         ),
-        Some(LinkError::Closed | LinkError::Broken(_)) => {
-            Some("is the arm still plugged in and switched on? it may still be executing what it has".into())
+        _ => None,
+    }
+}
+
+const fn link_hint(error: &LinkError) -> Option<&'static str> {
+    match error {
+        LinkError::Silent { noise: 0, .. } => {
+            Some("is the arm switched on, and is this its port? `dobot ports` lists them")
         }
-        Some(LinkError::NotReached { .. }) => Some("`dobot status` tells where the arm is; a nearer target may be allowed".into()),
+        LinkError::Silent { .. } => Some(
+            "wrong line speed or not a Dobot Arm? 9600 is usual; a green board wants `@256000` behind the port",
+        ),
+        LinkError::Closed | LinkError::Broken(_) => {
+            Some("is the arm still plugged in and switched on? it may go on with what it has got")
+        }
+        LinkError::NotReached { .. } => {
+            Some("`dobot status` tells where the arm is; a nearer target may be allowed")
+        }
         _ => None,
     }
 }
