@@ -74,6 +74,7 @@ const fn send_hint(error: &SendError) -> Option<&'static str> {
         SendError::Undecided { .. } => Some(
             "say which: `--dialect firmware-1.1` for an arm as it was sold, `--dialect specification` for one that follows the published protocol",
         ),
+        SendError::OnTheSpot => Some("`--path jump` goes there without harm"),
         _ => None,
     }
 }

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_wire::{Command, Configuration, EndEffector, MovingMode, Status};
+use dobot_wire::{Command, Configuration, EndEffector, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::CommandId;
 
@@ -112,6 +112,11 @@ impl Completion {
         }
     }
 
+    /// The tool that was set last.
+    pub(crate) const fn tool(&self) -> Tool {
+        self.tool
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.under_way.len()
     }
@@ -213,7 +218,7 @@ impl Completion {
     }
 
     /// Where the arm will be after all that was sent.
-    fn end(&self) -> Option<Position> {
+    pub(crate) fn end(&self) -> Option<Position> {
         match self.under_way.back() {
             Some(last) => last.end(),
             None => self.last.map(|seen| position(&seen.status)),
@@ -227,19 +232,8 @@ impl Completion {
                 let by = Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into());
                 line(from, from.map(|from| from + by))
             }
-            Command::MoveTo(it) => {
-                let to = Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into());
-                way(it.mode, from, to)
-            }
-            Command::MoveJoints(it) => {
-                let joints = Joints::new(
-                    it.base_deg.into(),
-                    it.rear_deg.into(),
-                    it.fore_deg.into(),
-                    0.0,
-                );
-                way(it.mode, from, forward(&joints, self.tool).position)
-            }
+            Command::MoveTo(it) => way(it.mode, from, point(it)),
+            Command::MoveJoints(it) => way(it.mode, from, place(it, self.tool)),
             Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) => {
                 let joints = Joints::new(0.0, (*rear_deg).into(), (*fore_deg).into(), 0.0);
                 Course::Open {
@@ -283,6 +277,15 @@ impl UnderWay {
     }
 }
 
+/// Where a command leads straight, if it says so.
+pub(crate) fn straight_target(command: &Command, tool: Tool) -> Option<Position> {
+    match command {
+        Command::MoveTo(it) if it.mode == MovingMode::MovL => Some(point(it)),
+        Command::MoveJoints(it) if it.mode == MovingMode::MovL => Some(place(it, tool)),
+        _ => None,
+    }
+}
+
 /// The position in a status.
 pub(crate) fn position(status: &Status) -> Position {
     Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
@@ -293,6 +296,15 @@ const fn line(from: Option<Position>, to: Option<Position>) -> Course {
         (Some(from), Some(to)) => Course::Line { from, to },
         _ => Course::Open { to: None },
     }
+}
+
+fn point(target: &MoveTo) -> Position {
+    Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into())
+}
+
+fn place(target: &MoveJoints, tool: Tool) -> Position {
+    let joints = [target.base_deg, target.rear_deg, target.fore_deg].map(f64::from);
+    forward(&Joints::new(joints[0], joints[1], joints[2], 0.0), tool).position
 }
 
 fn way(mode: MovingMode, from: Option<Position>, to: Position) -> Course {

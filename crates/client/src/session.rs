@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, ParseError, Status, Statuses};
 
-use crate::completion::{Completion, Outcome};
+use crate::completion::{Completion, Outcome, straight_target};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -94,6 +94,11 @@ pub enum SendError {
         /// The field in question.
         field: &'static str,
     },
+    /// The arm stands there already, and a straight line of no length makes it lose its pose.
+    #[error(
+        "the arm is there already, and a straight line of no length would make it lose its pose (note N34)"
+    )]
+    OnTheSpot,
     /// The command breaks a range of its table.
     #[error("the command is not allowed")]
     Invalid(#[source] ParseError),
@@ -128,7 +133,7 @@ impl Session {
     /// [`SendError::Invalid`] where a value breaks its table. Nothing is sent then.
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
-        self.packet(&command)?;
+        self.check(&command)?;
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.waiting.push_back((id, command));
@@ -142,6 +147,9 @@ impl Session {
     ///
     /// As [`Session::send`].
     pub fn check(&self, command: &Command) -> Result<(), SendError> {
+        if self.is_on_the_spot(command) {
+            return Err(SendError::OnTheSpot);
+        }
         self.packet(command).map(|_| ())
     }
 
@@ -304,6 +312,19 @@ impl Session {
         }
     }
 
+    /// Whether a straight line has no length and the arm cannot stand that.
+    fn is_on_the_spot(&self, command: &Command) -> bool {
+        let tool = self.completion.tool();
+        let before = match self.waiting.back() {
+            Some((_, waiting)) => straight_target(waiting, tool),
+            None => self.completion.end(),
+        };
+        self.dialect.is_some_and(|it| it.loses_pose_on_the_spot)
+            && straight_target(command, tool)
+                .zip(before)
+                .is_some_and(|(to, from)| to.distance(from).0 < ON_THE_SPOT_MM)
+    }
+
     fn note_resync(&mut self) {
         let counts = self.decoder.counts();
         if counts.resyncs > self.resyncs {
@@ -327,5 +348,7 @@ pub fn plausible(frame: &Frame) -> bool {
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
+/// A status says where the arm is to that much.
+const ON_THE_SPOT_MM: f64 = 0.001;
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

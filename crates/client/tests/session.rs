@@ -177,6 +177,26 @@ fn a_value_beyond_its_table_is_not_sent() {
 }
 
 #[test]
+fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    let here = target(MovingMode::MovL, 200.0, 0.0);
+    assert_eq!(desk.session.send(here), Err(SendError::OnTheSpot));
+    let there = target(MovingMode::MovL, 220.0, 0.0);
+    desk.session.send(there).expect("it leads elsewhere");
+    assert_eq!(desk.session.send(there), Err(SendError::OnTheSpot));
+    desk.session
+        .send(here)
+        .expect("by then the arm is elsewhere");
+
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .send(here)
+        .expect("it does no harm to an arm of the document");
+}
+
+#[test]
 fn a_move_is_over_when_the_arm_rests_at_its_target() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);

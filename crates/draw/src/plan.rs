@@ -1,5 +1,7 @@
 //! From strokes to vectors that arm and link can carry.
 
+use dobot_motion::Profile;
+
 use crate::lookahead::{Cornering, Run};
 use crate::pen::{LinkRate, Pen, PlanError};
 use crate::point::{Point, Stroke};
@@ -160,19 +162,16 @@ impl PlannedVector {
     /// How long it takes in seconds: accelerate, keep the largest speed for a while if it is
     /// reached, brake.
     #[must_use]
-    pub fn duration_s(&self, acceleration_mm_s2: f64) -> f64 {
+    pub(crate) fn duration_s(&self, acceleration_mm_s2: f64) -> f64 {
         let speeds = [
             self.start_speed_mm_s,
             self.end_speed_mm_s,
             self.max_speed_mm_s,
         ];
         let [start, end, max] = speeds.map(f64::from);
-        let (s, a) = (self.length_mm(), acceleration_mm_s2);
-        let peak = f64::midpoint(2.0 * a * s, start * start + end * end)
-            .sqrt()
-            .min(max);
-        let ramps = (2.0 * peak * peak - start * start - end * end) / (2.0 * a);
-        (2.0 * peak - start - end) / a + (s - ramps).max(0.0) / peak
+        Profile::new(self.length_mm(), start, end, max, acceleration_mm_s2)
+            .expect("a plan keeps its own limits")
+            .duration_s()
     }
 }
 

@@ -35,6 +35,9 @@ pub struct Dialect {
     /// State 9, mode 1: float 9 is the pause of targets that have none, instead of nothing
     /// (note N10).
     pub uses_default_pause: bool,
+    /// A straight line to where the arm stands makes it lose its pose, instead of doing nothing
+    /// (note N34).
+    pub loses_pose_on_the_spot: bool,
     /// How high a JUMP lifts until it is told otherwise, in millimetres (note N11).
     pub default_jump_height_mm: f32,
 }
@@ -53,6 +56,7 @@ impl Dialect {
         mouse_swings: false,
         scales_gesture: false,
         uses_default_pause: true,
+        loses_pose_on_the_spot: false,
         default_jump_height_mm: 20.0,
     };
 
@@ -68,6 +72,7 @@ impl Dialect {
         mouse_swings: true,
         scales_gesture: true,
         uses_default_pause: false,
+        loses_pose_on_the_spot: true,
         default_jump_height_mm: 10.0,
     };
 
