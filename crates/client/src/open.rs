@@ -203,3 +203,59 @@ fn group(_path: &str) -> Option<String> {
 
 /// Long enough for any machine that is there.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn not_allowed(group: Option<&str>) -> OpenError {
+        OpenError::NotAllowed {
+            path: "/dev/ttyUSB0".into(),
+            group: group.map(str::to_owned),
+        }
+    }
+
+    #[test]
+    fn a_port_that_is_not_allowed_says_which_group_helps() {
+        let error = not_allowed(Some("dialout"));
+        assert_eq!(error.to_string(), "this user may not open /dev/ttyUSB0");
+        let hint = error.hint().expect("something can be done");
+        assert!(hint.contains("usermod -aG dialout"), "{hint}");
+    }
+
+    #[test]
+    fn a_port_that_no_group_may_use_says_which_udev_rule_helps() {
+        let hint = not_allowed(None).hint().expect("something can be done");
+        assert!(hint.contains("/etc/udev/rules.d/"), "{hint}");
+    }
+
+    #[test]
+    fn what_the_system_says_becomes_what_the_person_can_act_on() {
+        use io::ErrorKind as Kind;
+        let told = |kind: Kind| serial_error("/dev/ttyUSB9", kind.into());
+        assert!(matches!(told(Kind::NotFound), OpenError::NoSuchPort { .. }));
+        assert!(matches!(
+            told(Kind::PermissionDenied),
+            OpenError::NotAllowed { .. }
+        ));
+        assert!(matches!(told(Kind::ResourceBusy), OpenError::InUse { .. }));
+        assert!(matches!(told(Kind::TimedOut), OpenError::Serial { .. }));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn closing_a_port_will_not_lower_its_dtr_line() {
+        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+        use rustix::termios::{ControlModes, tcgetattr};
+
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a port is free");
+        grantpt(&master).expect("it is ours");
+        unlockpt(&master).expect("it is ours");
+        let name = ptsname(&master, Vec::new()).expect("it has one");
+        let path = name.to_str().expect("the name is text");
+        let port = keep_dtr_up(path).expect("it opens");
+        let modes = tcgetattr(&port).expect("it is a terminal").control_modes;
+        assert!(!modes.contains(ControlModes::HUPCL));
+        assert!(modes.contains(ControlModes::CLOCAL));
+    }
+}
