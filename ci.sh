@@ -95,7 +95,7 @@ step_lint() {
 }
 
 step_test() {
-  cargo test --locked --workspace --all-features
+  cargo test --locked --workspace --all-features --no-fail-fast
 }
 
 step_doc() {
