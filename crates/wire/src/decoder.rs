@@ -80,19 +80,25 @@ impl<D: Direction> Decoder<D> {
         Packets {
             decoder: self,
             rest: bytes,
+            uncounted: 0,
         }
     }
 
-    /// The window of the next packet.
+    /// The window of the next packet; one that is simply the next 42 bytes of `rest` is counted in
+    /// `uncounted`.
     #[inline]
-    fn next_window<'w, 'b: 'w>(&'w mut self, rest: &mut &'b [u8]) -> Option<&'w [u8; PACKET_LEN]> {
+    fn next_window<'w, 'b: 'w>(
+        &'w mut self,
+        rest: &mut &'b [u8],
+        uncounted: &mut u64,
+    ) -> Option<&'w [u8; PACKET_LEN]> {
         if self.locked
             && self.filled == 0
             && let Some((window, after)) = rest.split_first_chunk()
             && self.direction.trusts(window, true)
         {
             *rest = after;
-            self.counts.frames += 1;
+            *uncounted += 1;
             return Some(window);
         }
         // A copy, so that `rest` itself may stay in registers while packets follow each other.
@@ -191,6 +197,9 @@ impl<D: Direction> Decoder<D> {
 pub struct Packets<'d, 'b, D> {
     decoder: &'d mut Decoder<D>,
     rest: &'b [u8],
+    /// Packets that the decoder has not counted yet: a count in memory would cost as much as the
+    /// packet.
+    uncounted: u64,
 }
 
 impl<D: Direction> Iterator for Packets<'_, '_, D> {
@@ -198,7 +207,15 @@ impl<D: Direction> Iterator for Packets<'_, '_, D> {
 
     #[inline]
     fn next(&mut self) -> Option<D::Item> {
-        self.decoder.next_window(&mut self.rest).map(D::read)
+        self.decoder
+            .next_window(&mut self.rest, &mut self.uncounted)
+            .map(D::read)
+    }
+}
+
+impl<D> Drop for Packets<'_, '_, D> {
+    fn drop(&mut self) {
+        self.decoder.counts.frames += self.uncounted;
     }
 }
 

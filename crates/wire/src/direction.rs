@@ -1,6 +1,5 @@
 //! The two directions of the line: what a decoder trusts in each.
 
-use crate::table::whole_number;
 use crate::{Frame, HEADER, PACKET_LEN, Packet, VOICE_HEADER, Voice};
 
 /// A direction of the line: [`Statuses`] or [`Commands`].
@@ -102,18 +101,23 @@ mod sealed {
 #[inline]
 fn is_status(frame: &Frame) -> bool {
     let floats = frame.floats();
-    let in_range = floats
+    // Without their signs floats are ordered as their bits are, infinity and NaN above all:
+    // integers are compared many at a time.
+    let below_zero = floats
         .iter()
         .zip(STATUS_LIMITS)
-        .fold(true, |all, (float, limit)| all & (float.abs() <= limit));
+        .map(|(float, limit)| limit.to_bits().wrapping_sub(float.abs().to_bits()))
+        .fold(0, |any, difference| any | difference);
     let is_grab = floats[8].to_bits();
-    in_range && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
+    below_zero >> 31 == 0 && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
 }
 
 /// The states of Table 2.2, and the undocumented 15 (note N25).
 #[inline]
 fn is_state(float: f32) -> bool {
-    matches!(whole_number(float), Some(1..=10 | 15))
+    STATES
+        .iter()
+        .fold(false, |any, &state| any | (state == float))
 }
 
 /// Whether every float has a size that somebody sends: bytes read at the wrong place mostly give
@@ -133,6 +137,8 @@ fn is_bad_in_place(window: &[u8; PACKET_LEN]) -> bool {
         .array_windows()
         .any(|&[header, a, b, c, d]| header == HEADER && is_state(f32::from_le_bytes([a, b, c, d])))
 }
+
+const STATES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 15.0];
 
 /// The largest absolute value of a float of a command, whatever its unit (note N24).
 const COMMAND_LIMIT: f32 = 1e6;
