@@ -101,23 +101,18 @@ mod sealed {
 #[inline]
 fn is_status(frame: &Frame) -> bool {
     let floats = frame.floats();
-    // Without their signs floats are ordered as their bits are, infinity and NaN above all:
-    // integers are compared many at a time.
-    let below_zero = floats
+    let in_range = floats
         .iter()
         .zip(STATUS_LIMITS)
-        .map(|(float, limit)| limit.to_bits().wrapping_sub(float.abs().to_bits()))
-        .fold(0, |any, difference| any | difference);
+        .fold(true, |all, (float, limit)| all & (float.abs() <= limit));
     let is_grab = floats[8].to_bits();
-    below_zero >> 31 == 0 && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
+    in_range && (is_grab == 0 || is_grab == 1.0_f32.to_bits())
 }
 
 /// The states of Table 2.2, and the undocumented 15 (note N25).
 #[inline]
 fn is_state(float: f32) -> bool {
-    STATES
-        .iter()
-        .fold(false, |any, &state| any | (state == float))
+    STATES.contains(&float)
 }
 
 /// Whether every float has a size that somebody sends: bytes read at the wrong place mostly give
