@@ -103,6 +103,7 @@ pub async fn run(
         plan,
         pen,
         sent: 0,
+        ahead_s: 0.0,
         first: None,
         progress: Progress::default(),
         seen: Vec::new(),
@@ -132,6 +133,8 @@ struct Runner<'a, T> {
     pen: &'a Pen,
     /// Vectors given to the session.
     sent: usize,
+    /// How long those of them take that are not over, in seconds.
+    ahead_s: f64,
     /// The first of them.
     first: Option<CommandId>,
     progress: Progress,
@@ -199,11 +202,13 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         self.arm.completed(there).await
     }
 
-    /// Keeps a few vectors waiting for their permits.
+    /// Sends what may be sent ahead. The protocol has no stop, so what the arm has got it will do:
+    /// that is kept short, though never so short that the pen has to wait for the link.
     fn top_up(&mut self) -> Result<(), LinkError> {
-        while self.arm.session().waiting() < WAITING
+        while self.behind_the_first_s() < AHEAD_S
             && let Some(vector) = self.plan.moves.get(self.sent)
         {
+            self.ahead_s += self.duration_s(self.sent);
             let id = self.arm.send(write(vector))?;
             self.first.get_or_insert(id);
             self.sent += 1;
@@ -211,16 +216,30 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         Ok(())
     }
 
+    /// How long the vectors take that wait behind the one that is drawn, in seconds.
+    fn behind_the_first_s(&self) -> f64 {
+        let drawn = self.progress.vectors;
+        if drawn == self.sent {
+            return 0.0;
+        }
+        self.ahead_s - self.duration_s(drawn)
+    }
+
+    fn duration_s(&self, index: usize) -> f64 {
+        self.plan.moves[index].duration_s(self.plan.acceleration_mm_s2())
+    }
+
     fn completed(&mut self, id: CommandId) {
         let Some(first) = self.first.filter(|&first| id >= first) else {
             return;
         };
         let index = usize::try_from(id.0 - first.0).expect("a plan fits into memory");
-        let acceleration = self.plan.acceleration_mm_s2();
-        for vector in &self.plan.moves[self.progress.vectors..=index] {
+        for index in self.progress.vectors..=index {
+            let duration_s = self.duration_s(index);
+            self.ahead_s -= duration_s;
             self.progress.vectors += 1;
-            self.progress.strokes += usize::from(vector.kind == MoveKind::Lift);
-            self.progress.planned_s += vector.duration_s(acceleration);
+            self.progress.strokes += usize::from(self.plan.moves[index].kind == MoveKind::Lift);
+            self.progress.planned_s += duration_s;
         }
         (self.tell)(self.progress);
     }
@@ -341,7 +360,8 @@ const LASER_OFF: JointJog = JointJog {
     axis: JointJogAxis::LaserOff,
     speed_percent: 0.0,
 };
-/// Enough that a permit never finds nothing to send.
-const WAITING: usize = 4;
+/// More than twice the time that passes between the end of a vector and the next one's arrival: a status, and
+/// a packet each way.
+const AHEAD_S: f64 = 0.5;
 const GAP: Duration = Duration::from_millis(60);
 const LEAST_LIFT_MM: f64 = 0.01;
