@@ -10,12 +10,13 @@ use crate::failure::Failure;
 /// Which arm.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct To {
-    /// The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT
+    /// The arm's address.
     #[arg(
         long = "to",
         value_name = "ADDRESS",
         default_value = "virtual:",
-        global = true
+        global = true,
+        help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT"
     )]
     pub(crate) address: Address,
     /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold

@@ -1,4 +1,4 @@
-//! `cargo run -p dobot-draw --example plan_svg -- examples/drawings/harbour.svg plan.png`
+//! `cargo run -p dobot-draw --example plan_svg -- examples/drawings/harbour.svg target/plan.png`
 //!
 //! Plans a drawing, prints its figures and makes the picture of a perfect arm. Moves nothing.
 
