@@ -110,7 +110,9 @@ impl Plan {
     pub fn summary(&self) -> Summary {
         let total = |kind| {
             let vectors = self.moves.iter().filter(|vector| vector.kind == kind);
-            vectors.map(PlannedVector::length_mm).sum()
+            vectors
+                .map(PlannedVector::length_mm)
+                .fold(0.0, |sum, length| sum + length)
         };
         Summary {
             strokes: self
