@@ -87,9 +87,9 @@ const fn link_hint(error: &LinkError) -> Option<&'static str> {
         LinkError::Silent { .. } => Some(
             "wrong line speed or not a Dobot Arm? 9600 is usual; a green board wants `@256000` behind the port",
         ),
-        LinkError::Closed | LinkError::Broken(_) => {
-            Some("is the arm still plugged in and switched on? it may go on with what it has got")
-        }
+        LinkError::Closed | LinkError::Broken(_) => Some(
+            "is the arm still plugged in and switched on? over TCP it serves one client at a time",
+        ),
         LinkError::NotReached { .. } => {
             Some("`dobot status` tells where the arm is; a nearer target may be allowed")
         }
