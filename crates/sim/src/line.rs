@@ -5,7 +5,9 @@ use std::time::Duration;
 
 /// One direction of a serial line.
 ///
-/// A byte needs its time, one after the other; what is sent faster than that waits.
+/// A byte needs its time, one after the other; what is sent faster than that waits, up to 4096
+/// bytes, as many as a serial port of a computer keeps. What is sent beyond that is lost, and
+/// counted.
 #[derive(Clone, Debug)]
 pub struct Line {
     byte_time: Duration,
@@ -15,6 +17,7 @@ pub struct Line {
     bytes: VecDeque<(Duration, u8)>,
     /// When the last byte of each `send` arrives.
     bursts: VecDeque<Duration>,
+    lost: u64,
 }
 
 impl Line {
@@ -30,11 +33,14 @@ impl Line {
             busy_until: Duration::ZERO,
             bytes: VecDeque::new(),
             bursts: VecDeque::new(),
+            lost: 0,
         }
     }
 
     /// Starts sending bytes, behind those still on the line.
     pub fn send(&mut self, now: Duration, bytes: &[u8]) {
+        let (bytes, lost) = bytes.split_at(bytes.len().min(CAPACITY - self.bytes.len()));
+        self.lost += lost.len() as u64;
         if bytes.is_empty() {
             return;
         }
@@ -67,7 +73,16 @@ impl Line {
         }
         last
     }
+
+    /// How many bytes were lost because too many waited.
+    #[must_use]
+    pub const fn lost(&self) -> u64 {
+        self.lost
+    }
 }
+
+/// What the kernel of a computer keeps for a serial port.
+const CAPACITY: usize = 4096;
 
 #[cfg(test)]
 mod tests {
@@ -96,6 +111,27 @@ mod tests {
         assert_eq!(line.next_burst(), Some(us(200)));
         assert_eq!(line.receive(us(300), &mut bytes), Some(us(300)));
         assert_eq!(bytes, [1, 2, 3]);
+        assert_eq!(line.next_burst(), None);
+    }
+
+    #[test]
+    fn more_than_4096_waiting_bytes_are_lost_and_counted() {
+        let mut line = Line::new(us(1));
+        line.send(us(0), &[1; 4000]);
+        line.send(us(0), &[2; 100]);
+        assert_eq!(line.lost(), 4);
+        let mut bytes = Vec::new();
+        line.receive(us(4096), &mut bytes);
+        assert_eq!(bytes.len(), 4096);
+        line.send(us(5000), &[3]);
+        assert_eq!(line.lost(), 4);
+        assert_eq!(line.next_burst(), Some(us(5001)));
+    }
+
+    #[test]
+    fn nothing_sent_is_no_burst() {
+        let mut line = Line::STOCK;
+        line.send(us(0), &[]);
         assert_eq!(line.next_burst(), None);
     }
 }
