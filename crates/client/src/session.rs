@@ -36,6 +36,8 @@ pub struct Session {
     next_id: u64,
     /// A status came and no command has used it yet.
     permit: bool,
+    /// When the status came whose permit was used last.
+    used: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
     status: Option<Status>,
@@ -114,6 +116,7 @@ impl Session {
             waiting: VecDeque::new(),
             next_id: 0,
             permit: false,
+            used: None,
             to_send: VecDeque::new(),
             completion: Completion::default(),
             status: None,
@@ -279,7 +282,10 @@ impl Session {
                 },
             });
         });
-        self.permit = true;
+        // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
+        self.permit |= self
+            .used
+            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
         self.dispatch();
     }
 
@@ -291,6 +297,7 @@ impl Session {
             return;
         };
         self.permit = false;
+        self.used = Some(self.heard);
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
@@ -346,6 +353,8 @@ pub fn plausible(frame: &Frame) -> bool {
 
 /// A status comes every 80 ms; a dozen missing are no accident.
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
+/// Half of the time between two statuses: what comes sooner was held up on the way.
+const SHORTEST_PERIOD: Duration = Duration::from_millis(40);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// A status says where the arm is to that much.

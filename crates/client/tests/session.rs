@@ -137,6 +137,25 @@ fn permits_are_not_saved_up() {
 }
 
 #[test]
+fn statuses_that_come_in_a_heap_permit_one_command() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    for y in 1..=12_u8 {
+        let by = vector(0.0, y.into());
+        desk.session.send(by).expect("it is allowed");
+    }
+    let bytes = status(200.0, 0.0, 0.0).emit().to_bytes();
+    // A computer that slept a second reads all that was kept for it, in pieces.
+    for n in 0..12 {
+        let now = Duration::from_secs(1) + Duration::from_micros(50 * n);
+        desk.session.handle_bytes(now, &bytes);
+    }
+    assert_eq!(desk.packets(), 1);
+    desk.now = Duration::from_secs(1);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 1);
+}
+
+#[test]
 fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
     let mut session = Session::new(None);
     for command in [
