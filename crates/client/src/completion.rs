@@ -2,15 +2,20 @@
 //!
 //! Each command sent has a course: where it should lead. A status lies on one of the courses under
 //! way; all before that one are over. An arm at rest where a course ends has finished it, and an
-//! arm at rest elsewhere has not.
+//! arm at rest elsewhere has not. And a status comes only while the arm's queue has room, so that
+//! no more commands can be under way than fit before that.
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_wire::{Command, Configuration, EndEffector, MoveJoints, MoveTo, MovingMode, Status};
+use dobot_wire::{
+    Command, Configuration, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
+    MovingMode, Status,
+};
 
 use crate::CommandId;
+use crate::pace::Pace;
 
 /// The commands sent and not yet seen to be over, oldest first.
 #[derive(Debug, Default)]
@@ -20,6 +25,7 @@ pub(crate) struct Completion {
     progress_mm: f64,
     last: Option<Seen>,
     tool: Tool,
+    pace: Pace,
 }
 
 /// What became of a command.
@@ -40,14 +46,22 @@ struct Seen {
     since: Duration,
     /// How many statuses in a row said the same.
     repeats: u32,
+    /// The arm was elsewhere one status before.
+    moving: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct UnderWay {
     command: CommandId,
     course: Course,
+    /// It says itself where it leads, from wherever.
+    absolute: bool,
     pause: Duration,
+    /// How long it may move at the most.
+    longest: Duration,
     sent: Duration,
+    /// Statuses received since it was sent.
+    heard: u32,
     /// Statuses received since it was sent, or since it became the first.
     statuses: u32,
 }
@@ -58,19 +72,32 @@ enum Course {
     Line { from: Position, to: Position },
     /// On some way, of which only the end is known.
     To { to: Position },
-    /// No motion, or one whose end nobody knows; `to` is where the arm is then, if that is known.
-    Open { to: Option<Position> },
+    /// On some way to an end that nobody knows.
+    Somewhere,
+    /// No motion, or one that goes on; `to` is where the arm is then, if that is known.
+    Still { to: Option<Position> },
 }
 
 impl Completion {
-    /// Takes a command that leaves with the status of `now`.
-    pub(crate) fn handle_sent(&mut self, now: Duration, id: CommandId, command: &Command) {
+    /// Takes a command that leaves with the status of `now`; `pauses` tells whether the arm knows
+    /// a default pause.
+    pub(crate) fn handle_sent(
+        &mut self,
+        now: Duration,
+        id: CommandId,
+        command: &Command,
+        pauses: bool,
+    ) {
         let course = self.course(command);
+        self.pace.note(command);
         self.under_way.push_back(UnderWay {
             command: id,
             course,
-            pause: pause(command),
+            absolute: is_absolute(command),
+            pause: self.pause(command, pauses),
+            longest: self.pace.longest(command),
             sent: now,
+            heard: 0,
             statuses: 0,
         });
     }
@@ -81,15 +108,19 @@ impl Completion {
         status: &Status,
         mut report: impl FnMut(Outcome),
     ) {
+        let left = self.left_its_end(status);
         self.see(now, status);
         for under_way in &mut self.under_way {
+            under_way.heard += 1;
             under_way.statuses += 1;
         }
         let found = position(status);
         let (on_course, progress_mm) = self.on_course(found);
         let over = on_course
+            .max(usize::from(left))
             .max(self.over_at_rest(now, found))
-            .max(self.instant());
+            .max(self.without_motion())
+            .max(self.beyond_room(now));
         for _ in 0..over {
             let Some(first) = self.finish_first() else {
                 break;
@@ -100,7 +131,7 @@ impl Completion {
             self.progress_mm = progress_mm;
         }
         if over == 0
-            && let Some((expected, first)) = self.not_reached(now, found)
+            && let Some((expected, first)) = self.not_reached(found)
         {
             self.finish_first();
             self.forget_ends();
@@ -124,28 +155,54 @@ impl Completion {
     /// How long the commands under way may take at the most before the arm has room for another:
     /// a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
-        self.under_way.iter().map(UnderWay::longest).sum()
+        let longest = |it: &UnderWay| it.pause + it.longest + Duration::from_secs(1);
+        self.under_way.iter().map(longest).sum()
     }
 
     fn see(&mut self, now: Duration, status: &Status) {
-        self.last = match self.last {
-            Some(seen) if seen.status == *status => Some(Seen {
+        self.last = Some(match self.last {
+            Some(seen) if seen.status == *status => Seen {
                 repeats: seen.repeats + 1,
+                moving: false,
                 ..seen
-            }),
-            _ => Some(Seen {
+            },
+            before => Seen {
                 status: *status,
                 since: now,
                 repeats: 1,
-            }),
+                moving: before.is_some_and(|it| position(&it.status) != position(status)),
+            },
+        });
+    }
+
+    /// Whether the arm has rested where the first command ends, and goes on now.
+    fn left_its_end(&self, status: &Status) -> bool {
+        let rested = |seen: &Seen| seen.repeats >= AT_REST && seen.status != *status;
+        let (Some(seen), Some(first)) = (self.last.filter(rested), self.under_way.front()) else {
+            return false;
         };
+        first.statuses >= SEEN_AFTER
+            && seen.since > first.sent
+            && first.ends_at(position(&seen.status))
+    }
+
+    /// How many commands must be over because the arm has room again: a status comes only while
+    /// three commands wait at the most, and one is executed (note N20).
+    fn beyond_room(&self, now: Duration) -> usize {
+        let arrived =
+            |it: &&UnderWay| it.heard >= SEEN_AFTER && now.saturating_sub(it.sent) >= ARRIVED_AFTER;
+        let arrived = self.under_way.iter().take_while(arrived).count();
+        arrived.saturating_sub(MOST_WITH_ROOM)
     }
 
     /// How many commands lie before the one that the arm is seen to follow, and how far along it.
     fn on_course(&self, found: Position) -> (usize, f64) {
         for (index, under_way) in self.under_way.iter().enumerate() {
-            let Course::Line { from, to } = under_way.course else {
-                continue;
+            let (from, to) = match under_way.course {
+                Course::Line { from, to } => (from, to),
+                Course::Still { .. } => continue,
+                // An unknown way may cross those behind it.
+                Course::To { .. } | Course::Somewhere => break,
             };
             let (aside, along) = beside(from, to, found);
             let back = index == 0 && along < self.progress_mm - ARRIVED_MM;
@@ -158,11 +215,11 @@ impl Completion {
         (0, self.progress_mm)
     }
 
-    /// How many commands without a motion to be seen had time to act.
-    fn instant(&self) -> usize {
+    /// How many commands without a motion had time to act.
+    fn without_motion(&self) -> usize {
         self.under_way
             .iter()
-            .take_while(|it| matches!(it.course, Course::Open { .. }) && it.statuses >= SEEN_AFTER)
+            .take_while(|it| matches!(it.course, Course::Still { .. }) && it.statuses >= SEEN_AFTER)
             .count()
     }
 
@@ -171,34 +228,47 @@ impl Completion {
         let Some(seen) = self.last.filter(|seen| seen.repeats >= AT_REST) else {
             return 0;
         };
+        // The pauses that are spent right here.
         let mut pauses = Duration::ZERO;
         let mut over = 0;
         for (index, under_way) in self.under_way.iter().enumerate() {
+            let ends = match under_way.course {
+                Course::Somewhere if index == 0 => seen.repeats > AT_REST,
+                // A rest that no other command explains.
+                Course::Somewhere => seen.repeats >= GIVEN_UP && !self.any_ends_at(found),
+                _ => under_way.ends_at(found),
+            };
+            if !ends {
+                pauses = Duration::ZERO;
+                continue;
+            }
             pauses += under_way.pause;
-            let ended = under_way
-                .end()
-                .is_some_and(|end| end.distance(found).0 <= ARRIVED_MM);
             // A later command may lead back to where the arm has stood all the time.
             let went = index == 0 || seen.since > under_way.sent || seen.repeats >= GIVEN_UP;
             let paused = now.saturating_sub(seen.since) >= pauses;
-            if under_way.statuses >= SEEN_AFTER && ended && went && paused {
-                over = index + 1;
+            if under_way.statuses < SEEN_AFTER || !went || !paused {
+                // It explains why the arm rests here: those behind it have to wait.
+                break;
             }
+            over = index + 1;
         }
         over
     }
 
     /// The first command and its end, if the arm rests elsewhere for so long that it gave up.
-    fn not_reached(&self, now: Duration, found: Position) -> Option<(Position, CommandId)> {
-        let seen = self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
+    fn not_reached(&self, found: Position) -> Option<(Position, CommandId)> {
+        self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
         let first = self
             .under_way
             .front()
             .filter(|it| it.statuses >= GIVEN_UP)?;
-        let pauses: Duration = self.under_way.iter().map(|it| it.pause).sum();
         let end = first.end()?;
-        let elsewhere = end.distance(found).0 > ARRIVED_MM;
-        (elsewhere && now.saturating_sub(seen.since) >= pauses).then_some((end, first.command))
+        // Where another one ends the arm may be pausing.
+        (!self.any_ends_at(found)).then_some((end, first.command))
+    }
+
+    fn any_ends_at(&self, found: Position) -> bool {
+        self.under_way.iter().any(|it| it.ends_at(found))
     }
 
     fn finish_first(&mut self) -> Option<UnderWay> {
@@ -213,7 +283,12 @@ impl Completion {
     /// After a command fell short, nobody knows where the relative ones behind it lead.
     fn forget_ends(&mut self) {
         for under_way in &mut self.under_way {
-            under_way.course = Course::Open { to: None };
+            under_way.course = match under_way.course {
+                Course::Line { to, .. } if under_way.absolute => Course::To { to },
+                Course::Line { .. } => Course::Somewhere,
+                Course::Still { .. } if !under_way.absolute => Course::Still { to: None },
+                course => course,
+            };
         }
     }
 
@@ -221,8 +296,23 @@ impl Completion {
     pub(crate) fn end(&self) -> Option<Position> {
         match self.under_way.back() {
             Some(last) => last.end(),
-            None => self.last.map(|seen| position(&seen.status)),
+            None => self
+                .last
+                .filter(|seen| !seen.moving)
+                .map(|seen| position(&seen.status)),
         }
+    }
+
+    fn pause(&self, command: &Command, pauses: bool) -> Duration {
+        let pause_s = match command {
+            Command::MoveTo(it) => it.pause_s,
+            Command::MoveJoints(it) => it.pause_s,
+            _ => return Duration::ZERO,
+        };
+        if pauses && pause_s == 0.0 {
+            return self.pace.default_pause();
+        }
+        Duration::try_from_secs_f32(pause_s).unwrap_or_default()
     }
 
     fn course(&mut self, command: &Command) -> Course {
@@ -236,7 +326,7 @@ impl Completion {
             Command::MoveJoints(it) => way(it.mode, from, place(it, self.tool)),
             Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) => {
                 let joints = Joints::new(0.0, (*rear_deg).into(), (*fore_deg).into(), 0.0);
-                Course::Open {
+                Course::Still {
                     to: Some(forward(&joints, self.tool).position),
                 }
             }
@@ -247,14 +337,24 @@ impl Completion {
                     EndEffector::Gripper => Tool::Gripper,
                     EndEffector::Laser => Tool::Laser,
                 };
-                Course::Open {
+                Course::Still {
                     to: from.map(|from| retooled(from, before, self.tool)),
                 }
             }
             Command::Configuration(_)
             | Command::PlaybackAdjustment(_)
-            | Command::WriteVector(_) => Course::Open { to: from },
-            _ => Course::Open { to: None },
+            | Command::WriteVector(_) => Course::Still { to: from },
+            Command::JointJog(it) => match it.axis {
+                JointJogAxis::Released => Course::Somewhere,
+                axis if axis.moves() => Course::Still { to: None },
+                _ => Course::Still { to: from },
+            },
+            Command::LinearJog(it) => match it.axis {
+                LinearJogAxis::Released => Course::Somewhere,
+                axis if axis.moves() => Course::Still { to: None },
+                _ => Course::Still { to: from },
+            },
+            Command::MouseMove(_) | Command::Gesture(_) | Command::Voice(_) => Course::Somewhere,
         }
     }
 }
@@ -263,17 +363,14 @@ impl UnderWay {
     const fn end(&self) -> Option<Position> {
         match self.course {
             Course::Line { to, .. } | Course::To { to } => Some(to),
-            Course::Open { to } => to,
+            Course::Still { to } => to,
+            Course::Somewhere => None,
         }
     }
 
-    fn longest(&self) -> Duration {
-        let way_mm = match self.course {
-            Course::Line { from, to } => from.distance(to).0,
-            Course::To { .. } => LONGEST_WAY_MM,
-            Course::Open { .. } => 0.0,
-        };
-        self.pause + Duration::from_secs_f64(way_mm / SLOWEST_MM_S) + Duration::from_secs(1)
+    fn ends_at(&self, found: Position) -> bool {
+        self.end()
+            .is_some_and(|end| end.distance(found).0 <= ARRIVED_MM)
     }
 }
 
@@ -294,7 +391,7 @@ pub(crate) fn position(status: &Status) -> Position {
 const fn line(from: Option<Position>, to: Option<Position>) -> Course {
     match (from, to) {
         (Some(from), Some(to)) => Course::Line { from, to },
-        _ => Course::Open { to: None },
+        _ => Course::Somewhere,
     }
 }
 
@@ -314,13 +411,13 @@ fn way(mode: MovingMode, from: Option<Position>, to: Position) -> Course {
     }
 }
 
-fn pause(command: &Command) -> Duration {
-    let pause_s = match command {
-        Command::MoveTo(it) => it.pause_s,
-        Command::MoveJoints(it) => it.pause_s,
-        _ => 0.0,
-    };
-    Duration::try_from_secs_f32(pause_s).unwrap_or_default()
+const fn is_absolute(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::MoveTo(_)
+            | Command::MoveJoints(_)
+            | Command::Configuration(Configuration::InitialAngles { .. })
+    )
 }
 
 /// How far a point lies aside of a line, and how far along it, in millimetres.
@@ -355,7 +452,8 @@ const SEEN_AFTER: u32 = 2;
 const AT_REST: u32 = 2;
 /// That many equal statuses in a row, more than a second: the arm will not go on by itself.
 const GIVEN_UP: u32 = 15;
-/// Nobody moves slower than that on purpose.
-const SLOWEST_MM_S: f64 = 2.0;
-/// Across the whole workspace.
-const LONGEST_WAY_MM: f64 = 700.0;
+/// By then a command has arrived that left with a status, and a status has come that left after
+/// that: each takes 43.68 ms, and a bit.
+const ARRIVED_AFTER: Duration = Duration::from_millis(120);
+/// Three commands that wait and one that is executed: with one more no status comes.
+const MOST_WITH_ROOM: usize = 4;

@@ -29,6 +29,7 @@ mod address;
 mod completion;
 mod connection;
 mod open;
+mod pace;
 mod peer;
 mod ports;
 mod session;

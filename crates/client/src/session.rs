@@ -301,7 +301,9 @@ impl Session {
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
-        self.completion.handle_sent(self.heard, id, &command);
+        let pauses = self.dialect.is_none_or(|it| it.uses_default_pause);
+        self.completion
+            .handle_sent(self.heard, id, &command, pauses);
         self.to_send.push_back(packet);
         self.events.push_back(Event::Sent(id));
     }

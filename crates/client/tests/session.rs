@@ -5,7 +5,8 @@ use std::time::Duration;
 use dobot_arm::{Joints, Pose, Position, Tool, forward, inverse};
 use dobot_client::{CommandId, Event, SendError, Session};
 use dobot_wire::{
-    Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode, WriteVector,
+    Configuration, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode,
+    WriteVector,
 };
 
 const PERIOD: Duration = Duration::from_millis(80);
@@ -227,6 +228,77 @@ fn a_move_is_over_when_the_arm_rests_at_its_target() {
     assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), []);
     assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
     assert_eq!(desk.session.under_way(), 0);
+}
+
+#[test]
+fn targets_passed_without_a_rest_are_over_when_the_queue_has_room_for_more() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 0..8_u8 {
+        let y_mm = f32::from(n) * 5.0 + 5.0;
+        desk.session
+            .send(target(MovingMode::MovJ, 200.0, y_mm))
+            .expect("it is allowed");
+    }
+    // Three wait and one is executed when a status comes; two more are on the line.
+    let mut over = Vec::new();
+    for n in 1..=7_u8 {
+        over.extend(completed(&desk.status_at(201.0, 2.0 + f64::from(n), 1.0)));
+    }
+    assert_eq!(over, [0, 1]);
+}
+
+#[test]
+fn a_default_pause_is_part_of_each_target() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    let pause = Configuration::Playback {
+        joint_speed_deg_s: 100.0,
+        joint_acceleration_deg_s2: 100.0,
+        servo_speed_deg_s: 100.0,
+        servo_acceleration_deg_s2: 100.0,
+        linear_speed_mm_s: 100.0,
+        linear_acceleration_mm_s2: 100.0,
+        default_pause_s: 3.0,
+        jump_height_mm: 10.0,
+    };
+    desk.session.send(pause).expect("it is allowed");
+    for y_mm in [10.0, 20.0] {
+        desk.session
+            .send(target(MovingMode::MovJ, 220.0, y_mm))
+            .expect("it is allowed");
+    }
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(200.0, 0.0, 0.0);
+    let mut events = Vec::new();
+    // Three seconds at the first target are 37 statuses and a half.
+    for _ in 0..37 {
+        events.extend(desk.status_at(220.0, 10.0, 0.0));
+    }
+    assert_eq!(events, []);
+    assert_eq!(completed(&desk.status_at(220.0, 15.0, 0.0)), [1]);
+}
+
+#[test]
+fn all_targets_out_of_reach_are_told_and_none_is_over() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for x_mm in [400.0, 500.0] {
+        desk.session
+            .send(target(MovingMode::MovJ, x_mm, 0.0))
+            .expect("it is allowed");
+    }
+    let mut events = Vec::new();
+    for _ in 0..40 {
+        events.extend(desk.status_at(200.0, 0.0, 0.0));
+    }
+    let short = |event: &Event| match event {
+        Event::NotReached { command, .. } => Some(command.0),
+        _ => None,
+    };
+    let short: Vec<u64> = events.iter().filter_map(short).collect();
+    assert_eq!(short, [0, 1]);
+    assert_eq!(completed(&events), []);
 }
 
 #[test]
