@@ -4,7 +4,7 @@ use std::io;
 use std::time::Duration;
 
 use tokio::net::TcpStream;
-use tokio_serial::{SerialPortBuilderExt, SerialStream};
+use tokio_serial::{ClearBuffer, SerialPort, SerialPortBuilderExt, SerialStream};
 
 /// Why a link could not be opened.
 #[derive(Debug, thiserror::Error)]
@@ -93,6 +93,8 @@ impl OpenError {
 /// A stock arm is reset when its DTR line rises. Linux raises it with every first opening, which
 /// nobody can prevent; but the line is told to stay up when the port is closed, so that the next
 /// opening does not reset the arm again. Other systems leave DTR as it is.
+///
+/// What was received before is thrown away: it is no permit, and tells where the arm once was.
 pub(crate) fn serial(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
     let kept_open = keep_dtr_up(path)?;
     let stream = tokio_serial::new(path, baud)
@@ -100,6 +102,9 @@ pub(crate) fn serial(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
         .open_native_async()
         .map_err(|error| serial_error(path, error.into()))?;
     drop(kept_open);
+    stream
+        .clear(ClearBuffer::Input)
+        .map_err(|error| serial_error(path, error.into()))?;
     Ok(stream)
 }
 
