@@ -43,8 +43,9 @@ impl Peer for InProcess {
 
     fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool {
         let mut arm = self.arm();
+        let had = bytes.len();
         arm.poll_bytes(bytes);
-        while bytes.is_empty() && arm.now() < until {
+        while bytes.len() == had && arm.now() < until {
             let next = arm.poll_wakeup().min(until);
             arm.handle_time(next);
             arm.poll_bytes(bytes);

@@ -14,6 +14,8 @@ pub struct VirtualArm {
     to_arm: Line,
     from_arm: Line,
     now: Duration,
+    /// When something last happened: up to then the way is recorded.
+    last_event: Duration,
     recorder: Option<Recorder>,
     scratch: Vec<u8>,
 }
@@ -25,7 +27,7 @@ pub struct Sample {
     pub at: Duration,
     /// Where the tool was.
     pub position: Position,
-    /// Whether the laser was on.
+    /// Whether the laser was on, on the way here.
     pub laser: bool,
 }
 
@@ -33,6 +35,8 @@ pub struct Sample {
 struct Recorder {
     period: Duration,
     samples: Vec<Sample>,
+    /// The last sample that says the same as the one before: a motion begins there.
+    rest: Option<Sample>,
 }
 
 impl VirtualArm {
@@ -44,17 +48,19 @@ impl VirtualArm {
             to_arm: line.clone(),
             from_arm: line,
             now: Duration::ZERO,
+            last_event: Duration::ZERO,
             recorder: None,
             scratch: Vec::new(),
         }
     }
 
     /// Records from now on where the tool is: at least once in `period` while it moves, and at
-    /// every corner.
+    /// every corner. While it stands only the first and the last moment are recorded.
     pub fn record(&mut self, period: Duration) {
         self.recorder = Some(Recorder {
             period,
             samples: Vec::new(),
+            rest: None,
         });
     }
 
@@ -101,6 +107,12 @@ impl VirtualArm {
         self.from_arm.receive(self.now, bytes);
     }
 
+    /// How many bytes to the arm were lost, because too many waited on the line.
+    #[must_use]
+    pub const fn lost_bytes(&self) -> u64 {
+        self.to_arm.lost()
+    }
+
     /// What the controller refused since the last call.
     pub fn poll_refused(&mut self) -> Option<Refused> {
         self.controller.poll_refused()
@@ -127,9 +139,10 @@ impl VirtualArm {
 
     fn step(&mut self, event: Duration) {
         if let Some(recorder) = &mut self.recorder {
-            recorder.sample(&self.controller, self.now, event);
+            recorder.sample(&self.controller, self.last_event, event);
         }
         self.controller.handle_time(event);
+        self.last_event = event;
         self.now = event;
         while let Some(packet) = self.controller.poll_bytes() {
             self.from_arm.send(event, &packet);
@@ -154,11 +167,14 @@ impl Recorder {
             position: controller.pose_at(at).position,
             laser: controller.laser(),
         };
-        let unmoved = self
+        let stands = self
             .samples
             .last()
             .is_some_and(|last| last.position == sample.position && last.laser == sample.laser);
-        if !unmoved {
+        if stands {
+            self.rest = Some(sample);
+        } else {
+            self.samples.extend(self.rest.take());
             self.samples.push(sample);
         }
     }

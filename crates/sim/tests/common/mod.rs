@@ -1,0 +1,125 @@
+//! What the tests have in common: commands in short, and a client that runs a program.
+
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use std::time::Duration;
+
+use dobot_client::{CommandId, Connection, Event};
+use dobot_controller::{Controller, PowerUp, Refused};
+use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_wire::{
+    Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector,
+};
+
+/// Where the arm is after power-up: rear arm and forearm at 45 degrees.
+pub(crate) const POWER_UP_X_MM: f64 = 263.666_500_4;
+
+pub(crate) fn virtual_arm() -> VirtualArm {
+    VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK)
+}
+
+pub(crate) fn in_process() -> InProcess {
+    InProcess::new(virtual_arm())
+}
+
+pub(crate) fn move_to(mode: MovingMode, x_mm: f32, y_mm: f32, z_mm: f32) -> MoveTo {
+    MoveTo {
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg: 0.0,
+        suction: false,
+        mode,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+/// A vector at one speed from its start to its end.
+pub(crate) fn vector(x_mm: f32, y_mm: f32, speed_mm_s: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm,
+        y_mm,
+        z_mm: 0.0,
+        laser: false,
+        start_speed_mm_s: speed_mm_s,
+        end_speed_mm_s: speed_mm_s,
+        max_speed_mm_s: speed_mm_s,
+        stop: false,
+    }
+}
+
+pub(crate) fn button(axis: JointJogAxis, speed_percent: f32) -> JointJog {
+    JointJog {
+        axis,
+        speed_percent,
+    }
+}
+
+/// Speeds and accelerations of target moves, the same number for all.
+pub(crate) fn playback(speed: f32) -> Configuration {
+    Configuration::Playback {
+        joint_speed_deg_s: speed,
+        joint_acceleration_deg_s2: 200.0,
+        servo_speed_deg_s: speed,
+        servo_acceleration_deg_s2: 200.0,
+        linear_speed_mm_s: speed,
+        linear_acceleration_mm_s2: 200.0,
+        default_pause_s: 0.0,
+        jump_height_mm: 20.0,
+    }
+}
+
+/// Gives all commands at once and waits until the last one is over or something goes wrong;
+/// returns what happened, statuses aside.
+pub(crate) async fn run(connection: &mut Connection, program: &[Command]) -> Vec<Event> {
+    run_with(connection, program, |_| {}).await
+}
+
+/// The same; `look` sees each event when it happens.
+pub(crate) async fn run_with(
+    connection: &mut Connection,
+    program: &[Command],
+    mut look: impl FnMut(&Event),
+) -> Vec<Event> {
+    let mut last = None;
+    for command in program {
+        last = Some(connection.send(*command).expect("it is allowed"));
+    }
+    let last = last.expect("a program has a command");
+    let mut events = Vec::new();
+    for _ in 0..MOST_EVENTS {
+        let event = connection.next_event().await.expect("the link is open");
+        if matches!(event, Event::Status(_)) {
+            continue;
+        }
+        look(&event);
+        events.push(event);
+        match event {
+            Event::Completed(id) if id == last => return events,
+            Event::NotReached { .. } | Event::LinkLost { .. } => return events,
+            _ => {}
+        }
+    }
+    panic!("no end in sight: {events:?}");
+}
+
+/// Hours of statuses.
+const MOST_EVENTS: usize = 200_000;
+
+pub(crate) fn completed(events: &[Event]) -> Vec<u64> {
+    let id = |event: &Event| match event {
+        Event::Completed(CommandId(id)) => Some(*id),
+        _ => None,
+    };
+    events.iter().filter_map(id).collect()
+}
+
+pub(crate) fn refusals(peer: &InProcess) -> Vec<Refused> {
+    std::iter::from_fn(|| peer.arm().poll_refused()).collect()
+}
+
+pub(crate) fn ms(ms: u64) -> Duration {
+    Duration::from_millis(ms)
+}
