@@ -1,6 +1,7 @@
 //! A virtual serial port: any program that speaks serial can open it.
 
-use std::fs::OpenOptions;
+use std::ffi::OsString;
+use std::fs::{File, OpenOptions};
 use std::io;
 use std::os::fd::{AsFd, OwnedFd};
 use std::os::unix::ffi::OsStringExt;
@@ -9,17 +10,25 @@ use std::path::{Path, PathBuf};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::OFlags;
-use rustix::io::{Errno, ioctl_fionbio};
+use rustix::io::{Errno, ioctl_fionbio, retry_on_intr};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-use rustix::termios::{OptionalActions, speed, tcgetattr, tcsetattr};
+use rustix::termios::{OptionalActions, QueueSelector, speed, tcflush, tcgetattr, tcsetattr};
 use tokio::io::unix::AsyncFd;
 
 /// A pseudo-terminal: this program holds one end, a client opens the other as its serial port.
+///
+/// It starts as a plain byte stream: no echo, no line ends, all byte values.
 #[derive(Debug)]
 pub struct Pty {
-    master: AsyncFd<OwnedFd>,
+    master: OwnedFd,
     path: PathBuf,
     link: Option<PathBuf>,
+}
+
+/// The client that has a virtual serial port open.
+#[derive(Debug)]
+pub(crate) struct PtyClient {
+    master: AsyncFd<OwnedFd>,
 }
 
 impl Pty {
@@ -28,26 +37,19 @@ impl Pty {
     /// # Errors
     ///
     /// What the operating system says; a file that is in the way of the link is left alone, unless
-    /// it is a dangling link of the same kind.
+    /// it is a link that leads nowhere.
     pub fn open(link: Option<&Path>) -> io::Result<Self> {
-        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
-        grantpt(&master)?;
-        unlockpt(&master)?;
-        ioctl_fionbio(&master, true)?;
-        let name = ptsname(&master, Vec::new())?;
-        let path = PathBuf::from(std::ffi::OsString::from_vec(name.into_bytes()));
-        make_raw(&path)?;
+        // Before the new port is made: it may get the very name that an old link leads to.
+        if let Some(link) = link
+            && link.is_symlink()
+            && !link.exists()
+        {
+            std::fs::remove_file(link)?;
+        }
+        let (master, path) = pair()?;
         if let Some(link) = link {
-            if link.is_symlink() && !link.exists() {
-                std::fs::remove_file(link)?;
-            }
             symlink(&path, link)?;
         }
-        #[expect(
-            deprecated,
-            reason = "its successor is unsafe; an `OwnedFd` keeps its descriptor, which is all that is asked"
-        )]
-        let master = AsyncFd::new(master)?;
         Ok(Self {
             master,
             path,
@@ -61,62 +63,315 @@ impl Pty {
         self.link.as_deref().unwrap_or(&self.path)
     }
 
-    /// Whether a client has it open.
-    #[must_use]
-    pub fn is_open(&self) -> bool {
-        let fd = self.master.get_ref().as_fd();
-        let mut fds = [PollFd::from_borrowed_fd(fd, PollFlags::OUT)];
+    /// The client, if there is one: it has the port open, or left it with bytes still to be read.
+    pub(crate) fn client(&self) -> io::Result<Option<PtyClient>> {
+        let flags = self.flags()?;
+        if flags.contains(PollFlags::HUP) && !flags.contains(PollFlags::IN) {
+            return Ok(None);
+        }
+        // Each client gets a registration of its own: one that has seen a client leave says so
+        // for ever after.
+        #[expect(
+            deprecated,
+            reason = "its successor is unsafe; an `OwnedFd` keeps its descriptor, which is all that is asked"
+        )]
+        let master = AsyncFd::new(self.master.try_clone()?)?;
+        Ok(Some(PtyClient { master }))
+    }
+
+    /// Throws away bytes of a client that does not have the arm.
+    pub(crate) fn ignore_client(&self) {
+        let _ = rustix::io::read(&self.master, &mut [0; 4096]);
+    }
+
+    /// Gets the port ready for the next client: what the last one has not read is thrown away.
+    ///
+    /// A client that was killed can leave the port locked for its own use, and nothing unlocks it:
+    /// then another port takes its place, and its new name is returned.
+    pub(crate) fn renew(&mut self) -> io::Result<Option<&Path>> {
+        match client_end(&self.path) {
+            Ok(end) => {
+                tcflush(end, QueueSelector::IFlush)?;
+                Ok(None)
+            }
+            // By now the lock may be that of the next client.
+            Err(error) if error.kind() == io::ErrorKind::ResourceBusy && !self.is_open()? => {
+                self.replace()?;
+                Ok(Some(self.path()))
+            }
+            Err(error) if error.kind() == io::ErrorKind::ResourceBusy => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn replace(&mut self) -> io::Result<()> {
+        let (master, path) = pair()?;
+        if let Some(link) = self.link.as_ref().filter(|link| leads(link, &self.path)) {
+            std::fs::remove_file(link)?;
+            symlink(&path, link)?;
+        }
+        self.master = master;
+        self.path = path;
+        Ok(())
+    }
+
+    fn is_open(&self) -> io::Result<bool> {
+        Ok(!self.flags()?.contains(PollFlags::HUP))
+    }
+
+    fn flags(&self) -> io::Result<PollFlags> {
+        let fd = self.master.as_fd();
+        let mut fds = [PollFd::from_borrowed_fd(fd, PollFlags::IN)];
         let now = Timespec {
             tv_sec: 0,
             tv_nsec: 0,
         };
-        poll(&mut fds, Some(&now)).is_ok() && !fds[0].revents().contains(PollFlags::HUP)
-    }
-
-    /// Waits for bytes from the client; none means that it closed the port. Safe to cancel.
-    ///
-    /// # Errors
-    ///
-    /// What the operating system says.
-    pub async fn read(&self, buffer: &mut [u8]) -> io::Result<usize> {
-        loop {
-            let mut guard = self.master.readable().await?;
-            match guard.try_io(|fd| Ok(rustix::io::read(fd.get_ref(), &mut *buffer)?)) {
-                Ok(Err(error)) if error.raw_os_error() == Some(Errno::IO.raw_os_error()) => {
-                    guard.clear_ready();
-                    return Ok(0);
-                }
-                Ok(result) => return result,
-                Err(_would_block) => {}
-            }
-        }
-    }
-
-    /// Writes what fits; the rest is lost, as on a serial line that nobody listens to.
-    pub fn write(&self, bytes: &[u8]) {
-        let _ = rustix::io::write(self.master.get_ref(), bytes);
+        retry_on_intr(|| poll(&mut fds, Some(&now)))?;
+        Ok(fds[0].revents())
     }
 }
 
 impl Drop for Pty {
     fn drop(&mut self) {
-        if let Some(link) = &self.link {
+        if let Some(link) = self.link.as_ref().filter(|link| leads(link, &self.path)) {
             let _ = std::fs::remove_file(link);
         }
     }
 }
 
-/// No echo, no line ends, all byte values: a client that sets nothing gets a plain byte stream.
-fn make_raw(path: &Path) -> io::Result<()> {
-    let flags = OFlags::NOCTTY.bits().cast_signed();
-    let client_end = OpenOptions::new()
+impl PtyClient {
+    /// Waits for bytes; none means that the client closed the port. Safe to cancel.
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    pub(crate) async fn read(&self, buffer: &mut [u8]) -> io::Result<usize> {
+        loop {
+            let mut guard = self.master.readable().await?;
+            let left = guard.ready().is_read_closed();
+            match rustix::io::read(self.master.get_ref(), &mut *buffer) {
+                Ok(count) => return Ok(count),
+                Err(Errno::IO) => return Ok(0),
+                // It closed the port, and somebody has opened it since.
+                Err(Errno::AGAIN) if left => return Ok(0),
+                Err(Errno::AGAIN) => guard.clear_ready(),
+                Err(Errno::INTR) => {}
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+
+    /// Writes what fits; the rest is lost, as on a serial line that nobody listens to.
+    pub(crate) fn write(&self, bytes: &[u8]) {
+        let _ = rustix::io::write(self.master.get_ref(), bytes);
+    }
+}
+
+/// Both ends of a new virtual serial port: the one to hold, and the name of the other.
+fn pair() -> io::Result<(OwnedFd, PathBuf)> {
+    let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
+    grantpt(&master)?;
+    unlockpt(&master)?;
+    ioctl_fionbio(&master, true)?;
+    let name = ptsname(&master, Vec::new())?;
+    let path = PathBuf::from(OsString::from_vec(name.into_bytes()));
+    make_raw(&client_end(&path)?)?;
+    Ok((master, path))
+}
+
+fn client_end(path: &Path) -> io::Result<File> {
+    let flags = OFlags::NOCTTY | OFlags::NONBLOCK;
+    OpenOptions::new()
         .read(true)
         .write(true)
-        .custom_flags(flags)
-        .open(path)?;
-    let mut settings = tcgetattr(&client_end)?;
+        .custom_flags(flags.bits().cast_signed())
+        .open(path)
+}
+
+/// No echo, no line ends, all byte values: a client that sets nothing gets a plain byte stream.
+fn make_raw(client_end: &File) -> io::Result<()> {
+    let mut settings = tcgetattr(client_end)?;
     settings.make_raw();
     settings.set_speed(speed::B9600)?;
-    tcsetattr(&client_end, OptionalActions::Now, &settings)?;
+    tcsetattr(client_end, OptionalActions::Now, &settings)?;
     Ok(())
+}
+
+/// Whether a symbolic link still leads there: somebody may have put another in its place.
+fn leads(link: &Path, path: &Path) -> bool {
+    std::fs::read_link(link).is_ok_and(|target| target == path)
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::io::{Read, Write};
+    use std::pin::pin;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::task::{Context, Wake, Waker};
+
+    use rustix::termios::ioctl_tiocexcl;
+    use tokio_serial::{ClearBuffer, SerialPort, SerialPortBuilderExt};
+
+    use super::*;
+
+    /// Remembers that it was woken.
+    #[derive(Default)]
+    struct Woken(AtomicBool);
+
+    impl Wake for Woken {
+        fn wake(self: Arc<Self>) {
+            self.0.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// What a plain serial program does: 9600 baud, 8N1.
+    fn open(pty: &Pty) -> tokio_serial::SerialStream {
+        let path = pty.path().to_str().unwrap();
+        tokio_serial::new(path, 9600).open_native_async().unwrap()
+    }
+
+    async fn read(client: &PtyClient, count: usize) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        while bytes.len() < count {
+            let mut some = [0; 64];
+            let len = client.read(&mut some).await.unwrap();
+            assert!(len > 0, "it left after {bytes:?}");
+            bytes.extend_from_slice(&some[..len]);
+        }
+        bytes
+    }
+
+    #[tokio::test]
+    async fn all_byte_values_pass_both_ways_unchanged() {
+        use tokio::io::{AsyncReadExt, AsyncWriteExt};
+
+        let pty = Pty::open(None).unwrap();
+        let mut program = open(&pty);
+        let client = pty.client().unwrap().unwrap();
+        let all: Vec<u8> = (0..=255).collect();
+        client.write(&all);
+        let mut received = vec![0; 256];
+        AsyncReadExt::read_exact(&mut program, &mut received)
+            .await
+            .unwrap();
+        assert_eq!(received, all);
+        AsyncWriteExt::write_all(&mut program, &all).await.unwrap();
+        assert_eq!(read(&client, 256).await, all);
+    }
+
+    #[tokio::test]
+    async fn a_program_that_sets_nothing_gets_a_plain_byte_stream() {
+        let pty = Pty::open(None).unwrap();
+        let mut program = client_end(pty.path()).unwrap();
+        let client = pty.client().unwrap().unwrap();
+        let all: Vec<u8> = (0..=255).collect();
+        program.write_all(&all).unwrap();
+        assert_eq!(read(&client, 256).await, all);
+        client.write(&all);
+        let mut received = Vec::new();
+        while received.len() < 256 {
+            let mut some = [0; 256];
+            let len = program.read(&mut some).unwrap_or_default();
+            received.extend_from_slice(&some[..len]);
+            tokio::task::yield_now().await;
+        }
+        assert_eq!(received, all);
+        let echo = rustix::io::read(&pty.master, &mut [0; 256]);
+        assert_eq!(echo, Err(Errno::AGAIN));
+    }
+
+    #[tokio::test]
+    async fn nobody_is_there_until_the_port_is_opened_and_after_it_was_closed() {
+        let pty = Pty::open(None).unwrap();
+        assert!(pty.client().unwrap().is_none());
+        for _ in 0..3 {
+            let program = open(&pty);
+            let client = pty.client().unwrap().unwrap();
+            drop(program);
+            assert_eq!(client.read(&mut [0; 64]).await.unwrap(), 0);
+            assert!(pty.client().unwrap().is_none());
+        }
+    }
+
+    #[tokio::test]
+    async fn what_a_program_wrote_before_it_left_is_still_read() {
+        let pty = Pty::open(None).unwrap();
+        client_end(pty.path()).unwrap().write_all(&[7; 42]).unwrap();
+        let client = pty.client().unwrap().unwrap();
+        assert_eq!(read(&client, 42).await, [7; 42]);
+        assert_eq!(client.read(&mut [0; 64]).await.unwrap(), 0);
+    }
+
+    #[tokio::test]
+    async fn a_wait_for_bytes_sleeps_although_a_client_left_before() {
+        let pty = Pty::open(None).unwrap();
+        drop(open(&pty));
+        let _program = open(&pty);
+        let client = pty.client().unwrap().unwrap();
+        // One poll finds nothing and does not spin: a spinning one wakes itself at once.
+        let woken = Arc::new(Woken::default());
+        let waker = Waker::from(Arc::clone(&woken));
+        let mut some = [0; 64];
+        let mut wait = pin!(client.read(&mut some));
+        for _ in 0..5 {
+            let polled = wait.as_mut().poll(&mut Context::from_waker(&waker));
+            assert!(polled.is_pending());
+            tokio::task::yield_now().await;
+        }
+        assert!(!woken.0.load(Ordering::Relaxed));
+    }
+
+    #[tokio::test]
+    async fn a_program_that_does_not_read_loses_bytes_and_blocks_nobody() {
+        let pty = Pty::open(None).unwrap();
+        let mut program = client_end(pty.path()).unwrap();
+        let client = pty.client().unwrap().unwrap();
+        for _ in 0..1000 {
+            client.write(&[5; 4096]);
+        }
+        let mut some = [0; 42];
+        program.read_exact(&mut some).unwrap();
+        assert_eq!(some, [5; 42]);
+    }
+
+    #[tokio::test]
+    async fn what_the_last_client_did_not_read_is_not_for_the_next() {
+        let mut pty = Pty::open(None).unwrap();
+        let program = open(&pty);
+        pty.client().unwrap().unwrap().write(&[1; 420]);
+        // It has arrived: it is not on its way any more when the port is emptied.
+        while program.bytes_to_read().unwrap() < 420 {
+            tokio::task::yield_now().await;
+        }
+        drop(program);
+        assert_eq!(pty.renew().unwrap(), None);
+        let mut program = client_end(pty.path()).unwrap();
+        let error = program.read(&mut [0; 64]).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::WouldBlock);
+        // What comes later does arrive.
+        pty.client().unwrap().unwrap().write(&[2]);
+        let mut one = [0];
+        while program.read(&mut one).is_err() {
+            tokio::task::yield_now().await;
+        }
+        assert_eq!(one, [2]);
+    }
+
+    #[tokio::test]
+    async fn a_lock_that_a_killed_client_left_is_got_rid_of() {
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("arm");
+        let mut pty = Pty::open(Some(&link)).unwrap();
+        let program = client_end(pty.path()).unwrap();
+        ioctl_tiocexcl(&program).unwrap();
+        drop(program);
+        // The superuser is not locked out, so that there the port is the same.
+        pty.renew().unwrap();
+        assert_eq!(pty.path(), link);
+        let program = open(&pty);
+        program.clear(ClearBuffer::Input).unwrap();
+        assert!(pty.client().unwrap().is_some());
+    }
 }

@@ -3,6 +3,7 @@
 use std::future::pending;
 use std::io;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_controller::Refused;
@@ -10,11 +11,19 @@ use tokio::io::AsyncReadExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, sleep_until};
 
-#[cfg(unix)]
-use crate::Pty;
 use crate::VirtualArm;
+#[cfg(unix)]
+use crate::pty::{Pty, PtyClient};
 
 /// A virtual arm that runs in real time and serves one client at a time.
+///
+/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP; on the
+/// virtual serial port, which cannot turn anybody away, he meets a line where nobody speaks or
+/// listens until the arm is free.
+///
+/// Nothing that the arm sent before a client came is kept for him. The virtual serial port keeps
+/// this promise from the moment on that the client before has been seen to leave
+/// ([`ServerEvent::Disconnected`]).
 #[derive(Debug)]
 pub struct Server {
     arm: VirtualArm,
@@ -23,6 +32,8 @@ pub struct Server {
     pty: Option<Pty>,
     client: Option<Client>,
     buffer: Vec<u8>,
+    /// Bytes to the arm that were lost before the client came, or before it was told of some.
+    told_lost: Option<u64>,
 }
 
 /// What happens while a virtual arm is served.
@@ -35,8 +46,13 @@ pub enum ServerEvent {
     TcpRefused(SocketAddr),
     /// A client opened the virtual serial port.
     PtyOpened,
+    /// The virtual serial port has another name now: a client that was killed left the old one
+    /// locked.
+    PtyMoved(PathBuf),
     /// The client left.
     Disconnected,
+    /// The client sends faster than the line carries, so that bytes are lost; told once a client.
+    Overrun,
     /// The controller refused something.
     Refused(Refused),
 }
@@ -46,7 +62,7 @@ pub enum ServerEvent {
 enum Client {
     Tcp(TcpStream),
     #[cfg(unix)]
-    Pty,
+    Pty(PtyClient),
 }
 
 /// What the server waits for.
@@ -67,6 +83,7 @@ impl Server {
             pty: None,
             client: None,
             buffer: Vec::new(),
+            told_lost: None,
         }
     }
 
@@ -85,25 +102,34 @@ impl Server {
         self
     }
 
-    /// Runs the arm, in real time, and tells what happens; never returns of its own accord.
+    /// The arm, to look at.
+    #[must_use]
+    pub const fn arm(&self) -> &VirtualArm {
+        &self.arm
+    }
+
+    /// Runs the arm, in real time, and tells what happens; never returns of its own accord. When
+    /// it is cancelled and called again, the arm goes on where it was.
     ///
     /// # Errors
     ///
-    /// When no more clients can be accepted.
+    /// When no more clients can be served.
     pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
-        let power_up = Instant::now();
+        let (start, offset) = (Instant::now(), self.arm.now());
         loop {
-            let wakeup = power_up + self.arm.poll_wakeup();
+            let wakeup = start + self.arm.poll_wakeup().saturating_sub(offset);
             let happening = self.wait(wakeup).await;
-            let now = power_up.elapsed();
+            let now = offset + start.elapsed();
             self.arm.handle_time(now);
             match happening {
                 Happening::Time => {}
-                Happening::Connect(connection) => self.admit(connection?, &mut tell),
-                Happening::Bytes(Ok(1..)) => self.arm.handle_bytes(now, &self.buffer),
-                Happening::Bytes(_) => self.dismiss(&mut tell),
+                Happening::Connect(connection) => self.admit(connection, &mut tell)?,
+                Happening::Bytes(Ok(1..)) => self.download(now, &mut tell),
+                Happening::Bytes(_) => self.dismiss(&mut tell)?,
             }
-            self.upload(&mut tell);
+            self.upload(&mut tell)?;
+            #[cfg(unix)]
+            self.notice_pty(&mut tell)?;
             while let Some(refused) = self.arm.poll_refused() {
                 tell(ServerEvent::Refused(refused));
             }
@@ -115,75 +141,99 @@ impl Server {
         tokio::select! {
             () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
-            count = read(
-                self.client.as_mut(),
-                #[cfg(unix)]
-                self.pty.as_ref(),
-                &mut self.buffer,
-            ) => Happening::Bytes(count),
+            count = read(self.client.as_mut(), &mut self.buffer) => Happening::Bytes(count),
         }
     }
 
     fn admit(
         &mut self,
-        (stream, from): (TcpStream, SocketAddr),
+        connection: io::Result<(TcpStream, SocketAddr)>,
         tell: &mut impl FnMut(ServerEvent),
-    ) {
+    ) -> io::Result<()> {
+        let (stream, from) = match connection {
+            Ok(connection) => connection,
+            // It left before it was met; the next one may come.
+            Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
+            Err(error) => return Err(error),
+        };
         if self.client.is_some() {
             tell(ServerEvent::TcpRefused(from));
         } else {
             // Small packets at once; without it they are only later.
             let _ = stream.set_nodelay(true);
-            self.client = Some(Client::Tcp(stream));
+            self.welcome(Client::Tcp(stream));
             tell(ServerEvent::TcpConnected(from));
         }
+        Ok(())
     }
 
-    fn dismiss(&mut self, tell: &mut impl FnMut(ServerEvent)) {
-        self.client = None;
+    fn welcome(&mut self, client: Client) {
+        self.client = Some(client);
+        self.told_lost = Some(self.arm.lost_bytes());
+    }
+
+    fn dismiss(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+        let left = self.client.take();
+        #[cfg(unix)]
+        if matches!(left, Some(Client::Pty(_)))
+            && let Some(pty) = &mut self.pty
+            && let Some(path) = pty.renew()?
+        {
+            tell(ServerEvent::PtyMoved(path.to_owned()));
+        }
+        drop(left);
         tell(ServerEvent::Disconnected);
+        Ok(())
+    }
+
+    /// Passes on what the client sends.
+    fn download(&mut self, now: Duration, tell: &mut impl FnMut(ServerEvent)) {
+        self.arm.handle_bytes(now, &self.buffer);
+        if self.told_lost.is_some_and(|it| it < self.arm.lost_bytes()) {
+            self.told_lost = None;
+            tell(ServerEvent::Overrun);
+        }
     }
 
     /// Passes on what arrived from the arm. A client that does not read loses bytes, as on a
     /// serial line; nobody listening loses all.
-    fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+    fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         self.buffer.clear();
         self.arm.poll_bytes(&mut self.buffer);
-        #[cfg(unix)]
-        self.notice_pty(tell);
+        if self.buffer.is_empty() {
+            return Ok(());
+        }
         match &self.client {
-            None => {}
             Some(Client::Tcp(stream)) => {
                 let gone = |error: io::Error| error.kind() != io::ErrorKind::WouldBlock;
-                if !self.buffer.is_empty() && stream.try_write(&self.buffer).is_err_and(gone) {
-                    self.dismiss(tell);
+                if stream.try_write(&self.buffer).is_err_and(gone) {
+                    self.dismiss(tell)?;
                 }
             }
             #[cfg(unix)]
-            Some(Client::Pty) => {
-                if let Some(pty) = &self.pty
-                    && !self.buffer.is_empty()
-                {
-                    pty.write(&self.buffer);
-                }
-            }
+            Some(Client::Pty(client)) => client.write(&self.buffer),
+            None => {}
         }
+        Ok(())
     }
 
-    /// A virtual serial port does not say that it was opened or closed: somebody has to look.
+    /// A virtual serial port does not say that it was opened: somebody has to look.
     #[cfg(unix)]
-    fn notice_pty(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+    fn notice_pty(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let Some(pty) = &self.pty else {
-            return;
+            return Ok(());
         };
-        match (&self.client, pty.is_open()) {
-            (None, true) => {
-                self.client = Some(Client::Pty);
-                tell(ServerEvent::PtyOpened);
+        match &self.client {
+            None => {
+                if let Some(client) = pty.client()? {
+                    self.welcome(Client::Pty(client));
+                    tell(ServerEvent::PtyOpened);
+                }
             }
-            (Some(Client::Pty), false) => self.dismiss(tell),
-            _ => {}
+            Some(Client::Tcp(_)) => pty.ignore_client(),
+            Some(Client::Pty(_)) => {}
         }
+        Ok(())
     }
 }
 
@@ -195,28 +245,19 @@ async fn accept(listener: Option<&TcpListener>) -> io::Result<(TcpStream, Socket
 }
 
 /// Reads from whoever has the arm.
-async fn read(
-    client: Option<&mut Client>,
-    #[cfg(unix)] pty: Option<&Pty>,
-    buffer: &mut Vec<u8>,
-) -> io::Result<usize> {
+async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<usize> {
+    buffer.reserve(READ_LEN);
     match client {
         Some(Client::Tcp(stream)) => stream.read_buf(buffer).await,
         #[cfg(unix)]
-        Some(Client::Pty) => match pty {
-            Some(pty) => read_pty(pty, buffer).await,
-            None => pending().await,
-        },
+        Some(Client::Pty(client)) => {
+            let mut bytes = [0; READ_LEN];
+            let count = client.read(&mut bytes).await?;
+            buffer.extend_from_slice(&bytes[..count]);
+            Ok(count)
+        }
         None => pending().await,
     }
-}
-
-#[cfg(unix)]
-async fn read_pty(pty: &Pty, buffer: &mut Vec<u8>) -> io::Result<usize> {
-    let mut bytes = [0; 256];
-    let count = pty.read(&mut bytes).await?;
-    buffer.extend_from_slice(&bytes[..count]);
-    Ok(count)
 }
 
 /// The vendor's bridge listens here, so old programs find the virtual arm (note N26).
@@ -225,3 +266,6 @@ pub const DEFAULT_TCP: SocketAddr =
 
 /// How often a moving arm is recorded.
 pub const RECORDING_PERIOD: Duration = Duration::from_millis(5);
+
+/// A few packets.
+const READ_LEN: usize = 256;
