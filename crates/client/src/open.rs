@@ -159,6 +159,8 @@ fn keep_dtr_up(_path: &str) -> Result<(), OpenError> {
 fn serial_error(path: &str, source: io::Error) -> OpenError {
     let path = path.to_owned();
     match source.kind() {
+        // What the serial crate says when another program holds its lock on the port.
+        _ if source.to_string().contains("lock on serial port") => OpenError::InUse { path },
         io::ErrorKind::NotFound => OpenError::NoSuchPort { path },
         io::ErrorKind::PermissionDenied => OpenError::NotAllowed {
             group: group(&path),
@@ -166,8 +168,6 @@ fn serial_error(path: &str, source: io::Error) -> OpenError {
         },
         io::ErrorKind::ResourceBusy => OpenError::InUse { path },
         io::ErrorKind::IsADirectory => OpenError::NotASerialPort { path },
-        // What the serial crate says when another program holds its lock on the port.
-        _ if source.to_string().contains("lock on serial port") => OpenError::InUse { path },
         _ if is_not_a_terminal(&source) => OpenError::NotASerialPort { path },
         _ => OpenError::Serial { path, source },
     }
