@@ -122,6 +122,13 @@ fn text(event: &ServerEvent) -> String {
             format!("turned away: {from}; another client has the arm")
         }
         ServerEvent::PtyOpened => "connected: virtual serial port".to_owned(),
+        ServerEvent::PtyMoved(path) => format!(
+            "the last client left the virtual serial port locked; now it is serial:{}",
+            path.display()
+        ),
+        ServerEvent::Overrun => {
+            "the client sends faster than 9600 baud: bytes are lost, as on a real line".to_owned()
+        }
         ServerEvent::Disconnected => "disconnected".to_owned(),
         ServerEvent::Refused(refused) => refused.to_string(),
         other => format!("{other:?}"),

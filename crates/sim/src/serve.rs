@@ -264,8 +264,9 @@ async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<u
 pub const DEFAULT_TCP: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5555);
 
-/// How often a moving arm is recorded.
-pub const RECORDING_PERIOD: Duration = Duration::from_millis(5);
+/// How often a moving arm is recorded: once a control tick. Corners are recorded besides, and what is
+/// drawn is straight between them.
+pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
 
 /// A few packets.
 const READ_LEN: usize = 256;

@@ -180,6 +180,33 @@ fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same(
     assert!(is_laser_off(last), "{commands:?}");
 }
 
+#[test]
+fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
+    let address = peer(|mut stream| {
+        // A permit, the command for it, and no more.
+        stream.write_all(&status()).expect("it is open");
+        stream.read_exact(&mut [0; 42]).expect("it is open");
+    });
+    let arguments = [
+        "draw",
+        &example("square.svg"),
+        "--to",
+        &address,
+        "--dialect",
+        "specification",
+        "--pen-down",
+        "-40",
+    ];
+    dobot(&arguments).fails(
+        1,
+        &[
+            "after 0 of 6 vectors",
+            "could not be sent",
+            "look after the arm",
+        ],
+    );
+}
+
 /// Stands between the program and a virtual arm, and sends Ctrl-C after so many write vectors.
 /// Returns what came of the program, the commands before Ctrl-C and those after it.
 fn interrupted(vectors: usize) -> (Outcome, Vec<Command>, Vec<Command>) {
