@@ -255,7 +255,12 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         {
             return Parting::Done;
         }
-        if self.blind(lift).await.is_ok() {
+        // A link that the other end closed still takes bytes for a while; they lead nowhere.
+        let open = !matches!(
+            cause,
+            Cause::Failed(LinkError::Closed | LinkError::Broken(_))
+        );
+        if self.blind(lift).await.is_ok() && open {
             Parting::Sent
         } else {
             Parting::Lost
