@@ -159,7 +159,8 @@ fn keep_dtr_up(_path: &str) -> Result<(), OpenError> {
 fn serial_error(path: &str, source: io::Error) -> OpenError {
     let path = path.to_owned();
     match source.kind() {
-        // What the serial crate says when another program holds its lock on the port.
+        // What the serial crate says when another program holds its lock on the port: it calls
+        // that a port that is not there.
         _ if source.to_string().contains("lock on serial port") => OpenError::InUse { path },
         io::ErrorKind::NotFound => OpenError::NoSuchPort { path },
         io::ErrorKind::PermissionDenied => OpenError::NotAllowed {
@@ -245,6 +246,24 @@ mod tests {
         ));
         assert!(matches!(told(Kind::ResourceBusy), OpenError::InUse { .. }));
         assert!(matches!(told(Kind::TimedOut), OpenError::Serial { .. }));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_port_that_another_program_has_locked_is_in_use() {
+        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a port is free");
+        grantpt(&master).expect("it is ours");
+        unlockpt(&master).expect("it is ours");
+        let name = ptsname(&master, Vec::new()).expect("it has one");
+        let path = name.to_str().expect("the name is text");
+        let open = || tokio_serial::new(path, 9600).open_native();
+        let _first = open().expect("it is free");
+        // The superuser gets as far as the lock, others are turned away before.
+        let error = open().expect_err("it is in use");
+        let told = serial_error(path, error.into());
+        assert!(matches!(told, OpenError::InUse { .. }), "{told:?}");
     }
 
     #[cfg(unix)]
