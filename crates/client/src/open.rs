@@ -248,36 +248,37 @@ mod tests {
         assert!(matches!(told(Kind::TimedOut), OpenError::Serial { .. }));
     }
 
+    /// A pseudo-terminal: the end to hold, and the name of the other.
     #[cfg(unix)]
-    #[test]
-    fn a_port_that_another_program_has_locked_is_in_use() {
+    fn pty() -> (std::os::fd::OwnedFd, String) {
         use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 
         let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a port is free");
         grantpt(&master).expect("it is ours");
         unlockpt(&master).expect("it is ours");
         let name = ptsname(&master, Vec::new()).expect("it has one");
-        let path = name.to_str().expect("the name is text");
-        let open = || tokio_serial::new(path, 9600).open_native();
+        (master, name.into_string().expect("the name is text"))
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_port_that_another_program_has_locked_is_in_use() {
+        let (_master, path) = pty();
+        let open = || tokio_serial::new(&path, 9600).open_native();
         let _first = open().expect("it is free");
         // The superuser gets as far as the lock, others are turned away before.
         let error = open().expect_err("it is in use");
-        let told = serial_error(path, error.into());
+        let told = serial_error(&path, error.into());
         assert!(matches!(told, OpenError::InUse { .. }), "{told:?}");
     }
 
     #[cfg(unix)]
     #[test]
     fn closing_a_port_will_not_lower_its_dtr_line() {
-        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
         use rustix::termios::{ControlModes, tcgetattr};
 
-        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a port is free");
-        grantpt(&master).expect("it is ours");
-        unlockpt(&master).expect("it is ours");
-        let name = ptsname(&master, Vec::new()).expect("it has one");
-        let path = name.to_str().expect("the name is text");
-        let port = keep_dtr_up(path).expect("it opens");
+        let (_master, path) = pty();
+        let port = keep_dtr_up(&path).expect("it opens");
         let modes = tcgetattr(&port).expect("it is a terminal").control_modes;
         assert!(!modes.contains(ControlModes::HUPCL));
         assert!(modes.contains(ControlModes::CLOCAL));
