@@ -458,9 +458,9 @@ mod in_time {
         for seconds in [10, 20] {
             let ten = tokio::time::sleep(Duration::from_secs(10));
             serve(&mut server, |_| ten).await;
-            let now = server.arm().now();
-            let [early, late] = [seconds * 1000 - 20, seconds * 1000].map(ms);
-            assert!((early..=late).contains(&now), "{now:?}");
+            // A cancelled server may have been about to wake up for the next tick.
+            let apart = server.arm().now().abs_diff(Duration::from_secs(seconds));
+            assert!(apart <= ms(50), "{apart:?}");
         }
     }
 
