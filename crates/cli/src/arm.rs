@@ -10,6 +10,7 @@ use tokio::net::TcpListener;
 
 use crate::connect::virtual_arm;
 use crate::failure::Failure;
+use crate::interrupt::interrupt;
 use crate::output;
 
 /// Serve a virtual arm, in real time, on TCP and on a virtual serial port
@@ -57,7 +58,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     tokio::select! {
         ended = server.run(|event| eprintln!("{}", text(&event))) => Ok(ended?),
-        _ = tokio::signal::ctrl_c() => Ok(()),
+        () = interrupt() => Ok(()),
     }
 }
 

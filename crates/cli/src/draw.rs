@@ -18,6 +18,7 @@ use serde::Serialize;
 
 use crate::connect::{Connected, To};
 use crate::failure::Failure;
+use crate::interrupt::interrupt;
 use crate::output;
 
 /// Draw an SVG file
@@ -124,13 +125,8 @@ async fn draw(
         bar.set_position(progress.vectors as u64);
         bar.set_message(clock(total_s - progress.planned_s));
     };
-    let stop = async {
-        if tokio::signal::ctrl_c().await.is_err() {
-            std::future::pending::<()>().await;
-        }
-    };
 
-    let outcome = dobot_draw::run(&mut connected.arm, &prepared.plan, pen, stop, tell).await;
+    let outcome = dobot_draw::run(&mut connected.arm, &prepared.plan, pen, interrupt(), tell).await;
     bar.finish_and_clear();
     let seen = match &outcome {
         Ok(finished) => &finished.seen,

@@ -8,6 +8,7 @@ use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Stat
 
 use crate::connect::To;
 use crate::failure::Failure;
+use crate::interrupt::interrupt;
 use crate::output;
 
 /// Move one axis for a while, or switch the suction cup or the laser
@@ -51,7 +52,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let pressed = arm.send(args.button.pressed(args.speed))?;
     let held = tokio::select! {
         held = hold(&mut arm, pressed, args.time) => held,
-        _ = tokio::signal::ctrl_c() => Ok(()),
+        () = interrupt() => Ok(()),
     };
     if let Some(released) = args.button.released() {
         release(&mut arm, released, held.is_err()).await?;

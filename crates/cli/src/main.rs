@@ -5,6 +5,7 @@ mod connect;
 mod decode;
 mod draw;
 mod failure;
+mod interrupt;
 mod jog;
 mod output;
 mod ports;

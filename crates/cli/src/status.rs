@@ -4,6 +4,7 @@ use std::io::{IsTerminal, Write};
 
 use crate::connect::To;
 use crate::failure::Failure;
+use crate::interrupt::interrupt;
 use crate::output;
 
 /// Show what the arm tells, live
@@ -36,7 +37,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     for _ in 0..count {
         let status = tokio::select! {
             status = arm.next_status() => status?,
-            _ = tokio::signal::ctrl_c() => break,
+            () = interrupt() => break,
         };
         if in_place {
             print!("\r{}\x1b[K", output::status_text(&status));

@@ -9,6 +9,7 @@ use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::connect::To;
 use crate::failure::Failure;
+use crate::interrupt::interrupt;
 use crate::output;
 
 /// Go to a point or to joint angles
@@ -65,7 +66,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let id = arm.send(command)?;
     tokio::select! {
         done = arm.completed(id) => done?,
-        _ = tokio::signal::ctrl_c() => return Err(interrupted(&arm)),
+        () = interrupt() => return Err(interrupted(&arm)),
     }
     let status = arm.next_status().await?;
     output::status(&status, args.json)?;

@@ -207,9 +207,9 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
     );
 }
 
-/// Stands between the program and a virtual arm, and sends Ctrl-C after so many write vectors.
-/// Returns what came of the program, the commands before Ctrl-C and those after it.
-fn interrupted(vectors: usize) -> (Outcome, Vec<Command>, Vec<Command>) {
+/// Stands between the program and a virtual arm, and sends a signal after so many write vectors.
+/// Returns what came of the program, the commands before the signal and those after it.
+fn interrupted(vectors: usize, signal: Signal) -> (Outcome, Vec<Command>, Vec<Command>) {
     let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
     let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
@@ -242,7 +242,7 @@ fn interrupted(vectors: usize) -> (Outcome, Vec<Command>, Vec<Command>) {
         if before.iter().filter(|it| vector(it).is_some()).count() < vectors {
             before.push(command);
             if before.iter().filter(|it| vector(it).is_some()).count() == vectors {
-                kill_process(pid, Signal::INT).expect("it runs");
+                kill_process(pid, signal).expect("it runs");
             }
         } else {
             after.push(command);
@@ -254,8 +254,17 @@ fn interrupted(vectors: usize) -> (Outcome, Vec<Command>, Vec<Command>) {
 
 #[test]
 fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
+    parts_in_order(Signal::INT);
+}
+
+#[test]
+fn a_system_that_shuts_down_in_a_drawing_leaves_the_pen_up_and_the_laser_off() {
+    parts_in_order(Signal::TERM);
+}
+
+fn parts_in_order(signal: Signal) {
     // Travel, lower, and four vectors with the pen down.
-    let (outcome, before, after) = interrupted(6);
+    let (outcome, before, after) = interrupted(6, signal);
     let outcome = outcome.fails(
         1,
         &[
