@@ -1,4 +1,4 @@
-//! Jogging: one axis moves while a button is held (Tables 2.4 and 2.5).
+//! Jogging: one axis moves while a button is held (Tables 3.5 and 2.5).
 
 use dobot_arm::{Degrees, Joints, Millimeters, Tool, Unreachable, inverse};
 use dobot_motion::{PlanError, Ramp};

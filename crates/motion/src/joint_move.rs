@@ -6,7 +6,7 @@ use crate::pace::Pace;
 use crate::plan_error::finite;
 use crate::{PlanError, Profile, Speeds};
 
-/// A move on which all four joints start and stop together (MOVJ; Table 3.7).
+/// A move on which all four joints start and stop together (MOVJ; Table 3.7, note N29).
 ///
 /// Each joint turns its own angle on the one profile that the slowest of them needs, so the share
 /// of the way is the same for all at any time.

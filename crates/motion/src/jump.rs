@@ -6,7 +6,7 @@ use crate::pace::Pace;
 use crate::plan_error::{finite, not_negative};
 use crate::{PlanError, Profile, Speeds};
 
-/// A move over whatever stands in between (JUMP; Table 3.7, Figure 3.2).
+/// A move over whatever stands in between (JUMP; Table 3.7, Figure 3.2, note N11).
 ///
 /// ```text
 ///        _______________        height above the higher end

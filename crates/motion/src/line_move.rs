@@ -6,7 +6,7 @@ use crate::pace::Pace;
 use crate::plan_error::finite;
 use crate::{PlanError, Profile, Speeds};
 
-/// A move of the tool along a straight line (MOVL; Table 3.7).
+/// A move of the tool along a straight line (MOVL; Table 3.7, note N12).
 ///
 /// The tool turns evenly with the distance; where the turn would be too fast for the servo, the
 /// line takes the time that the turn needs.

@@ -18,7 +18,7 @@ use crate::plan_error::{not_negative, positive};
 ///
 /// Where the distance is too short for the two speeds, one of them gives way: an end speed that
 /// cannot be reached becomes the highest that can; a start speed that cannot be braked down in time
-/// becomes the highest that can (note on write speeds). [`start_speed`](Self::start_speed) and
+/// becomes the highest that can (note N5). [`start_speed`](Self::start_speed) and
 /// [`end_speed`](Self::end_speed) tell the speeds that were found.
 ///
 /// The unit of length is the caller's: millimetres, degrees, or shares of a whole.
