@@ -103,6 +103,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let time = outcome.map_err(stopped)?;
     report.print(time, args.json)?;
+    if let (Some(file), false) = (&args.picture, args.json) {
+        output::line(&format!("picture            {}", file.display()))?;
+    }
     Ok(())
 }
 
