@@ -37,6 +37,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let interrupt = interrupt();
     let mut server = Server::new(virtual_arm(args.dialect));
     let (tcp, pty) = args.places();
     if let Some(address) = tcp {
@@ -58,7 +59,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     tokio::select! {
         ended = server.run(|event| eprintln!("{}", text(&event))) => Ok(ended?),
-        () = interrupt() => Ok(()),
+        () = interrupt => Ok(()),
     }
 }
 

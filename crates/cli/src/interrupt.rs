@@ -1,35 +1,39 @@
 //! When a person or the system wants the program to end.
 
-/// Waits for Ctrl-C, or for the request of a system that shuts down or of a terminal that closes:
-/// an arm is left in order in either case.
-pub(crate) async fn interrupt() {
-    tokio::select! {
-        () = ctrl_c() => {}
-        () = ended() => {}
-    }
-}
+use std::future::Future;
 
-async fn ctrl_c() {
-    if tokio::signal::ctrl_c().await.is_err() {
-        std::future::pending::<()>().await;
-    }
-}
-
+/// Ctrl-C, or the request of a system that shuts down or of a terminal that closes: an arm is left
+/// in order in either case.
+///
+/// From the call on the program is no longer ended by them; the future tells when they came.
 #[cfg(unix)]
-async fn ended() {
+pub(crate) fn interrupt() -> impl Future<Output = ()> {
     use tokio::signal::unix::{SignalKind, signal};
 
-    let signals = [SignalKind::terminate(), SignalKind::hangup()].map(signal);
-    let [Ok(mut terminate), Ok(mut hangup)] = signals else {
-        return std::future::pending().await;
-    };
-    tokio::select! {
-        _ = terminate.recv() => {}
-        _ = hangup.recv() => {}
+    let kinds = [
+        SignalKind::interrupt(),
+        SignalKind::terminate(),
+        SignalKind::hangup(),
+    ];
+    let signals = kinds.map(signal);
+    async move {
+        let [Ok(mut interrupt), Ok(mut terminate), Ok(mut hangup)] = signals else {
+            return std::future::pending().await;
+        };
+        tokio::select! {
+            _ = interrupt.recv() => {}
+            _ = terminate.recv() => {}
+            _ = hangup.recv() => {}
+        }
     }
 }
 
+/// Ctrl-C: an arm is left in order.
 #[cfg(not(unix))]
-async fn ended() {
-    std::future::pending::<()>().await;
+pub(crate) fn interrupt() -> impl Future<Output = ()> {
+    async {
+        if tokio::signal::ctrl_c().await.is_err() {
+            std::future::pending::<()>().await;
+        }
+    }
 }
