@@ -155,7 +155,7 @@ impl Completion {
     /// How long the commands under way may take at the most before the arm has room for another:
     /// a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
-        let longest = |it: &UnderWay| it.pause + it.longest + Duration::from_secs(1);
+        let longest = |it: &UnderWay| it.pause + it.longest;
         self.under_way.iter().map(longest).sum()
     }
 

@@ -43,7 +43,10 @@ pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
 /// The point of `path` that lies farthest from `other`.
 fn farthest(path: &[Stroke], other: &[Stroke]) -> Worst {
     let index = SegmentIndex::new(other.iter().flat_map(pieces).collect());
-    let points = path.iter().flat_map(pieces).flat_map(samples);
+    let points = path
+        .iter()
+        .flat_map(pieces)
+        .flat_map(|(from, to)| from.steps_to(to, STEP_MM));
     points.fold(Worst::default(), |worst, at| {
         let distance_mm = index
             .nearest(at)
@@ -60,16 +63,6 @@ fn farthest(path: &[Stroke], other: &[Stroke]) -> Worst {
 fn pieces(stroke: &Stroke) -> impl Iterator<Item = (Point, Point)> {
     let dot = stroke.points.first().filter(|_| stroke.points.len() == 1);
     stroke.segments().chain(dot.map(|&p| (p, p)))
-}
-
-fn samples((a, b): (Point, Point)) -> impl Iterator<Item = Point> {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count, saturating"
-    )]
-    let count = (a.distance(b) / STEP_MM).ceil().max(1.0) as u32;
-    (0..=count).map(move |i| a.lerp(b, f64::from(i) / f64::from(count)))
 }
 
 const STEP_MM: f64 = 0.5;

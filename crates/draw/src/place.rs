@@ -161,7 +161,7 @@ pub fn check_reach<E: fmt::Display>(
     let mut here = Point::new(plan.start[0], plan.start[1]);
     for [x, y, _] in plan.positions() {
         let there = Point::new(x, y);
-        for p in samples(here, there) {
+        for p in here.steps_to(there, STEP_MM) {
             for z_mm in [pen.down_z_mm, pen.up_z_mm] {
                 let place = Position::new(p.x, p.y, z_mm);
                 reachable(place).map_err(|reason| PlaceError::OutOfReach {
@@ -175,16 +175,6 @@ pub fn check_reach<E: fmt::Display>(
         here = there;
     }
     Ok(())
-}
-
-fn samples(a: Point, b: Point) -> impl Iterator<Item = Point> {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count, saturating"
-    )]
-    let count = (a.distance(b) / STEP_MM).ceil().max(1.0) as u32;
-    (0..=count).map(move |i| a.lerp(b, f64::from(i) / f64::from(count)))
 }
 
 const STEP_MM: f64 = 2.0;

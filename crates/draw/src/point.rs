@@ -27,6 +27,17 @@ impl Point {
         self + (other - self) * t
     }
 
+    /// Points on the straight way to another, both ends included, at most `step_mm` apart.
+    pub(crate) fn steps_to(self, other: Self, step_mm: f64) -> impl Iterator<Item = Self> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count, saturating"
+        )]
+        let count = (self.distance(other) / step_mm).ceil().max(1.0) as u32;
+        (0..=count).map(move |i| self.lerp(other, f64::from(i) / f64::from(count)))
+    }
+
     /// The distance from the origin.
     #[must_use]
     pub fn length(self) -> f64 {

@@ -3,7 +3,8 @@
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::process::{Child, ChildStdout, Stdio};
-use std::sync::mpsc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, mpsc};
 use std::thread;
 
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, WriteVector};
@@ -154,8 +155,14 @@ fn a_peer_that_sends_noise_is_told() {
         .fails(1, &["no valid status", "bytes that belong to none"]);
 }
 
+fn draw_square(address: &str) -> Outcome {
+    let square = example("square.svg");
+    let dialect = ["--dialect", "specification", "--pen-down", "-40"];
+    dobot(&[&["draw", &square, "--to", address][..], &dialect].concat())
+}
+
 #[test]
-fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same() {
+fn an_arm_that_falls_silent_before_a_drawing_gets_pen_up_and_laser_off_all_the_same() {
     let (tell, told) = mpsc::channel();
     let address = peer(move |mut stream| {
         // One status, never another one; and then everything that comes.
@@ -164,17 +171,7 @@ fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same(
         let _ = stream.read_to_end(&mut bytes);
         let _ = tell.send(bytes);
     });
-    let arguments = [
-        "draw",
-        &example("square.svg"),
-        "--to",
-        &address,
-        "--dialect",
-        "specification",
-        "--pen-down",
-        "-40",
-    ];
-    dobot(&arguments).fails(1, &["no valid status", "after 0 of", "laser off were sent"]);
+    draw_square(&address).fails(1, &["no valid status", "after 0 of", "laser off were sent"]);
     let commands = commands(&told.recv().expect("the peer tells"));
     let last = commands.last().expect("something was sent");
     assert!(is_laser_off(last), "{commands:?}");
@@ -187,17 +184,7 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
         stream.write_all(&status()).expect("it is open");
         stream.read_exact(&mut [0; 42]).expect("it is open");
     });
-    let arguments = [
-        "draw",
-        &example("square.svg"),
-        "--to",
-        &address,
-        "--dialect",
-        "specification",
-        "--pen-down",
-        "-40",
-    ];
-    dobot(&arguments).fails(
+    draw_square(&address).fails(
         1,
         &[
             "after 0 of 6 vectors",
@@ -207,16 +194,26 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
     );
 }
 
-/// Stands between the program and a virtual arm, and sends a signal after so many write vectors.
-/// Returns what came of the program, the commands before the signal and those after it.
-fn interrupted(vectors: usize, signal: Signal) -> (Outcome, Vec<Command>, Vec<Command>) {
+/// What happens to a drawing between the program and the arm.
+#[derive(Clone, Copy)]
+enum Trouble {
+    /// The program gets a signal.
+    Signal(Signal),
+    /// No status reaches it any more.
+    Silence,
+}
+
+/// Stands between the program and a virtual arm, and makes trouble after so many write vectors.
+/// Returns what came of the program, the commands before that and those after it.
+fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Command>, Vec<Command>) {
     let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
     let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
+    let harbour = example("harbour.svg");
     let child = command(&[
         "draw",
-        &example("harbour.svg"),
+        &harbour,
         "--to",
         &address,
         "--dialect",
@@ -229,51 +226,79 @@ fn interrupted(vectors: usize, signal: Signal) -> (Outcome, Vec<Command>, Vec<Co
     let pid = Pid::from_child(&child);
     let (mut client, _) = listener.accept().expect("the program connects");
     let mut server = TcpStream::connect(arm_address).expect("the arm is served");
-    let mut back = (
-        server.try_clone().expect("it is open"),
-        client.try_clone().expect("it is open"),
-    );
-    thread::spawn(move || std::io::copy(&mut back.0, &mut back.1));
+    let silent = Arc::new(AtomicBool::new(false));
+    let back = (server.try_clone(), client.try_clone(), Arc::clone(&silent));
+    thread::spawn(move || {
+        pass_on(
+            back.0.expect("it is open"),
+            back.1.expect("it is open"),
+            &back.2,
+        );
+    });
     let (mut before, mut after) = (Vec::new(), Vec::new());
     let mut packet = [0; 42];
     while client.read_exact(&mut packet).is_ok() {
         server.write_all(&packet).expect("the arm is served");
         let command = commands(&packet).remove(0);
-        if before.iter().filter(|it| vector(it).is_some()).count() < vectors {
-            before.push(command);
-            if before.iter().filter(|it| vector(it).is_some()).count() == vectors {
-                kill_process(pid, signal).expect("it runs");
-            }
-        } else {
+        if before.iter().filter_map(vector).count() == vectors {
             after.push(command);
+            continue;
+        }
+        before.push(command);
+        if before.iter().filter_map(vector).count() == vectors {
+            match trouble {
+                Trouble::Signal(signal) => kill_process(pid, signal).expect("it runs"),
+                Trouble::Silence => silent.store(true, Ordering::SeqCst),
+            }
         }
     }
     let output = child.wait_with_output().expect("the program ends");
     (output.into(), before, after)
 }
 
+/// Passes on what comes, until it is to be silent.
+fn pass_on(mut from: TcpStream, mut to: TcpStream, silent: &AtomicBool) {
+    let mut bytes = [0; 256];
+    while let Ok(count @ 1..) = from.read(&mut bytes) {
+        if !silent.load(Ordering::SeqCst) && to.write_all(&bytes[..count]).is_err() {
+            return;
+        }
+    }
+}
+
 #[test]
 fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
-    parts_in_order(Signal::INT);
+    parts(
+        Trouble::Signal(Signal::INT),
+        &["the pen is up and the laser off: interrupted"],
+    );
 }
 
 #[test]
 fn a_system_that_shuts_down_in_a_drawing_leaves_the_pen_up_and_the_laser_off() {
-    parts_in_order(Signal::TERM);
+    parts(
+        Trouble::Signal(Signal::TERM),
+        &["the pen is up and the laser off: interrupted"],
+    );
 }
 
-fn parts_in_order(signal: Signal) {
+#[test]
+fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same() {
+    parts(
+        Trouble::Silence,
+        &["no valid status for", "pen up and laser off were sent"],
+    );
+}
+
+/// Laser off, then pen up; nothing of the drawing any more.
+fn parts(trouble: Trouble, told: &[&str]) {
     // Travel, lower, and four vectors with the pen down.
-    let (outcome, before, after) = interrupted(6, signal);
+    let (outcome, before, after) = troubled(6, trouble);
     let outcome = outcome.fails(
         1,
-        &[
-            "the drawing was stopped after",
-            "of 848 vectors",
-            "the pen is up and the laser off",
-        ],
+        &[&["the drawing was stopped after", "of 848 vectors"], told].concat(),
     );
-    // One more vector may have been on its way when the signal came.
+    // What was permitted already may still have been on its way.
     let parting: Vec<_> = after.iter().skip_while(|it| vector(it).is_some()).collect();
     assert!(
         parting.first().is_some_and(|it| is_laser_off(it)),
@@ -292,7 +317,7 @@ fn parts_in_order(signal: Signal) {
         "the pen was down: {sent_down}"
     );
     assert!((lift.z_mm - 10.0).abs() < 1e-3, "{lift:?}");
-    assert_eq!((lift.x_mm, lift.y_mm), (0.0, 0.0));
+    assert_eq!((lift.x_mm, lift.y_mm, parting.len()), (0.0, 0.0, 2));
 }
 
 #[test]
