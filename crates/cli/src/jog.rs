@@ -90,9 +90,6 @@ async fn release(arm: &mut Connection, released: Command, failing: bool) -> Resu
         return arm.flush().await;
     }
     let id = arm.send(released)?;
-    while arm.session().waiting() > 0 {
-        arm.next_event().await?.or_failed()?;
-    }
     arm.completed(id).await
 }
 

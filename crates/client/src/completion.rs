@@ -14,8 +14,8 @@ use dobot_wire::{
     MovingMode, Status,
 };
 
-use crate::CommandId;
 use crate::pace::Pace;
+use crate::{CommandId, Event};
 
 /// The commands sent and not yet seen to be over, oldest first.
 #[derive(Debug, Default)]
@@ -26,17 +26,6 @@ pub(crate) struct Completion {
     last: Option<Seen>,
     tool: Tool,
     pace: Pace,
-}
-
-/// What became of a command.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Outcome {
-    Completed(CommandId),
-    NotReached {
-        command: CommandId,
-        expected: Position,
-        found: Position,
-    },
 }
 
 /// The last status, and since when all its values are the same.
@@ -106,7 +95,7 @@ impl Completion {
         &mut self,
         now: Duration,
         status: &Status,
-        mut report: impl FnMut(Outcome),
+        mut report: impl FnMut(Event),
     ) {
         let left = self.left_its_end(status);
         self.see(now, status);
@@ -125,7 +114,7 @@ impl Completion {
             let Some(first) = self.finish_first() else {
                 break;
             };
-            report(Outcome::Completed(first.command));
+            report(Event::Completed(first.command));
         }
         if over == on_course {
             self.progress_mm = progress_mm;
@@ -135,7 +124,7 @@ impl Completion {
         {
             self.finish_first();
             self.forget_ends();
-            report(Outcome::NotReached {
+            report(Event::NotReached {
                 command: first,
                 expected,
                 found,
@@ -383,8 +372,9 @@ pub(crate) fn straight_target(command: &Command, tool: Tool) -> Option<Position>
     }
 }
 
-/// The position in a status.
-pub(crate) fn position(status: &Status) -> Position {
+/// Where the tool is by a status.
+#[must_use]
+pub fn position(status: &Status) -> Position {
     Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
 }
 

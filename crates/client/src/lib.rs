@@ -35,6 +35,7 @@ mod ports;
 mod session;
 
 pub use address::{Address, AddressError, DEFAULT_BAUD};
+pub use completion::position;
 pub use connection::{Connection, LinkError};
 pub use open::OpenError;
 pub use peer::Peer;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, ParseError, Status, Statuses};
 
-use crate::completion::{Completion, Outcome, straight_target};
+use crate::completion::{Completion, straight_target};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -268,20 +268,8 @@ impl Session {
         self.status = Some(status);
         self.events.push_back(Event::Status(status));
         let events = &mut self.events;
-        self.completion.handle_status(now, &status, |outcome| {
-            events.push_back(match outcome {
-                Outcome::Completed(command) => Event::Completed(command),
-                Outcome::NotReached {
-                    command,
-                    expected,
-                    found,
-                } => Event::NotReached {
-                    command,
-                    expected,
-                    found,
-                },
-            });
-        });
+        self.completion
+            .handle_status(now, &status, |event| events.push_back(event));
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used

@@ -6,10 +6,9 @@ use std::pin::pin;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_client::{CommandId, Connection, Event, LinkError, SendError};
+use dobot_client::{CommandId, Connection, Event, LinkError, SendError, position};
 use dobot_wire::{
-    Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode,
-    WriteVector,
+    Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector,
 };
 use thiserror::Error;
 
@@ -339,10 +338,6 @@ const fn write(vector: &PlannedVector) -> WriteVector {
         max_speed_mm_s: vector.max_speed_mm_s,
         stop: false,
     }
-}
-
-fn position(status: &Status) -> Position {
-    Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
 }
 
 impl fmt::Display for Parting {
