@@ -152,12 +152,6 @@ impl Connection {
         }
     }
 
-    /// Whether the other end lives in this process, on virtual time.
-    #[must_use]
-    pub const fn is_virtual(&self) -> bool {
-        matches!(self.link, Link::Peer(_))
-    }
-
     /// Waits for the next thing that happens. A wait that is cancelled loses nothing.
     ///
     /// # Errors
