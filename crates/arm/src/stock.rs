@@ -57,11 +57,9 @@ pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
 #[must_use]
 pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
     let base_deg = degrees(libm::atan2f(pose.y_mm, pose.x_mm));
-    let across_mm = libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm) - tool_mm;
     let up_mm = pose.z_mm;
-    let distance_mm = libm::sqrtf(across_mm * across_mm + up_mm * up_mm);
-    let cosine = (REAR_MM * REAR_MM + distance_mm * distance_mm - FORE_MM * FORE_MM)
-        / (2.0 * REAR_MM * distance_mm);
+    let across_mm = reach(pose) - tool_mm;
+    let cosine = shoulder_cosine(across_mm, up_mm);
     let rear_above_level = libm::acosf(cosine) + libm::atanf(up_mm / across_mm);
     let fore = libm::atan2f(
         REAR_MM * libm::sinf(rear_above_level) - up_mm,
@@ -73,6 +71,26 @@ pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
         fore_deg: degrees(fore),
         servo_deg: pose.rotation_deg - base_deg,
     }
+}
+
+/// Whether the arms are too short or too long for a pose, by the stock controller's own test. A
+/// pose that is not a number passes it.
+#[must_use]
+pub fn is_out_of_reach(pose: Pose, tool_mm: f32) -> bool {
+    libm::fabsf(shoulder_cosine(reach(pose) - tool_mm, pose.z_mm)) > 1.0
+}
+
+/// How far from the base axis a pose is, in millimetres.
+#[must_use]
+pub fn reach(pose: Pose) -> f32 {
+    libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm)
+}
+
+/// The cosine of the angle at the shoulder, between the rear arm and the way to the wrist.
+fn shoulder_cosine(across_mm: f32, up_mm: f32) -> f32 {
+    let distance_mm = libm::sqrtf(across_mm * across_mm + up_mm * up_mm);
+    (REAR_MM * REAR_MM + distance_mm * distance_mm - FORE_MM * FORE_MM)
+        / (2.0 * REAR_MM * distance_mm)
 }
 
 fn radians(angle_deg: f32) -> f32 {

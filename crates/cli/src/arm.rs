@@ -4,8 +4,8 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use anyhow::Context;
+use dobot_controller::Personality;
 use dobot_sim::{DEFAULT_TCP, Server, ServerEvent};
-use dobot_wire::Dialect;
 use tokio::net::TcpListener;
 
 use crate::connect::virtual_arm;
@@ -31,20 +31,20 @@ pub(crate) struct Args {
     #[cfg(unix)]
     #[arg(long, value_name = "LINK", num_args = 0..=1, default_missing_value = "")]
     pty: Option<PathBuf>,
-    /// What the arm understands: specification or firmware-1.1
-    #[arg(long, value_name = "DIALECT", default_value = "specification")]
-    dialect: Dialect,
+    /// How the arm behaves: specification, or firmware-1.1 as the arms that were sold do
+    #[arg(long, value_name = "PERSONALITY", default_value = "specification")]
+    personality: Personality,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let interrupt = interrupt();
-    let mut server = Server::new(virtual_arm(args.dialect));
+    let mut server = Server::new(virtual_arm(args.personality));
     let (tcp, pty) = args.places();
     if let Some(address) = tcp {
         let listener = listen(address).await?;
-        let dialect = args.dialect;
+        let personality = args.personality;
         output::line(&format!(
-            "tcp:{}   a virtual arm, dialect {dialect}",
+            "tcp:{}   a virtual arm, personality {personality}",
             listener.local_addr()?
         ))?;
         server = server.on_tcp(listener);

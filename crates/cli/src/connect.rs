@@ -1,7 +1,7 @@
 //! From an address to a connection.
 
 use dobot_client::{Address, Connection};
-use dobot_controller::{Controller, PowerUp};
+use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, VirtualArm};
 use dobot_wire::Dialect;
 
@@ -46,7 +46,7 @@ impl To {
             });
         }
         let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
-        let virtual_arm = InProcess::new(virtual_arm(dialect));
+        let virtual_arm = InProcess::new(virtual_arm(speaker(dialect)));
         Ok(Connected {
             arm: Connection::over_peer(virtual_arm.clone(), Some(dialect)),
             virtual_arm: Some(virtual_arm),
@@ -55,10 +55,15 @@ impl To {
 }
 
 /// A virtual arm at the end of a line as slow as that of a stock arm.
-pub(crate) fn virtual_arm(dialect: Dialect) -> VirtualArm {
-    let power_up = PowerUp {
-        dialect,
-        ..PowerUp::default()
-    };
-    VirtualArm::new(Controller::power_up(power_up), Line::STOCK)
+pub(crate) fn virtual_arm(personality: Personality) -> VirtualArm {
+    let controller = Controller::power_up(PowerUp::new(personality));
+    VirtualArm::new(controller, Line::STOCK)
+}
+
+/// The controller that speaks a dialect.
+fn speaker(dialect: Dialect) -> Personality {
+    Personality::ALL
+        .into_iter()
+        .find(|it| it.dialect() == dialect)
+        .expect("each dialect has a controller that speaks it")
 }

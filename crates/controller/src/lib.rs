@@ -7,8 +7,8 @@
 //!
 //! let mut controller = Controller::power_up(PowerUp::default());
 //! controller.handle_time(Duration::from_millis(60));
-//! let bytes = controller.poll_bytes().expect("the first status is due 60 ms after power-up");
-//! let frame = Frame::from_bytes(&bytes).expect("a status is a frame");
+//! let upload = controller.poll_bytes().expect("the first status is due 60 ms after power-up");
+//! let frame = Frame::from_bytes(&upload.bytes).expect("a status is a frame");
 //! assert_eq!(Status::parse(&frame)?.rear_deg, 45.0);
 //! # Ok::<(), dobot_wire::ParseError>(())
 //! ```
@@ -16,14 +16,17 @@
 #![no_std]
 
 mod controller;
-mod jog;
-mod motion;
-mod plan;
+mod firmware;
+mod log;
+mod outputs;
 mod power_up;
 mod refused;
-mod settings;
-mod state;
+mod specification;
+mod upload;
 
-pub use controller::{Controller, Counters};
-pub use power_up::{Personality, PowerUp};
-pub use refused::Refused;
+pub use controller::Controller;
+pub use log::Counters;
+pub use outputs::{Outputs, STEPS_PER_DEG};
+pub use power_up::{Personality, Port, PowerUp, UnknownPersonality};
+pub use refused::{Hang, Refused};
+pub use upload::Upload;

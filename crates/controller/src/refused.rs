@@ -4,7 +4,7 @@ use dobot_arm::Unreachable;
 use dobot_motion::PlanError;
 use dobot_wire::ParseError;
 
-use crate::plan::LONGEST_S;
+use crate::specification::LONGEST_S;
 
 /// Why the controller did not do what a packet says, or stopped.
 ///
@@ -51,6 +51,54 @@ pub enum Refused {
         /// The angle in degrees.
         found: f64,
     },
+    /// The last byte of a packet was wrong (note N39).
+    #[error(
+        "a packet was lost: its last byte is not that of a packet; check that all 42 bytes are sent"
+    )]
+    BadTail,
+    /// More than a packet was in the receive buffer (note N39).
+    #[error(
+        "a packet was lost: the next one followed without a gap while the controller calculated; one packet per status is allowed"
+    )]
+    TooLong,
+    /// The target of a command is out of reach; the stock controller skips it (note N45).
+    #[error("a target was skipped: it is out of reach or beyond the angles that the arms may have")]
+    OutOfReach,
+    /// A limit cut a motion short; the stock controller goes on with the next (note N42).
+    #[error("a motion was cut short at a limit; the next command goes on from there")]
+    CutShort,
+    /// The stock controller will do nothing any more (note N51).
+    #[error("the controller hangs until it is reset: {0}")]
+    Hangs(Hang),
+    /// The stock controller does not know any more where the arm is (note N51).
+    #[error(
+        "the controller has lost the arm's pose, which is not a number any more; reset it, and send no line without length, no acceleration of 0 and no straight way out of reach"
+    )]
+    PoseLost,
+}
+
+/// What makes the stock controller hang (note N51).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Hang {
+    /// An unknown state.
+    #[error("state {0} is none; 1 to 10 and 15 are allowed")]
+    State(i16),
+    /// An unknown moving mode.
+    #[error("moving mode {0} is none; 0, 1 and 2 are allowed")]
+    MovingMode(i16),
+    /// An unknown axis of a jog.
+    #[error("axis {0} of a jog is none; 0 to 14 are allowed")]
+    JogAxis(i16),
+    /// State 5 without a word before.
+    #[error("state 5 came in floats; voice is text between B5 and 5B, over Bluetooth")]
+    NothingSaid,
+    /// A target to be followed where the arm is already.
+    #[error("a mouse or gesture packet moves nothing; send only such that do")]
+    NothingToFollow,
+    /// A motion that takes for ever.
+    #[error("a motion never arrives; speeds, accelerations and percentages of 0 are not allowed")]
+    NeverArrives,
 }
 
 /// Commands that wait behind the one that is executed (note N20).

@@ -144,8 +144,8 @@ impl VirtualArm {
         self.controller.handle_time(event);
         self.last_event = event;
         self.now = event;
-        while let Some(packet) = self.controller.poll_bytes() {
-            self.from_arm.send(event, &packet);
+        while let Some(upload) = self.controller.poll_bytes() {
+            self.from_arm.send(upload.at, &upload.bytes);
         }
     }
 }

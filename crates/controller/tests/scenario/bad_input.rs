@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::{Limits, Tool};
-use dobot_controller::{Controller, PowerUp};
+use dobot_controller::{Controller, PowerUp, Upload};
 use dobot_wire::{Frame, Status, WriteMode, WriteVector};
 use proptest::prelude::*;
 
@@ -125,7 +125,7 @@ proptest! {
 }
 
 /// Every status, when the bytes come in such pieces and the time in such steps.
-fn told(frames: &[([f32; 10], u64)], cuts: &[usize], slices_ms: &[u64]) -> Vec<[u8; 42]> {
+fn told(frames: &[([f32; 10], u64)], cuts: &[usize], slices_ms: &[u64]) -> Vec<Upload> {
     let mut controller = Controller::power_up(PowerUp::default());
     let mut statuses = Vec::new();
     let mut now = Duration::ZERO;

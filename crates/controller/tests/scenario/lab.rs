@@ -52,8 +52,8 @@ impl Lab {
         while self.controller.poll_wakeup() <= until {
             let at = self.controller.poll_wakeup();
             self.controller.handle_time(at);
-            while let Some(bytes) = self.controller.poll_bytes() {
-                let frame = Frame::from_bytes(&bytes).expect("a status is a frame");
+            while let Some(upload) = self.controller.poll_bytes() {
+                let frame = Frame::from_bytes(&upload.bytes).expect("a status is a frame");
                 let status = Status::parse(&frame).expect("it is within its table");
                 let ms = u64::try_from(at.as_millis()).expect("tests are short");
                 self.statuses.push((ms, status));

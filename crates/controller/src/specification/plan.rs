@@ -5,15 +5,15 @@ use core::time::Duration;
 use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, Tool, Unreachable};
 use dobot_motion::{JointMove, Jump, LineMove, Speeds, Stroke, StrokeSpeeds};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Gesture, MouseMove, MovingMode, Voice,
-    VoiceOrder, WriteMode, WriteVector,
+    Command, Configuration, EndEffector, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
+    WriteVector,
 };
 
+use super::jog::{Button, Jog};
+use super::motion::{Motion, Then};
+use super::settings::Settings;
+use super::state::{Place, State};
 use crate::Refused;
-use crate::jog::{Button, Jog};
-use crate::motion::{Motion, Then};
-use crate::settings::Settings;
-use crate::state::{Place, State};
 
 /// What a command makes the arm do.
 pub(crate) enum Plan {
@@ -31,12 +31,7 @@ pub(crate) enum Plan {
 }
 
 /// Plans a command from where the arm is.
-pub(crate) fn plan(
-    command: &Command,
-    state: &State,
-    settings: &Settings,
-    dialect: &Dialect,
-) -> Result<Plan, Refused> {
+pub(crate) fn plan(command: &Command, state: &State, settings: &Settings) -> Result<Plan, Refused> {
     let speeds = settings.move_speeds();
     let from = state.place.pose;
     match command {
@@ -61,14 +56,14 @@ pub(crate) fn plan(
             laser: false,
             ..*state
         })),
-        Command::WriteVector(it) => write(it, state, settings, dialect),
+        Command::WriteVector(it) => write(it, state, settings),
         Command::MouseMove(it) => {
-            let to = moused(it, &state.place, dialect);
+            let to = moused(it, from);
             grabbing_line(from, to, it.suction, &speeds)
         }
         Command::Gesture(it) => {
             let to = Pose {
-                position: gestured(it, dialect),
+                position: position(it.x, it.y, it.z),
                 ..from
             };
             grabbing_line(from, to, it.grab, &speeds)
@@ -76,7 +71,7 @@ pub(crate) fn plan(
         Command::Voice(it) => spoken(it, state, &speeds),
         Command::JointJog(it) => pressed(Button::of_joint(*it), state, settings),
         Command::LinearJog(it) => pressed(Button::of_linear(*it), state, settings),
-        Command::Configuration(it) => configure(it, state, settings, dialect),
+        Command::Configuration(it) => configure(it, state, settings),
         Command::PlaybackAdjustment(it) => {
             let mut settings = *settings;
             settings.adjust(it);
@@ -152,55 +147,22 @@ fn way(
     .map_err(Refused::Unplannable)
 }
 
-/// Where a mouse increment leads: by that much of X, Y and Z, or by a swing of the base, a longer
-/// reach and more height (note N9).
-fn moused(by: &MouseMove, from: &Place, dialect: &Dialect) -> Pose {
-    let [y, x, z] = [by.y, by.x, by.z].map(f64::from);
-    if !dialect.mouse_swings {
-        return Pose {
-            position: from.pose.position + Position::new(x, y, z),
-            rotation: Degrees(by.rotation_deg.into()),
-        };
-    }
-    let [swing, longer, higher] = [y, x, z];
-    let at = from.pose.position;
-    let base = from.joints.base - Degrees(swing * SWING_DEG_PER_UNIT);
-    let reach = at.reach() + Millimeters(longer * MOUSE_MM_PER_UNIT);
+/// Where a mouse increment leads: by that much of Y, X and Z (note N9).
+fn moused(by: &MouseMove, from: Pose) -> Pose {
     Pose {
-        position: Position::polar(reach, base, at.z + Millimeters(higher * MOUSE_MM_PER_UNIT)),
-        rotation: base + Degrees(by.rotation_deg.into()),
+        position: from.position + position(by.x, by.y, by.z),
+        rotation: Degrees(by.rotation_deg.into()),
     }
 }
 
-/// Where a hand position leads: to that very place, or to a scaled one in front of the arm
-/// (note N18).
-fn gestured(hand: &Gesture, dialect: &Dialect) -> Position {
-    if dialect.scales_gesture {
-        let [x, y, z] = [hand.x, hand.y, hand.z].map(f64::from);
-        Position::new(230.0 + 0.5 * x, y, 0.5 * (z - 200.0) - 30.0)
-    } else {
-        position(hand.x, hand.y, hand.z)
-    }
-}
-
-fn write(
-    vector: &WriteVector,
-    state: &State,
-    settings: &Settings,
-    dialect: &Dialect,
-) -> Result<Plan, Refused> {
+fn write(vector: &WriteVector, state: &State, settings: &Settings) -> Result<Plan, Refused> {
     let max_mm_s = f64::from(vector.max_speed_mm_s);
-    let start_mm_s = if dialect.uses_start_speed {
-        f64::from(vector.start_speed_mm_s)
-    } else {
-        state.write_speed_mm_s
-    };
     let stroke = Stroke::new(
         state.place.pose.position,
         position(vector.x_mm, vector.y_mm, vector.z_mm),
         &StrokeSpeeds {
             // Speeds above the largest count as the largest (note N5).
-            start_mm_s: start_mm_s.min(max_mm_s),
+            start_mm_s: f64::from(vector.start_speed_mm_s).min(max_mm_s),
             end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
             max_mm_s,
             acceleration_mm_s2: settings.write_acceleration_mm_s2,
@@ -212,9 +174,7 @@ fn write(
             stroke,
             rotation: state.place.pose.rotation,
         },
-        then: Then::EndStroke {
-            speed_mm_s: stroke.end_speed(),
-        },
+        then: Then::EndStroke,
         suction: None,
         laser: Some(vector.mode == WriteMode::Laser && vector.laser),
     })
@@ -265,7 +225,6 @@ fn configure(
     configuration: &Configuration,
     state: &State,
     settings: &Settings,
-    dialect: &Dialect,
 ) -> Result<Plan, Refused> {
     let mut settings = *settings;
     match *configuration {
@@ -304,9 +263,7 @@ fn configure(
                 line_mm_s: linear_speed_mm_s.into(),
                 line_mm_s2: linear_acceleration_mm_s2.into(),
             };
-            if dialect.uses_default_pause {
-                settings.default_pause_s = default_pause_s.into();
-            }
+            settings.default_pause_s = default_pause_s.into();
             settings.jump_height = Millimeters(jump_height_mm.into());
         }
         Configuration::Writing { acceleration_mm_s2 } => {
@@ -372,9 +329,6 @@ fn checked(place: Place) -> Result<(), Unreachable> {
     place.check()
 }
 
-/// What stock arms make of a mouse unit (note N9).
-const SWING_DEG_PER_UNIT: f64 = 0.225;
-const MOUSE_MM_PER_UNIT: f64 = 0.4;
 /// As often as this a way is checked against the limits: once a control tick.
 const SAMPLING_S: f64 = 0.02;
 /// Across the whole workspace at 0.2 mm/s, which nobody is slower than on purpose.

@@ -5,8 +5,8 @@ use core::time::Duration;
 use dobot_arm::{Degrees, Pose, Tool, Unreachable, inverse};
 use dobot_motion::{JointMove, Jump, LineMove, Stroke};
 
-use crate::jog::Jog;
-use crate::state::Place;
+use super::jog::Jog;
+use super::state::Place;
 
 /// A motion that is going on.
 #[derive(Clone, Copy, Debug)]
@@ -42,9 +42,7 @@ pub(crate) enum Then {
         pause: Duration,
     },
     /// Write mode: the laser goes off unless another vector follows at once (note N36).
-    EndStroke {
-        speed_mm_s: f64,
-    },
+    EndStroke,
 }
 
 impl Running {

@@ -4,8 +4,8 @@ use dobot_arm::{Degrees, Joints, Millimeters, Tool, Unreachable, inverse};
 use dobot_motion::{PlanError, Ramp};
 use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
-use crate::settings::Settings;
-use crate::state::{Place, State};
+use super::settings::Settings;
+use super::state::{Place, State};
 
 /// One axis on the move, until told otherwise.
 #[derive(Clone, Copy, Debug)]

@@ -11,8 +11,6 @@ pub(crate) struct State {
     pub(crate) suction: bool,
     pub(crate) laser: bool,
     pub(crate) gripper_deg: f64,
-    /// The end speed of the last write vector, with which the next one may begin (note N5).
-    pub(crate) write_speed_mm_s: f64,
 }
 
 /// Joint angles and the pose that they lead to.

@@ -21,7 +21,7 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    pub(crate) fn new(dialect: &Dialect) -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             playback: Speeds::STOCK,
             speed_percent: 50.0,
@@ -36,7 +36,7 @@ impl Settings {
                 line_mm_s2: 60.0,
             },
             write_acceleration_mm_s2: 100.0,
-            jump_height: Millimeters(dialect.default_jump_height_mm.into()),
+            jump_height: Millimeters(Dialect::SPECIFICATION.default_jump_height_mm.into()),
             default_pause_s: 0.0,
         }
     }

@@ -1,0 +1,503 @@
+//! The program of stock arms (version 1.1): its rounding, its limits and its traps (notes N37 to
+//! N51).
+//!
+//! It calculates in single precision, tick by tick, from what it believes of the arm. Whatever it
+//! reads it takes as it comes, so this works on floats, not on commands: a speed of zero is divided
+//! by, and what is not a number passes every limit.
+
+mod body;
+mod fifo;
+mod follow;
+mod jog;
+mod joint_way;
+mod line;
+mod receiver;
+mod settings;
+mod spoken;
+mod target;
+mod write;
+
+use core::fmt::{self, Write as _};
+use core::time::Duration;
+
+use dobot_arm::stock::Joints as StockJoints;
+use dobot_arm::{Joints, Pose};
+use dobot_wire::{Frame, Status};
+use heapless::Deque;
+
+use self::body::Body;
+use self::fifo::Fifo;
+use self::follow::Follow;
+use self::jog::Jog;
+use self::line::Line;
+use self::receiver::{Found, Receiver, VOICE_HEADER};
+use self::settings::Settings;
+use self::spoken::{Spoken, Words};
+use self::target::Travel;
+use self::write::Write;
+use crate::log::Log;
+use crate::outputs::{Hands, short};
+use crate::{Hang, Port, PowerUp, Refused};
+
+/// What stock arms do.
+#[derive(Debug)]
+pub(crate) struct Firmware {
+    port: Port,
+    receiver: Receiver,
+    heard: Heard,
+    printer: Printer,
+    fifo: Fifo,
+    body: Body,
+    settings: Settings,
+    in_force: InForce,
+    travel: Travel,
+    line: Line,
+    jog: Jog,
+    write: Write,
+    follow: Follow,
+    spoken: Spoken,
+    /// What the status tells: all but the pump as it was before the tick.
+    snapshot: Status,
+    /// How long the tick calculated.
+    computing: Duration,
+    /// Where the motors are at the begin of a tick, and where its pulses bring them.
+    sent: [StockJoints; 2],
+    is_lost: bool,
+}
+
+/// What the receive routine remembers and tells on the other port.
+#[derive(Debug, Default)]
+struct Heard {
+    packets: u32,
+    bad_tails: u32,
+    too_long: u32,
+    /// Whether every command that is fetched is taken for voice.
+    is_voice: bool,
+}
+
+/// The command in force. It is looked at in every tick, even when it is finished.
+#[derive(Debug)]
+struct InForce {
+    frame: Frame,
+    state: i16,
+    is_finished: bool,
+    /// Its state in the tick before.
+    state_before: i16,
+    /// Whether its first tick is still to come.
+    is_new: bool,
+    /// Whether something was told about it.
+    is_told: bool,
+}
+
+/// What a tick of a command comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Outcome {
+    is_over: bool,
+    notice: Option<Refused>,
+}
+
+/// What a tick of a way comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Progress {
+    GoesOn,
+    /// The end was noticed; nothing moved in this tick.
+    Arrived,
+    /// A limit forbade the tick.
+    CutShort,
+}
+
+impl Firmware {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "it calculates in single precision"
+    )]
+    pub(crate) fn power_up(power_up: &PowerUp) -> Self {
+        let body = Body::power_up(power_up.rear_deg as f32, power_up.fore_deg as f32);
+        Self {
+            port: power_up.port,
+            receiver: Receiver::new(power_up.port),
+            heard: Heard::default(),
+            printer: Printer::default(),
+            fifo: Fifo::new(),
+            settings: Settings::new(),
+            in_force: InForce {
+                frame: Frame::ZERO,
+                state: IDLE,
+                is_finished: true,
+                state_before: IDLE,
+                is_new: false,
+                is_told: false,
+            },
+            travel: Travel::default(),
+            line: Line::default(),
+            jog: Jog::default(),
+            write: Write::default(),
+            follow: Follow::default(),
+            spoken: Spoken::default(),
+            snapshot: status(&body),
+            computing: Duration::ZERO,
+            sent: [body.joints; 2],
+            is_lost: false,
+            body,
+        }
+    }
+
+    /// Takes bytes that arrive now.
+    pub(crate) fn handle_bytes(&mut self, now: Duration, bytes: &[u8], log: &mut Log) {
+        for &byte in bytes {
+            self.receive(now, log);
+            self.receiver.push(byte);
+            self.receive(now, log);
+        }
+        log.counters.skipped_bytes = self.receiver.skipped;
+    }
+
+    pub(crate) fn tick(&mut self, at: Duration, log: &mut Log) {
+        self.receive(at, log);
+        self.send();
+        self.snapshot = status(&self.body);
+        if self.in_force.is_finished
+            && let Some(frame) = self.fifo.pop()
+        {
+            self.fetch(frame, log);
+        }
+        let outcome = self.dispatch();
+        self.in_force.is_finished = outcome.is_over;
+        if let Some(notice) = outcome.notice
+            && !self.in_force.is_told
+        {
+            self.in_force.is_told = true;
+            log.refuse(notice);
+        }
+        self.body.settle();
+        self.note_loss(log);
+        self.compute(at);
+    }
+
+    pub(crate) const fn waiting(&self) -> usize {
+        self.fifo.len()
+    }
+
+    pub(crate) fn status(&self) -> Frame {
+        Status {
+            suction: self.body.hands.pump,
+            ..self.snapshot
+        }
+        .emit()
+    }
+
+    /// How long after its tick a status leaves.
+    pub(crate) fn status_delay(&self) -> Duration {
+        self.computing + SENDING
+    }
+
+    /// How far the joints went in the last tick, in degrees: base, rear, fore.
+    pub(crate) const fn take_way_deg(&mut self) -> [f32; 3] {
+        core::mem::replace(&mut self.body.way_deg, [0.0; 3])
+    }
+
+    pub(crate) const fn hands(&self) -> Hands {
+        self.body.hands
+    }
+
+    pub(crate) fn poll_other_port(&mut self) -> Option<u8> {
+        self.printer.0.pop_front()
+    }
+
+    /// The joint angles after so much of the last tick's time, from 0 to 1.
+    pub(crate) fn joints_at(&self, share: f64) -> Joints {
+        let [from, to] = self.sent;
+        let between = |from: f32, to: f32| {
+            let (from, to) = (f64::from(from), f64::from(to));
+            from + (to - from) * share
+        };
+        Joints::new(
+            between(from.base_deg, to.base_deg),
+            between(from.rear_deg, to.rear_deg),
+            between(from.fore_deg, to.fore_deg),
+            between(from.servo_deg, to.servo_deg),
+        )
+    }
+
+    pub(crate) fn pose_at(&self, share: f64) -> Pose {
+        dobot_arm::forward(&self.joints_at(share), self.body.tool())
+    }
+
+    /// Looks at the receive buffer, unless a tick calculates.
+    fn receive(&mut self, now: Duration, log: &mut Log) {
+        if self.receiver.is_busy(now) {
+            return;
+        }
+        while let Some(found) = self.receiver.look() {
+            self.take(found, log);
+        }
+    }
+
+    fn take(&mut self, found: Found, log: &mut Log) {
+        self.heard.packets += 1;
+        match found {
+            Found::Frame(frame) => {
+                log.counters.packets += 1;
+                self.heard.is_voice = false;
+                if !self.fifo.push(frame) {
+                    log.refuse(Refused::QueueFull);
+                }
+            }
+            Found::Voice(text) => {
+                log.counters.packets += 1;
+                self.hear(&Words::find(&text), log);
+            }
+            Found::BadTail { header } => {
+                self.heard.bad_tails += 1;
+                log.refuse(Refused::BadTail);
+                self.interrupt(header);
+                if self.port == Port::Bluetooth {
+                    self.printer.print(format_args!("Invalid header!\r\n"));
+                }
+            }
+            Found::TooLong => {
+                self.heard.too_long += 1;
+                log.refuse(Refused::TooLong);
+            }
+        }
+        if self.port == Port::Usb {
+            let Heard {
+                packets,
+                bad_tails,
+                too_long,
+                ..
+            } = self.heard;
+            self.printer
+                .print(format_args!("{packets},{bad_tails},{too_long}\r\n"));
+        }
+    }
+
+    fn hear(&mut self, words: &Words, log: &mut Log) {
+        self.interrupt(VOICE_HEADER);
+        if self.spoken.hear(words) {
+            self.fifo.take_place();
+        } else {
+            log.refuse(Refused::NotUnderstood);
+        }
+        words.echo(&mut self.printer);
+    }
+
+    /// From the first byte of a text on, the command in force is taken for voice.
+    const fn interrupt(&mut self, header: u8) {
+        self.heard.is_voice = header == VOICE_HEADER;
+        if self.heard.is_voice {
+            self.in_force.state = VOICE;
+        }
+    }
+
+    /// The exchange with the motors' clock: what was calculated in the tick before begins to move.
+    const fn send(&mut self) {
+        self.sent[0] = self.sent[1];
+        if !self.body.is_lost() {
+            self.sent[1] = self.body.joints;
+        }
+    }
+
+    fn fetch(&mut self, frame: Frame, log: &mut Log) {
+        log.begun();
+        self.in_force.frame = frame;
+        self.in_force.state = if self.heard.is_voice {
+            VOICE
+        } else {
+            short(frame.float(1))
+        };
+        self.in_force.is_finished = false;
+        self.in_force.is_told = false;
+        self.in_force.is_new = true;
+        self.travel.clear();
+        self.write.clear();
+        self.follow.clear();
+        self.spoken.clear();
+    }
+
+    /// A tick of the command in force, finished or not.
+    fn dispatch(&mut self) -> Outcome {
+        let Self {
+            in_force,
+            settings,
+            body,
+            line,
+            travel,
+            ..
+        } = self;
+        let (frame, is_over) = (&in_force.frame, in_force.is_finished);
+        if in_force.state_before != MOUSE {
+            self.follow.forget_mouse();
+        }
+        if in_force.state_before != GESTURE {
+            self.follow.forget_hand();
+        }
+        in_force.state_before = in_force.state;
+        match in_force.state {
+            MOUSE => self
+                .follow
+                .tick(follow::Kind::Mouse, frame, is_over, settings, body),
+            2 => self
+                .jog
+                .tick(jog::Kind::Joint, frame, self.port, settings, body),
+            3 => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
+            4 => self.write.tick(frame, is_over, settings, body),
+            VOICE => self
+                .spoken
+                .tick(is_over, travel.has_line(), settings, line, body),
+            6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
+            7 => self
+                .jog
+                .tick(jog::Kind::Linear, frame, self.port, settings, body),
+            GESTURE => self
+                .follow
+                .tick(follow::Kind::Gesture, frame, is_over, settings, body),
+            9 => {
+                settings.configure(frame, body);
+                in_force.state = IDLE;
+                Outcome::OVER
+            }
+            10 => {
+                settings.adjust(frame);
+                in_force.state = IDLE;
+                Outcome::OVER
+            }
+            15 => self
+                .follow
+                .tick(follow::Kind::Joints, frame, is_over, settings, body),
+            _ if is_over => Outcome::OVER,
+            state => Outcome::hangs(Hang::State(state)),
+        }
+    }
+
+    /// Tells once that the arm is lost.
+    fn note_loss(&mut self, log: &mut Log) {
+        let was_lost = core::mem::replace(&mut self.is_lost, self.body.is_lost());
+        if self.is_lost && !was_lost {
+            log.refuse(Refused::PoseLost);
+        }
+    }
+
+    /// How long this tick calculates (note N39): meanwhile nobody looks at the receive buffer.
+    fn compute(&mut self, at: Duration) {
+        let InForce {
+            state,
+            is_finished,
+            ref mut is_new,
+            ref frame,
+            ..
+        } = self.in_force;
+        let is_first = core::mem::replace(is_new, false);
+        let us = match state {
+            2 => 2400,
+            7 => 3700,
+            _ if is_finished => 1000,
+            3 | 6 if is_first => 6500,
+            3 | 6 if short(frame.float(8)) == target::MOVL => 4400,
+            4 if is_first => 5100,
+            4 | VOICE => 4400,
+            _ => 2900,
+        };
+        self.computing = Duration::from_micros(us);
+        self.receiver.set_busy_until(at + self.computing);
+    }
+}
+
+impl Outcome {
+    const GOES_ON: Self = Self {
+        is_over: false,
+        notice: None,
+    };
+    const OVER: Self = Self {
+        is_over: true,
+        notice: None,
+    };
+
+    /// Over, whether the tick was gone or a limit forbade it.
+    const fn over(was_gone: bool) -> Self {
+        if was_gone {
+            Self::OVER
+        } else {
+            Self::OVER.with(Refused::CutShort)
+        }
+    }
+
+    const fn over_with(notice: Refused) -> Self {
+        Self::OVER.with(notice)
+    }
+
+    const fn hangs(hang: Hang) -> Self {
+        Self::GOES_ON.with(Refused::Hangs(hang))
+    }
+
+    const fn hangs_if(hangs: bool, hang: Hang) -> Self {
+        if hangs {
+            Self::hangs(hang)
+        } else {
+            Self::GOES_ON
+        }
+    }
+
+    const fn with(self, notice: Refused) -> Self {
+        Self {
+            notice: Some(notice),
+            ..self
+        }
+    }
+}
+
+impl Progress {
+    /// Whether the tick was gone or a limit forbade it.
+    const fn of(was_gone: bool) -> Self {
+        if was_gone {
+            Self::GoesOn
+        } else {
+            Self::CutShort
+        }
+    }
+}
+
+/// What is printed on the other port. Nobody has to fetch it: the oldest is displaced.
+#[derive(Debug, Default)]
+struct Printer(Deque<u8, PRINTED_LEN>);
+
+impl Printer {
+    fn print(&mut self, text: fmt::Arguments<'_>) {
+        self.write_fmt(text).expect("it takes whatever comes");
+    }
+}
+
+impl fmt::Write for Printer {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            if self.0.is_full() {
+                self.0.pop_front();
+            }
+            self.0.push_back(byte).expect("room was made just above");
+        }
+        Ok(())
+    }
+}
+
+const fn status(body: &Body) -> Status {
+    Status {
+        x_mm: body.pose.x_mm,
+        y_mm: body.pose.y_mm,
+        z_mm: body.pose.z_mm,
+        rotation_deg: body.pose.rotation_deg,
+        base_deg: body.joints.base_deg,
+        rear_deg: body.joints.rear_deg,
+        fore_deg: body.joints.fore_deg,
+        servo_deg: body.joints.servo_deg,
+        suction: body.hands.pump,
+        gripper_deg: body.gripper_deg,
+    }
+}
+
+const IDLE: i16 = 0;
+const MOUSE: i16 = 1;
+const VOICE: i16 = 5;
+const GESTURE: i16 = 8;
+/// From the end of a tick's calculation until its status leaves.
+const SENDING: Duration = Duration::from_micros(600);
+const PRINTED_LEN: usize = 256;

@@ -1,0 +1,190 @@
+//! What the stock controller believes of the arm, and the one way to move it.
+
+use dobot_arm::Tool;
+use dobot_arm::stock::{Joints, Pose, forward, inverse, reach};
+
+use crate::outputs::{Hands, servo_value};
+
+/// The arm as the controller believes it to be. Pulses never feed back into it.
+#[derive(Debug)]
+pub(crate) struct Body {
+    pub(crate) joints: Joints,
+    /// What follows from the joint angles, brought up to date at the end of each tick.
+    pub(crate) pose: Pose,
+    pub(crate) gripper_deg: f32,
+    /// From the wrist to the tool.
+    pub(crate) tool_mm: f32,
+    pub(crate) hands: Hands,
+    /// How far the joints went in this tick, in degrees: base, rear, fore.
+    pub(crate) way_deg: [f32; 3],
+    /// Whether the soft limits are off, after the first refusal and until the arm is inside again.
+    forgiven: bool,
+    /// Whether there was a first refusal.
+    forgave: bool,
+    /// The pose that follows from the angles, where it is known already.
+    settled: Option<Pose>,
+}
+
+impl Body {
+    pub(crate) fn power_up(rear_deg: f32, fore_deg: f32) -> Self {
+        Self {
+            joints: Joints {
+                rear_deg,
+                fore_deg,
+                ..Joints::default()
+            },
+            pose: Pose::default(),
+            gripper_deg: 0.0,
+            tool_mm: LONG_TOOL_MM,
+            hands: Hands {
+                head_servo: servo_value(0.0),
+                gripper_servo: servo_value(0.0),
+                pump: false,
+                valve: false,
+                laser: false,
+            },
+            way_deg: [0.0; 3],
+            forgiven: false,
+            forgave: false,
+            settled: None,
+        }
+    }
+
+    /// Moves all joints at these speeds (degrees per second: base, rear, fore, servo) for a tick, or
+    /// not at all where a limit forbids it (note N42). What is not a number passes every limit.
+    #[must_use]
+    pub(crate) fn advance(&mut self, speeds: [f32; 4]) -> bool {
+        let [base, rear, fore, servo] = speeds.map(|speed| speed * PERIOD_S);
+        let from = self.joints;
+        let candidate = Joints {
+            base_deg: from.base_deg + base,
+            rear_deg: from.rear_deg + rear,
+            fore_deg: from.fore_deg + fore,
+            servo_deg: from.servo_deg + servo,
+        };
+        let pose = forward(candidate, self.tool_mm);
+        let is_outside = is_outside(&candidate, pose);
+        if is_beyond(&candidate, speeds) || (is_outside && !self.forgiven) {
+            self.forgiven |= !self.forgave;
+            self.forgave = true;
+            return false;
+        }
+        self.forgiven &= is_outside;
+        self.joints = candidate;
+        self.settled = Some(pose);
+        self.way_deg = [base, rear, fore];
+        true
+    }
+
+    /// Moves all joints to where the inverse kinematics say, within a tick.
+    #[must_use]
+    pub(crate) fn advance_to(&mut self, pose: Pose) -> bool {
+        let to = inverse(pose, self.tool_mm);
+        let from = self.joints;
+        self.advance([
+            (to.base_deg - from.base_deg) / PERIOD_S,
+            (to.rear_deg - from.rear_deg) / PERIOD_S,
+            (to.fore_deg - from.fore_deg) / PERIOD_S,
+            (to.servo_deg - from.servo_deg) / PERIOD_S,
+        ])
+    }
+
+    /// Brings the pose up to date.
+    pub(crate) fn settle(&mut self) {
+        let (joints, tool_mm) = (self.joints, self.tool_mm);
+        self.pose = *self.settled.get_or_insert_with(|| forward(joints, tool_mm));
+    }
+
+    /// Turns the servo at once, without a look at its limits.
+    pub(crate) const fn set_servo(&mut self, servo_deg: f32) {
+        self.joints.servo_deg = servo_deg;
+        self.settled = None;
+    }
+
+    /// Believes other angles from now on.
+    pub(crate) const fn set_arms(&mut self, base_deg: f32, rear_deg: f32, fore_deg: f32) {
+        self.joints = Joints {
+            base_deg,
+            rear_deg,
+            fore_deg,
+            servo_deg: self.joints.servo_deg,
+        };
+        self.settled = None;
+    }
+
+    /// Believes in another tool from now on.
+    pub(crate) const fn set_tool(&mut self, tool_mm: f32) {
+        self.tool_mm = tool_mm;
+        self.settled = None;
+    }
+
+    pub(crate) fn tool(&self) -> Tool {
+        if self.tool_mm == LASER_MM {
+            Tool::Laser
+        } else {
+            Tool::SuctionCup
+        }
+    }
+
+    /// Switches the pump and turns the gripper's servo.
+    pub(crate) fn grab(&mut self, pump: bool, servo_deg: f32) {
+        self.hands.pump = pump;
+        self.hands.valve = pump;
+        self.hands.gripper_servo = servo_value(servo_deg);
+    }
+
+    /// Turns the head's servo output.
+    pub(crate) fn turn_head(&mut self, servo_deg: f32) {
+        self.hands.head_servo = servo_value(servo_deg.clamp(-90.0, 90.0));
+    }
+
+    /// Whether nobody knows any more where the arm is.
+    pub(crate) const fn is_lost(&self) -> bool {
+        let Joints {
+            base_deg,
+            rear_deg,
+            fore_deg,
+            servo_deg,
+        } = self.joints;
+        !(base_deg.is_finite()
+            && rear_deg.is_finite()
+            && fore_deg.is_finite()
+            && servo_deg.is_finite())
+    }
+}
+
+/// Whether angles are beyond a hard limit and on their way further out.
+fn is_beyond(joints: &Joints, [base, rear, fore, servo]: [f32; 4]) -> bool {
+    let beyond = |angle: f32, speed: f32, [low, high]: [f32; 2]| {
+        (angle > high && speed > 0.0) || (angle < low && speed < 0.0)
+    };
+    beyond(joints.base_deg, base, BASE_DEG)
+        || beyond(joints.rear_deg, rear, REAR_DEG)
+        || beyond(joints.fore_deg, fore, FORE_DEG)
+        || beyond(joints.servo_deg, servo, SERVO_DEG)
+}
+
+/// Whether angles are outside of the soft limits.
+fn is_outside(joints: &Joints, pose: Pose) -> bool {
+    let reach_mm = reach(pose);
+    reach_mm > REACH_MM[1]
+        || reach_mm < REACH_MM[0]
+        || pose.z_mm > HEIGHT_MM
+        || 90.0 + joints.rear_deg - joints.fore_deg > ELBOW_DEG
+}
+
+/// The control tick in seconds.
+pub(crate) const PERIOD_S: f32 = 0.02;
+/// From the wrist to the suction cup, the pen or the gripper.
+pub(crate) const LONG_TOOL_MM: f32 = 55.07;
+/// From the wrist to the laser.
+pub(crate) const LASER_MM: f32 = 49.57;
+
+const BASE_DEG: [f32; 2] = [-180.0, 180.0];
+pub(crate) const REAR_DEG: [f32; 2] = [-5.0, 85.0];
+pub(crate) const FORE_DEG: [f32; 2] = [-10.0, 95.0];
+const SERVO_DEG: [f32; 2] = [-90.0, 90.0];
+/// The nominal 130 to 320, 135 and 124, and one more.
+const REACH_MM: [f32; 2] = [129.0, 321.0];
+const HEIGHT_MM: f32 = 136.0;
+const ELBOW_DEG: f32 = 125.0;

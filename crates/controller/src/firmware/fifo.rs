@@ -1,0 +1,56 @@
+//! The queue of the stock controller (note N40).
+
+use dobot_wire::Frame;
+
+/// Six places in a ring. Whoever takes one finds what was last written there, which is not always
+/// what was queued: a voice command takes a place and writes nothing.
+#[derive(Debug)]
+pub(crate) struct Fifo {
+    places: [Frame; PLACES],
+    next_out: usize,
+    count: usize,
+}
+
+impl Fifo {
+    pub(crate) const fn new() -> Self {
+        Self {
+            places: [Frame::ZERO; PLACES],
+            next_out: 0,
+            count: 0,
+        }
+    }
+
+    /// How many wait.
+    pub(crate) const fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Queues a frame; returns whether there was a place.
+    pub(crate) const fn push(&mut self, frame: Frame) -> bool {
+        if self.count >= PLACES {
+            return false;
+        }
+        self.places[(self.next_out + self.count) % PLACES] = frame;
+        self.count += 1;
+        true
+    }
+
+    /// Takes a place and leaves there what is there. Nobody looks whether there is one: with more
+    /// than six the queue is locked for ever.
+    pub(crate) const fn take_place(&mut self) {
+        self.count += 1;
+    }
+
+    /// The next frame.
+    pub(crate) const fn pop(&mut self) -> Option<Frame> {
+        if self.count == 0 || self.count > PLACES {
+            return None;
+        }
+        let frame = self.places[self.next_out];
+        self.next_out = (self.next_out + 1) % PLACES;
+        self.count -= 1;
+        Some(frame)
+    }
+}
+
+const PLACES: usize = crate::refused::QUEUE_LEN;

@@ -1,0 +1,299 @@
+//! States 1, 8 and 15 of the stock controller: mouse, gesture and a third one that follow a moving
+//! target (note N49).
+
+use dobot_arm::stock::{Joints, Pose, inverse, is_out_of_reach, reach};
+use dobot_wire::Frame;
+
+use super::Outcome;
+use super::body::{Body, FORE_DEG, PERIOD_S, REAR_DEG};
+use super::settings::Settings;
+use crate::outputs::short;
+use crate::{Hang, Refused};
+
+/// What follows, and what it remembers.
+#[derive(Debug, Default)]
+pub(crate) struct Follow {
+    is_planned: bool,
+    /// Degrees per second: base, rear, fore.
+    speeds: [f32; 3],
+    ticks_left: i16,
+    mouse: History,
+    hand: History,
+    joints: History,
+}
+
+/// What is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Mouse,
+    Gesture,
+    Joints,
+}
+
+/// The last ten samples, and an eleventh place that the sums reach too.
+#[derive(Debug, Default)]
+struct History {
+    samples: [[f32; 3]; 11],
+    count: usize,
+}
+
+impl Follow {
+    pub(crate) const fn clear(&mut self) {
+        self.is_planned = false;
+    }
+
+    /// Another state than mouse was in force.
+    pub(crate) const fn forget_mouse(&mut self) {
+        self.mouse.count = 0;
+    }
+
+    /// Another state than gesture was in force.
+    pub(crate) const fn forget_hand(&mut self) {
+        self.hand.count = 0;
+    }
+
+    /// A tick of following.
+    pub(crate) fn tick(
+        &mut self,
+        kind: Kind,
+        frame: &Frame,
+        is_over: bool,
+        settings: &mut Settings,
+        body: &mut Body,
+    ) -> Outcome {
+        if kind != Kind::Joints {
+            grab(frame.float(7), body);
+        }
+        if kind == Kind::Mouse {
+            let servo_deg = frame.float(6);
+            if (-90.0..=90.0).contains(&servo_deg) {
+                body.set_servo(servo_deg);
+            }
+            body.turn_head(servo_deg);
+        }
+        if is_over {
+            return Outcome::OVER;
+        }
+        if !self.is_planned {
+            self.is_planned = true;
+            if let Err(outcome) = self.plan(kind, frame, settings, body) {
+                return outcome;
+            }
+        }
+        self.go(body)
+    }
+
+    fn go(&mut self, body: &mut Body) -> Outcome {
+        if self.ticks_left <= 0 {
+            return Outcome::GOES_ON;
+        }
+        let [base, rear, fore] = self.speeds;
+        if !body.advance([base, rear, fore, 0.0]) {
+            return Outcome::over(false);
+        }
+        self.ticks_left -= 1;
+        if self.ticks_left == 0 {
+            Outcome::OVER
+        } else {
+            Outcome::GOES_ON
+        }
+    }
+
+    /// Sets speeds and ticks, unless the command is over or hangs before it moves.
+    fn plan(
+        &mut self,
+        kind: Kind,
+        frame: &Frame,
+        settings: &mut Settings,
+        body: &Body,
+    ) -> Result<(), Outcome> {
+        let sample = [3, 4, 5].map(|n| frame.float(n));
+        self.ticks_left = 0;
+        settings.joint_speeds = [FOLLOW_DEG_S; 4];
+        settings.joint_accelerations = [match kind {
+            Kind::Mouse => MOUSE_DEG_S2,
+            Kind::Gesture | Kind::Joints => GESTURE_DEG_S2,
+        }; 4];
+        let (to, period_s) = match kind {
+            Kind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
+            Kind::Gesture => self.gestured(sample, settings, body)?,
+            Kind::Joints => (self.joints.told(sample), JOINTS_S),
+        };
+        let from = body.joints;
+        let ways = [
+            to.base_deg - from.base_deg,
+            to.rear_deg - from.rear_deg,
+            to.fore_deg - from.fore_deg,
+        ];
+        if ways.iter().all(|way| way.abs() < NO_WAY_DEG) {
+            return Err(Outcome::hangs(Hang::NothingToFollow));
+        }
+        self.speeds = ways.map(|way| way / period_s);
+        self.ticks_left = short(period_s / PERIOD_S);
+        Ok(())
+    }
+
+    fn moused(
+        &mut self,
+        sample: [f32; 3],
+        settings: &Settings,
+        body: &Body,
+    ) -> Result<Joints, Outcome> {
+        let [swing, longer, higher] = self.mouse.mouse_average(sample);
+        let z_mm = body.pose.z_mm + MOUSE_MM * higher;
+        let pose = Pose {
+            x_mm: reach(body.pose) + MOUSE_MM * longer,
+            y_mm: 0.0,
+            z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
+            rotation_deg: 0.0,
+        };
+        let arms = solve(pose, body)?;
+        Ok(Joints {
+            base_deg: body.joints.base_deg - MOUSE_DEG * swing,
+            ..arms
+        })
+    }
+
+    fn gestured(
+        &mut self,
+        sample: [f32; 3],
+        settings: &Settings,
+        body: &Body,
+    ) -> Result<(Joints, f32), Outcome> {
+        let [x, y, z] = self.hand.hand_average(sample);
+        let (x_mm, y_mm) = (230.0 + 0.5 * x, y);
+        let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
+        let [dx, dy, dz] = [
+            x_mm - body.pose.x_mm,
+            y_mm - body.pose.y_mm,
+            z_mm - body.pose.z_mm,
+        ];
+        let distance_mm = libm::sqrtf(dx * dx + dy * dy + dz * dz);
+        let period_s = if distance_mm > NEAR_MM {
+            distance_mm / GESTURE_MM_S
+        } else {
+            GESTURE_S
+        };
+        let pose = Pose {
+            x_mm,
+            y_mm,
+            z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
+            rotation_deg: 0.0,
+        };
+        Ok((solve(pose, body)?, period_s))
+    }
+}
+
+impl History {
+    /// Each of the samples before counts together with the new one, which counts once more.
+    fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
+        let mut sums = sample;
+        for old in &self.samples[..self.count] {
+            for (sum, (new, old)) in sums.iter_mut().zip(sample.iter().zip(old)) {
+                *sum += new + old;
+            }
+        }
+        self.store(sample);
+        sums.map(|sum| sum / self.count as f32)
+    }
+
+    /// Half of it the new sample, half of it those before.
+    fn hand_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
+        let sums = self.sums_before(sample, [0.0, 0.0, sample[2]]);
+        core::array::from_fn(|axis| 0.5 * sample[axis] + 0.5 * sums[axis] / self.count as f32)
+    }
+
+    /// The average of the angles told before: the newest one does not count yet.
+    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> Joints {
+        let sample = [
+            clamp(rear, REAR_DEG[0], REAR_DEG[1]),
+            clamp(fore, FORE_DEG[0], FORE_DEG[1]),
+            base,
+        ];
+        let [rear_deg, fore_deg, base_deg] = self
+            .sums_before(sample, [0.0; 3])
+            .map(|sum| sum / self.count as f32);
+        Joints {
+            base_deg,
+            rear_deg,
+            fore_deg,
+            servo_deg: 0.0,
+        }
+    }
+
+    /// The sums over one place more than there are samples, before the new one is stored: over what
+    /// happens to be there, or, behind ten samples, over the new one itself.
+    fn sums_before(&mut self, sample: [f32; 3], mut sums: [f32; 3]) -> [f32; 3] {
+        self.samples[SAMPLES] = sample;
+        for old in &self.samples[..=self.count] {
+            for (sum, old) in sums.iter_mut().zip(old) {
+                *sum += old;
+            }
+        }
+        self.store(sample);
+        sums
+    }
+
+    /// Behind ten the oldest is dropped.
+    fn store(&mut self, sample: [f32; 3]) {
+        if self.count == SAMPLES {
+            self.samples.copy_within(1..SAMPLES, 0);
+            self.samples[SAMPLES - 1] = sample;
+        } else {
+            self.samples[self.count] = sample;
+            self.count += 1;
+        }
+    }
+}
+
+/// Arm angles for a pose; those of a rear arm too far back are brought to its limit.
+fn solve(pose: Pose, body: &Body) -> Result<Joints, Outcome> {
+    let mut joints = inverse(pose, body.tool_mm);
+    if is_out_of_reach(pose, body.tool_mm)
+        || joints.rear_deg > REAR_DEG[1]
+        || joints.fore_deg < FORE_DEG[0]
+        || joints.fore_deg > FORE_DEG[1]
+    {
+        return Err(Outcome::over_with(Refused::OutOfReach));
+    }
+    if joints.rear_deg < REAR_DEG[0] {
+        joints.rear_deg = REAR_DEG[0];
+    }
+    Ok(joints)
+}
+
+fn grab(pump: f32, body: &mut Body) {
+    if pump == 1.0 {
+        body.grab(true, CLOSED_DEG);
+    } else if pump == 0.0 {
+        body.grab(false, 0.0);
+    }
+}
+
+/// As comparisons do it: what is not a number stays.
+fn clamp(value: f32, low: f32, high: f32) -> f32 {
+    if value < low {
+        low
+    } else if value > high {
+        high
+    } else {
+        value
+    }
+}
+
+const SAMPLES: usize = 10;
+const FOLLOW_DEG_S: f32 = 200.0;
+const MOUSE_DEG_S2: f32 = 100.0;
+const GESTURE_DEG_S2: f32 = 500.0;
+/// What a unit of the mouse is worth.
+const MOUSE_DEG: f32 = 0.225;
+const MOUSE_MM: f32 = 0.4;
+const MOUSE_S: f32 = 0.1;
+const GESTURE_S: f32 = 0.1;
+const JOINTS_S: f32 = 0.08;
+/// Beyond that distance the time follows from the speed.
+const NEAR_MM: f32 = 20.0;
+const GESTURE_MM_S: f32 = 200.0;
+const HIGHEST_MM: f32 = 135.0;
+const NO_WAY_DEG: f32 = 1e-6;
+pub(crate) const CLOSED_DEG: f32 = 45.0;

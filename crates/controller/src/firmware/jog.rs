@@ -1,0 +1,154 @@
+//! States 2 and 7 of the stock controller: jogging (note N44).
+
+use dobot_wire::Frame;
+
+use super::Outcome;
+use super::body::{Body, PERIOD_S};
+use super::settings::{Ramp, Settings};
+use crate::outputs::{servo_value, short};
+use crate::{Hang, Port};
+
+/// The one speed that all axes and both kinds of jog share; it outlives every other command.
+#[derive(Debug, Default)]
+pub(crate) struct Jog {
+    speed: f32,
+    /// The last axis that was held.
+    axis: i16,
+}
+
+/// Which of the two states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Joint,
+    Linear,
+}
+
+impl Jog {
+    /// A tick of a jog. It is finished in every tick, so that what waits replaces it.
+    pub(crate) fn tick(
+        &mut self,
+        kind: Kind,
+        frame: &Frame,
+        port: Port,
+        settings: &Settings,
+        body: &mut Body,
+    ) -> Outcome {
+        let outcome = match short(frame.float(2)) {
+            0 => self.release(kind, settings, body),
+            9 => press(body, |body| body.grab(true, body.gripper_deg)),
+            10 => press(body, |body| body.grab(false, body.gripper_deg)),
+            13 => press(body, |body| body.hands.laser = true),
+            14 => press(body, |body| body.hands.laser = false),
+            axis @ (1..=8 | 11 | 12) => {
+                let axis = if kind == Kind::Joint && port == Port::Bluetooth {
+                    exchanged(axis)
+                } else {
+                    axis
+                };
+                self.hold(kind, axis, frame.float(8), settings, body)
+            }
+            axis => Outcome::hangs(Hang::JogAxis(axis)),
+        };
+        body.turn_head(body.joints.servo_deg);
+        body.hands.gripper_servo = servo_value(body.gripper_deg);
+        outcome
+    }
+
+    fn hold(
+        &mut self,
+        kind: Kind,
+        axis: i16,
+        percent: f32,
+        settings: &Settings,
+        body: &mut Body,
+    ) -> Outcome {
+        self.axis = axis;
+        let ramp = ramp(kind, axis, settings);
+        let max = ramp.speed * percent / 100.0;
+        let change = ramp.acceleration * PERIOD_S;
+        if axis % 2 == 1 {
+            self.speed = if self.speed < max {
+                self.speed + change
+            } else {
+                max
+            };
+        } else {
+            self.speed = if self.speed > -max {
+                self.speed - change
+            } else {
+                -max
+            };
+        }
+        Outcome::over(self.advance(kind, body))
+    }
+
+    /// Runs the speed down; only then the command is over.
+    fn release(&mut self, kind: Kind, settings: &Settings, body: &mut Body) -> Outcome {
+        if self.speed == 0.0 {
+            return Outcome::OVER;
+        }
+        let change = ramp(kind, self.axis, settings).acceleration * PERIOD_S;
+        let is_plus = self.axis % 2 == 1;
+        let runs = if is_plus {
+            self.speed > 0.0
+        } else {
+            self.speed < 0.0
+        };
+        if !runs {
+            self.speed = 0.0;
+            return Outcome::over(self.advance(kind, body));
+        }
+        self.speed += if is_plus { -change } else { change };
+        if self.advance(kind, body) {
+            Outcome::GOES_ON
+        } else {
+            Outcome::over(false)
+        }
+    }
+
+    fn advance(&self, kind: Kind, body: &mut Body) -> bool {
+        let speed = self.speed;
+        let mut pose = body.pose;
+        match (kind, self.axis) {
+            (_, 11 | 12) => {
+                body.gripper_deg += speed * PERIOD_S;
+                return true;
+            }
+            (Kind::Joint, 1 | 2) => return body.advance([speed, 0.0, 0.0, 0.0]),
+            (Kind::Joint, 3 | 4) => return body.advance([0.0, speed, 0.0, 0.0]),
+            (Kind::Joint, 5 | 6) => return body.advance([0.0, 0.0, speed, 0.0]),
+            (Kind::Joint, _) => return body.advance([0.0, 0.0, 0.0, speed]),
+            (Kind::Linear, 1 | 2) => pose.x_mm += speed * PERIOD_S,
+            (Kind::Linear, 3 | 4) => pose.y_mm += speed * PERIOD_S,
+            (Kind::Linear, 5 | 6) => pose.z_mm += speed * PERIOD_S,
+            (Kind::Linear, _) => pose.rotation_deg += speed * PERIOD_S,
+        }
+        body.advance_to(pose)
+    }
+}
+
+fn press(body: &mut Body, button: impl Fn(&mut Body)) -> Outcome {
+    button(body);
+    Outcome::OVER
+}
+
+const fn ramp(kind: Kind, axis: i16, settings: &Settings) -> Ramp {
+    match (axis, kind) {
+        (7 | 8 | 11 | 12, _) => settings.jog_servo,
+        (_, Kind::Joint) => settings.jog_joint,
+        (_, Kind::Linear) => settings.jog_line,
+    }
+}
+
+/// Over Bluetooth joint jogs have other axes (note N38).
+const fn exchanged(axis: i16) -> i16 {
+    match axis {
+        1 => 3,
+        2 => 4,
+        3 => 1,
+        4 => 2,
+        5 => 6,
+        6 => 5,
+        other => other,
+    }
+}

@@ -1,0 +1,126 @@
+//! MOVJ of the stock controller: all joints start and arrive together (note N45).
+
+use dobot_arm::stock::Joints;
+
+use super::Progress;
+use super::body::{Body, PERIOD_S};
+use super::settings::Ramp;
+
+/// A way of all joints to some angles.
+#[derive(Debug)]
+pub(crate) struct JointWay {
+    axes: [Axis; 4],
+    /// How long it takes, in seconds.
+    pub(crate) total_s: f32,
+    ticks: i16,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    target_deg: f32,
+    is_done: bool,
+    /// Signed, as the peak.
+    acceleration: f32,
+    peak: f32,
+    /// How long it accelerates, and then goes on as fast.
+    ramp_s: f32,
+    cruise_s: f32,
+}
+
+impl JointWay {
+    /// Plans a way from where the body is.
+    pub(crate) fn plan(body: &Body, to: Joints, ramps: &[Ramp; 4]) -> Self {
+        let (from, to) = (angles(body.joints), angles(to));
+        let ways: [f32; 4] = core::array::from_fn(|axis| to[axis] - from[axis]);
+        // Not a maximum: what is no number displaces what is one.
+        let total_s = (0..4).fold(0.0, |longest, axis| {
+            let alone = time_alone(ways[axis].abs(), ramps[axis]);
+            if longest > alone { longest } else { alone }
+        });
+        Self {
+            axes: core::array::from_fn(|axis| {
+                Axis::plan(ways[axis], to[axis], ramps[axis], total_s)
+            }),
+            total_s,
+            ticks: 0,
+        }
+    }
+
+    /// One tick further; the tick after the last one notices the end.
+    pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
+        if self.axes.iter().all(|axis| axis.is_done) {
+            return Progress::Arrived;
+        }
+        self.ticks = self.ticks.wrapping_add(1);
+        let t_s = f32::from(self.ticks) * PERIOD_S;
+        let from = angles(body.joints);
+        let total_s = self.total_s;
+        let speeds = core::array::from_fn(|axis| self.axes[axis].speed(from[axis], t_s, total_s));
+        Progress::of(body.advance(speeds))
+    }
+}
+
+impl Axis {
+    /// Stretches the way of one joint to the time that the slowest one takes.
+    fn plan(way: f32, target_deg: f32, ramp: Ramp, total_s: f32) -> Self {
+        let (distance, sign) = (way.abs(), if way < 0.0 { -1.0 } else { 1.0 });
+        let (ramp_s, cruise_s, acceleration) = if 2.0 * distance / total_s <= ramp.speed {
+            let ramp_s = total_s / 2.0;
+            (ramp_s, 0.0, distance / (ramp_s * ramp_s))
+        } else {
+            let ramp_s = total_s - distance / ramp.speed;
+            (ramp_s, total_s - 2.0 * ramp_s, ramp.speed / ramp_s)
+        };
+        Self {
+            target_deg,
+            is_done: distance < NO_WAY_DEG,
+            acceleration: sign * acceleration,
+            peak: sign * acceleration * ramp_s,
+            ramp_s,
+            cruise_s,
+        }
+    }
+
+    /// The speed in the tick that ends at a time; the last one makes up for what is left.
+    fn speed(&mut self, from_deg: f32, t_s: f32, total_s: f32) -> f32 {
+        if self.is_done {
+            0.0
+        } else if t_s >= total_s {
+            self.is_done = true;
+            (self.target_deg - from_deg) / PERIOD_S
+        } else if t_s <= self.ramp_s {
+            self.acceleration * t_s
+        } else if t_s <= self.ramp_s + self.cruise_s {
+            self.peak
+        } else {
+            self.peak - self.acceleration * (t_s - self.ramp_s - self.cruise_s)
+        }
+    }
+}
+
+/// How long a joint would take by itself.
+fn time_alone(
+    distance: f32,
+    Ramp {
+        speed,
+        acceleration,
+    }: Ramp,
+) -> f32 {
+    if distance > speed * speed / acceleration {
+        distance / speed + speed / acceleration
+    } else {
+        2.0 * libm::sqrtf(distance / acceleration)
+    }
+}
+
+const fn angles(joints: Joints) -> [f32; 4] {
+    [
+        joints.base_deg,
+        joints.rear_deg,
+        joints.fore_deg,
+        joints.servo_deg,
+    ]
+}
+
+/// A joint that has less far to go stays.
+const NO_WAY_DEG: f32 = 1e-6;

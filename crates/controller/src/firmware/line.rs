@@ -1,0 +1,105 @@
+//! MOVL of the stock controller: a straight line (note N46).
+
+use dobot_arm::stock::Pose;
+
+use super::Progress;
+use super::body::{Body, PERIOD_S};
+use super::settings::Ramp;
+
+/// A straight line. There is but one: what a line that was cut short has travelled, the next one
+/// begins with.
+#[derive(Debug, Default)]
+pub(crate) struct Line {
+    start: [f32; 3],
+    direction: [f32; 3],
+    length: f32,
+    acceleration: f32,
+    peak: f32,
+    /// How long it accelerates, then goes on as fast, and takes in all.
+    ramp_s: f32,
+    cruise_s: f32,
+    pub(crate) total_s: f32,
+    ticks: i16,
+    travelled: f32,
+    is_done: bool,
+}
+
+impl Line {
+    /// Plans a line from where the body is. One without length has no direction: its parts are not
+    /// numbers.
+    pub(crate) fn plan(&mut self, from: Pose, [x, y, z]: [f32; 3], ramp: Ramp) {
+        let [dx, dy, dz] = [x - from.x_mm, y - from.y_mm, z - from.z_mm];
+        let length = libm::sqrtf(dx * dx + dy * dy + dz * dz);
+        let Ramp {
+            speed,
+            acceleration,
+        } = ramp;
+        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration < length {
+            let cruise_s = (length - speed * speed / acceleration) / speed;
+            (speed / acceleration, cruise_s, speed)
+        } else {
+            let ramp_s = libm::sqrtf(length / acceleration);
+            (ramp_s, 0.0, libm::sqrtf(acceleration * length))
+        };
+        *self = Self {
+            start: [from.x_mm, from.y_mm, from.z_mm],
+            direction: [dx / length, dy / length, dz / length],
+            length,
+            acceleration,
+            peak,
+            ramp_s,
+            cruise_s,
+            total_s: 2.0 * ramp_s + cruise_s,
+            ticks: 0,
+            travelled: self.travelled,
+            is_done: false,
+        };
+    }
+
+    /// One tick further, with the tool direction as it is; the tick after the last one notices the
+    /// end.
+    pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
+        if self.is_done {
+            self.forget_travelled();
+            return Progress::Arrived;
+        }
+        self.ticks = self.ticks.wrapping_add(1);
+        let t_s = f32::from(self.ticks) * PERIOD_S;
+        if t_s >= self.total_s {
+            self.is_done = true;
+            self.travelled = self.length;
+        } else {
+            self.travelled += self.speed(t_s) * PERIOD_S;
+        }
+        Progress::of(body.advance_to(along(
+            self.start,
+            self.direction,
+            self.travelled,
+            body.pose.rotation_deg,
+        )))
+    }
+
+    pub(crate) const fn forget_travelled(&mut self) {
+        self.travelled = 0.0;
+    }
+
+    fn speed(&self, t_s: f32) -> f32 {
+        if t_s <= self.ramp_s {
+            self.acceleration * t_s
+        } else if t_s <= self.ramp_s + self.cruise_s {
+            self.peak
+        } else {
+            self.peak - self.acceleration * (t_s - self.ramp_s - self.cruise_s)
+        }
+    }
+}
+
+/// The pose so far along a straight line.
+pub(crate) fn along(start: [f32; 3], direction: [f32; 3], by: f32, rotation_deg: f32) -> Pose {
+    Pose {
+        x_mm: start[0] + direction[0] * by,
+        y_mm: start[1] + direction[1] * by,
+        z_mm: start[2] + direction[2] * by,
+        rotation_deg,
+    }
+}

@@ -1,0 +1,121 @@
+//! How the stock controller finds packets among bytes (notes N39 and N40).
+
+use core::time::Duration;
+
+use dobot_wire::{Frame, HEADER, PACKET_LEN, TAIL};
+use heapless::Deque;
+
+use crate::Port;
+
+/// The receive buffer of the serial port, and the search for packets in it.
+///
+/// The buffer is looked at all the time, except while a tick calculates.
+#[derive(Debug)]
+pub(crate) struct Receiver {
+    port: Port,
+    ring: Deque<u8, RING_LEN>,
+    /// The header that was found, while the rest is waited for.
+    header: Option<u8>,
+    /// Until when a tick calculates.
+    busy_until: Duration,
+    /// Bytes that belong to no packet, or found no place.
+    pub(crate) skipped: u64,
+}
+
+/// What was found in the receive buffer.
+#[derive(Debug)]
+pub(crate) enum Found {
+    /// A packet with a right tail.
+    Frame(Frame),
+    /// Forty bytes of text with a right tail, over Bluetooth.
+    Voice([u8; BODY_LEN - 1]),
+    /// A packet whose last byte is wrong.
+    BadTail {
+        /// Its first byte.
+        header: u8,
+    },
+    /// More bytes than a packet has, before anybody looked.
+    TooLong,
+}
+
+impl Receiver {
+    pub(crate) const fn new(port: Port) -> Self {
+        Self {
+            port,
+            ring: Deque::new(),
+            header: None,
+            busy_until: Duration::ZERO,
+            skipped: 0,
+        }
+    }
+
+    /// Nobody looks before that time.
+    pub(crate) const fn set_busy_until(&mut self, time: Duration) {
+        self.busy_until = time;
+    }
+
+    pub(crate) fn is_busy(&self, now: Duration) -> bool {
+        now < self.busy_until
+    }
+
+    /// Takes a byte that arrives.
+    pub(crate) fn push(&mut self, byte: u8) {
+        if self.ring.push_back(byte).is_err() {
+            self.skipped += 1;
+        }
+    }
+
+    /// Looks at the buffer; `None` when there is nothing more to be found in it now.
+    pub(crate) fn look(&mut self) -> Option<Found> {
+        let header = match self.header {
+            Some(header) => header,
+            None => self.hunt()?,
+        };
+        self.header = Some(header);
+        if self.ring.len() < BODY_LEN {
+            return None;
+        }
+        self.header = None;
+        if self.ring.len() > BODY_LEN && self.port == Port::Usb {
+            // The bytes stay, and the hunt goes on inside of them.
+            self.skipped += 1;
+            return Some(Found::TooLong);
+        }
+        Some(self.take_packet(header))
+    }
+
+    /// Discards bytes up to a header.
+    fn hunt(&mut self) -> Option<u8> {
+        while let Some(byte) = self.ring.pop_front() {
+            if byte == HEADER || (byte == VOICE_HEADER && self.port == Port::Bluetooth) {
+                return Some(byte);
+            }
+            self.skipped += 1;
+        }
+        None
+    }
+
+    fn take_packet(&mut self, header: u8) -> Found {
+        let mut packet = [0; PACKET_LEN];
+        packet[0] = header;
+        for byte in &mut packet[1..] {
+            *byte = self.ring.pop_front().expect("there are as many");
+        }
+        let [_, text @ .., tail] = packet;
+        match (header, tail) {
+            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text),
+            (HEADER, TAIL) => Found::Frame(Frame::from_bytes(&packet).expect("so delimited")),
+            _ => {
+                self.skipped += PACKET_LEN as u64;
+                Found::BadTail { header }
+            }
+        }
+    }
+}
+
+/// What is waited for behind the header: ten floats, or a text, and the tail.
+const BODY_LEN: usize = PACKET_LEN - 1;
+/// Of 64 bytes the ring can use all but one.
+const RING_LEN: usize = 63;
+pub(crate) const VOICE_HEADER: u8 = 0xB5;
+const VOICE_TAIL: u8 = 0x5B;

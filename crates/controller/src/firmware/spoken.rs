@@ -1,0 +1,174 @@
+//! State 5 of the stock controller: voice, over Bluetooth (notes N17 and N50).
+
+use super::follow::CLOSED_DEG;
+use super::line::Line;
+use super::settings::Settings;
+use super::{Body, Outcome, Printer, Progress};
+use crate::Hang;
+
+/// The words that were understood last, and what becomes of them.
+#[derive(Debug, Default)]
+pub(crate) struct Spoken {
+    order: Option<Order>,
+    is_planned: bool,
+}
+
+/// What was understood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Order {
+    /// By so many millimetres.
+    Move([f32; 3]),
+    Catch,
+    Release,
+}
+
+/// What was found in a text.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Words {
+    order: Option<Order>,
+    /// The words that were recognised, and the sum of the numbers.
+    word: &'static str,
+    numbers: [&'static str; 4],
+    sum: u16,
+}
+
+impl Spoken {
+    pub(crate) const fn clear(&mut self) {
+        self.is_planned = false;
+    }
+
+    /// Takes another text; returns whether it orders anything.
+    pub(crate) fn hear(&mut self, words: &Words) -> bool {
+        if words.order.is_some() {
+            self.order = words.order;
+        }
+        words.order.is_some()
+    }
+
+    /// A tick of an order. A straight line that is under way already is gone to its end.
+    pub(crate) fn tick(
+        &mut self,
+        is_over: bool,
+        has_line: bool,
+        settings: &Settings,
+        line: &mut Line,
+        body: &mut Body,
+    ) -> Outcome {
+        if is_over {
+            return Outcome::OVER;
+        }
+        let Some(order) = self.order else {
+            return Outcome::hangs(Hang::NothingSaid);
+        };
+        match order {
+            _ if has_line || self.is_planned => {}
+            Order::Catch => {
+                body.grab(true, CLOSED_DEG);
+                return Outcome::OVER;
+            }
+            Order::Release => {
+                body.grab(false, 0.0);
+                return Outcome::OVER;
+            }
+            Order::Move([dx, dy, dz]) => {
+                let from = body.pose;
+                let to = [from.x_mm + dx, from.y_mm + dy, from.z_mm + dz];
+                line.plan(from, to, settings.line);
+                self.is_planned = true;
+            }
+        }
+        match line.tick(body) {
+            Progress::GoesOn => Outcome::GOES_ON,
+            Progress::Arrived => Outcome::OVER,
+            Progress::CutShort => Outcome::over(false),
+        }
+    }
+}
+
+impl Words {
+    /// Finds words anywhere in a text, inside of others too; what follows a zero is not read.
+    pub(crate) fn find(text: &[u8]) -> Self {
+        let text = text.split(|&byte| byte == 0).next().unwrap_or_default();
+        let first = |list: &[(&'static str, u16)]| {
+            list.iter()
+                .copied()
+                .find(|(word, _)| contains(text, word))
+                .unwrap_or_default()
+        };
+        let numbers = [&HUNDREDS[..], &TEENS, &TENS, &ONES].map(first);
+        let sum = numbers.iter().map(|(_, value)| value).sum();
+        let word = ORDERS.into_iter().find(|(word, _)| contains(text, word));
+        let (word, order) = word.map_or(("", None), |(word, order)| (word, order(f32::from(sum))));
+        Self {
+            order,
+            word,
+            numbers: numbers.map(|(word, _)| word),
+            sum,
+        }
+    }
+
+    /// What is printed on the other port: the words and the sum.
+    pub(crate) fn echo(&self, printer: &mut Printer) {
+        let Self { word, sum, .. } = self;
+        let [hundred, teen, ten, one] = self.numbers;
+        printer.print(format_args!("{word} {hundred}{teen}{ten}{one}{sum}"));
+    }
+}
+
+/// Whether a word is in a text, in small letters or with a capital one in front.
+fn contains(text: &[u8], word: &str) -> bool {
+    text.windows(word.len()).any(|part| {
+        part[0].to_ascii_lowercase() == word.as_bytes()[0] && part[1..] == word.as_bytes()[1..]
+    })
+}
+
+fn step(by: [f32; 3]) -> Option<Order> {
+    (by != [0.0; 3]).then_some(Order::Move(by))
+}
+
+/// The first one that is found counts.
+const ORDERS: [(&str, fn(f32) -> Option<Order>); 8] = [
+    ("ahead", |mm| step([mm, 0.0, 0.0])),
+    ("back", |mm| step([-mm, 0.0, 0.0])),
+    ("left", |mm| step([0.0, mm, 0.0])),
+    ("right", |mm| step([0.0, -mm, 0.0])),
+    ("up", |mm| step([0.0, 0.0, mm])),
+    ("down", |mm| step([0.0, 0.0, -mm])),
+    ("catch", |_| Some(Order::Catch)),
+    ("release", |_| Some(Order::Release)),
+];
+
+const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];
+const TEENS: [(&str, u16); 10] = [
+    ("ten", 10),
+    ("eleven", 11),
+    ("twelve", 12),
+    ("thirteen", 13),
+    ("fourteen", 14),
+    ("fifteen", 15),
+    ("sixteen", 16),
+    ("seventeen", 17),
+    ("eighteen", 18),
+    ("nineteen", 19),
+];
+const TENS: [(&str, u16); 8] = [
+    ("twenty", 20),
+    ("thirty", 30),
+    ("forty", 40),
+    ("fifty", 50),
+    ("sixty", 60),
+    ("seventy", 70),
+    ("eighty", 80),
+    ("ninety", 90),
+];
+const ONES: [(&str, u16); 9] = [
+    ("one", 1),
+    ("two", 2),
+    ("three", 3),
+    ("four", 4),
+    ("five", 5),
+    ("six", 6),
+    ("seven", 7),
+    ("eight", 8),
+    ("nine", 9),
+];

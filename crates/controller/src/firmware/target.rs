@@ -1,0 +1,293 @@
+//! States 3 and 6 of the stock controller: targets, with a pause and a tool at their end (notes N45
+//! to N47).
+
+use dobot_arm::stock::{Joints, Pose, forward, inverse, is_out_of_reach};
+use dobot_wire::Frame;
+
+use super::body::{Body, FORE_DEG, REAR_DEG};
+use super::joint_way::JointWay;
+use super::line::Line;
+use super::settings::Settings;
+use super::{Outcome, Progress};
+use crate::outputs::short;
+use crate::{Hang, Refused};
+
+/// The way to a target, and the pause at its end.
+#[derive(Debug, Default)]
+pub(crate) struct Travel {
+    way: Option<Way>,
+    pause: Option<Pause>,
+    /// Whether pump and gripper obey the command in force: from the middle of a pause on until the
+    /// next way is planned.
+    acts: bool,
+}
+
+#[derive(Debug)]
+enum Way {
+    Joints(JointWay),
+    /// Along the one line that there is; then the servo turns to this angle.
+    Line(End),
+    Jump(Jump),
+}
+
+/// How the angle of the servo at the end of a line is told.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    Rotation(f32),
+    Servo(f32),
+}
+
+/// Lift, across and down, each a way of all joints.
+#[derive(Debug)]
+struct Jump {
+    targets: [Pose; 3],
+    next: usize,
+    phase: Option<JointWay>,
+}
+
+/// A pause, counted in ticks of sixteen bits.
+#[derive(Debug, Default)]
+struct Pause {
+    ticks: i16,
+}
+
+/// Whether a target is given as a pose or as joint angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Pose,
+    Joints,
+}
+
+impl Travel {
+    /// Forgets what was going on: another command is in force.
+    pub(crate) fn clear(&mut self) {
+        self.way = None;
+        self.pause = None;
+    }
+
+    /// Whether a straight line is under way.
+    pub(crate) const fn has_line(&self) -> bool {
+        matches!((&self.way, &self.pause), (Some(Way::Line(_)), None))
+    }
+
+    /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
+    pub(crate) fn tick(
+        &mut self,
+        kind: Kind,
+        frame: &Frame,
+        is_over: bool,
+        settings: &Settings,
+        line: &mut Line,
+        body: &mut Body,
+    ) -> Outcome {
+        let outcome = match short(frame.float(8)) {
+            // A jump that is over is over; behind the others the pause begins anew (note N47).
+            JUMP if is_over => Outcome::OVER,
+            MOVJ | MOVL if is_over => {
+                self.pause = Some(Pause::default());
+                self.wait(frame)
+            }
+            JUMP | MOVJ | MOVL if self.pause.is_some() => self.wait(frame),
+            JUMP | MOVJ | MOVL => self.travel(kind, frame, settings, line, body),
+            other => Outcome::hangs(Hang::MovingMode(other)),
+        };
+        if self.acts {
+            act(frame, body);
+        }
+        body.turn_head(body.joints.servo_deg);
+        outcome
+    }
+
+    fn travel(
+        &mut self,
+        kind: Kind,
+        frame: &Frame,
+        settings: &Settings,
+        line: &mut Line,
+        body: &mut Body,
+    ) -> Outcome {
+        let way = match self.way.take() {
+            Some(way) => way,
+            None => match Way::plan(kind, frame, settings, line, body) {
+                Some(way) => {
+                    self.acts = false;
+                    way
+                }
+                None => return Outcome::over_with(Refused::OutOfReach),
+            },
+        };
+        let way = self.way.insert(way);
+        let progress = way.tick(settings, line, body);
+        if progress == Progress::GoesOn {
+            let endless = !way.total_s(line).is_finite();
+            return Outcome::hangs_if(endless, Hang::NeverArrives);
+        }
+        self.pause = Some(Pause::default());
+        let waiting = self.wait(frame);
+        match progress {
+            Progress::CutShort => waiting.with(Refused::CutShort),
+            _ => waiting,
+        }
+    }
+
+    /// A tick of the pause: the tool acts in the middle of it, the command is over at its end.
+    fn wait(&mut self, frame: &Frame) -> Outcome {
+        let pause_s = frame.float(10);
+        let Some(pause) = &mut self.pause else {
+            return Outcome::OVER;
+        };
+        pause.ticks = pause.ticks.wrapping_add(1);
+        let ticks = f32::from(pause.ticks);
+        self.acts |= ticks > 25.0 * pause_s;
+        if ticks > 50.0 * pause_s {
+            self.clear();
+            Outcome::OVER
+        } else {
+            Outcome::GOES_ON
+        }
+    }
+}
+
+impl Way {
+    /// Plans the way to a target; `None` where a MOVJ does not reach it.
+    fn plan(
+        kind: Kind,
+        frame: &Frame,
+        settings: &Settings,
+        line: &mut Line,
+        body: &Body,
+    ) -> Option<Self> {
+        let f = |n| frame.float(n);
+        let joints = Joints {
+            base_deg: f(3),
+            rear_deg: f(4),
+            fore_deg: f(5),
+            servo_deg: f(6),
+        };
+        let pose = match kind {
+            Kind::Pose => Pose {
+                x_mm: f(3),
+                y_mm: f(4),
+                z_mm: f(5),
+                rotation_deg: f(6),
+            },
+            Kind::Joints => forward(joints, body.tool_mm),
+        };
+        match (short(f(8)), kind) {
+            (MOVL, _) => {
+                line.plan(
+                    body.pose,
+                    [pose.x_mm, pose.y_mm, pose.z_mm],
+                    settings.line_ramp(),
+                );
+                Some(Self::Line(match kind {
+                    Kind::Pose => End::Rotation(f(6)),
+                    Kind::Joints => End::Servo(f(6)),
+                }))
+            }
+            (JUMP, _) => Some(Self::Jump(Jump::plan(
+                body.pose,
+                pose,
+                settings.jump_height_mm,
+            ))),
+            (_, Kind::Joints) => Some(Self::joints(joints, settings, body)),
+            (_, Kind::Pose) => Some(Self::joints(solve(pose, body)?, settings, body)),
+        }
+    }
+
+    /// The servo goes with the rear arm's acceleration.
+    fn joints(to: Joints, settings: &Settings, body: &Body) -> Self {
+        let mut ramps = settings.joint_ramps();
+        ramps[3].acceleration = ramps[1].acceleration;
+        Self::Joints(JointWay::plan(body, to, &ramps))
+    }
+
+    fn tick(&mut self, settings: &Settings, line: &mut Line, body: &mut Body) -> Progress {
+        match self {
+            Self::Joints(way) => {
+                let progress = way.tick(body);
+                if progress == Progress::Arrived {
+                    line.forget_travelled();
+                }
+                progress
+            }
+            Self::Line(end) => {
+                let progress = line.tick(body);
+                if progress == Progress::Arrived {
+                    body.set_servo(match *end {
+                        End::Rotation(rotation_deg) => rotation_deg - body.joints.base_deg,
+                        End::Servo(servo_deg) => servo_deg,
+                    });
+                }
+                progress
+            }
+            Self::Jump(jump) => jump.tick(settings, body),
+        }
+    }
+
+    fn total_s(&self, line: &Line) -> f32 {
+        match self {
+            Self::Joints(way) => way.total_s,
+            Self::Line(_) => line.total_s,
+            Self::Jump(jump) => jump.phase.as_ref().map_or(0.0, |way| way.total_s),
+        }
+    }
+}
+
+impl Jump {
+    fn plan(from: Pose, to: Pose, height_mm: f32) -> Self {
+        let lifted = |pose: Pose| Pose {
+            z_mm: pose.z_mm + height_mm,
+            ..pose
+        };
+        Self {
+            targets: [lifted(from), lifted(to), to],
+            next: 0,
+            phase: None,
+        }
+    }
+
+    /// One tick further. The next phase begins in the very tick in which the end of the last one is
+    /// noticed; one whose end is out of reach takes no time.
+    fn tick(&mut self, settings: &Settings, body: &mut Body) -> Progress {
+        loop {
+            if let Some(phase) = &mut self.phase
+                && phase.tick(body) == Progress::GoesOn
+            {
+                return Progress::GoesOn;
+            }
+            let Some(&target) = self.targets.get(self.next) else {
+                return Progress::Arrived;
+            };
+            self.next += 1;
+            self.phase =
+                solve(target, body).map(|to| JointWay::plan(body, to, &settings.joint_ramps()));
+        }
+    }
+}
+
+/// The joint angles for a pose, if a MOVJ may go there.
+pub(crate) fn solve(pose: Pose, body: &Body) -> Option<Joints> {
+    let joints = inverse(pose, body.tool_mm);
+    let refused = is_out_of_reach(pose, body.tool_mm)
+        || joints.rear_deg < REAR_DEG[0]
+        || joints.rear_deg > REAR_DEG[1]
+        || joints.fore_deg < FORE_DEG[0]
+        || joints.fore_deg > FORE_DEG[1];
+    (!refused).then_some(joints)
+}
+
+/// Pump and gripper at the end of a way.
+fn act(frame: &Frame, body: &mut Body) {
+    let (grabs, gripper_deg) = (frame.float(7), frame.float(9));
+    if grabs == 1.0 {
+        body.grab(true, gripper_deg);
+    } else if grabs == 0.0 {
+        body.grab(false, gripper_deg);
+    }
+    body.gripper_deg = gripper_deg;
+}
+
+const JUMP: i16 = 0;
+const MOVJ: i16 = 1;
+pub(crate) const MOVL: i16 = 2;

@@ -1,0 +1,91 @@
+//! When a status is sent (notes N20 and N38).
+
+use core::time::Duration;
+
+use dobot_wire::PACKET_LEN;
+use heapless::Deque;
+
+use crate::Port;
+use crate::log::Log;
+
+/// A status on its way out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Upload {
+    /// When its first byte leaves, since power-up: at a control tick, or as much later as the
+    /// program calculates.
+    pub at: Duration,
+    /// The packet.
+    pub bytes: [u8; PACKET_LEN],
+}
+
+/// Statuses sent that nobody has fetched yet.
+pub(crate) type Uploads = Deque<Upload, UPLOADS_LEN>;
+
+/// Which control ticks send a status.
+#[derive(Debug)]
+pub(crate) enum Schedule {
+    Usb {
+        /// Ticks since the last status in which the queue had room.
+        ticks_with_room: u8,
+    },
+    Bluetooth {
+        /// Ticks since the cycle of eight began.
+        ticks: u8,
+    },
+}
+
+impl Schedule {
+    pub(crate) const fn new(port: Port) -> Self {
+        match port {
+            Port::Usb => Self::Usb { ticks_with_room: 0 },
+            Port::Bluetooth => Self::Bluetooth { ticks: 0 },
+        }
+    }
+
+    /// Takes another tick, in which so many commands wait. If a status is due, returns what is to be
+    /// added to its X.
+    pub(crate) const fn tick(&mut self, waiting: usize) -> Option<f32> {
+        match self {
+            Self::Usb { ticks_with_room } => {
+                if waiting < STALLS_AT {
+                    *ticks_with_room += 1;
+                }
+                if *ticks_with_room < TICKS_PER_STATUS {
+                    return None;
+                }
+                *ticks_with_room = 0;
+                Some(0.0)
+            }
+            Self::Bluetooth { ticks } => {
+                *ticks = *ticks % BLUETOOTH_CYCLE + 1;
+                match *ticks {
+                    1 | 5 => Some(NO_PERMIT_MM),
+                    3 if waiting < FULL_AT => Some(0.0),
+                    _ => None,
+                }
+            }
+        }
+    }
+}
+
+/// Queues a status to be fetched; the oldest is lost where nobody fetches.
+pub(crate) fn push(uploads: &mut Uploads, upload: Upload, log: &mut Log) {
+    log.counters.statuses += 1;
+    if uploads.is_full() {
+        uploads.pop_front();
+        log.counters.lost_statuses += 1;
+    }
+    uploads.push_back(upload).expect("room was made just above");
+}
+
+/// A status comes every 80 ms (note N20).
+const TICKS_PER_STATUS: u8 = 4;
+/// With that many commands waiting no status is sent (note N20).
+const STALLS_AT: usize = 4;
+/// With that many commands waiting no status over Bluetooth permits another one (note N38).
+const FULL_AT: usize = 6;
+const BLUETOOTH_CYCLE: u8 = 8;
+/// What is added to the X of a status over Bluetooth that permits no command (note N38).
+const NO_PERMIT_MM: f32 = 1000.0;
+/// Beyond the last of them statuses are lost: more than a second's worth.
+const UPLOADS_LEN: usize = 32;
