@@ -22,12 +22,20 @@ mod in_process;
 mod line;
 #[cfg(unix)]
 mod pty;
+mod script;
 mod serve;
+mod simulate;
+mod trace;
 mod virtual_arm;
 
 pub use in_process::InProcess;
 pub use line::Line;
 #[cfg(unix)]
 pub use pty::Pty;
+pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
 pub use serve::{DEFAULT_TCP, RECORDING_PERIOD, Server, ServerEvent};
+pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
+pub use trace::{
+    Comparison, Deviation, Difference, Tolerance, Trace, TraceError, TracedStatus, TracedTick,
+};
 pub use virtual_arm::{Sample, VirtualArm};

@@ -23,7 +23,7 @@ pub struct Line {
 impl Line {
     /// A line as that of a stock arm: 9600 baud nominal, of which its chip makes 1.04 ms a byte,
     /// 43.68 ms a packet (note N26).
-    pub const STOCK: Self = Self::new(Duration::from_micros(1040));
+    pub const STOCK: Self = Self::new(STOCK_BYTE_TIME);
 
     /// A line on which a byte takes so long.
     #[must_use]
@@ -81,6 +81,8 @@ impl Line {
     }
 }
 
+/// How long a byte takes on the line of a stock arm (note N26).
+pub(crate) const STOCK_BYTE_TIME: Duration = Duration::from_micros(1040);
 /// What the kernel of a computer keeps for a serial port.
 const CAPACITY: usize = 4096;
 

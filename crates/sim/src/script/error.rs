@@ -1,0 +1,120 @@
+//! What can be wrong with a script.
+
+use dobot_wire::ParseError;
+use thiserror::Error;
+
+/// Which line of a script is wrong, and what is wrong with it.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("line {line}: {problem}")]
+pub struct ScriptError {
+    /// The line's number; the first is 1.
+    pub line: usize,
+    /// What is wrong with it.
+    pub problem: Problem,
+}
+
+/// What is wrong with a line of a script.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// It begins with a word that begins no line.
+    #[error(
+        "the line begins with `{found}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"
+    )]
+    Beginning {
+        /// The word.
+        found: String,
+    },
+    /// It is a directive that nobody knows.
+    #[error(
+        "the directive is `{found}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`"
+    )]
+    Directive {
+        /// The directive.
+        found: String,
+    },
+    /// A directive stands for the second time.
+    #[error("`{name}` stands here for the second time; allowed is once")]
+    Twice {
+        /// The directive.
+        name: &'static str,
+    },
+    /// A word that has to be there is missing.
+    #[error("the line ends where {wanted} is due")]
+    Missing {
+        /// What is missing.
+        wanted: &'static str,
+    },
+    /// There are words too many.
+    #[error("behind the line's end stands `{found}`; allowed is nothing more")]
+    TooMuch {
+        /// The first of them.
+        found: String,
+    },
+    /// A time is none.
+    #[error("the time is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
+    Time {
+        /// The word.
+        found: String,
+    },
+    /// The end of the run is no time.
+    #[error("the end is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds")]
+    End {
+        /// The word.
+        found: String,
+    },
+    /// A line is to be sent before one that stands above it.
+    #[error(
+        "the time is {found_ms} ms; lines are sent in order, and after one at {latest_ms} ms that time or a later one is allowed"
+    )]
+    Backwards {
+        /// The time in milliseconds.
+        found_ms: f64,
+        /// The latest time above, in milliseconds.
+        latest_ms: f64,
+    },
+    /// What a tilt sensor reads is no angle.
+    #[error("the tilt sensor's angle is `{found}`; allowed are -180 to 180 degrees")]
+    Tilt {
+        /// The word.
+        found: String,
+    },
+    /// A port is none.
+    #[error("the port is `{found}`; allowed are `usb` and `bt`")]
+    Port {
+        /// The word.
+        found: String,
+    },
+    /// A packet has more or fewer floats than ten.
+    #[error("the packet has {found} floats; allowed are 10")]
+    FloatCount {
+        /// How many.
+        found: usize,
+    },
+    /// A float of a packet is none.
+    #[error("float {float} is `{found}`; allowed are numbers that fit four bytes, `nan` and `inf`")]
+    Float {
+        /// Its number; the first is 1.
+        float: usize,
+        /// The word.
+        found: String,
+    },
+    /// A word of a `raw` line is none.
+    #[error(
+        "word {word} of the bytes is `{found}`; allowed are two hex digits a byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MOST_BYTES} bytes a line"
+    )]
+    Bytes {
+        /// Its number; the first behind the time is 1.
+        word: usize,
+        /// The word.
+        found: String,
+    },
+    /// A text fits no voice packet.
+    #[error("{0}")]
+    Voice(ParseError),
+}
+
+/// A day.
+pub(super) const LONGEST_MS: u32 = 86_400_000;
+/// A minute of the line's time, and more than any buffer holds.
+pub(super) const MOST_BYTES: usize = 65_536;

@@ -1,0 +1,166 @@
+//! Traces from text.
+
+use dobot_controller::Outputs;
+use thiserror::Error;
+
+use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
+
+/// What is wrong with the text of a trace.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum TraceError {
+    /// The first line names other fields.
+    #[error("line 1 is `{found}`; allowed is `{allowed}`")]
+    Header {
+        /// The line.
+        found: String,
+        /// The fields of such a trace.
+        allowed: String,
+    },
+    /// A row has other fields than the first line names.
+    #[error("line {line} has {found} fields; allowed are {allowed}")]
+    Count {
+        /// The line's number; the first is 1.
+        line: usize,
+        /// How many.
+        found: usize,
+        /// How many there should be.
+        allowed: usize,
+    },
+    /// A field holds no such number.
+    #[error("line {line}, field {field} is `{found}`; allowed is {allowed}")]
+    Field {
+        /// The line's number; the first is 1.
+        line: usize,
+        /// The field's name.
+        field: &'static str,
+        /// What it holds.
+        found: String,
+        /// What it should hold.
+        allowed: &'static str,
+    },
+}
+
+impl Trace {
+    /// Reads a trace: its statuses and its ticks as CSV, and what was printed on the other port.
+    ///
+    /// # Errors
+    ///
+    /// [`TraceError`] for the first line that is none.
+    pub fn parse(statuses: &str, ticks: &str, other_port: &[u8]) -> Result<Self, TraceError> {
+        Ok(Self {
+            statuses: rows(statuses, STATUS_FIELDS, status)?,
+            ticks: rows(ticks, TICK_FIELDS, tick)?,
+            other_port: other_port.to_vec(),
+        })
+    }
+}
+
+fn status(row: &Row<'_, 11>) -> Result<TracedStatus, TraceError> {
+    let mut floats = [0.0; 10];
+    for (index, float) in floats.iter_mut().enumerate() {
+        *float = row.field(index + 1, "a number or `nan`")?;
+    }
+    Ok(TracedStatus {
+        tick: row.tick()?,
+        floats,
+    })
+}
+
+fn tick(row: &Row<'_, 12>) -> Result<TracedTick, TraceError> {
+    let pin = |index| -> Result<bool, TraceError> {
+        match row.words[index] {
+            "0" => Ok(false),
+            "1" => Ok(true),
+            _ => Err(row.wrong(index, "0 or 1")),
+        }
+    };
+    row.tick()?;
+    let whole = "a whole number";
+    Ok(TracedTick {
+        outputs: Outputs {
+            pulses: [
+                row.field(1, whole)?,
+                row.field(2, whole)?,
+                row.field(3, whole)?,
+            ],
+            head_servo: row.field(7, whole)?,
+            gripper_servo: row.field(8, whole)?,
+            pump: pin(9)?,
+            valve: pin(10)?,
+            laser: pin(11)?,
+        },
+        sums: [
+            row.field(4, whole)?,
+            row.field(5, whole)?,
+            row.field(6, whole)?,
+        ],
+    })
+}
+
+/// A line of CSV.
+struct Row<'a, const N: usize> {
+    line: usize,
+    names: [&'static str; N],
+    words: [&'a str; N],
+}
+
+impl<const N: usize> Row<'_, N> {
+    fn tick(&self) -> Result<u32, TraceError> {
+        let allowed = "a multiple of 20 ms";
+        let t_ms: u32 = self.field(0, allowed)?;
+        if i64::from(t_ms) % TICK_MS == 0 {
+            Ok(t_ms / TICK_MS.unsigned_abs() as u32)
+        } else {
+            Err(self.wrong(0, allowed))
+        }
+    }
+
+    fn field<T: std::str::FromStr>(
+        &self,
+        index: usize,
+        allowed: &'static str,
+    ) -> Result<T, TraceError> {
+        self.words[index]
+            .parse()
+            .map_err(|_| self.wrong(index, allowed))
+    }
+
+    fn wrong(&self, index: usize, allowed: &'static str) -> TraceError {
+        TraceError::Field {
+            line: self.line,
+            field: self.names[index],
+            found: self.words[index].to_owned(),
+            allowed,
+        }
+    }
+}
+
+fn rows<T, const N: usize>(
+    text: &str,
+    names: [&'static str; N],
+    read: impl Fn(&Row<'_, N>) -> Result<T, TraceError>,
+) -> Result<Vec<T>, TraceError> {
+    let mut lines = text.lines();
+    let header = lines.next().unwrap_or_default();
+    if header != names.join(",") {
+        return Err(TraceError::Header {
+            found: header.to_owned(),
+            allowed: names.join(","),
+        });
+    }
+    lines
+        .zip(2..)
+        .map(|(text, line)| {
+            let words: Vec<_> = text.split(',').collect();
+            let words = words
+                .try_into()
+                .map_err(|words: Vec<_>| TraceError::Count {
+                    line,
+                    found: words.len(),
+                    allowed: N,
+                })?;
+            read(&Row { line, names, words })
+        })
+        .collect()
+}
