@@ -10,6 +10,7 @@ mod jog;
 mod output;
 mod ports;
 mod set;
+mod simulate;
 mod status;
 mod travel;
 
@@ -35,6 +36,7 @@ enum Verb {
     Move(travel::Args),
     Jog(jog::Args),
     Set(set::Args),
+    Simulate(simulate::Args),
     Decode(decode::Args),
     Ports(ports::Args),
 }
@@ -49,19 +51,23 @@ fn main() -> ExitCode {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
+    match cli.verb {
+        Verb::Draw(args) => wait_for(draw::run(args)),
+        Verb::Arm(args) => wait_for(arm::run(args)),
+        Verb::Status(args) => wait_for(status::run(args)),
+        Verb::Move(args) => wait_for(travel::run(args)),
+        Verb::Jog(args) => wait_for(jog::run(args)),
+        Verb::Set(args) => wait_for(set::run(args)),
+        Verb::Simulate(args) => simulate::run(&args),
+        Verb::Decode(args) => decode::run(&args),
+        Verb::Ports(args) => ports::run(&args),
+    }
+}
+
+/// Runs a verb that waits for ports and for time.
+fn wait_for(verb: impl Future<Output = Result<(), Failure>>) -> Result<(), Failure> {
     let runtime = tokio::runtime::Runtime::new()?;
-    let result = runtime.block_on(async {
-        match cli.verb {
-            Verb::Draw(args) => draw::run(args).await,
-            Verb::Arm(args) => arm::run(args).await,
-            Verb::Status(args) => status::run(args).await,
-            Verb::Move(args) => travel::run(args).await,
-            Verb::Jog(args) => jog::run(args).await,
-            Verb::Set(args) => set::run(args).await,
-            Verb::Decode(args) => decode::run(&args),
-            Verb::Ports(args) => ports::run(&args),
-        }
-    });
+    let result = runtime.block_on(verb);
     // A read of standard input or a port may still hang in a thread of its own.
     runtime.shutdown_background();
     result

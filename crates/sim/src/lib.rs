@@ -20,6 +20,7 @@
 
 mod in_process;
 mod line;
+mod plot;
 #[cfg(unix)]
 mod pty;
 mod script;
@@ -30,6 +31,7 @@ mod virtual_arm;
 
 pub use in_process::InProcess;
 pub use line::Line;
+pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
 pub use pty::Pty;
 pub use script::{Problem, Script, ScriptError, ScriptLine, Start};

@@ -1,0 +1,204 @@
+//! `dobot simulate`: run a script in virtual time.
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, anyhow};
+use dobot_controller::Personality;
+use dobot_sim::{
+    Plot, Script, SimulateError, Simulation, Snapshot, Trace, simulate, simulate_watched,
+};
+
+use crate::failure::Failure;
+use crate::output;
+
+/// Run a script in virtual time, and write what the arm did
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot simulate square.script                                   a summary
+  dobot simulate square.script --plot square.svg                 path, joints and speeds as a picture
+  dobot simulate square.script --personality firmware-1.1 --trace square.csv
+  echo 'credit 3 0 240 0 0 0 0 2 0 0' | dobot simulate - --trace -
+
+A line of a script is one packet, `T f1 f2 ... f10`: T is when its first byte starts, in milliseconds,
+or `credit` for when the next status has arrived; the ten floats are those of the protocol. Besides
+there are `!end MS`, `!pose REAR FORE`, `!port usb|bt`, `raw T BYTES`, `voice T TEXT` and `# comments`.
+--trace OUT.csv writes the statuses to OUT.csv, every control tick to OUT.ticks.csv, and what the arm
+printed on its other port, if it did, to OUT.other_port.txt.")]
+pub(crate) struct Args {
+    /// The script, or - for standard input
+    script: PathBuf,
+    /// How the controller behaves: specification, or firmware-1.1 for an arm as it was sold
+    #[arg(long, value_name = "PERSONALITY", default_value_t)]
+    personality: Personality,
+    /// Write the statuses as CSV to a file that ends in .csv, with the ticks beside it; - for
+    /// standard output
+    #[arg(long, value_name = "OUT.csv", value_parser = trace_file)]
+    trace: Option<PathBuf>,
+    /// Draw path, joints and speeds, to a file that ends in .svg
+    #[arg(long, value_name = "OUT.svg", value_parser = plot_file)]
+    plot: Option<PathBuf>,
+}
+
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let name = if is_dash(&args.script) {
+        "standard input".to_owned()
+    } else {
+        args.script.display().to_string()
+    };
+    let script = parse(&read(&args.script)?, &name)?;
+    let (simulation, snapshots) = args.simulate(&script).map_err(cannot_run)?;
+    if let Some(file) = &args.trace {
+        write_trace(&simulation.trace, file)?;
+    }
+    if let Some(file) = &args.plot {
+        let plot = Plot {
+            title: &name,
+            personality: args.personality,
+            snapshots: &snapshots,
+        };
+        write(file, plot.to_svg().as_bytes())?;
+    }
+    let lines = script.lines.len();
+    if args.trace.is_none() && args.plot.is_none() {
+        output::line(&summary(&name, args.personality, lines, &simulation))?;
+    }
+    for warning in warnings(lines, &simulation) {
+        eprintln!("{warning}");
+    }
+    Ok(())
+}
+
+impl Args {
+    /// What came of the script; snapshots only where they are drawn.
+    fn simulate(&self, script: &Script) -> Result<(Simulation, Vec<Snapshot>), SimulateError> {
+        let mut snapshots = Vec::new();
+        let simulation = if self.plot.is_some() {
+            simulate_watched(script, self.personality, |at, controller| {
+                snapshots.push(Snapshot::of(controller, at));
+            })
+        } else {
+            simulate(script, self.personality)
+        };
+        Ok((simulation?, snapshots))
+    }
+}
+
+fn is_dash(file: &Path) -> bool {
+    file.as_os_str() == "-"
+}
+
+fn trace_file(text: &str) -> Result<PathBuf, String> {
+    if text == "-" || text.ends_with(".csv") {
+        Ok(text.into())
+    } else {
+        Err("it ends in neither `.csv` nor is it `-`".to_owned())
+    }
+}
+
+fn plot_file(text: &str) -> Result<PathBuf, String> {
+    if text.ends_with(".svg") {
+        Ok(text.into())
+    } else {
+        Err("it does not end in `.svg`".to_owned())
+    }
+}
+
+fn read(file: &Path) -> anyhow::Result<Vec<u8>> {
+    if is_dash(file) {
+        let mut bytes = Vec::new();
+        std::io::stdin()
+            .read_to_end(&mut bytes)
+            .context("cannot read standard input")?;
+        return Ok(bytes);
+    }
+    std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))
+}
+
+fn parse(bytes: &[u8], name: &str) -> anyhow::Result<Script> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let (before, rest) = bytes.split_at(error.valid_up_to());
+        let line = 1 + before.iter().filter(|&&it| it == b'\n').count();
+        anyhow!(
+            "{name}:{line}: byte {:02X} is no text; allowed is UTF-8",
+            rest[0]
+        )
+    })?;
+    Script::parse(text).map_err(|error| anyhow!("{name}:{}: {}", error.line, error.problem))
+}
+
+fn cannot_run(error: SimulateError) -> Failure {
+    match error {
+        SimulateError::NoBluetooth { .. } => {
+            Failure::new(error, "`--personality firmware-1.1` has that port")
+        }
+        _ => error.into(),
+    }
+}
+
+fn write(file: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    std::fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))
+}
+
+/// Writes the files of a trace. Text of the other port that an earlier run has left is removed
+/// where this one has none.
+fn write_trace(trace: &Trace, file: &Path) -> anyhow::Result<()> {
+    if is_dash(file) {
+        std::io::stdout().write_all(&trace.statuses_csv())?;
+        return Ok(());
+    }
+    write(file, &trace.statuses_csv())?;
+    write(&file.with_extension("ticks.csv"), &trace.ticks_csv())?;
+    let text = file.with_extension("other_port.txt");
+    if !trace.other_port.is_empty() {
+        return write(&text, &trace.other_port);
+    }
+    match std::fs::remove_file(&text) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("cannot remove {}", text.display()))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn summary(name: &str, personality: Personality, lines: usize, it: &Simulation) -> String {
+    let sent = lines - it.unsent;
+    let mut text = format!(
+        "{name}: {:.2} s of an arm that behaves as {personality}\n",
+        it.end.as_secs_f64()
+    );
+    text += &format!("lines sent   {sent} of {lines}\n");
+    text += &format!("statuses     {}\n", it.trace.statuses.len());
+    if let Some(last) = it.trace.statuses.last() {
+        let [x, y, z, turn, base, rear, fore, servo, ..] = last.floats;
+        text += &format!(
+            "last status  at {:.2} s: x {x:.3}  y {y:.3}  z {z:.3} mm   turn {turn:.2}°   base {base:.2}°  rear {rear:.2}°  fore {fore:.2}°  servo {servo:.2}°\n",
+            f64::from(last.tick) * 0.02
+        );
+    }
+    text + &format!("refused      {}", it.refused.len())
+}
+
+/// What a person should know about a run: a line each.
+fn warnings(lines: usize, it: &Simulation) -> Vec<String> {
+    let mut warnings: Vec<_> = it
+        .refused
+        .iter()
+        .take(TOLD)
+        .map(|(at, refused)| format!("at {} ms: {refused}", at.as_millis()))
+        .collect();
+    if it.refused.len() > TOLD {
+        warnings.push(format!("and {} more", it.refused.len() - TOLD));
+    }
+    if it.unsent > 0 {
+        warnings.push(format!(
+            "at the end {} of {lines} lines were still to be sent",
+            it.unsent
+        ));
+    }
+    warnings
+}
+
+/// Of so many refusals the text is told.
+const TOLD: usize = 10;

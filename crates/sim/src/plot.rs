@@ -1,0 +1,200 @@
+//! A run as a picture: the way of the tool, angles and speeds over time, pump and laser.
+
+mod axis;
+mod chart;
+mod sheet;
+mod views;
+
+use std::time::Duration;
+
+use dobot_controller::{Controller, Personality};
+
+use self::axis::Axis;
+use self::chart::{Chart, Curve, bands};
+use self::sheet::{Anchor, INK, SOFT, Sheet};
+use self::views::views;
+
+/// A picture of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Plot<'a> {
+    /// Above the picture.
+    pub title: &'a str,
+    /// How the controller behaved.
+    pub personality: Personality,
+    /// The arm at every control tick.
+    pub snapshots: &'a [Snapshot],
+}
+
+/// The arm at a control tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Snapshot {
+    /// When.
+    pub at: Duration,
+    /// The angles of base, rear arm, forearm and servo, in degrees.
+    pub joints_deg: [f64; 4],
+    /// Where the tool is told to be in the base frame: x, y and z in millimetres.
+    pub tool_mm: [f64; 3],
+    /// Whether the pump runs.
+    pub pump: bool,
+    /// Whether the laser is on.
+    pub laser: bool,
+}
+
+impl Plot<'_> {
+    /// The picture as the text of an SVG file.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
+        let mut sheet = Sheet::new(WIDTH, HEIGHT);
+        sheet.title([LEFT, 38.0], self.title);
+        sheet.text([LEFT, 60.0], Anchor::Start, SOFT, &self.subtitle());
+        views(&mut sheet, self.snapshots);
+        let time = self.time_axis();
+        self.angles(&mut sheet, &time);
+        self.speeds(&mut sheet, &time);
+        self.tool_speed(&mut sheet, &time);
+        bands(&mut sheet, &time, self.snapshots, BANDS_TOP);
+        sheet.finish()
+    }
+
+    fn subtitle(&self) -> String {
+        let time = self.end_s();
+        let end = match self.snapshots.last().map(|it| it.tool_mm) {
+            None => String::new(),
+            Some([x, y, z]) => format!("  ·  ends at x {x:.2}, y {y:.2}, z {z:.2} mm"),
+        };
+        format!("{}  ·  {time} s{end}", self.personality)
+    }
+
+    fn end_s(&self) -> f64 {
+        self.snapshots.last().map_or(0.0, |it| it.at.as_secs_f64())
+    }
+
+    fn time_axis(&self) -> Axis {
+        Axis::exact([0.0, self.end_s().max(TICK_S)], [LEFT, RIGHT])
+    }
+
+    fn angles(&self, sheet: &mut Sheet, time: &Axis) {
+        let chart = Chart {
+            title: "Joint angles",
+            unit: "°",
+            top: 545.0,
+            height: 190.0,
+        };
+        let curves = JOINTS.map(|(joint, name, color)| Curve {
+            name,
+            color,
+            points: self.over_time(|it, _| it.joints_deg[joint]),
+        });
+        chart.draw(sheet, time, &curves, self.snapshots);
+    }
+
+    fn speeds(&self, sheet: &mut Sheet, time: &Axis) {
+        let chart = Chart {
+            title: "Joint speeds",
+            unit: "°/s",
+            top: 790.0,
+            height: 160.0,
+        };
+        let curves = JOINTS.map(|(joint, name, color)| Curve {
+            name,
+            color,
+            points: self.over_time(|it, before| {
+                let way = it.joints_deg[joint] - before.joints_deg[joint];
+                if is_set_anew(it, before) {
+                    f64::NAN
+                } else {
+                    way / TICK_S
+                }
+            }),
+        });
+        chart.draw(sheet, time, &curves, self.snapshots);
+    }
+
+    fn tool_speed(&self, sheet: &mut Sheet, time: &Axis) {
+        let chart = Chart {
+            title: "Tool speed",
+            unit: "mm/s",
+            top: 1005.0,
+            height: 130.0,
+        };
+        let points = self.over_time(|it, before| {
+            if is_set_anew(it, before) {
+                f64::NAN
+            } else if it.joints_deg == before.joints_deg {
+                0.0 // Another tool changes the tool's place, too.
+            } else {
+                distance(it.tool_mm, before.tool_mm) / TICK_S
+            }
+        });
+        let curve = Curve {
+            name: "",
+            color: INK,
+            points,
+        };
+        chart.draw(sheet, time, &[curve], self.snapshots);
+    }
+
+    /// What the arm says at each time, of itself and of itself a tick before.
+    fn over_time(&self, value: impl Fn(&Snapshot, &Snapshot) -> f64) -> Vec<[f64; 2]> {
+        let before = self.snapshots.iter().take(1).chain(self.snapshots);
+        self.snapshots
+            .iter()
+            .zip(before)
+            .map(|(it, before)| [it.at.as_secs_f64(), value(it, before)])
+            .collect()
+    }
+}
+
+impl Snapshot {
+    /// What a controller says of its arm at this time, which is that of its last control tick.
+    #[must_use]
+    pub fn of(controller: &Controller, at: Duration) -> Self {
+        let joints = controller.joints_at(at);
+        let position = controller.pose_at(at).position;
+        Self {
+            at,
+            joints_deg: [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0],
+            tool_mm: [position.x.0, position.y.0, position.z.0],
+            pump: controller.suction(),
+            laser: controller.laser(),
+        }
+    }
+
+    /// Whether the arm knows where it is.
+    fn is_known(&self) -> bool {
+        self.joints_deg
+            .iter()
+            .chain(&self.tool_mm)
+            .all(|it| it.is_finite())
+    }
+}
+
+/// Whether the angles changed more in a tick than any motor turns: they were set.
+fn is_set_anew(it: &Snapshot, before: &Snapshot) -> bool {
+    let ways = it.joints_deg.iter().zip(&before.joints_deg);
+    ways.map(|(a, b)| (a - b).abs()).any(|way| way > 10.0)
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|n| (a[n] - b[n]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The joints: their places in a snapshot, names and colours, which the colour-blind can tell.
+const JOINTS: [(usize, &str, &str); 4] = [
+    (0, "base", "#0072b2"),
+    (1, "rear arm", "#d55e00"),
+    (2, "forearm", "#009e73"),
+    (3, "servo", "#aa4499"),
+];
+
+/// The control tick (note N27).
+const TICK_S: f64 = 0.02;
+const WIDTH: f64 = 1200.0;
+const HEIGHT: f64 = 1265.0;
+const LEFT: f64 = 84.0;
+const RIGHT: f64 = 1164.0;
+const BANDS_TOP: f64 = 1172.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test fails by it")]
+mod tests;

@@ -1,0 +1,148 @@
+//! Curves and bands over time.
+
+use super::Snapshot;
+use super::axis::{Axis, range};
+use super::sheet::{Anchor, GRID, INK, LASER, LOST, PANEL, PUMP, SOFT, Sheet};
+
+/// A chart of some curves over time.
+pub(super) struct Chart {
+    pub(super) title: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) top: f64,
+    pub(super) height: f64,
+}
+
+/// A curve: seconds and values.
+pub(super) struct Curve {
+    pub(super) name: &'static str,
+    pub(super) color: &'static str,
+    pub(super) points: Vec<[f64; 2]>,
+}
+
+impl Chart {
+    pub(super) fn draw(
+        &self,
+        sheet: &mut Sheet,
+        time: &Axis,
+        curves: &[Curve],
+        snapshots: &[Snapshot],
+    ) {
+        let values = curves.iter().flat_map(|it| &it.points).map(|it| it[1]);
+        let axis = Axis::around(values.chain([0.0]), 1.0, [self.top + self.height, self.top]);
+        let [left, right] = time.pixels();
+        let bottom = self.top + self.height;
+        sheet.area([left, self.top], [right, bottom], PANEL);
+        lost(sheet, time, snapshots, [self.top, bottom]);
+        time_grid(sheet, time, [self.top, bottom]);
+        for (value, text) in axis.ticks(34.0) {
+            let y = axis.pixel(value);
+            let color = if value == 0.0 { "#9ca3af" } else { GRID };
+            sheet.line([left, y], [right, y], color, 1.0);
+            sheet.text([left - 8.0, y + 4.5], Anchor::End, SOFT, &text);
+        }
+        for curve in curves {
+            for stroke in curve.strokes(time, &axis) {
+                sheet.curve(&stroke, curve.color, 1.6);
+            }
+        }
+        self.words(sheet, [left, right], curves);
+    }
+
+    fn words(&self, sheet: &mut Sheet, [left, right]: [f64; 2], curves: &[Curve]) {
+        let y = self.top - 10.0;
+        sheet.heading([left, y], &format!("{} ({})", self.title, self.unit));
+        let named = curves.iter().filter(|it| !it.name.is_empty());
+        for (n, curve) in named.rev().enumerate() {
+            let x = right - 110.0 * f64::from(u8::try_from(n).unwrap_or_default()) - 92.0;
+            sheet.line([x, y - 4.5], [x + 22.0, y - 4.5], curve.color, 3.0);
+            sheet.text([x + 29.0, y], Anchor::Start, INK, curve.name);
+        }
+    }
+}
+
+impl Curve {
+    /// The curve in pixels, in strokes where it is known.
+    fn strokes(&self, time: &Axis, axis: &Axis) -> Vec<Vec<[f64; 2]>> {
+        self.points
+            .chunk_by(|a, b| a[1].is_finite() == b[1].is_finite())
+            .filter(|run| run[0][1].is_finite())
+            .map(|run| {
+                let pixels = run.iter().map(|&[t, v]| [time.pixel(t), axis.pixel(v)]);
+                thinned(&pixels.collect::<Vec<_>>())
+            })
+            .collect()
+    }
+}
+
+/// Pump and laser as bands, and the time below all.
+pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top: f64) {
+    let [left, right] = time.pixels();
+    let lanes: [(&str, &str, fn(&Snapshot) -> bool); 2] = [
+        ("pump", PUMP, |it| it.pump),
+        ("laser", LASER, |it| it.laser),
+    ];
+    for (n, (name, color, is_on)) in (0_u8..).zip(lanes) {
+        let y = top + 20.0 * f64::from(n);
+        sheet.area([left, y], [right, y + 15.0], PANEL);
+        sheet.text([left - 8.0, y + 12.0], Anchor::End, INK, name);
+        for [from, to] in spans(snapshots, is_on) {
+            let (from, to) = (time.pixel(from), time.pixel(to));
+            sheet.area([from, y], [to.max(from + 1.0), y + 15.0], color);
+        }
+    }
+    let bottom = top + 40.0;
+    for (value, text) in time.ticks(80.0) {
+        sheet.text(
+            [time.pixel(value), bottom + 13.0],
+            Anchor::Middle,
+            SOFT,
+            &text,
+        );
+    }
+    let middle = (left + right) / 2.0;
+    sheet.text([middle, bottom + 34.0], Anchor::Middle, INK, "time (s)");
+}
+
+fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {
+    for (value, _) in time.ticks(80.0) {
+        let x = time.pixel(value);
+        sheet.line([x, top], [x, bottom], GRID, 1.0);
+    }
+}
+
+/// Marks where the pose is no number.
+fn lost(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], [top, bottom]: [f64; 2]) {
+    for [from, to] in spans(snapshots, |it| !it.is_known()) {
+        let (from, to) = (time.pixel(from), time.pixel(to));
+        sheet.area([from, top], [to, bottom], LOST);
+        if to - from > 110.0 {
+            let middle = [(from + to) / 2.0, bottom - 8.0];
+            sheet.text(middle, Anchor::Middle, LASER, "the pose is NaN");
+        }
+    }
+}
+
+/// From when to when something holds, in seconds.
+fn spans(snapshots: &[Snapshot], holds: impl Fn(&Snapshot) -> bool) -> Vec<[f64; 2]> {
+    let runs = snapshots.chunk_by(|a, b| holds(a) == holds(b));
+    runs.filter(|run| holds(&run[0]))
+        .map(|run| [&run[0], &run[run.len() - 1]].map(|it| it.at.as_secs_f64()))
+        .collect()
+}
+
+/// Of the points in a column of pixels: the first, the lowest, the highest and the last.
+fn thinned(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut kept = Vec::new();
+    for column in pixels.chunk_by(|a, b| a[0].floor() == b[0].floor()) {
+        if column.len() <= 4 {
+            kept.extend_from_slice(column);
+            continue;
+        }
+        let [low, high] = range(column.iter().map(|it| it[1]));
+        let at = |y: f64| column.iter().position(|it| it[1] == y).unwrap_or_default();
+        let mut places = [0, at(low), at(high), column.len() - 1];
+        places.sort_unstable();
+        kept.extend(places.map(|it| column[it]));
+    }
+    kept
+}

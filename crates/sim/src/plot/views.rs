@@ -1,0 +1,195 @@
+//! The way of the tool, from above and from the side.
+
+use super::axis::{Axis, range};
+use super::sheet::{Anchor, GRID, INK, LASER, PANEL, PAPER, PUMP, SOFT, Sheet};
+use super::{LEFT, RIGHT, Snapshot};
+
+/// Draws both views, and what their colours mean.
+pub(super) fn views(sheet: &mut Sheet, snapshots: &[Snapshot]) {
+    let middle = (LEFT + RIGHT) / 2.0;
+    let top = View {
+        title: "From above",
+        axes: ["x (mm)", "y (mm)"],
+        pixels: [LEFT, middle - 44.0],
+        points: points(snapshots, |[x, y, _]| [x, y]),
+    };
+    let side = View {
+        title: "From the side",
+        axes: ["reach from the base axis (mm)", "z (mm)"],
+        pixels: [middle + 44.0, RIGHT],
+        points: points(snapshots, |[x, y, z]| [x.hypot(y), z]),
+    };
+    top.draw(sheet, snapshots);
+    side.draw(sheet, snapshots);
+    legend(sheet, snapshots);
+}
+
+struct View {
+    title: &'static str,
+    axes: [&'static str; 2],
+    pixels: [f64; 2],
+    points: Vec<[f64; 2]>,
+}
+
+impl View {
+    fn draw(&self, sheet: &mut Sheet, snapshots: &[Snapshot]) {
+        let axes = self.scales();
+        self.frame(sheet, &axes);
+        let kinds = snapshots.iter().map(Kind::of);
+        let points = self
+            .points
+            .iter()
+            .map(|&[u, v]| [axes[0].pixel(u), axes[1].pixel(v)]);
+        let pixels: Vec<_> = points.zip(kinds).collect();
+        for (stroke, kind) in strokes(&pixels) {
+            sheet.curve(&stroke, kind.color(), kind.width());
+        }
+        let known = || pixels.iter().map(|it| it.0).filter(|it| it[0].is_finite());
+        if let (Some(first), Some(last)) = (known().next(), known().next_back()) {
+            sheet.dot(first, PAPER);
+            sheet.dot(last, INK);
+        }
+    }
+
+    /// Millimetres are as long upwards as sideways.
+    fn scales(&self) -> [Axis; 2] {
+        let [left, right] = self.pixels;
+        let spans = [0, 1].map(|n| range(self.points.iter().map(|it| it[n])));
+        let sizes = [right - left, BOTTOM - TOP];
+        let mm_per_pixel = (0..2)
+            .map(|n| (1.12 * (spans[n][1] - spans[n][0])).max(20.0) / sizes[n])
+            .fold(0.0, f64::max);
+        let axis = |n: usize, pixels| {
+            let center = (spans[n][0] + spans[n][1]) / 2.0;
+            let half = sizes[n] * mm_per_pixel / 2.0;
+            Axis::exact([center - half, center + half], pixels)
+        };
+        [axis(0, [left, right]), axis(1, [BOTTOM, TOP])]
+    }
+
+    fn frame(&self, sheet: &mut Sheet, axes: &[Axis; 2]) {
+        let [left, right] = self.pixels;
+        sheet.heading([left, TOP - 10.0], self.title);
+        sheet.area([left, TOP], [right, BOTTOM], PANEL);
+        for (value, text) in axes[0].ticks(60.0) {
+            let x = axes[0].pixel(value);
+            sheet.line([x, TOP], [x, BOTTOM], GRID, 1.0);
+            sheet.text([x, BOTTOM + 18.0], Anchor::Middle, SOFT, &text);
+        }
+        for (value, text) in axes[1].ticks(50.0) {
+            let y = axes[1].pixel(value);
+            sheet.line([left, y], [right, y], GRID, 1.0);
+            sheet.text([left - 8.0, y + 4.5], Anchor::End, SOFT, &text);
+        }
+        let middle = (left + right) / 2.0;
+        sheet.text([middle, BOTTOM + 38.0], Anchor::Middle, INK, self.axes[0]);
+        sheet.text(
+            [right, TOP - 10.0],
+            Anchor::End,
+            INK,
+            &format!("↑ {}", self.axes[1]),
+        );
+    }
+}
+
+/// What the tool does on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Free,
+    Pump,
+    Laser,
+}
+
+impl Kind {
+    const fn of(snapshot: &Snapshot) -> Self {
+        match snapshot {
+            Snapshot { laser: true, .. } => Self::Laser,
+            Snapshot { pump: true, .. } => Self::Pump,
+            _ => Self::Free,
+        }
+    }
+
+    const fn color(self) -> &'static str {
+        match self {
+            Self::Free => "#64748b",
+            Self::Pump => PUMP,
+            Self::Laser => LASER,
+        }
+    }
+
+    const fn width(self) -> f64 {
+        match self {
+            Self::Free => 1.6,
+            Self::Pump | Self::Laser => 2.6,
+        }
+    }
+}
+
+fn points(snapshots: &[Snapshot], seen: impl Fn([f64; 3]) -> [f64; 2]) -> Vec<[f64; 2]> {
+    let place = |it: &Snapshot| {
+        if it.is_known() {
+            seen(it.tool_mm)
+        } else {
+            [f64::NAN; 2]
+        }
+    };
+    snapshots.iter().map(place).collect()
+}
+
+/// The way in strokes of one kind, without points nearer to each other than a part of a pixel,
+/// and without those that are none.
+fn strokes(pixels: &[([f64; 2], Kind)]) -> Vec<(Vec<[f64; 2]>, Kind)> {
+    let known = pixels.chunk_by(|a, b| a.0[0].is_finite() == b.0[0].is_finite());
+    let mut strokes = Vec::new();
+    for run in known.filter(|run| run[0].0[0].is_finite()) {
+        let mut from = run[0].0;
+        for run in run.chunk_by(|a, b| a.1 == b.1) {
+            let points = run.iter().map(|it| it.0);
+            strokes.push((thinned(from, points), run[0].1));
+            from = run[run.len() - 1].0;
+        }
+    }
+    strokes
+}
+
+fn thinned(from: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut kept = vec![from];
+    let mut last = from;
+    let mut skipped = None;
+    for point in points {
+        if (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4 {
+            kept.push(point);
+            last = point;
+            skipped = None;
+        } else if point != last {
+            skipped = Some(point);
+        }
+    }
+    kept.extend(skipped);
+    kept
+}
+
+fn legend(sheet: &mut Sheet, snapshots: &[Snapshot]) {
+    let names = [
+        (Kind::Free, "the tool's way"),
+        (Kind::Pump, "with the pump on"),
+        (Kind::Laser, "with the laser on"),
+    ];
+    let mut x = LEFT;
+    for (kind, name) in names {
+        if snapshots.iter().any(|it| Kind::of(it) == kind) {
+            sheet.line([x, LEGEND], [x + 26.0, LEGEND], kind.color(), kind.width());
+            sheet.text([x + 34.0, LEGEND + 4.5], Anchor::Start, INK, name);
+            x += 160.0;
+        }
+    }
+    for (fill, name) in [(PAPER, "start"), (INK, "end")] {
+        sheet.dot([x + 6.0, LEGEND], fill);
+        sheet.text([x + 18.0, LEGEND + 4.5], Anchor::Start, INK, name);
+        x += 70.0;
+    }
+}
+
+const TOP: f64 = 106.0;
+const BOTTOM: f64 = 446.0;
+const LEGEND: f64 = 508.0;
