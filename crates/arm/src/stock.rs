@@ -1,9 +1,13 @@
-//! The kinematics of the stock controller: single precision, pi = 3.1416.
+//! The kinematics of the stock controller, in single precision.
 //!
 //! Its rounding is part of its behaviour: ticks are counted and values truncated, so that a
 //! difference in the last digit may show as millimetres later. A twin of the stock controller
 //! calculates with these; planning calculates with [`forward`](crate::forward) and
 //! [`inverse`](crate::inverse).
+
+mod functions;
+
+use self::functions::{acos, atan, atan2, cos, sin};
 
 /// The joint angles as the stock controller holds them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,18 +38,17 @@ pub struct Pose {
 /// Where these joint angles bring a tool that reaches `tool_mm` beyond the wrist.
 ///
 /// The rear arm is calculated from its angle above level, 90 degrees less the joint angle. That
-/// shows: with this pi a right angle is not quite one, and thirty poses of a real arm fit to
-/// 0.0001 mm only so.
+/// shows in the last digits.
 #[must_use]
 pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
     let base = radians(joints.base_deg);
     let rear_above_level = radians(90.0 - joints.rear_deg);
     let fore = radians(joints.fore_deg);
-    let reach_mm = REAR_MM * libm::cosf(rear_above_level) + FORE_MM * libm::cosf(fore) + tool_mm;
+    let reach_mm = REAR_MM * cos(rear_above_level) + FORE_MM * cos(fore) + tool_mm;
     Pose {
-        x_mm: reach_mm * libm::cosf(base),
-        y_mm: reach_mm * libm::sinf(base),
-        z_mm: REAR_MM * libm::sinf(rear_above_level) - FORE_MM * libm::sinf(fore),
+        x_mm: reach_mm * cos(base),
+        y_mm: reach_mm * sin(base),
+        z_mm: REAR_MM * sin(rear_above_level) - FORE_MM * sin(fore),
         rotation_deg: joints.servo_deg + joints.base_deg,
     }
 }
@@ -56,14 +59,14 @@ pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
 /// takes the wrist's elevation from a plain arc tangent; the stock limits forbid that place.
 #[must_use]
 pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
-    let base_deg = degrees(libm::atan2f(pose.y_mm, pose.x_mm));
+    let base_deg = degrees(atan2(pose.y_mm, pose.x_mm));
     let up_mm = pose.z_mm;
     let across_mm = reach(pose) - tool_mm;
     let cosine = shoulder_cosine(across_mm, up_mm);
-    let rear_above_level = libm::acosf(cosine) + libm::atanf(up_mm / across_mm);
-    let fore = libm::atan2f(
-        REAR_MM * libm::sinf(rear_above_level) - up_mm,
-        across_mm - REAR_MM * libm::cosf(rear_above_level),
+    let rear_above_level = acos(cosine) + atan(up_mm / across_mm);
+    let fore = atan2(
+        REAR_MM * sin(rear_above_level) - up_mm,
+        across_mm - REAR_MM * cos(rear_above_level),
     );
     Joints {
         base_deg,
@@ -94,19 +97,14 @@ fn shoulder_cosine(across_mm: f32, up_mm: f32) -> f32 {
 }
 
 fn radians(angle_deg: f32) -> f32 {
-    angle_deg * PI / 180.0
+    angle_deg / 180.0 * PI
 }
 
 fn degrees(angle_rad: f32) -> f32 {
-    angle_rad * 180.0 / PI
+    angle_rad / PI * 180.0
 }
 
 const REAR_MM: f32 = 135.0;
 const FORE_MM: f32 = 160.0;
 
-/// Four decimals: the stock controller's own pi.
-#[expect(
-    clippy::approx_constant,
-    reason = "the stock controller calculates with this value"
-)]
-const PI: f32 = 3.1416;
+const PI: f32 = core::f32::consts::PI;

@@ -34,12 +34,13 @@ impl Line {
             speed,
             acceleration,
         } = ramp;
-        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration < length {
-            let cruise_s = (length - speed * speed / acceleration) / speed;
-            (speed / acceleration, cruise_s, speed)
-        } else {
+        // Neither longer nor shorter, because one of the two is not a number, counts as longer.
+        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration >= length {
             let ramp_s = libm::sqrtf(length / acceleration);
             (ramp_s, 0.0, libm::sqrtf(acceleration * length))
+        } else {
+            let cruise_s = (length - speed * speed / acceleration) / speed;
+            (speed / acceleration, cruise_s, speed)
         };
         *self = Self {
             start: [from.x_mm, from.y_mm, from.z_mm],
