@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use dobot_controller::{Controller, PowerUp};
+use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_wire::{
-    Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode,
+    Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode,
     PlaybackAdjustment, WriteMode, WriteVector,
 };
 
@@ -17,28 +17,43 @@ fn main() {
     divan::main();
 }
 
-#[divan::bench]
-fn idle(bencher: Bencher) {
-    bench(bencher, None, SPED_UP);
+#[divan::bench(args = Personality::ALL)]
+fn idle(bencher: Bencher, personality: Personality) {
+    bench(bencher, personality, None, SPED_UP);
 }
 
-#[divan::bench]
-fn movl(bencher: Bencher) {
-    bench(bencher, Some(target(MovingMode::MovL)), SPED_UP);
+#[divan::bench(args = Personality::ALL)]
+fn movl(bencher: Bencher, personality: Personality) {
+    bench(
+        bencher,
+        personality,
+        Some(target(MovingMode::MovL)),
+        SPED_UP,
+    );
 }
 
-#[divan::bench]
-fn movj(bencher: Bencher) {
-    bench(bencher, Some(target(MovingMode::MovJ)), SPED_UP);
+#[divan::bench(args = Personality::ALL)]
+fn movj(bencher: Bencher, personality: Personality) {
+    bench(
+        bencher,
+        personality,
+        Some(target(MovingMode::MovJ)),
+        SPED_UP,
+    );
 }
 
-#[divan::bench]
-fn jump(bencher: Bencher) {
-    bench(bencher, Some(target(MovingMode::Jump)), ACROSS);
+#[divan::bench(args = Personality::ALL)]
+fn jump(bencher: Bencher, personality: Personality) {
+    bench(
+        bencher,
+        personality,
+        Some(target(MovingMode::Jump)),
+        across(personality),
+    );
 }
 
-#[divan::bench]
-fn write_vector(bencher: Bencher) {
+#[divan::bench(args = Personality::ALL)]
+fn write_vector(bencher: Bencher, personality: Personality) {
     let vector = WriteVector {
         mode: WriteMode::Writing,
         x_mm: -10.0,
@@ -50,30 +65,30 @@ fn write_vector(bencher: Bencher) {
         max_speed_mm_s: 3.0,
         stop: false,
     };
-    bench(bencher, Some(vector.into()), SPED_UP);
+    bench(bencher, personality, Some(vector.into()), SPED_UP);
 }
 
-#[divan::bench]
-fn joint_jog(bencher: Bencher) {
+#[divan::bench(args = Personality::ALL)]
+fn joint_jog(bencher: Bencher, personality: Personality) {
     let jog = JointJog {
         axis: JointJogAxis::BasePlus,
         speed_percent: 10.0,
     };
-    bench(bencher, Some(jog.into()), SPED_UP);
+    bench(bencher, personality, Some(jog.into()), SPED_UP);
 }
 
-#[divan::bench]
-fn linear_jog(bencher: Bencher) {
+#[divan::bench(args = Personality::ALL)]
+fn linear_jog(bencher: Bencher, personality: Personality) {
     let jog = LinearJog {
         axis: LinearJogAxis::YPlus,
         speed_percent: 5.0,
     };
-    bench(bencher, Some(jog.into()), SPED_UP);
+    bench(bencher, personality, Some(jog.into()), SPED_UP);
 }
 
 /// Measures the ticks that follow the first `from`.
-fn bench(bencher: Bencher, command: Option<Command>, from: u32) {
-    let mut last = under_way(command, from);
+fn bench(bencher: Bencher, personality: Personality, command: Option<Command>, from: u32) {
+    let mut last = under_way(personality, command, from);
     tick(&mut last, from);
     let end = TICK * (from + TICKS);
     assert_eq!(
@@ -83,16 +98,17 @@ fn bench(bencher: Bencher, command: Option<Command>, from: u32) {
     );
     bencher
         .counter(ItemsCount::new(TICKS))
-        .with_inputs(|| under_way(command, from))
+        .with_inputs(|| under_way(personality, command, from))
         .bench_local_refs(|controller| tick(controller, from));
 }
 
 /// A controller that has begun what it was told.
-fn under_way(command: Option<Command>, until: u32) -> Controller {
-    let mut controller = Controller::power_up(PowerUp::default());
-    for command in [Some(SLOWLY), command].into_iter().flatten() {
-        let packet = command.emit(&Dialect::SPECIFICATION);
-        controller.handle_bytes(Duration::ZERO, &packet.to_bytes());
+fn under_way(personality: Personality, command: Option<Command>, until: u32) -> Controller {
+    let mut controller = Controller::power_up(PowerUp::new(personality));
+    for (command, ticks) in [Some(SLOWLY), command].into_iter().flatten().zip(1..) {
+        let packet = command.emit(&personality.dialect());
+        // In the middle of a tick, when it is not calculating.
+        controller.handle_bytes(TICK * ticks - TICK / 2, &packet.to_bytes());
     }
     controller.handle_time(TICK * until);
     while controller.poll_bytes().is_some() {}
@@ -131,5 +147,10 @@ const TICK: Duration = Duration::from_millis(20);
 const TICKS: u32 = 500;
 /// The ticks after which a motion has its speed.
 const SPED_UP: u32 = 10;
-/// The ticks after which a jump is over its rise.
-const ACROSS: u32 = 1500;
+/// The ticks after which a jump is over its rise: 20 mm straight up, or 3 degrees for 10 mm.
+const fn across(personality: Personality) -> u32 {
+    match personality {
+        Personality::Firmware11 => 200,
+        _ => 1500,
+    }
+}

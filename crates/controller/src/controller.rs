@@ -23,6 +23,8 @@ pub struct Controller {
     program: Program,
     /// The number of the next control tick.
     tick: u32,
+    /// How many ticks in a row nothing moved and nothing waited.
+    ticks_at_rest: u8,
     schedule: Schedule,
     steppers: Steppers,
     outputs: Outputs,
@@ -59,6 +61,7 @@ impl Controller {
         Self {
             program,
             tick: 0,
+            ticks_at_rest: 0,
             schedule: Schedule::new(port),
             steppers: Steppers::default(),
             outputs,
@@ -80,6 +83,7 @@ impl Controller {
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         loop {
+            self.rest_until(now);
             let at = self.poll_wakeup();
             if at > now {
                 return;
@@ -114,7 +118,7 @@ impl Controller {
     /// When [`Controller::handle_time`] wants to be called next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        let tick = self.next_tick();
+        let tick = TICK * (self.tick + self.ticks_to_rest());
         match &self.program {
             Program::Specification(it) => it.wakeup().map_or(tick, |it| it.min(tick)),
             Program::Firmware(_) => tick,
@@ -186,20 +190,50 @@ impl Controller {
         (since.as_secs_f64() / TICK.as_secs_f64()).min(1.0)
     }
 
+    /// How many ticks from now on change nothing and send nothing, as long as nothing arrives.
+    const fn ticks_to_rest(&self) -> u32 {
+        if self.ticks_at_rest < SETTLES_AFTER {
+            0
+        } else {
+            self.schedule.silent_ticks()
+        }
+    }
+
+    /// Passes over such ticks, as many as are due.
+    fn rest_until(&mut self, now: Duration) {
+        for _ in 0..self.ticks_to_rest() {
+            let at = self.next_tick();
+            if at > now {
+                return;
+            }
+            self.tick += 1;
+            self.schedule.tick(0);
+            if let Program::Firmware(it) = &mut self.program {
+                it.rest(at);
+            }
+        }
+    }
+
     fn tick(&mut self, at: Duration) {
         self.tick += 1;
         self.outputs = Outputs::new(self.steppers.exchange(), &self.program.hands());
-        let (waiting, way_deg) = match &mut self.program {
+        let (waiting, way_deg, is_at_rest) = match &mut self.program {
             Program::Specification(it) => {
                 it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg())
+                (it.waiting(), it.take_way_deg(), it.is_at_rest())
             }
             Program::Firmware(it) => {
                 it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg())
+                (it.waiting(), it.take_way_deg(), it.is_at_rest())
             }
         };
-        self.steppers.turn(way_deg);
+        if way_deg == [0.0; 3] {
+            let ticks = self.ticks_at_rest.saturating_add(1);
+            self.ticks_at_rest = if is_at_rest { ticks } else { 0 };
+        } else {
+            self.ticks_at_rest = 0;
+            self.steppers.turn(way_deg);
+        }
         if let Some(add_to_x_mm) = self.schedule.tick(waiting) {
             self.upload(at, add_to_x_mm);
         }
@@ -232,5 +266,7 @@ impl Program {
     }
 }
 
+/// After so many ticks without motion the last pulses are out, and all outputs are as they stay.
+const SETTLES_AFTER: u8 = 3;
 /// The control tick (note N27).
 pub(crate) const TICK: Duration = Duration::from_millis(20);

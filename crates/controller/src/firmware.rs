@@ -178,6 +178,23 @@ impl Firmware {
         self.fifo.len()
     }
 
+    /// Whether the command in force does nothing more and none waits.
+    pub(crate) fn is_at_rest(&self) -> bool {
+        let InForce {
+            state,
+            is_finished,
+            ref frame,
+            ..
+        } = self.in_force;
+        let is_jogging = matches!(state, JOINT_JOG | LINEAR_JOG) && short(frame.float(2)) != 0;
+        is_finished && self.fifo.len() == 0 && !is_jogging
+    }
+
+    /// Takes a tick at which nothing happens.
+    pub(crate) fn rest(&mut self, at: Duration) {
+        self.receiver.set_busy_until(at + self.computing);
+    }
+
     pub(crate) fn status(&self) -> Frame {
         Status {
             suction: self.body.hands.pump,
@@ -337,7 +354,7 @@ impl Firmware {
             MOUSE => self
                 .follow
                 .tick(follow::Kind::Mouse, frame, is_over, settings, body),
-            2 => self
+            JOINT_JOG => self
                 .jog
                 .tick(jog::Kind::Joint, frame, self.port, settings, body),
             3 => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
@@ -346,7 +363,7 @@ impl Firmware {
                 .spoken
                 .tick(is_over, travel.has_line(), settings, line, body),
             6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
-            7 => self
+            LINEAR_JOG => self
                 .jog
                 .tick(jog::Kind::Linear, frame, self.port, settings, body),
             GESTURE => self
@@ -389,8 +406,8 @@ impl Firmware {
         } = self.in_force;
         let is_first = core::mem::replace(is_new, false);
         let us = match state {
-            2 => 2400,
-            7 => 3700,
+            JOINT_JOG => 2400,
+            LINEAR_JOG => 3700,
             _ if is_finished => 1000,
             3 | 6 if is_first => 6500,
             3 | 6 if short(frame.float(8)) == target::MOVL => 4400,
@@ -498,6 +515,8 @@ const IDLE: i16 = 0;
 const MOUSE: i16 = 1;
 const VOICE: i16 = 5;
 const GESTURE: i16 = 8;
+const JOINT_JOG: i16 = 2;
+const LINEAR_JOG: i16 = 7;
 /// From the end of a tick's calculation until its status leaves.
 const SENDING: Duration = Duration::from_micros(600);
 const PRINTED_LEN: usize = 256;

@@ -61,7 +61,7 @@ impl Steppers {
             *residue += way_deg / 1.8 * 16.0 * 10.0;
             let pulses = whole(*residue);
             *residue -= pulses as f32;
-            self.pending[index] = direction * pulses;
+            self.pending[index] = direction.saturating_mul(pulses);
         }
     }
 

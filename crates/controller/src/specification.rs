@@ -96,6 +96,11 @@ impl Specification {
         self.queue.len()
     }
 
+    /// Whether nothing happens until something arrives.
+    pub(crate) fn is_at_rest(&self) -> bool {
+        self.running.is_none() && self.queue.is_empty()
+    }
+
     pub(crate) fn status(&self) -> Frame {
         self.state.status().emit()
     }

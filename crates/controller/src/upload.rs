@@ -42,6 +42,14 @@ impl Schedule {
         }
     }
 
+    /// How many ticks from now on send nothing, as long as nothing waits.
+    pub(crate) const fn silent_ticks(&self) -> u32 {
+        match self {
+            Self::Usb { ticks_with_room } => (TICKS_PER_STATUS - 1 - *ticks_with_room) as u32,
+            Self::Bluetooth { .. } => 0,
+        }
+    }
+
     /// Takes another tick, in which so many commands wait. If a status is due, returns what is to be
     /// added to its X.
     pub(crate) const fn tick(&mut self, waiting: usize) -> Option<f32> {
