@@ -1,0 +1,8 @@
+//! Everything that a person writes for a virtual arm: an error, but never a panic.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|text: &str| {
+    let _ = dobot_sim::Script::parse(text);
+});
