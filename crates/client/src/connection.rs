@@ -4,10 +4,9 @@ use std::io;
 use std::time::Duration;
 
 use dobot_wire::{Command, Dialect, Status};
-use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
-use tokio::time::Instant;
+use tokio::io::{AsyncRead, AsyncWrite};
 
-use crate::{Address, CommandId, Event, OpenError, Peer, SendError, Session, open};
+use crate::{Address, CommandId, Event, Link, OpenError, Peer, SendError, Session};
 
 /// A connection with an arm: a [`Session`] and the way its bytes travel.
 ///
@@ -17,24 +16,8 @@ use crate::{Address, CommandId, Event, OpenError, Peer, SendError, Session, open
 pub struct Connection {
     session: Session,
     link: Link,
-    /// Bytes on their way out, so that a cancelled wait tears no packet apart.
-    outgoing: Vec<u8>,
     incoming: Vec<u8>,
 }
-
-/// What bytes travel over.
-enum Link {
-    Stream {
-        stream: Box<dyn Stream>,
-        opened: Instant,
-    },
-    Peer(Box<dyn Peer>),
-}
-
-/// Anything that carries bytes both ways.
-trait Stream: AsyncRead + AsyncWrite + Unpin + Send {}
-
-impl<T: AsyncRead + AsyncWrite + Unpin + Send> Stream for T {}
 
 /// Why a conversation with an arm failed.
 #[derive(Debug, thiserror::Error)]
@@ -84,15 +67,7 @@ impl Connection {
     ///
     /// Outside of a tokio runtime.
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
-        Ok(match address {
-            Address::Virtual => return Err(OpenError::Virtual),
-            Address::Serial { path, baud } => {
-                Self::over_stream(open::serial(path, *baud)?, dialect)
-            }
-            Address::Tcp { host, port } => {
-                Self::over_stream(open::tcp(host, *port).await?, dialect)
-            }
-        })
+        Ok(Self::new(Link::open(address).await?, dialect))
     }
 
     /// A connection over anything that carries bytes both ways.
@@ -100,25 +75,18 @@ impl Connection {
         stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
         dialect: Option<Dialect>,
     ) -> Self {
-        Self::new(
-            Link::Stream {
-                stream: Box::new(stream),
-                opened: Instant::now(),
-            },
-            dialect,
-        )
+        Self::new(Link::over_stream(stream), dialect)
     }
 
     /// A connection with an arm in this process.
     pub fn over_peer(peer: impl Peer + 'static, dialect: Option<Dialect>) -> Self {
-        Self::new(Link::Peer(Box::new(peer)), dialect)
+        Self::new(Link::over_peer(peer), dialect)
     }
 
     fn new(link: Link, dialect: Option<Dialect>) -> Self {
         Self {
             session: Session::new(dialect),
             link,
-            outgoing: Vec::new(),
             incoming: Vec::new(),
         }
     }
@@ -146,10 +114,7 @@ impl Connection {
     /// The time since the connect, by the clock of the link.
     #[must_use]
     pub fn now(&self) -> Duration {
-        match &self.link {
-            Link::Stream { opened, .. } => opened.elapsed(),
-            Link::Peer(peer) => peer.now(),
-        }
+        self.link.now()
     }
 
     /// Waits for the next thing that happens. A wait that is cancelled loses nothing.
@@ -163,13 +128,10 @@ impl Connection {
                 return Ok(event);
             }
             while let Some(packet) = self.session.poll_bytes() {
-                self.outgoing.extend_from_slice(&packet.to_bytes());
+                self.link.send(&packet.to_bytes());
             }
             let wakeup = self.session.poll_wakeup();
-            let open = self
-                .link
-                .carry(&mut self.outgoing, &mut self.incoming, wakeup)
-                .await?;
+            let open = self.link.receive(wakeup, &mut self.incoming).await?;
             let now = self.now();
             self.session.handle_bytes(now, &self.incoming);
             self.incoming.clear();
@@ -215,23 +177,9 @@ impl Connection {
     /// [`LinkError`] when the link does not take it.
     pub async fn flush(&mut self) -> Result<(), LinkError> {
         while let Some(packet) = self.session.poll_bytes() {
-            self.outgoing.extend_from_slice(&packet.to_bytes());
+            self.link.send(&packet.to_bytes());
         }
-        match &mut self.link {
-            Link::Peer(peer) => peer.send(&self.outgoing),
-            Link::Stream { stream, .. } => {
-                let sending = async {
-                    stream.write_all(&self.outgoing).await?;
-                    stream.flush().await
-                };
-                match tokio::time::timeout(FLUSH_TIMEOUT, sending).await {
-                    Ok(sent) => sent.map_err(LinkError::Broken)?,
-                    Err(_) => return Err(LinkError::Closed),
-                }
-            }
-        }
-        self.outgoing.clear();
-        Ok(())
+        self.link.flush().await
     }
 }
 
@@ -255,77 +203,9 @@ impl Event {
     }
 }
 
-impl Link {
-    /// Sends and receives until bytes came or the time has come; returns whether the link is open.
-    async fn carry(
-        &mut self,
-        outgoing: &mut Vec<u8>,
-        incoming: &mut Vec<u8>,
-        until: Duration,
-    ) -> Result<bool, LinkError> {
-        match self {
-            Self::Peer(peer) => {
-                peer.send(outgoing);
-                outgoing.clear();
-                Ok(peer.receive(until, incoming))
-            }
-            Self::Stream { stream, opened } => {
-                let deadline = opened.checked_add(until);
-                carry_stream(stream, outgoing, incoming, deadline).await
-            }
-        }
-    }
-}
-
-impl std::fmt::Debug for Link {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Stream { opened, .. } => f
-                .debug_struct("Stream")
-                .field("opened", opened)
-                .finish_non_exhaustive(),
-            Self::Peer(peer) => f.debug_tuple("Peer").field(peer).finish(),
-        }
-    }
-}
-
-async fn carry_stream(
-    stream: &mut Box<dyn Stream>,
-    outgoing: &mut Vec<u8>,
-    incoming: &mut Vec<u8>,
-    deadline: Option<Instant>,
-) -> Result<bool, LinkError> {
-    let (mut reader, mut writer) = tokio::io::split(stream);
-    loop {
-        tokio::select! {
-            sent = writer.write(outgoing), if !outgoing.is_empty() => {
-                let sent = sent.map_err(LinkError::Broken)?;
-                if sent == 0 {
-                    return Ok(false);
-                }
-                outgoing.drain(..sent);
-            }
-            received = reader.read_buf(incoming) => {
-                return Ok(received.map_err(LinkError::Broken)? > 0);
-            }
-            () = wait_until(deadline) => return Ok(true),
-        }
-    }
-}
-
-async fn wait_until(deadline: Option<Instant>) {
-    match deadline {
-        Some(deadline) => tokio::time::sleep_until(deadline).await,
-        None => std::future::pending().await,
-    }
-}
-
 fn point(position: dobot_arm::Position) -> String {
     format!(
         "{:.2}, {:.2}, {:.2} mm",
         position.x.0, position.y.0, position.z.0
     )
 }
-
-/// Longer than a packet takes at 9600 baud; a port that takes none by then is dead.
-const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);

@@ -1,7 +1,7 @@
 //! A session with an original Dobot Arm over a serial port, TCP or in this process.
 //!
 //! [`Session`] is the engine: one command per status received, resynchronisation, link loss and
-//! completion read off the statuses. [`Connection`] is its thin async shell.
+//! completion read off the statuses. [`Connection`] is its thin async shell, over a [`Link`] of bytes.
 //!
 //! ```no_run
 //! use dobot_client::Connection;
@@ -28,6 +28,7 @@
 mod address;
 mod completion;
 mod connection;
+mod link;
 mod open;
 mod pace;
 mod peer;
@@ -37,6 +38,7 @@ mod session;
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use completion::position;
 pub use connection::{Connection, LinkError};
+pub use link::Link;
 pub use open::OpenError;
 pub use peer::Peer;
 pub use ports::{Port, ports};

@@ -1,0 +1,179 @@
+//! The way that bytes travel to an arm and back.
+
+use std::time::Duration;
+
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
+use tokio::time::Instant;
+
+use crate::{Address, LinkError, OpenError, Peer, open};
+
+/// The way that bytes travel to an arm and back, with a clock: a serial port, TCP or a peer in this
+/// process, whose time passes only when somebody waits for it.
+///
+/// It knows nothing about packets: [`Connection`](crate::Connection) puts a session on top of it.
+#[derive(Debug)]
+pub struct Link {
+    way: Way,
+    /// Bytes on their way out, so that a cancelled wait tears no packet apart.
+    outgoing: Vec<u8>,
+}
+
+/// What bytes travel over.
+enum Way {
+    Stream {
+        stream: Box<dyn Stream>,
+        opened: Instant,
+    },
+    Peer(Box<dyn Peer>),
+}
+
+/// Anything that carries bytes both ways.
+trait Stream: AsyncRead + AsyncWrite + Unpin + Send {}
+
+impl<T: AsyncRead + AsyncWrite + Unpin + Send> Stream for T {}
+
+impl Link {
+    /// Opens a serial port or a TCP connection.
+    ///
+    /// # Errors
+    ///
+    /// [`OpenError`], with what to do about it.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn open(address: &Address) -> Result<Self, OpenError> {
+        Ok(match address {
+            Address::Virtual => return Err(OpenError::Virtual),
+            Address::Serial { path, baud } => Self::over_stream(open::serial(path, *baud)?),
+            Address::Tcp { host, port } => Self::over_stream(open::tcp(host, *port).await?),
+        })
+    }
+
+    /// A link over anything that carries bytes both ways.
+    pub fn over_stream(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static) -> Self {
+        Self::new(Way::Stream {
+            stream: Box::new(stream),
+            opened: Instant::now(),
+        })
+    }
+
+    /// A link with an arm in this process.
+    pub fn over_peer(peer: impl Peer + 'static) -> Self {
+        Self::new(Way::Peer(Box::new(peer)))
+    }
+
+    const fn new(way: Way) -> Self {
+        Self {
+            way,
+            outgoing: Vec::new(),
+        }
+    }
+
+    /// The time since the link was opened, by its own clock.
+    #[must_use]
+    pub fn now(&self) -> Duration {
+        match &self.way {
+            Way::Stream { opened, .. } => opened.elapsed(),
+            Way::Peer(peer) => peer.now(),
+        }
+    }
+
+    /// Takes bytes; they leave while somebody waits in [`Link::receive`] or [`Link::flush`].
+    pub fn send(&mut self, bytes: &[u8]) {
+        self.outgoing.extend_from_slice(bytes);
+    }
+
+    /// Sends and receives until bytes came, which are appended to `incoming`, or until `until`.
+    /// Returns whether the link is still open. A wait that is cancelled loses nothing.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError::Broken`].
+    pub async fn receive(
+        &mut self,
+        until: Duration,
+        incoming: &mut Vec<u8>,
+    ) -> Result<bool, LinkError> {
+        match &mut self.way {
+            Way::Peer(peer) => {
+                peer.send(&self.outgoing);
+                self.outgoing.clear();
+                Ok(peer.receive(until, incoming))
+            }
+            Way::Stream { stream, opened } => {
+                let deadline = opened.checked_add(until);
+                carry(stream, &mut self.outgoing, incoming, deadline).await
+            }
+        }
+    }
+
+    /// Sends what waits, without waiting for anything from the arm.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError`] when the link does not take it.
+    pub async fn flush(&mut self) -> Result<(), LinkError> {
+        match &mut self.way {
+            Way::Peer(peer) => peer.send(&self.outgoing),
+            Way::Stream { stream, .. } => {
+                let sending = async {
+                    stream.write_all(&self.outgoing).await?;
+                    stream.flush().await
+                };
+                match tokio::time::timeout(FLUSH_TIMEOUT, sending).await {
+                    Ok(sent) => sent.map_err(LinkError::Broken)?,
+                    Err(_) => return Err(LinkError::Closed),
+                }
+            }
+        }
+        self.outgoing.clear();
+        Ok(())
+    }
+}
+
+impl std::fmt::Debug for Way {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Stream { opened, .. } => f
+                .debug_struct("Stream")
+                .field("opened", opened)
+                .finish_non_exhaustive(),
+            Self::Peer(peer) => f.debug_tuple("Peer").field(peer).finish(),
+        }
+    }
+}
+
+async fn carry(
+    stream: &mut Box<dyn Stream>,
+    outgoing: &mut Vec<u8>,
+    incoming: &mut Vec<u8>,
+    deadline: Option<Instant>,
+) -> Result<bool, LinkError> {
+    let (mut reader, mut writer) = tokio::io::split(stream);
+    loop {
+        tokio::select! {
+            sent = writer.write(outgoing), if !outgoing.is_empty() => {
+                let sent = sent.map_err(LinkError::Broken)?;
+                if sent == 0 {
+                    return Ok(false);
+                }
+                outgoing.drain(..sent);
+            }
+            received = reader.read_buf(incoming) => {
+                return Ok(received.map_err(LinkError::Broken)? > 0);
+            }
+            () = wait_until(deadline) => return Ok(true),
+        }
+    }
+}
+
+async fn wait_until(deadline: Option<Instant>) {
+    match deadline {
+        Some(deadline) => tokio::time::sleep_until(deadline).await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Longer than a packet takes at 9600 baud; a port that takes none by then is dead.
+const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
