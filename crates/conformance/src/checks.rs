@@ -1,0 +1,12 @@
+//! The checks, by what they are about.
+
+pub(crate) mod flow;
+pub(crate) mod framing;
+pub(crate) mod hand;
+pub(crate) mod jog;
+pub(crate) mod limits;
+pub(crate) mod link;
+pub(crate) mod moves;
+pub(crate) mod settings;
+pub(crate) mod traps;
+pub(crate) mod write;

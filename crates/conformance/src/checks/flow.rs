@@ -1,0 +1,178 @@
+//! Flow control: one run with a queue that is full, looked at from four sides.
+
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_client::position;
+use dobot_wire::Status;
+
+use crate::outcome::Outcome;
+use crate::packet::vector;
+use crate::rig::{Rig, Seen, Trouble};
+use crate::way::off_segment;
+
+/// What came of a full queue.
+#[derive(Debug)]
+pub(crate) struct Flow {
+    home: Position,
+    /// The statuses from the first command to rest.
+    seen: Vec<Seen>,
+    end: Status,
+}
+
+/// Sends a slow vector and eight more behind it; are statuses withheld?
+pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let mark = rig.seen.len();
+    rig.send(vector(BLOCKER, 0.0, 3.0)).await?;
+    for step in STEPS {
+        rig.send(vector(step, 0.0, 10.0)).await?;
+    }
+    let end = rig.settled().await?;
+    let flow = Flow {
+        home: position(&home),
+        seen: rig.seen.split_off(mark),
+        end,
+    };
+    rig.seen.extend_from_slice(&flow.seen);
+    let (_, gap) = flow.longest_gap();
+    rig.flow = Some(flow);
+    Ok(Outcome::of(
+        gap > SILENT,
+        format!("no status for {:.2} s", gap.as_secs_f64()),
+    ))
+}
+
+/// Where the arm is when statuses come again.
+pub(crate) fn again(rig: &Rig) -> Outcome {
+    let Some(flow) = &rig.flow else {
+        return untried();
+    };
+    let (after, gap) = flow.longest_gap();
+    let (Some(first), true) = (flow.seen.get(after), gap > SILENT) else {
+        return Outcome::NotTried("statuses were not withheld".into());
+    };
+    let corners = flow.corners(&[0, 1, 2, 3, 4, 5]);
+    let (step, off) = nearest(&corners, &first.status);
+    // Side 0 is that of the slow vector, side 3 that of the third behind it.
+    Outcome::of(
+        off < NEAR_MM && matches!(step, 3 | 4),
+        match step {
+            0 => "while the first command runs".to_owned(),
+            _ => format!("with command {step} of those that waited, {off:.2} mm off its way"),
+        },
+    )
+}
+
+/// Which of the eight were done.
+pub(crate) fn six(rig: &Rig) -> Outcome {
+    let Some(flow) = &rig.flow else {
+        return untried();
+    };
+    match flow.done() {
+        Some(done) => Outcome::of(
+            done == [0, 1, 2, 3, 4, 5],
+            format!("of eight behind the running one, {} were done", list(&done)),
+        ),
+        None => Outcome::Differs("the arm rests where no choice of the eight leads".into()),
+    }
+}
+
+/// Whether the statuses lie on the way of what was done, in order.
+pub(crate) fn order(rig: &Rig) -> Outcome {
+    let Some(flow) = &rig.flow else {
+        return untried();
+    };
+    let Some(done) = flow.done() else {
+        return Outcome::NotTried("what was done is not known".into());
+    };
+    let corners = flow.corners(&done);
+    let places = flow.seen.iter().map(|it| nearest(&corners, &it.status));
+    let (steps, offs): (Vec<_>, Vec<_>) = places.unzip();
+    let worst = offs.into_iter().fold(0.0, f64::max);
+    Outcome::of(
+        worst < NEAR_MM && steps.is_sorted(),
+        format!("statuses are up to {worst:.3} mm off the way"),
+    )
+}
+
+impl Flow {
+    /// The longest time without a status, and the number of the status that ended it.
+    fn longest_gap(&self) -> (usize, Duration) {
+        let gaps = self
+            .seen
+            .windows(2)
+            .map(|it| it[1].at.saturating_sub(it[0].at));
+        let numbered = (1..).zip(gaps);
+        numbered.max_by_key(|(_, gap)| *gap).unwrap_or_default()
+    }
+
+    /// Which of the eight lead from the beginning to the end, if some do.
+    fn done(&self) -> Option<Vec<usize>> {
+        let end = position(&self.end);
+        (0..1_u32 << STEPS.len())
+            .map(|chosen| (0..STEPS.len()).filter(|n| chosen >> n & 1 == 1).collect())
+            .find(|done: &Vec<usize>| {
+                let corners = self.corners(done);
+                corners
+                    .last()
+                    .is_some_and(|it| it.distance(end).0 < NEAR_MM)
+            })
+    }
+
+    /// The corners of the way of the slow vector and of those of the eight.
+    fn corners(&self, done: &[usize]) -> Vec<Position> {
+        let steps = done.iter().map(|&n| STEPS[n]);
+        let mut at = self.home;
+        let mut corners = vec![at];
+        for [x, y, z] in std::iter::once(BLOCKER).chain(steps) {
+            at = at + Position::new(x.into(), y.into(), z.into());
+            corners.push(at);
+        }
+        corners
+    }
+}
+
+/// The last of the sides of a way that are nearest to a status, and how far it is: a corner is the
+/// beginning of a side.
+fn nearest(corners: &[Position], status: &Status) -> (usize, f64) {
+    let sides = corners
+        .windows(2)
+        .map(|it| off_segment(it[0], it[1], status));
+    let mut best = (0, f64::MAX);
+    for (side, off) in sides.enumerate() {
+        if off < best.1 + CORNER_MM {
+            best = (side, off.min(best.1));
+        }
+    }
+    best
+}
+
+fn list(done: &[usize]) -> String {
+    if done.is_empty() {
+        return "none".into();
+    }
+    let numbers: Vec<_> = done.iter().map(|n| (n + 1).to_string()).collect();
+    numbers.join(", ")
+}
+
+fn untried() -> Outcome {
+    Outcome::NotTried("the queue was not filled".into())
+}
+
+/// Keeps the arm busy while the others arrive. Y and Z are the same in every dialect.
+const BLOCKER: [f32; 3] = [0.0, -4.0, 0.0];
+/// No two choices of these lead to the same place; the last two find the queue full.
+const STEPS: [[f32; 3]; 8] = [
+    [0.0, 0.0, 0.8],
+    [0.0, 0.8, 0.0],
+    [0.0, 0.0, 1.6],
+    [0.0, 1.6, 0.0],
+    [0.0, 0.0, 3.2],
+    [0.0, 3.2, 0.0],
+    [0.0, 0.0, 0.4],
+    [0.0, 0.4, 0.0],
+];
+const NEAR_MM: f64 = 0.1;
+const CORNER_MM: f64 = 0.005;
+const SILENT: Duration = Duration::from_millis(600);

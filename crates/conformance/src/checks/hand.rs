@@ -1,0 +1,109 @@
+//! A hand that leads the arm: gesture, mouse and voice (states 8, 1 and 5).
+
+use dobot_wire::{Frame, Status, Voice};
+
+use crate::checks::settings::reach_of;
+use crate::outcome::Outcome;
+use crate::rig::{Rig, Trouble, distance, moved, off};
+
+/// A hand position: the place itself, or a scaled one in front of the arm.
+pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let goal = moved(&home, [3.0, 4.0, 5.0]);
+    let hand = match rig.leaning() {
+        Some(0) => goal,
+        Some(_) if rig.options.fresh => scaled(goal),
+        Some(_) => {
+            return Ok(Outcome::NotTried(
+                "a stock arm mixes in old hand positions: where it would go is not known".into(),
+            ));
+        }
+        None => return Ok(undecided()),
+    };
+    let [x, y, z] = hand;
+    let frame = Frame::ZERO.with(1, 8.0).with(3, x).with(4, y).with(5, z);
+    rig.send(frame).await?;
+    let there = rig.settled().await?;
+    rig.be_gentle().await?;
+    let off = off(&there, goal);
+    let specification = rig.leaning() == Some(0);
+    Ok(Outcome::vote(
+        specification && off < NEAR_MM,
+        // A stock arm stops up to a fifth short of the way.
+        !specification && off < distance(&home, &there).max(5.0) * 0.35,
+        format!("{off:.2} mm off the place that the hand shows"),
+    ))
+}
+
+/// The hand position with which a stock arm, switched on just now, goes to a place.
+fn scaled([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [(x - 230.0) * 4.0, y * 2.0, (z + 30.0) * 2.0 + 200.0]
+}
+
+/// Increments: millimetres of Y, X and Z, or a swing of the base, reach and height.
+pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let turn = match rig.leaning() {
+        Some(0) => home.rotation_deg,
+        Some(_) => home.servo_deg,
+        None => return Ok(undecided()),
+    };
+    if home.z_mm < LEAST_Z_MM {
+        return Ok(Outcome::NotTried(format!(
+            "a stock arm would rise to -30 mm at once: put it above {LEAST_Z_MM:.0} mm"
+        )));
+    }
+    let [y, x, z] = [4.0, 3.0, 5.0];
+    let frame = Frame::ZERO
+        .with(1, 1.0)
+        .with(3, y)
+        .with(4, x)
+        .with(5, z)
+        .with(6, turn);
+    rig.send(frame).await?;
+    let there = rig.settled().await?;
+    rig.be_gentle().await?;
+    let by = |value: f64, expected: f64| (value - expected).abs() < NEAR_MM;
+    let rise = f64::from(there.z_mm - home.z_mm);
+    let swing = f64::from(there.base_deg - home.base_deg);
+    let reach = reach_of(&there) - reach_of(&home);
+    let swings = by(swing, -0.225 * f64::from(y)) && by(reach, 0.4 * f64::from(x));
+    Ok(Outcome::vote(
+        off(&there, moved(&home, [x, y, z])) < NEAR_MM,
+        swings && by(rise, 0.4 * f64::from(z)),
+        format!(
+            "4, 3, 5 lead by {:.2}, {:.2}, {rise:.2} mm; the base turns by {swing:.2} degrees",
+            there.x_mm - home.x_mm,
+            there.y_mm - home.y_mm,
+        ),
+    ))
+}
+
+/// A spoken order, which a stock arm hears on its Bluetooth port only.
+pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let Ok(order) = Voice::new("up five") else {
+        return Ok(Outcome::NotTried("the order does not fit a packet".into()));
+    };
+    rig.send_raw(&order.to_bytes()).await?;
+    let there: Status = rig.settled().await?;
+    let heard = off(&there, moved(&home, [0.0, 0.0, 5.0])) < NEAR_MM;
+    Ok(if heard {
+        Outcome::Holds("\"up five\" leads 5 mm up".into())
+    } else if distance(&home, &there) < NEAR_MM {
+        Outcome::Firmware11("it hears nothing, as a stock arm on USB".into())
+    } else {
+        Outcome::Differs(format!(
+            "\"up five\" leads {:.2} mm up",
+            there.z_mm - home.z_mm
+        ))
+    })
+}
+
+fn undecided() -> Outcome {
+    Outcome::NotTried("the dialect is mixed: where it would go is not known".into())
+}
+
+const NEAR_MM: f64 = 0.05;
+/// A stock arm keeps a mouse above -30 mm.
+const LEAST_Z_MM: f32 = -28.0;

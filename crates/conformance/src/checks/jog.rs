@@ -1,0 +1,172 @@
+//! Buttons: joint jog and linear jog (states 2 and 7).
+
+use dobot_wire::Status;
+
+use crate::outcome::Outcome;
+use crate::packet::jog;
+use crate::rig::{Rig, Trouble};
+use crate::way::PERIOD_S;
+
+/// A pair of buttons, and what they move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Axis {
+    state: f32,
+    /// The button that moves it forward; the next one moves it back.
+    plus: f32,
+    /// Which of the numbers changes.
+    index: usize,
+    /// The share of the largest speed.
+    percent: f32,
+    unit: &'static str,
+}
+
+pub(crate) const BASE: Axis = joint(1.0, 0, 20.0);
+pub(crate) const REAR: Axis = joint(3.0, 1, 20.0);
+pub(crate) const FORE: Axis = joint(5.0, 2, 20.0);
+pub(crate) const SERVO: Axis = joint(7.0, 3, 20.0);
+pub(crate) const GRIPPER: Axis = joint(11.0, 4, 20.0);
+pub(crate) const X: Axis = line(1.0, 0, 10.0, "mm");
+pub(crate) const Y: Axis = line(3.0, 1, 10.0, "mm");
+pub(crate) const Z: Axis = line(5.0, 2, 10.0, "mm");
+pub(crate) const LINE_SERVO: Axis = line(7.0, 3, 20.0, "degrees");
+pub(crate) const LINE_GRIPPER: Axis = line(11.0, 4, 20.0, "degrees");
+
+/// Whether the arm stands still after a release, and stays so.
+pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let before = rig.settled().await?;
+    rig.send(jog(2.0, 1.0, 20.0)).await?;
+    rig.pass(300).await?;
+    rig.send(jog(2.0, 0.0, 0.0)).await?;
+    if !rig.stands().await? {
+        rig.halt().await?;
+        rig.settled().await?;
+        return Ok(Outcome::Differs("the arm went on after the release".into()));
+    }
+    let after = rig.settled().await?;
+    let moved = after.base_deg - before.base_deg;
+    Ok(Outcome::of(
+        moved > 0.3,
+        format!("{moved:.2} degrees in the time of a short press, then it stands"),
+    ))
+}
+
+/// Both buttons of an axis: only that axis moves, there and back.
+pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> {
+    let before = numbers(axis, &rig.settled().await?);
+    let there = numbers(axis, &press(rig, axis, axis.plus).await?);
+    let back = numbers(axis, &press(rig, axis, axis.plus + 1.0).await?);
+    let by = |from: [f32; 5], to: [f32; 5]| to[axis.index] - from[axis.index];
+    let (plus, minus) = (by(before, there), by(there, back));
+    let strays = strays(axis, before, there).max(strays(axis, there, back));
+    Ok(Outcome::of(
+        plus > LEAST && minus < -LEAST && strays < STRAY,
+        format!(
+            "{plus:+.2} and {minus:+.2} {}; all else by up to {strays:.3}",
+            axis.unit
+        ),
+    ))
+}
+
+/// The speed of the base while its button is held, in degrees per second.
+pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, Trouble> {
+    let mark = rig.seen.len();
+    press(rig, Axis { percent, ..BASE }, BASE.plus).await?;
+    let steps = rig.seen[mark..].windows(2);
+    let mut steps: Vec<f64> = steps
+        .map(|it| f64::from(it[1].status.base_deg - it[0].status.base_deg))
+        .filter(|step| *step > 0.01)
+        .collect();
+    // The middle one: at its beginning and end a step is shorter, and a late status makes one longer.
+    steps.sort_by(f64::total_cmp);
+    let middle = steps.get(steps.len().div_ceil(2)).or(steps.last());
+    Ok(middle.copied().unwrap_or_default() / PERIOD_S)
+}
+
+/// The pump, on and off.
+pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(jog(2.0, 9.0, 0.0)).await?;
+    let on = rig.settled().await?.suction;
+    rig.send(jog(2.0, 10.0, 0.0)).await?;
+    let off = !rig.settled().await?.suction;
+    let found = match (on, off) {
+        (true, true) => "on, then off",
+        (false, _) => "it does not go on",
+        (_, false) => "it does not go off",
+    };
+    Ok(Outcome::of(on && off, found))
+}
+
+/// The laser, on and off: a status does not show it, nor may it show anything else.
+pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let before = rig.settled().await?;
+    rig.send(jog(2.0, 13.0, 0.0)).await?;
+    rig.send(jog(2.0, 14.0, 0.0)).await?;
+    let after = rig.settled().await?;
+    Ok(Outcome::of(
+        before == after,
+        "on for a moment; a status does not tell: look for the spot",
+    ))
+}
+
+/// Holds a button for a moment; the arm rests afterwards.
+async fn press(rig: &mut Rig, axis: Axis, button: f32) -> Result<Status, Trouble> {
+    rig.send(jog(axis.state, button, axis.percent)).await?;
+    rig.pass(HOLD_MS).await?;
+    rig.send(jog(axis.state, 0.0, 0.0)).await?;
+    if !rig.stands().await? {
+        rig.halt().await?;
+    }
+    rig.settled().await
+}
+
+/// What a jog of this kind may move: joints, or coordinates; and the gripper.
+fn numbers(axis: Axis, it: &Status) -> [f32; 5] {
+    if axis.state == JOINTS {
+        [
+            it.base_deg,
+            it.rear_deg,
+            it.fore_deg,
+            it.servo_deg,
+            it.gripper_deg,
+        ]
+    } else {
+        [it.x_mm, it.y_mm, it.z_mm, it.rotation_deg, it.gripper_deg]
+    }
+}
+
+/// How far the numbers move that should not.
+fn strays(axis: Axis, from: [f32; 5], to: [f32; 5]) -> f32 {
+    let pairs = from.into_iter().zip(to).enumerate();
+    let others = pairs.filter(|(index, _)| *index != axis.index);
+    others
+        .map(|(_, (from, to))| (to - from).abs())
+        .fold(0.0, f32::max)
+}
+
+const fn joint(plus: f32, index: usize, percent: f32) -> Axis {
+    Axis {
+        state: JOINTS,
+        plus,
+        index,
+        percent,
+        unit: "degrees",
+    }
+}
+
+const fn line(plus: f32, index: usize, percent: f32, unit: &'static str) -> Axis {
+    Axis {
+        state: LINES,
+        plus,
+        index,
+        percent,
+        unit,
+    }
+}
+
+const JOINTS: f32 = 2.0;
+const LINES: f32 = 7.0;
+const HOLD_MS: u64 = 300;
+/// A press that moves less does nothing.
+const LEAST: f32 = 0.3;
+/// What rounding may move.
+const STRAY: f32 = 0.05;

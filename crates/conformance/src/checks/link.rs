@@ -1,0 +1,166 @@
+//! The line, before anything is sent.
+
+use std::time::Duration;
+
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, inverse};
+use dobot_wire::{Decoder, Frame, PACKET_LEN, Status};
+
+use crate::outcome::Outcome;
+use crate::rig::{Rig, Seen, Trouble, joints, pose_error, tool_of, turned};
+
+/// Listens, and tells what does not belong to statuses.
+pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let began = rig.now();
+    while rig.seen.is_empty() && rig.now() < began + FIRST_STATUS {
+        rig.pass(LISTEN_MS / 8).await?;
+    }
+    rig.pass(LISTEN_MS).await?;
+    let (bytes, count) = (rig.raw.len(), rig.seen.len());
+    if bytes == 0 {
+        return Ok(Outcome::Differs("nothing comes".into()));
+    }
+    let lenient = lenient(&rig.raw).len();
+    // Whoever joins a stream in the middle skips the rest of one packet.
+    let skipped = rig.skipped();
+    let stray = skipped.saturating_sub(PACKET_LEN as u64);
+    let found = format!("{lenient} statuses, {stray} other bytes of {bytes}");
+    Ok(Outcome::of(
+        lenient > 0 && (stray == 0 || count < lenient),
+        found,
+    ))
+}
+
+/// The mean time between two statuses.
+pub(crate) fn period(rig: &Rig) -> Outcome {
+    let (Some(first), Some(last)) = (rig.seen.first(), rig.seen.last()) else {
+        return Outcome::NotTried("no status came that can be trusted".into());
+    };
+    let steps = u32::try_from(rig.seen.len() - 1).unwrap_or(u32::MAX);
+    if steps < FEW {
+        return Outcome::Differs(format!("only {} statuses came", steps + 1));
+    }
+    let mean_ms = ms(last.at.saturating_sub(first.at) / steps);
+    let spans = rig
+        .seen
+        .windows(2)
+        .map(|it| ms(it[1].at.saturating_sub(it[0].at)));
+    let (least, most) = spans.fold((f64::MAX, 0.0_f64), |(least, most), it| {
+        (least.min(it), most.max(it))
+    });
+    Outcome::of(
+        (mean_ms - PERIOD_MS).abs() <= TOLERANCE_MS,
+        format!("{mean_ms:.1} ms on average of {steps}, {least:.0} to {most:.0}"),
+    )
+}
+
+/// Whether position and angles agree, over all statuses.
+pub(crate) fn pose(rig: &Rig) -> Outcome {
+    let worst = lenient(&rig.raw).iter().map(worst).fold(0.0_f64, f64::max);
+    if rig.seen.is_empty() && worst == 0.0 {
+        return Outcome::NotTried("no status came".into());
+    }
+    let found = format!("off by up to {worst:.4} mm or degrees; 0.01 is allowed");
+    Outcome::of(worst <= AGREED, found)
+}
+
+/// Whether the arm stands still, where it may stand and where the checks have room.
+pub(crate) fn start(rig: &mut Rig) -> Outcome {
+    let (Some(first), Some(Seen { status, .. })) = (rig.seen.first(), rig.seen.last()) else {
+        return Outcome::NotTried("no status came that can be trusted".into());
+    };
+    let turned = turned(&first.status, status);
+    if turned > 0.01 {
+        return Outcome::Differs(format!("it moves: by {turned:.2} degrees"));
+    }
+    let status = *status;
+    let tool = tool_of(&status);
+    if let Err(error) = Limits::STOCK.check(&joints(&status), tool) {
+        return Outcome::Differs(error.to_string());
+    }
+    rig.start = Some(status);
+    let Joints {
+        base, rear, fore, ..
+    } = joints(&status);
+    Outcome::Holds(format!(
+        "base {:.1}, rear {:.1}, fore {:.1} degrees",
+        base.0, rear.0, fore.0
+    ))
+}
+
+/// Why the arm has too little room where it stands, if it has: the checks move by up to 10 mm and
+/// 5 degrees, and jump 5 mm higher.
+pub(crate) fn cramped(start: &Status) -> Option<String> {
+    if start.suction {
+        return Some("the pump runs: something may hang on it".into());
+    }
+    let tool = tool_of(start);
+    let Joints {
+        base, rear, fore, ..
+    } = joints(start);
+    let room = |name, value: f64, min, max| {
+        let inside = value >= min && value <= max;
+        (!inside).then(|| format!("{name} is {value:.1} degrees; the checks need {min} to {max}"))
+    };
+    let joints = room("base", base.0, -170.0, 170.0)
+        .or_else(|| room("rear arm", rear.0, 0.0, 80.0))
+        .or_else(|| room("forearm", fore.0, -5.0, 90.0))
+        .or_else(|| room("servo", start.servo_deg.into(), -80.0, 80.0))
+        .or_else(|| room("gripper", start.gripper_deg.into(), -80.0, 80.0));
+    joints.or_else(|| {
+        corners(start).find_map(|position| {
+            let pose = Pose {
+                position,
+                ..Pose::default()
+            };
+            let joints = inverse(&pose, tool);
+            let joints = joints.map(|it| Joints {
+                servo: Degrees(0.0),
+                ..it
+            });
+            let checked = joints.and_then(|it| Limits::STOCK.check_at(&it, position));
+            checked.err().map(|it| format!("too near to a limit: {it}"))
+        })
+    })
+}
+
+/// The corners of the room that the checks need.
+fn corners(start: &Status) -> impl Iterator<Item = Position> {
+    let at = dobot_client::position(start);
+    let sides = [-ROOM_MM, ROOM_MM];
+    sides.into_iter().flat_map(move |x| {
+        sides
+            .into_iter()
+            .flat_map(move |y| [0.0, ABOVE_MM].map(move |z| at + Position::new(x, y, z)))
+    })
+}
+
+/// Statuses by their form alone, whether their numbers agree or not.
+fn lenient(raw: &[u8]) -> Vec<Status> {
+    let mut decoder = Decoder::statuses(|_: &Frame| true);
+    let statuses = decoder.feed(raw).map(|frame| Status::parse(&frame));
+    statuses.flatten().collect()
+}
+
+/// How far the numbers of a status are apart, in millimetres or degrees.
+fn worst(status: &Status) -> f64 {
+    let turn = status.base_deg + status.servo_deg - status.rotation_deg;
+    pose_error(status, tool_of(status)).max(turn.abs().into())
+}
+
+fn ms(span: Duration) -> f64 {
+    span.as_secs_f64() * 1000.0
+}
+
+/// A stock arm is deaf for up to two seconds after its port was opened (note N35).
+const FIRST_STATUS: Duration = Duration::from_secs(5);
+const LISTEN_MS: u64 = 2700;
+/// Statuses below which a mean says nothing.
+const FEW: u32 = 10;
+/// Note N20.
+const PERIOD_MS: f64 = 80.0;
+const TOLERANCE_MS: f64 = 2.0;
+/// Note N22, per coordinate; the distance of all three may be a bit more.
+const AGREED: f64 = 0.0174;
+/// How far from the start the checks move.
+const ROOM_MM: f64 = 12.0;
+const ABOVE_MM: f64 = 28.0;

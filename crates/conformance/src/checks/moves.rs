@@ -1,0 +1,227 @@
+//! Targets: points and joint angles (states 3 and 6).
+
+use dobot_wire::Status;
+
+use crate::checks::link::cramped;
+use crate::checks::settings::show_tool;
+use crate::outcome::Outcome;
+use crate::packet::{
+    JUMP_MM, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, percent, playback, target, teach,
+    writing,
+};
+use crate::rig::{Rig, Trouble, distance, moved, off, turned};
+use crate::way::Way;
+
+/// Sets slow speeds and lifts the arm to where all checks begin.
+pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let start = rig.start.ok_or(Trouble::Homeless)?;
+    if let Some(why) = cramped(&start) {
+        return Ok(Outcome::NotTried(why));
+    }
+    for packet in [
+        gentle(0.0),
+        percent(50.0, 50.0),
+        teach(STOCK_TEACH_DEG_S),
+        writing(STOCK_WRITING_MM_S2),
+    ] {
+        rig.send(packet).await?;
+    }
+    let point = moved(&start, [0.0, 0.0, LIFT_MM]);
+    rig.moved = true;
+    rig.send(target(3.0, point, start.rotation_deg, 1.0, &start))
+        .await?;
+    let there = rig.settled().await?;
+    let off = off(&there, point);
+    if off < NEAR_MM {
+        rig.home = Some(there);
+    }
+    Ok(Outcome::of(
+        off < NEAR_MM,
+        format!("{off:.3} mm off the point"),
+    ))
+}
+
+/// The same point by mode 1 and by mode 2: which way is straight?
+pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    // So slow that some statuses tell of the way, and never at the largest speed: where one joint
+    // reaches it and the others do not, a stock arm strays from the way of all joints together.
+    rig.send(playback([200.0, 20.0], [200.0, 60.0], 0.0, JUMP_MM))
+        .await?;
+    let first = straight(rig, 1.0).await?;
+    rig.go_home().await?;
+    let second = straight(rig, 2.0).await?;
+    rig.be_gentle().await?;
+    rig.joint_mode = match (first, second) {
+        (Some(false), Some(true)) => Some(1.0),
+        (Some(true), Some(false)) => Some(2.0),
+        _ => None,
+    };
+    let word = |it| match it {
+        Some(true) => "straight",
+        Some(false) => "by joints",
+        None => "neither straight nor by joints",
+    };
+    Ok(Outcome::vote(
+        (first, second) == (Some(true), Some(false)),
+        (first, second) == (Some(false), Some(true)),
+        format!("1 goes {}, 2 {}", word(first), word(second)),
+    ))
+}
+
+/// Whether a mode goes straight or by joints, if one of the two.
+async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
+    let home = rig.home()?;
+    let point = moved(&home, [-4.0, 7.0, 5.0]);
+    let mark = rig.seen.len();
+    rig.send(target(3.0, point, home.rotation_deg, mode, &home))
+        .await?;
+    let there = rig.settled().await?;
+    let way = Way::new(&rig.seen[mark..]);
+    let (line, joints) = (way.off_line_mm(), way.off_joints_mm(rig.tool()));
+    if off(&there, point) > NEAR_MM {
+        return Ok(None);
+    }
+    Ok(match (line < ON_THE_WAY_MM, joints < ON_THE_WAY_MM) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    })
+}
+
+/// A JUMP of 6 mm, 5 mm high.
+pub(crate) async fn jump(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let point = moved(&home, [0.0, 6.0, 0.0]);
+    let mark = rig.seen.len();
+    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
+        .await?;
+    let there = rig.settled().await?;
+    let heights = rig.seen[mark..].iter().map(|it| it.status.z_mm - home.z_mm);
+    let height = heights.fold(0.0, f32::max);
+    let off = off(&there, point);
+    Ok(Outcome::of(
+        off < NEAR_MM && (height - JUMP_MM).abs() < 0.3,
+        format!("{height:.2} mm up, as set 5; {off:.3} mm off the point"),
+    ))
+}
+
+/// Joint angles by mode 1, and back by mode 2.
+pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let there = Status {
+        base_deg: home.base_deg + 1.5,
+        rear_deg: home.rear_deg - 1.5,
+        fore_deg: home.fore_deg - 1.0,
+        servo_deg: home.servo_deg + 4.0,
+        ..home
+    };
+    let mut worst = 0.0_f32;
+    for (goal, mode) in [(there, 1.0), (home, 2.0)] {
+        let angles = [goal.base_deg, goal.rear_deg, goal.fore_deg];
+        rig.send(target(6.0, angles, goal.servo_deg, mode, &goal))
+            .await?;
+        worst = worst.max(turned(&rig.settled().await?, &goal));
+    }
+    Ok(Outcome::of(worst < 0.02, format!("{worst:.4} degrees off")))
+}
+
+/// A pause of one second between two moves.
+pub(crate) async fn pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let rest = rest_s(rig, 1.0).await?;
+    Ok(Outcome::of(
+        (rest - 1.0).abs() < 0.17,
+        format!("told 1 s, it waited {rest:.2} s"),
+    ))
+}
+
+/// Whether the pause of 9/1 counts for moves that have none.
+pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(gentle(0.8)).await?;
+    let rest = rest_s(rig, 0.0).await?;
+    rig.be_gentle().await?;
+    Ok(Outcome::vote(
+        (rest - 0.8).abs() < 0.17,
+        rest < 0.3,
+        format!("set to 0.8 s, a move without one waited {rest:.2} s"),
+    ))
+}
+
+/// Two moves: how long does the arm rest after the first, which has this pause?
+async fn rest_s(rig: &mut Rig, pause_s: f32) -> Result<f64, Trouble> {
+    let home = rig.home()?;
+    let mark = rig.seen.len();
+    let points = [[0.0, 3.0, 0.0], [0.0, 3.0, 3.0]].map(|by| moved(&home, by));
+    for (point, pause_s) in points.into_iter().zip([pause_s, 0.0]) {
+        let packet = target(3.0, point, home.rotation_deg, 1.0, &home);
+        rig.send(packet.with(10, pause_s)).await?;
+    }
+    // The arm rests in between: wait for the second point.
+    let until = rig.now() + std::time::Duration::from_secs(6);
+    while off(&rig.next_status().await?, points[1]) > NEAR_MM && rig.now() < until {}
+    rig.settled().await?;
+    Ok(Way::new(&rig.seen[mark..]).rest_s(points[0]))
+}
+
+/// Pump and gripper, once there.
+pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    let grabbing = Status {
+        suction: true,
+        gripper_deg: home.gripper_deg + 5.0,
+        ..home
+    };
+    let point = moved(&home, [0.0, 4.0, 0.0]);
+    let mark = rig.seen.len();
+    let packet = target(3.0, point, home.rotation_deg, 1.0, &grabbing);
+    rig.send(packet.with(10, 0.2)).await?;
+    rig.settled().await?;
+    rig.pass(300).await?;
+    let there = rig.next_status().await?;
+    let mut on_the_way = rig.seen[mark..].iter().map(|it| &it.status);
+    let early = on_the_way.any(|it| it.suction && off(it, point) > NEAR_MM);
+    let angles = [home.base_deg, home.rear_deg, home.fore_deg];
+    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
+        .await?;
+    rig.settled().await?;
+    let back = rig.next_status().await?;
+    let gripper = there.gripper_deg - home.gripper_deg;
+    let set = there.suction && (gripper - 5.0).abs() < 0.01;
+    let reset = !back.suction && (back.gripper_deg - home.gripper_deg).abs() < 0.01;
+    let word = |on| if on { "on" } else { "off" };
+    Ok(Outcome::of(
+        set && reset && !early,
+        format!(
+            "pump {}{}, gripper by {gripper:.1} degrees (told: on, 5.0), then {}",
+            word(there.suction),
+            if early { " too early" } else { "" },
+            word(back.suction),
+        ),
+    ))
+}
+
+/// Goes back to where the arm stood, and sets what was changed to what a stock arm has.
+pub(crate) async fn back(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let start = rig.start.ok_or(Trouble::Homeless)?;
+    rig.be_gentle().await?;
+    show_tool(rig, true).await?;
+    let there = rig.go_to(&start).await?;
+    let jump_mm = if rig.leaning() == Some(1) { 10.0 } else { 20.0 };
+    for packet in [
+        playback([200.0, 200.0], [100.0, 200.0], 0.0, jump_mm),
+        teach(STOCK_TEACH_DEG_S),
+        writing(STOCK_WRITING_MM_S2),
+        percent(50.0, 50.0),
+    ] {
+        rig.send(packet).await?;
+    }
+    let off = distance(&there, &start);
+    Ok(Outcome::of(
+        off < NEAR_MM,
+        format!("{off:.3} mm off; speeds and percentages are those of power-up"),
+    ))
+}
+
+const LIFT_MM: f32 = 10.0;
+const NEAR_MM: f64 = 0.05;
+/// A status lies that near to the way that the arm goes. The two ways are 0.05 mm apart and more.
+const ON_THE_WAY_MM: f64 = 0.006;

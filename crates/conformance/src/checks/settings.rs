@@ -1,0 +1,198 @@
+//! Configuration: settings that show in what comes after them.
+
+use dobot_arm::Tool;
+use dobot_wire::{Frame, Status};
+
+use crate::checks::jog::steady_speed;
+use crate::outcome::Outcome;
+use crate::packet::{
+    LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, configuration, percent, playback,
+    target, teach, tool as tool_packet, vector, writing as acceleration,
+};
+use crate::rig::{Rig, STILL, Trouble, distance, moved, off};
+use crate::way::Way;
+
+/// Another end effector: X and Y change by 5.5 mm of reach, and nothing moves.
+pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let before = rig.settled().await?;
+    show_tool(rig, false).await?;
+    let other = rig.settled().await?;
+    show_tool(rig, true).await?;
+    let again = rig.settled().await?;
+    let sign = if rig.tool() == Tool::Laser { 1.0 } else { -1.0 };
+    let by = reach_of(&other) - reach_of(&before);
+    let still = (other.z_mm - before.z_mm).abs() < 0.01 && other.rear_deg == before.rear_deg;
+    let holds = still && (by - sign * TOOLS_MM).abs() < 0.02 && distance(&before, &again) < 0.02;
+    Ok(Outcome::of(
+        holds,
+        format!(
+            "the reach changes by {by:.2} mm at once; {:.1} expected",
+            sign * TOOLS_MM
+        ),
+    ))
+}
+
+/// The packet that sets the end effector that the arm does not have.
+pub(crate) fn other_tool(rig: &Rig) -> Frame {
+    tool_packet(match rig.tool() {
+        Tool::Laser => SUCTION_CUP,
+        Tool::SuctionCup | Tool::Gripper => LASER,
+    })
+}
+
+/// Sets the end effector: the arm's own, or the other one.
+pub(crate) async fn show_tool(rig: &mut Rig, own: bool) -> Result<(), Trouble> {
+    let own_tool = match rig.tool() {
+        Tool::Laser => LASER,
+        Tool::SuctionCup | Tool::Gripper => SUCTION_CUP,
+    };
+    let packet = if own {
+        tool_packet(own_tool)
+    } else {
+        other_tool(rig)
+    };
+    rig.send(packet).await
+}
+
+pub(crate) fn reach_of(status: &Status) -> f64 {
+    dobot_client::position(status).reach().0
+}
+
+/// The joint speed of teaching, and the share of it that a jog asks for.
+pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(teach(24.0)).await?;
+    let speed = steady_speed(rig, 20.0).await?;
+    rig.send(teach(STOCK_TEACH_DEG_S)).await?;
+    Ok(Outcome::of(
+        (speed - 4.8).abs() < 0.24,
+        format!("20 % of 24 degrees/s are {speed:.2}; 4.8 expected"),
+    ))
+}
+
+/// Slow moves take as long as they should, straight or by joints.
+pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(playback([2.0, 20.0], [10.0, 100.0], 0.0, 5.0))
+        .await?;
+    let home = rig.home()?;
+    let mark = rig.seen.len();
+    let angles = [home.base_deg + TURN_DEG, home.rear_deg, home.fore_deg];
+    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
+        .await?;
+    let there = rig.settled().await?;
+    rig.be_gentle().await?;
+    let took = Way::new(&rig.seen[mark..]).duration_s();
+    // Half of what was set (50 %): 1 degree/s and 10 degrees/s², or 5 mm/s and 50 mm/s².
+    let joints = trapezoid_s(TURN_DEG.into(), 1.0, 10.0);
+    let line = trapezoid_s(distance(&home, &there), 5.0, 50.0);
+    let holds = [joints, line].iter().any(|it| (took - it).abs() < SLACK_S);
+    Ok(Outcome::of(
+        holds,
+        format!(
+            "a slow move took {took:.2} s; {joints:.2} by joints or {line:.2} in a line expected"
+        ),
+    ))
+}
+
+/// A vector with a low acceleration takes as long as it should.
+pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(acceleration(20.0)).await?;
+    let mark = rig.seen.len();
+    rig.send(vector([0.0, 5.0, 0.0], 0.0, 20.0)).await?;
+    rig.settled().await?;
+    rig.send(acceleration(STOCK_WRITING_MM_S2)).await?;
+    let took = Way::new(&rig.seen[mark..]).duration_s();
+    let expected = trapezoid_s(5.0, 20.0, 20.0);
+    Ok(Outcome::of(
+        (took - expected).abs() < SLACK_S,
+        format!("5 mm with 20 mm/s² took {took:.2} s; {expected:.2} expected"),
+    ))
+}
+
+/// The initial angles, at which the base is told to be at 0 too: only there the check loses nothing.
+pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let home = rig.home()?;
+    if home.base_deg.abs() > ROOM_DEG {
+        return Ok(Outcome::NotTried(format!(
+            "it makes the base angle 0, which is {:.1} degrees: put it within {ROOM_DEG} of 0",
+            home.base_deg
+        )));
+    }
+    let level = Status {
+        base_deg: 0.0,
+        ..home
+    };
+    let angles = [0.0, level.rear_deg, level.fore_deg];
+    if home.base_deg.abs() > STILL {
+        rig.send(target(6.0, angles, home.servo_deg, 0.0, &home))
+            .await?;
+    }
+    let before = rig.settled().await?;
+    // One degree more or less, so that `rear` and `90 - rear` differ.
+    let by = if before.rear_deg < 45.0 { -1.0 } else { 1.0 };
+    let told = before.rear_deg + by;
+    rig.send(configuration(3.0, &[told, before.fore_deg]))
+        .await?;
+    let after = rig.settled().await?;
+    let is = |rear: f32| (after.rear_deg - rear).abs() < 0.01;
+    let (document, stock) = (is(told), is(90.0 - told));
+    let back = if stock {
+        90.0 - before.rear_deg
+    } else {
+        before.rear_deg
+    };
+    if document || stock {
+        rig.send(configuration(3.0, &[back, before.fore_deg]))
+            .await?;
+    }
+    let restored = rig.settled().await?;
+    let found = format!(
+        "float 3 of {told:.2} makes the rear arm {:.2} degrees, from {:.2}",
+        after.rear_deg, before.rear_deg
+    );
+    if (restored.rear_deg - before.rear_deg).abs() > 0.001 {
+        return Err(Trouble::Untrue);
+    }
+    Ok(Outcome::vote(document, stock, found))
+}
+
+/// Which of the two percentages slows a move down: that of the speed leaves a move with one speed
+/// for most of its time, that of the acceleration one that only gathers speed and loses it.
+pub(crate) async fn percentages(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    rig.send(playback([5.0, 25.0], [20.0, 100.0], 0.0, 5.0))
+        .await?;
+    rig.send(percent(100.0, 20.0)).await?;
+    let home = rig.home()?;
+    let mark = rig.seen.len();
+    let point = moved(&home, [0.0, 8.0, 0.0]);
+    rig.send(target(3.0, point, home.rotation_deg, 1.0, &home))
+        .await?;
+    let there = rig.settled().await?;
+    rig.be_gentle().await?;
+    rig.send(percent(50.0, 50.0)).await?;
+    let way = Way::new(&rig.seen[mark..]);
+    let mean = distance(&home, &there) / way.duration_s().max(0.01);
+    let ratio = way.peak_mm_s() / mean;
+    let arrived = off(&there, point) < 0.1;
+    Ok(Outcome::vote(
+        arrived && ratio < 1.35,
+        arrived && (1.55..2.4).contains(&ratio),
+        format!("100 and 20: the move is {ratio:.2} times as fast at its peak as on average"),
+    ))
+}
+
+/// How long a motion takes from rest to rest.
+pub(crate) fn trapezoid_s(length: f64, speed: f64, acceleration: f64) -> f64 {
+    if length > speed * speed / acceleration {
+        length / speed + speed / acceleration
+    } else {
+        2.0 * (length / acceleration).sqrt()
+    }
+}
+
+/// A time that is counted in statuses may be off by two of them.
+const SLACK_S: f64 = 0.17;
+/// How much shorter the laser is (note N32).
+const TOOLS_MM: f64 = 5.5;
+/// How far the base may be from 0 for the check of the initial angles.
+const ROOM_DEG: f32 = 2.0;
+const TURN_DEG: f32 = 1.3;

@@ -1,0 +1,36 @@
+//! Checks a controller at the other end of a link, real or virtual, against the protocol.
+//!
+//! [`Suite`] makes all checks of [`Check::ALL`] with small motions and tells which of them hold,
+//! what differs, and which dialect the controller speaks. It knows a controller by its bytes and
+//! their times only, so that it runs over a serial port or TCP in real time, and over a peer in this
+//! process in virtual time.
+//!
+//! ```
+//! use dobot_client::Link;
+//! use dobot_conformance::{Options, Suite, Verdict};
+//! use dobot_controller::{Controller, PowerUp};
+//! use dobot_sim::{InProcess, Line, VirtualArm};
+//!
+//! # #[tokio::main(flavor = "current_thread")]
+//! # async fn main() {
+//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+//! let link = Link::over_peer(InProcess::new(arm));
+//! let report = Suite::new(link, Options::default()).run(|row| println!("{row}")).await;
+//! assert_eq!(report.verdict(), Verdict::Specification);
+//! assert!(report.conforms());
+//! # }
+//! ```
+
+mod check;
+mod checks;
+mod outcome;
+mod packet;
+mod report;
+mod rig;
+mod suite;
+mod way;
+
+pub use check::Check;
+pub use outcome::Outcome;
+pub use report::{HEADING, Report, Row, Verdict};
+pub use suite::{Options, Suite};

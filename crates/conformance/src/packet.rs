@@ -1,0 +1,94 @@
+//! Packets as the checks send them: floats by number, because a dialect is what is to be found out.
+
+use dobot_wire::{Frame, Status};
+
+/// A button (states 2 and 7; Table 3.5).
+pub(crate) fn jog(state: f32, axis: f32, percent: f32) -> Frame {
+    Frame::ZERO.with(1, state).with(2, axis).with(8, percent)
+}
+
+/// A target (states 3 and 6; Table 3.7) with pump and gripper as a status tells them.
+pub(crate) fn target(state: f32, [a, b, c]: [f32; 3], turn: f32, mode: f32, now: &Status) -> Frame {
+    Frame::ZERO
+        .with(1, state)
+        .with(3, a)
+        .with(4, b)
+        .with(5, c)
+        .with(6, turn)
+        .with(7, f32::from(now.suction))
+        .with(8, mode)
+        .with(9, now.gripper_deg)
+}
+
+/// A write vector (state 4; Table 2.6).
+pub(crate) fn vector([a, b, c]: [f32; 3], start: f32, max: f32) -> Frame {
+    Frame::ZERO
+        .with(1, 4.0)
+        .with(3, a)
+        .with(4, b)
+        .with(5, c)
+        .with(8, start)
+        .with(10, max)
+}
+
+/// A configuration (state 9; Table 3.9).
+pub(crate) fn configuration(mode: f32, values: &[f32]) -> Frame {
+    let frame = Frame::ZERO.with(1, 9.0).with(2, mode);
+    let numbered = values.iter().zip(3..);
+    numbered.fold(frame, |frame, (&value, n)| frame.with(n, value))
+}
+
+/// Teach configuration (state 9, mode 0).
+pub(crate) fn teach(joint_speed_deg_s: f32) -> Frame {
+    configuration(0.0, &[joint_speed_deg_s, 50.0, 30.0, 50.0, 60.0, 60.0])
+}
+
+/// Playback configuration (state 9, mode 1): joints and servo alike.
+pub(crate) fn playback(joints: [f32; 2], line: [f32; 2], pause_s: f32, height_mm: f32) -> Frame {
+    let [speed, acceleration] = joints;
+    configuration(
+        1.0,
+        &[
+            speed,
+            acceleration,
+            speed,
+            acceleration,
+            line[0],
+            line[1],
+            pause_s,
+            height_mm,
+        ],
+    )
+}
+
+/// Slow moves, and a low JUMP: what the checks run with.
+pub(crate) fn gentle(pause_s: f32) -> Frame {
+    playback([30.0, 200.0], [80.0, 200.0], pause_s, JUMP_MM)
+}
+
+/// Acceleration of writing (state 9, mode 2).
+pub(crate) fn writing(acceleration_mm_s2: f32) -> Frame {
+    configuration(2.0, &[acceleration_mm_s2])
+}
+
+/// The end effector (state 9, mode 4).
+pub(crate) fn tool(number: f32) -> Frame {
+    configuration(4.0, &[number])
+}
+
+/// The percentages (state 10); which of the first two is which depends on the dialect.
+pub(crate) fn percent(float_3: f32, float_4: f32) -> Frame {
+    Frame::ZERO
+        .with(1, 10.0)
+        .with(3, float_3)
+        .with(4, float_4)
+        .with(5, 100.0)
+}
+
+pub(crate) const SUCTION_CUP: f32 = 0.0;
+pub(crate) const LASER: f32 = 2.0;
+/// The height of a JUMP while the checks run.
+pub(crate) const JUMP_MM: f32 = 5.0;
+/// What a stock arm has at power-up.
+pub(crate) const STOCK_TEACH_DEG_S: f32 = 15.0;
+pub(crate) const STOCK_WRITING_MM_S2: f32 = 100.0;

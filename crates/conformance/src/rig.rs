@@ -1,0 +1,319 @@
+//! The test rig: a link, everything that came over it, and the place that the checks start from.
+
+use std::time::Duration;
+
+use dobot_arm::{Joints, Position, Tool, forward};
+use dobot_client::{Link, LinkError, plausible, position};
+use dobot_wire::{Decoder, Frame, Status, Statuses};
+
+use crate::Options;
+use crate::checks::flow::Flow;
+use crate::packet::{STOCK_WRITING_MM_S2, gentle, jog, target, writing};
+
+/// A link with a controller, and all that is known about it so far.
+#[derive(Debug)]
+pub(crate) struct Rig {
+    link: Link,
+    decoder: Decoder<Statuses>,
+    pub(crate) options: Options,
+    /// All bytes that came.
+    pub(crate) raw: Vec<u8>,
+    /// All statuses that came.
+    pub(crate) seen: Vec<Seen>,
+    /// When what was sent last can have had an effect that shows.
+    reacted: Duration,
+    /// Where the arm stood at the very beginning.
+    pub(crate) start: Option<Status>,
+    /// Whether something was sent that moves the arm.
+    pub(crate) moved: bool,
+    /// Where every check begins, a little higher.
+    pub(crate) home: Option<Status>,
+    /// Votes for the specification and for firmware 1.1.
+    pub(crate) votes: [u32; 2],
+    /// The moving mode that moves all joints together, once that is known.
+    pub(crate) joint_mode: Option<f32>,
+    /// What came of the overfull queue, once it was tried.
+    pub(crate) flow: Option<Flow>,
+}
+
+/// A status and when it was there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) at: Duration,
+    pub(crate) status: Status,
+}
+
+/// Why a check, and with it what would come after it, came to nothing.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Trouble {
+    #[error("no status came for {:.1} s", SILENCE.as_secs_f64())]
+    Silent,
+    #[error("the arm did not come to rest within {:.0} s", RESTLESS.as_secs_f64())]
+    Restless,
+    #[error("the arm did not come back to where the checks begin: it is {off_by:.2} mm away")]
+    Astray { off_by: f64 },
+    #[error("the arm never came to where the checks begin")]
+    Homeless,
+    #[error("the arm does not take its angles back: switch it off and on before it moves")]
+    Untrue,
+    #[error(transparent)]
+    Link(#[from] LinkError),
+}
+
+impl Rig {
+    pub(crate) fn new(link: Link, options: Options) -> Self {
+        Self {
+            link,
+            decoder: Decoder::statuses(plausible),
+            options,
+            raw: Vec::new(),
+            seen: Vec::new(),
+            reacted: Duration::ZERO,
+            start: None,
+            moved: false,
+            home: None,
+            votes: [0; 2],
+            joint_mode: None,
+            flow: None,
+        }
+    }
+
+    pub(crate) fn now(&self) -> Duration {
+        self.link.now()
+    }
+
+    /// Sends a packet, and waits until the line is free again.
+    pub(crate) async fn send(&mut self, frame: Frame) -> Result<(), Trouble> {
+        self.send_raw(&frame.to_bytes()).await
+    }
+
+    /// Sends bytes, and waits until the line is free again and has been for the gap that a stock
+    /// arm needs (note N26).
+    pub(crate) async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), Trouble> {
+        self.link.send(bytes);
+        let count = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
+        let free = self.now() + BYTE * count + GAP;
+        self.reacted = free + REACTION;
+        self.listen(free).await
+    }
+
+    /// Listens for so long.
+    pub(crate) async fn pass(&mut self, ms: u64) -> Result<(), Trouble> {
+        self.listen(self.now() + Duration::from_millis(ms)).await
+    }
+
+    /// Listens until what was sent can have had an effect that shows.
+    pub(crate) async fn react(&mut self) -> Result<(), Trouble> {
+        self.listen(self.reacted.max(self.now())).await
+    }
+
+    async fn listen(&mut self, until: Duration) -> Result<(), Trouble> {
+        loop {
+            self.take(until).await?;
+            if self.now() >= until {
+                return Ok(());
+            }
+        }
+    }
+
+    async fn take(&mut self, until: Duration) -> Result<(), Trouble> {
+        let had = self.raw.len();
+        let open = self.link.receive(until, &mut self.raw).await?;
+        let at = self.link.now();
+        let new = self.raw.get(had..).unwrap_or_default();
+        let statuses = self.decoder.feed(new).map(|frame| Status::parse(&frame));
+        let seen = statuses.flatten().map(|status| Seen { at, status });
+        self.seen.extend(seen);
+        if open {
+            Ok(())
+        } else {
+            Err(LinkError::Closed.into())
+        }
+    }
+
+    /// The next status.
+    pub(crate) async fn next_status(&mut self) -> Result<Status, Trouble> {
+        let had = self.seen.len();
+        let until = self.now() + SILENCE;
+        loop {
+            if let Some(seen) = self.seen.get(had) {
+                return Ok(seen.status);
+            }
+            if self.now() >= until {
+                return Err(Trouble::Silent);
+            }
+            self.take(until).await?;
+        }
+    }
+
+    /// Waits until the arm rests after what was sent.
+    pub(crate) async fn settled(&mut self) -> Result<Status, Trouble> {
+        let until = self.now().max(self.reacted) + RESTLESS;
+        self.react().await?;
+        loop {
+            if let Some(status) = self.resting() {
+                return Ok(status);
+            }
+            if self.now() >= until {
+                return Err(Trouble::Restless);
+            }
+            self.next_status().await?;
+        }
+    }
+
+    /// Where the arm rests: its last three statuses, late enough to show what was sent, tell the
+    /// same.
+    fn resting(&self) -> Option<Status> {
+        let [first, second, last] = *self.seen.last_chunk::<3>()?;
+        let late = last.at >= self.reacted;
+        let same = [first, second]
+            .iter()
+            .all(|it| still(&it.status, &last.status));
+        (late && same).then_some(last.status)
+    }
+
+    /// Where every check begins.
+    pub(crate) fn home(&self) -> Result<Status, Trouble> {
+        self.home.ok_or(Trouble::Homeless)
+    }
+
+    /// Goes to where every check begins, if the arm is not there.
+    pub(crate) async fn go_home(&mut self) -> Result<Status, Trouble> {
+        let home = self.home()?;
+        self.go_to(&home).await
+    }
+
+    /// Goes to the joint angles of a status, if the arm is not there.
+    pub(crate) async fn go_to(&mut self, to: &Status) -> Result<Status, Trouble> {
+        let now = self.settled().await?;
+        if turned(&now, to) < AT_REST_DEG {
+            return Ok(now);
+        }
+        let off_by = distance(&now, to);
+        // A straight line must have a length (note N34), and a JUMP need not.
+        let mode = if off_by < AT_REST_MM { 0.0 } else { 1.0 };
+        let angles = [to.base_deg, to.rear_deg, to.fore_deg];
+        self.send(target(6.0, angles, to.servo_deg, mode, to))
+            .await?;
+        let there = self.settled().await?;
+        if turned(&there, to) < NEAR_DEG {
+            Ok(there)
+        } else {
+            let off_by = distance(&there, to);
+            Err(Trouble::Astray { off_by })
+        }
+    }
+
+    /// Whether the arm stands still now.
+    pub(crate) async fn stands(&mut self) -> Result<bool, Trouble> {
+        self.react().await?;
+        let before = self.next_status().await?;
+        let after = self.next_status().await?;
+        Ok(still(&before, &after))
+    }
+
+    /// Stops a jog by all means that there are: a release, and a setting, which both dialects take
+    /// up only when the jog has ended.
+    pub(crate) async fn halt(&mut self) -> Result<(), Trouble> {
+        for packet in [jog(2.0, 0.0, 0.0), writing(STOCK_WRITING_MM_S2)] {
+            self.send(packet).await?;
+        }
+        Ok(())
+    }
+
+    /// The speeds that the checks run with.
+    pub(crate) async fn be_gentle(&mut self) -> Result<(), Trouble> {
+        self.send(gentle(0.0)).await
+    }
+
+    /// The end effector whose reach the first status shows.
+    pub(crate) fn tool(&self) -> Tool {
+        self.start.as_ref().map_or(Tool::SuctionCup, tool_of)
+    }
+
+    /// The one dialect that all checks so far voted for: specification (0) or firmware 1.1 (1).
+    pub(crate) const fn leaning(&self) -> Option<usize> {
+        match self.votes {
+            [0, 0] => None,
+            [_, 0] => Some(0),
+            [0, _] => Some(1),
+            _ => None,
+        }
+    }
+
+    /// How many bytes of packets that were begun wait for their end.
+    pub(crate) fn skipped(&self) -> u64 {
+        self.decoder.counts().skipped_bytes
+    }
+}
+
+/// The end effector with which the numbers of a status agree best.
+pub(crate) fn tool_of(status: &Status) -> Tool {
+    let off = |tool| pose_error(status, tool);
+    if off(Tool::Laser) < off(Tool::SuctionCup) {
+        Tool::Laser
+    } else {
+        Tool::SuctionCup
+    }
+}
+
+/// How far the position of a status is from that of its angles, in millimetres.
+pub(crate) fn pose_error(status: &Status, tool: Tool) -> f64 {
+    let there = forward(&joints(status), tool).position;
+    position(status).distance(there).0
+}
+
+pub(crate) fn joints(status: &Status) -> Joints {
+    let angles = [
+        status.base_deg,
+        status.rear_deg,
+        status.fore_deg,
+        status.servo_deg,
+    ];
+    let [base, rear, fore, servo] = angles.map(f64::from);
+    Joints::new(base, rear, fore, servo)
+}
+
+/// The distance between the positions of two statuses, in millimetres.
+pub(crate) fn distance(a: &Status, b: &Status) -> f64 {
+    position(a).distance(position(b)).0
+}
+
+/// The position of a status moved by so many millimetres, as floats of a packet.
+pub(crate) fn moved(from: &Status, [x, y, z]: [f32; 3]) -> [f32; 3] {
+    [from.x_mm + x, from.y_mm + y, from.z_mm + z]
+}
+
+/// How far a status is from a position in millimetres.
+pub(crate) fn off(status: &Status, to: [f32; 3]) -> f64 {
+    let [x, y, z] = to.map(f64::from);
+    position(status).distance(Position::new(x, y, z)).0
+}
+
+/// The largest difference between the joint angles of two statuses, in degrees.
+pub(crate) fn turned(a: &Status, b: &Status) -> f32 {
+    let angles = |it: &Status| [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg];
+    let pairs = angles(a).into_iter().zip(angles(b));
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+fn still(a: &Status, b: &Status) -> bool {
+    turned(a, b) < STILL
+        && distance(a, b) < f64::from(STILL)
+        && (a.gripper_deg - b.gripper_deg).abs() < STILL
+}
+
+/// What a byte takes at 9600 baud, and a bit more.
+const BYTE: Duration = Duration::from_micros(1045);
+/// A stock arm may lose a packet that follows another one sooner (note N26).
+const GAP: Duration = Duration::from_millis(12);
+/// A tick, the tick that a status lags behind, the time between two statuses, and the way of one
+/// over the line; twenty more for a serial port over USB.
+const REACTION: Duration = Duration::from_millis(200);
+const SILENCE: Duration = Duration::from_secs(3);
+const RESTLESS: Duration = Duration::from_secs(8);
+const AT_REST_DEG: f32 = 0.005;
+const AT_REST_MM: f64 = 0.05;
+const NEAR_DEG: f32 = 0.02;
+/// Degrees and millimetres from one status to the next.
+pub(crate) const STILL: f32 = 0.0005;

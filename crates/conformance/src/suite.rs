@@ -1,0 +1,183 @@
+//! The suite: all checks in order, over one link.
+
+use dobot_client::{Link, LinkError};
+
+use crate::check::{Check, Probe};
+use crate::outcome::Outcome;
+use crate::packet::jog;
+use crate::report::{Report, Row};
+use crate::rig::{Rig, Trouble};
+
+/// All checks, over one link.
+#[derive(Debug)]
+pub struct Suite {
+    rig: Rig,
+    rows: Vec<Row>,
+    /// Why nothing more can be tried.
+    ended: Option<String>,
+}
+
+/// What else may be tried.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Switch the laser on for a moment. Eyes and what lies below must be safe from it.
+    pub laser: bool,
+    /// Try at the end what makes a stock arm lose its pose or hang until it is reset, and the limit
+    /// of the servo (note N34): for virtual arms.
+    pub traps: bool,
+    /// The arm was switched on just now and has obeyed nobody yet, as a new virtual one.
+    pub fresh: bool,
+}
+
+impl Suite {
+    /// A suite over a link; nothing has been sent yet.
+    #[must_use]
+    pub fn new(link: Link, options: Options) -> Self {
+        Self {
+            rig: Rig::new(link, options),
+            rows: Vec::new(),
+            ended: None,
+        }
+    }
+
+    /// Makes all checks, and tells each outcome when it is there. Every motion is small, at or above
+    /// the height of the start, and at the end the arm is where it was.
+    ///
+    /// A wait that is cancelled leaves the arm as it is: see [`Suite::stop`].
+    pub async fn run(&mut self, mut tell: impl FnMut(&Row)) -> Report {
+        for check in Check::ALL {
+            let began = self.rig.now();
+            let outcome = match self.prevented(check) {
+                Some(why) => Outcome::NotTried(why),
+                None => self.make(check).await,
+            };
+            match outcome {
+                Outcome::Specification(_) => self.rig.votes[0] += 1,
+                Outcome::Firmware11(_) => self.rig.votes[1] += 1,
+                _ => {}
+            }
+            let row = Row {
+                check: *check,
+                outcome,
+                took: self.rig.now().saturating_sub(began),
+            };
+            tell(&row);
+            self.rows.push(row);
+        }
+        Report::new(self.rows.clone())
+    }
+
+    /// Stops: releases the button, switches the laser off, and goes back to where the arm was.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError`] when the link does not take it.
+    pub async fn stop(&mut self) -> Result<(), LinkError> {
+        let stopped = async {
+            self.rig.halt().await?;
+            self.rig.send(jog(2.0, LASER_OFF, 0.0)).await?;
+            self.make_back().await
+        };
+        match stopped.await {
+            Err(Trouble::Link(error)) => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    async fn make_back(&mut self) -> Result<(), Trouble> {
+        if self.rig.moved {
+            crate::checks::moves::back(&mut self.rig).await?;
+        }
+        Ok(())
+    }
+
+    async fn make(&mut self, check: &Check) -> Outcome {
+        if begins_at_home(check.probe)
+            && let Err(trouble) = self.rig.go_home().await
+        {
+            self.end(&trouble);
+            return Outcome::NotTried(trouble.to_string());
+        }
+        match check.make(&mut self.rig).await {
+            Ok(outcome) => outcome,
+            Err(trouble) => {
+                if !matches!(trouble, Trouble::Restless) {
+                    self.end(&trouble);
+                }
+                Outcome::Differs(trouble.to_string())
+            }
+        }
+    }
+
+    fn end(&mut self, trouble: &Trouble) {
+        self.ended = Some(format!("before it, {trouble}"));
+    }
+
+    /// Why a check cannot be made, or must not.
+    fn prevented(&self, check: &Check) -> Option<String> {
+        if check.probe == Probe::Return && self.rig.moved {
+            return None;
+        }
+        self.ended
+            .clone()
+            .or_else(|| self.forbidden(check.probe))
+            .or_else(|| self.lacks(check.probe))
+    }
+
+    fn forbidden(&self, probe: Probe) -> Option<String> {
+        let options = self.rig.options;
+        let why = match probe {
+            Probe::Laser if !options.laser => "it burns: `--laser` tries it",
+            Probe::LimitJog if !options.traps => {
+                "a stock arm forgives the first limit: `--traps` tries it on a virtual arm"
+            }
+            Probe::TrapNoLength | Probe::TrapState if !options.traps => {
+                "only a reset cures a stock arm of it: `--traps` tries it on a virtual arm"
+            }
+            _ => return None,
+        };
+        Some(why.into())
+    }
+
+    /// What has to hold before a check says anything.
+    fn lacks(&self, probe: Probe) -> Option<String> {
+        let needed: &[Probe] = match probe {
+            Probe::StatusForm | Probe::StatusPeriod | Probe::StatusPose | Probe::StatusStart => &[],
+            Probe::Lift => &[Probe::StatusForm, Probe::StatusPose, Probe::StatusStart],
+            Probe::FrameNoise
+            | Probe::FrameTail
+            | Probe::FramePieces
+            | Probe::FrameTruncated
+            | Probe::FramePair => &[Probe::Lift, Probe::SetTool],
+            Probe::Jog(_) | Probe::SetJog | Probe::LimitJog => &[Probe::Lift, Probe::JogRelease],
+            _ => &[Probe::Lift],
+        };
+        let failed = |row: &&Row| needed.contains(&row.check.probe) && !row.outcome.passed();
+        let row = self.rows.iter().find(failed)?;
+        Some(match (&row.outcome, row.check.probe) {
+            (Outcome::NotTried(why), _) => why.clone(),
+            _ => format!("it rests on {}", row.check.id),
+        })
+    }
+}
+
+/// Whether a check begins where all do: not those of the line before anything moved, and not those
+/// after the arm was brought back.
+fn begins_at_home(probe: Probe) -> bool {
+    !matches!(
+        probe,
+        Probe::StatusForm
+            | Probe::StatusPeriod
+            | Probe::StatusPose
+            | Probe::StatusStart
+            | Probe::Lift
+            | Probe::FlowAgain
+            | Probe::FlowSix
+            | Probe::FlowOrder
+            | Probe::Return
+            | Probe::TrapNoLength
+            | Probe::TrapState
+    )
+}
+
+const LASER_OFF: f32 = 14.0;
