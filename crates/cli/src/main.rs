@@ -1,6 +1,7 @@
 //! The `dobot` program: everything that a person needs to use the original Dobot Arm.
 
 mod arm;
+mod conformance;
 mod connect;
 mod decode;
 mod draw;
@@ -39,6 +40,7 @@ enum Verb {
     Simulate(simulate::Args),
     Decode(decode::Args),
     Ports(ports::Args),
+    Conformance(conformance::Args),
 }
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
@@ -61,6 +63,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Simulate(args) => simulate::run(&args),
         Verb::Decode(args) => decode::run(&args),
         Verb::Ports(args) => ports::run(&args),
+        Verb::Conformance(args) => wait_for(conformance::run(args)),
     }
 }
 

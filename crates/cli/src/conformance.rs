@@ -1,0 +1,281 @@
+//! `dobot conformance`: check a controller against the protocol.
+
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use anyhow::{Context, anyhow};
+use dobot_client::{Address, Link};
+use dobot_conformance::{HEADING, Options, Outcome, Report, Row, Suite, Verdict};
+use dobot_controller::Personality;
+use dobot_sim::InProcess;
+
+use crate::connect::virtual_arm;
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::output;
+
+/// Check a controller, real or virtual, against the protocol
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot conformance virtual: --personality firmware-1.1
+  dobot conformance serial:/dev/ttyUSB0
+  dobot conformance tcp:localhost:5555 --yes --report arm.md
+
+It takes about 70 seconds (a virtual arm in this process: none). The arm is lifted by 10 mm, moves by up
+to 10 mm and 5 degrees around there, never below where it stood, switches the pump for a moment, and goes
+back. Speeds and other settings end up as they are at power-up. Ctrl-C stops it and brings the arm back.
+
+A line for each check: holds; specification or firmware-1.1, where only this dialect has it so; DIFFERS;
+not tried. The exit code is 0 when all that was tried holds, in one dialect.")]
+pub(crate) struct Args {
+    /// The controller's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT
+    address: Address,
+    /// How the arm of virtual: behaves: specification, or firmware-1.1 as the arms that were sold do
+    #[arg(long, value_name = "PERSONALITY")]
+    personality: Option<Personality>,
+    /// Where to write the report; only another report is overwritten
+    #[arg(long, value_name = "FILE", default_value = "conformance.md")]
+    report: PathBuf,
+    /// Move the arm without asking first
+    #[arg(long)]
+    yes: bool,
+    /// Switch the laser on for a moment: eyes, and what lies below, must be safe from it
+    #[arg(long)]
+    laser: bool,
+    /// Try last what makes a stock arm hang until it is reset; for virtual arms
+    #[arg(long)]
+    traps: bool,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    writable(&args.report)?;
+    let link = args.link().await?;
+    let interrupt = interrupt();
+    let options = Options {
+        laser: args.laser,
+        traps: args.traps,
+        fresh: args.is_virtual(),
+    };
+    let mut suite = Suite::new(link, options);
+    let mut printed = Ok(());
+    let run = suite.run(|row| {
+        if printed.is_ok() {
+            printed = output::line(&text(row));
+        }
+    });
+    let report = tokio::select! {
+        report = run => Some(report),
+        () = interrupt => None,
+    };
+    printed?;
+    let Some(report) = report else {
+        eprintln!("stopping: the arm is brought back");
+        suite.stop().await?;
+        return Err(anyhow!("interrupted").into());
+    };
+    let file = report.markdown(&args.address.to_string(), &today());
+    fs::write(&args.report, file)
+        .with_context(|| format!("cannot write {}", args.report.display()))?;
+    output::line(&format!(
+        "\n{}\nreport: {}",
+        report.summary(),
+        args.report.display()
+    ))?;
+    judged(&report, &args.address)
+}
+
+impl Args {
+    const fn is_virtual(&self) -> bool {
+        matches!(self.address, Address::Virtual)
+    }
+
+    async fn link(&self) -> Result<Link, Failure> {
+        if self.is_virtual() {
+            let personality = self.personality.unwrap_or_default();
+            return Ok(Link::over_peer(InProcess::new(virtual_arm(personality))));
+        }
+        if self.personality.is_some() {
+            return Err(Failure::new(
+                anyhow!(
+                    "--personality is for virtual: only; {} has its own",
+                    self.address
+                ),
+                "leave it away: the checks find out what the controller speaks",
+            ));
+        }
+        self.consent()?;
+        Ok(Link::open(&self.address).await?)
+    }
+
+    /// Says what will move, and waits until a person agrees.
+    fn consent(&self) -> Result<(), Failure> {
+        if self.yes {
+            return Ok(());
+        }
+        if !io::stdin().is_terminal() {
+            return Err(Failure::new(
+                anyhow!(
+                    "the arm at {} will move, and nobody is here to agree",
+                    self.address
+                ),
+                "`--yes` agrees; the arm needs 30 mm of room around and above it",
+            ));
+        }
+        eprint!("{}", self.warning());
+        io::stderr().flush()?;
+        let mut answer = String::new();
+        if io::stdin().read_line(&mut answer)? == 0 {
+            return Err(anyhow!("nobody agreed").into());
+        }
+        Ok(())
+    }
+
+    fn warning(&self) -> String {
+        let laser = if self.laser {
+            "The laser will be on for a moment.\n"
+        } else {
+            ""
+        };
+        let traps = if self.traps {
+            "At the end a stock arm will hang until it is reset.\n"
+        } else {
+            ""
+        };
+        format!(
+            "The arm at {} will move for about 70 s: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
+             and back. Its pump will run for a moment. Take off what hangs on it, and leave it 30 mm of room.\n\
+             {laser}{traps}Enter begins, Ctrl-C does not: ",
+            self.address
+        )
+    }
+}
+
+/// One line of the table, in colour for a person.
+fn text(row: &Row) -> String {
+    if !io::stdout().is_terminal() {
+        return row.to_string();
+    }
+    let colour = match row.outcome {
+        Outcome::Holds(_) => 32,
+        Outcome::Specification(_) | Outcome::Firmware11(_) => 36,
+        Outcome::Differs(_) => 31,
+        Outcome::NotTried(_) => 2,
+    };
+    let (id, word) = (row.check.id, row.outcome.word());
+    let found = row.outcome.found();
+    format!("{id:<16}  \x1b[{colour}m{word:<13}\x1b[0m  {found}")
+}
+
+/// What it comes to, for the exit code.
+fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
+    if report.conforms() {
+        return Ok(());
+    }
+    if let Some(Outcome::NotTried(why)) = report.outcome("move-point")
+        && report.differing().is_empty()
+    {
+        return Err(Failure::new(
+            anyhow!("nothing was moved: {why}"),
+            format!(
+                "`dobot move --joints 0 45 45 --to {address}` puts the arm where there is room"
+            ),
+        ));
+    }
+    let differing = report.differing();
+    let error = match report.verdict() {
+        _ if !differing.is_empty() => anyhow!(
+            "{} differ from the protocol: {}",
+            differing.len(),
+            differing.join(", ")
+        ),
+        Verdict::Mixed { .. } => anyhow!("the controller mixes two dialects"),
+        _ => anyhow!("no check told which dialect the controller speaks"),
+    };
+    Err(Failure::new(
+        error,
+        "the report says what was found and which table or note says otherwise",
+    ))
+}
+
+/// Nothing but a report may be overwritten.
+fn writable(report: &Path) -> Result<(), Failure> {
+    match fs::read(report) {
+        Ok(old) if !old.starts_with(HEADING.as_bytes()) => Err(Failure::new(
+            anyhow!("{} is there already and is no report", report.display()),
+            "`--report FILE` writes to another file",
+        )),
+        Ok(_) => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(anyhow::Error::from(error)
+            .context(format!("cannot write {}", report.display()))
+            .into()),
+    }
+}
+
+/// The date of today in UTC, as 2016-02-26.
+fn today() -> String {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    date(now.unwrap_or_default().as_secs() / 86_400)
+}
+
+/// The date so many days after 1970-01-01.
+fn date(mut days: u64) -> String {
+    let mut year = 1970;
+    while days >= days_of(year) {
+        days -= days_of(year);
+        year += 1;
+    }
+    let mut months = [
+        31,
+        days_of(year) - 337,
+        31,
+        30,
+        31,
+        30,
+        31,
+        31,
+        30,
+        31,
+        30,
+        31,
+    ]
+    .into_iter();
+    let mut month = 1;
+    while let Some(length) = months.next()
+        && days >= length
+    {
+        days -= length;
+        month += 1;
+    }
+    format!("{year}-{month:02}-{:02}", days + 1)
+}
+
+const fn days_of(year: u64) -> u64 {
+    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    if leap { 366 } else { 365 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn days_become_dates() {
+        for (days, expected) in [
+            (0, "1970-01-01"),
+            (58, "1970-02-28"),
+            (59, "1970-03-01"),
+            (364, "1970-12-31"),
+            (16_857, "2016-02-26"),
+            (16_860, "2016-02-29"),
+            (16_861, "2016-03-01"),
+            (17_166, "2016-12-31"),
+            (20_513, "2026-03-01"),
+        ] {
+            assert_eq!(date(days), expected, "{days}");
+        }
+    }
+}
