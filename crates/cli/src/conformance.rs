@@ -24,7 +24,7 @@ Examples:
   dobot conformance serial:/dev/ttyUSB0
   dobot conformance tcp:localhost:5555 --yes --report arm.md
 
-It takes about 70 seconds (a virtual arm in this process: none). The arm is lifted by 10 mm, moves by up
+It takes about a minute (a virtual arm in this process: no time). The arm is lifted by 10 mm, moves by up
 to 10 mm and 5 degrees around there, never below where it stood, switches the pump for a moment, and goes
 back. Speeds and other settings end up as they are at power-up. Ctrl-C stops it and brings the arm back.
 
@@ -145,7 +145,7 @@ impl Args {
             ""
         };
         format!(
-            "The arm at {} will move for about 70 s: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
+            "The arm at {} will move for about a minute: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
              and back. Its pump will run for a moment. Take off what hangs on it, and leave it 30 mm of room.\n\
              {laser}{traps}Enter begins, Ctrl-C does not: ",
             self.address

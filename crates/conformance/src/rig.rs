@@ -316,4 +316,4 @@ const AT_REST_DEG: f32 = 0.005;
 const AT_REST_MM: f64 = 0.05;
 const NEAR_DEG: f32 = 0.02;
 /// Degrees and millimetres from one status to the next.
-pub(crate) const STILL: f32 = 0.0005;
+const STILL: f32 = 0.0005;

@@ -110,6 +110,8 @@ impl Suite {
     }
 
     fn end(&mut self, trouble: &Trouble) {
+        // Where angles are not true no way back is safe.
+        self.rig.moved &= !matches!(trouble, Trouble::Untrue);
         self.ended = Some(format!("before it, {trouble}"));
     }
 

@@ -17,7 +17,15 @@ fn near(value: &Value, expected: f64) -> bool {
 #[test]
 fn help_shows_examples_for_every_verb() {
     for verb in [
-        "draw", "arm", "status", "move", "jog", "set", "decode", "ports",
+        "draw",
+        "arm",
+        "status",
+        "move",
+        "jog",
+        "set",
+        "decode",
+        "ports",
+        "conformance",
     ] {
         let outcome = dobot(&[verb, "--help"]).succeeds();
         assert!(outcome.stdout.contains(&format!("dobot {verb}")), "{verb}");

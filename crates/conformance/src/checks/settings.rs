@@ -9,7 +9,7 @@ use crate::packet::{
     LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, configuration, percent, playback,
     target, teach, tool as tool_packet, vector, writing as acceleration,
 };
-use crate::rig::{Rig, STILL, Trouble, distance, moved, off};
+use crate::rig::{Rig, Trouble, distance, moved, off};
 use crate::way::Way;
 
 /// Another end effector: X and Y change by 5.5 mm of reach, and nothing moves.
@@ -108,7 +108,7 @@ pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, Trouble> {
     ))
 }
 
-/// The initial angles, at which the base is told to be at 0 too: only there the check loses nothing.
+/// The initial angles. They make the base angle 0 too, so the base is turned to 0 before.
 pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
     if home.base_deg.abs() > ROOM_DEG {
@@ -121,38 +121,33 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
         base_deg: 0.0,
         ..home
     };
-    let angles = [0.0, level.rear_deg, level.fore_deg];
-    if home.base_deg.abs() > STILL {
-        rig.send(target(6.0, angles, home.servo_deg, 0.0, &home))
-            .await?;
-    }
-    let before = rig.settled().await?;
+    let before = rig.go_to(&level).await?;
     // One degree more or less, so that `rear` and `90 - rear` differ.
     let by = if before.rear_deg < 45.0 { -1.0 } else { 1.0 };
     let told = before.rear_deg + by;
-    rig.send(configuration(3.0, &[told, before.fore_deg]))
-        .await?;
-    let after = rig.settled().await?;
+    let after = tell_angles(rig, told, &before).await?;
     let is = |rear: f32| (after.rear_deg - rear).abs() < 0.01;
     let (document, stock) = (is(told), is(90.0 - told));
-    let back = if stock {
-        90.0 - before.rear_deg
-    } else {
-        before.rear_deg
-    };
     if document || stock {
-        rig.send(configuration(3.0, &[back, before.fore_deg]))
-            .await?;
+        let rear = before.rear_deg;
+        let back = if stock { 90.0 - rear } else { rear };
+        tell_angles(rig, back, &before).await?;
     }
-    let restored = rig.settled().await?;
+    if (rig.settled().await?.rear_deg - before.rear_deg).abs() > 0.001 {
+        return Err(Trouble::Untrue);
+    }
     let found = format!(
         "float 3 of {told:.2} makes the rear arm {:.2} degrees, from {:.2}",
         after.rear_deg, before.rear_deg
     );
-    if (restored.rear_deg - before.rear_deg).abs() > 0.001 {
-        return Err(Trouble::Untrue);
-    }
     Ok(Outcome::vote(document, stock, found))
+}
+
+/// Tells the arm its initial angles: a float 3, and the forearm as it is.
+async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, Trouble> {
+    rig.send(configuration(3.0, &[float_3, now.fore_deg]))
+        .await?;
+    rig.settled().await
 }
 
 /// Which of the two percentages slows a move down: that of the speed leaves a move with one speed

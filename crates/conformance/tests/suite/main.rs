@@ -379,6 +379,26 @@ async fn speeds_that_are_ignored_are_caught() {
 }
 
 #[tokio::test]
+async fn angles_that_are_not_taken_back_end_the_run_without_another_move() {
+    let arm = speaking(Personality::Specification);
+    let broken = Broken::new(arm.clone()).obeys(|frame| {
+        let is_angles = frame.float(1) == 9.0 && frame.float(2) == 3.0;
+        let rear = frame.float(3) + 3.0;
+        Some(if is_angles {
+            frame.with(3, rear)
+        } else {
+            frame
+        })
+    });
+    let report = check(broken, ON_A_PORT).await;
+    assert_eq!(report.differing(), ["set-angles"], "{}", table(&report));
+    assert!(untried(&report).contains(&"return"), "{}", table(&report));
+    // It still stands 10 mm higher than at the start.
+    let height = true_position(&arm).z.0 + 17.68;
+    assert!((height - 10.0).abs() < 0.1, "{height}");
+}
+
+#[tokio::test]
 async fn exchanged_ways_to_move_alone_make_a_mixed_dialect() {
     let broken = good().obeys(|frame| {
         let moves = matches!(frame.float(1), 3.0 | 6.0);

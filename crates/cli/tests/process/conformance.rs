@@ -1,0 +1,82 @@
+//! `dobot conformance` on virtual arms, and on addresses that have none.
+
+use std::fs;
+use std::net::TcpListener;
+
+use crate::program::{Outcome, command, dobot};
+
+/// Runs `dobot conformance` in a folder of its own.
+fn conformance(arguments: &[&str]) -> (Outcome, tempfile::TempDir) {
+    let folder = tempfile::tempdir().expect("there is room");
+    let output = command(&[&["conformance"], arguments].concat())
+        .current_dir(&folder)
+        .output()
+        .expect("the program starts");
+    (output.into(), folder)
+}
+
+#[test]
+fn both_personalities_conform_and_the_report_tells_them_apart() {
+    for personality in ["specification", "firmware-1.1"] {
+        let arguments = [
+            "virtual:",
+            "--personality",
+            personality,
+            "--traps",
+            "--laser",
+        ];
+        let (outcome, folder) = conformance(&arguments);
+        let outcome = outcome.succeeds();
+        let speaks = format!("0 differ, 0 not tried; speaks {personality}\n");
+        assert!(outcome.stdout.contains(&speaks), "{outcome:?}");
+        let report = fs::read_to_string(folder.path().join("conformance.md"));
+        let report = report.expect("it is the default place of the report");
+        assert!(
+            report.contains(&format!("| speaks | {personality} |")),
+            "{report}"
+        );
+    }
+}
+
+#[test]
+fn a_report_is_overwritten_and_nothing_else_is() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("mine.md");
+    let path = file.to_str().expect("the path is text");
+    let arguments = ["conformance", "virtual:", "--report", path];
+    dobot(&arguments).succeeds();
+    dobot(&arguments).succeeds();
+    fs::write(&file, "my diary").expect("there is room");
+    dobot(&arguments).fails(1, &["mine.md is there already", "--report"]);
+    assert_eq!(fs::read_to_string(&file).expect("it is there"), "my diary");
+}
+
+#[test]
+fn an_arm_at_a_port_is_not_moved_unless_somebody_agrees() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
+    let (outcome, folder) = conformance(&[&address]);
+    outcome.fails(1, &["nobody is here to agree", "--yes"]);
+    assert!(!folder.path().join("conformance.md").exists());
+}
+
+#[test]
+fn an_address_without_an_arm_is_told_with_what_to_do() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
+    drop(listener);
+    let (outcome, _folder) = conformance(&[&address, "--yes"]);
+    outcome.fails(1, &["cannot connect", "dobot arm --tcp"]);
+}
+
+#[test]
+fn a_personality_is_for_a_virtual_arm_only() {
+    let arguments = [
+        "tcp:127.0.0.1:5555",
+        "--yes",
+        "--personality",
+        "specification",
+    ];
+    let (outcome, _folder) = conformance(&arguments);
+    outcome.fails(1, &["--personality is for virtual: only", "leave it away"]);
+}
