@@ -16,6 +16,8 @@
 # - `examples` runs the very command in the first line of each example, so that none grows old.
 # - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
 #   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
+# - `fuzz` is a smoke run, on the stable toolchain; FUZZ_SECONDS=3600 makes a night of it. What it
+#   finds stays in `fuzz/artifacts`, and becomes a test.
 # - `licences` looks at every dependency on every platform with `cargo tree` alone.
 #
 # Why not others:
@@ -24,8 +26,6 @@
 #   second toolchain.
 # - Other targets: they would have to be installed. What is Unix-only sits behind a `cfg`; that no
 #   `std` slips into the lower rooms is proved by linking (`no-std`) on the host.
-# - Fuzzing: it needs a nightly toolchain. The damage tests of `wire` and the bad input tests of
-#   `controller` throw as many random bytes at them as CI has time for.
 # - Advisories: they come from the network and change without a commit.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -40,6 +40,7 @@ readonly CI_STEPS=(
   "no-std       do wire, arm, motion and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "bench-check  run every benchmark once, unoptimised"
+  "fuzz         30 seconds of each fuzz target"
 )
 readonly OTHER_STEPS=(
   "bench        all benchmarks (not part of CI; see docs/performance.md)"
@@ -122,6 +123,31 @@ step_examples() {
 
 step_bench-check() {
   cargo test --locked --workspace --all-features --bench '*'
+}
+
+# What `cargo fuzz run --sanitizer none` does, without having to install it. There is no `unsafe` for a
+# sanitizer to look into.
+step_fuzz() {
+  local host target
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  local -a coverage=(
+    --cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
+    -Cllvm-args=-sanitizer-coverage-pc-table
+  )
+  cargo fmt --manifest-path fuzz/Cargo.toml --check
+  (
+    cd fuzz
+    RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}" \
+      cargo build --locked --release --target "$host"
+    for target in fuzz_targets/*.rs; do
+      target=$(basename "$target" .rs)
+      mkdir -p "corpus/$target" "artifacts/$target"
+      "target/$host/release/$target" "corpus/$target" "-artifact_prefix=artifacts/$target/" \
+        "-max_total_time=${FUZZ_SECONDS:-30}" -timeout=10 -max_len=1000 -print_final_stats=1 2>&1 |
+        tail -n 12
+    done
+  )
 }
 
 step_bench() {

@@ -20,7 +20,10 @@ pub fn drive(personality: Personality, input: &[u8], mut judge: impl FnMut(&Cont
             0 => line.send(steps.bytes(usize::from(step / 4))),
             1 => line.send(&steps.any_packet()),
             2 => line.send(&steps.likely_packet(step / 4)),
-            _ => line.now += Duration::from_millis(u64::from(step) * u64::from(steps.byte().unwrap_or(1))),
+            _ => {
+                let factor = steps.byte().unwrap_or(1);
+                line.now += Duration::from_millis(u64::from(step / 4) * u64::from(factor));
+            }
         }
         line.settle(&mut judge);
     }
@@ -45,7 +48,10 @@ impl Line {
     fn settle(&mut self, judge: &mut impl FnMut(&Controller, &Frame)) {
         self.controller.handle_time(self.now);
         while let Some(upload) = self.controller.poll_bytes() {
-            assert!(upload.at <= self.now + Duration::from_millis(20), "{upload:?}");
+            assert!(
+                upload.at <= self.now + Duration::from_millis(20),
+                "{upload:?}"
+            );
             let frame = Frame::from_bytes(&upload.bytes).expect("a status is a frame");
             judge(&self.controller, &frame);
         }

@@ -8,7 +8,10 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
     dobot_fuzz::drive(Personality::Specification, input, |_, status| {
-        assert!(status.floats().iter().all(|it| it.is_finite()), "{status:?}");
+        assert!(
+            status.floats().iter().all(|it| it.is_finite()),
+            "{status:?}"
+        );
         let angle = |n| f64::from(status.float(n));
         let joints = Joints::new(angle(5), angle(6), angle(7), angle(8));
         let is_within = |tool| match Limits::STOCK.check(&joints, tool) {
