@@ -54,9 +54,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     if let Some(file) = &args.plot {
         let plot = Plot {
-            title: &name,
+            title: &title(&args.script),
             personality: args.personality,
             snapshots: &snapshots,
+            statuses: &simulation.trace.statuses,
         };
         write(file, plot.to_svg().as_bytes())?;
     }
@@ -83,6 +84,15 @@ impl Args {
         };
         Ok((simulation?, snapshots))
     }
+}
+
+/// What stands above a picture: a folder says nothing there.
+fn title(script: &Path) -> String {
+    let name = script.file_name().filter(|_| !is_dash(script));
+    name.map_or_else(
+        || "script".to_owned(),
+        |it| it.to_string_lossy().into_owned(),
+    )
 }
 
 fn is_dash(file: &Path) -> bool {

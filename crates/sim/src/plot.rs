@@ -13,6 +13,7 @@ use self::axis::Axis;
 use self::chart::{Chart, Curve, bands};
 use self::sheet::{Anchor, INK, SOFT, Sheet};
 use self::views::views;
+use crate::trace::{TICK_MS, TracedStatus};
 
 /// A picture of a run.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +24,8 @@ pub struct Plot<'a> {
     pub personality: Personality,
     /// The arm at every control tick.
     pub snapshots: &'a [Snapshot],
+    /// What it uploaded: that tells where its pose is lost.
+    pub statuses: &'a [TracedStatus],
 }
 
 /// The arm at a control tick.
@@ -32,7 +35,7 @@ pub struct Snapshot {
     pub at: Duration,
     /// The angles of base, rear arm, forearm and servo, in degrees.
     pub joints_deg: [f64; 4],
-    /// Where the tool is told to be in the base frame: x, y and z in millimetres.
+    /// Where the motors bring the tool, in the base frame: x, y and z in millimetres.
     pub tool_mm: [f64; 3],
     /// Whether the pump runs.
     pub pump: bool,
@@ -70,14 +73,14 @@ impl Plot<'_> {
     }
 
     fn time_axis(&self) -> Axis {
-        Axis::exact([0.0, self.end_s().max(TICK_S)], [LEFT, RIGHT])
+        Axis::exact([0.0, self.end_s() + TICK_S], [LEFT, RIGHT])
     }
 
     fn angles(&self, sheet: &mut Sheet, time: &Axis) {
         let chart = Chart {
             title: "Joint angles",
             unit: "°",
-            top: 545.0,
+            top: 572.0,
             height: 190.0,
         };
         let curves = JOINTS.map(|(joint, name, color)| Curve {
@@ -85,14 +88,14 @@ impl Plot<'_> {
             color,
             points: self.over_time(|it, _| it.joints_deg[joint]),
         });
-        chart.draw(sheet, time, &curves, self.snapshots);
+        chart.draw(sheet, time, &curves, &self.lost());
     }
 
     fn speeds(&self, sheet: &mut Sheet, time: &Axis) {
         let chart = Chart {
             title: "Joint speeds",
             unit: "°/s",
-            top: 790.0,
+            top: 812.0,
             height: 160.0,
         };
         let curves = JOINTS.map(|(joint, name, color)| Curve {
@@ -107,14 +110,14 @@ impl Plot<'_> {
                 }
             }),
         });
-        chart.draw(sheet, time, &curves, self.snapshots);
+        chart.draw(sheet, time, &curves, &self.lost());
     }
 
     fn tool_speed(&self, sheet: &mut Sheet, time: &Axis) {
         let chart = Chart {
             title: "Tool speed",
             unit: "mm/s",
-            top: 1005.0,
+            top: 1022.0,
             height: 130.0,
         };
         let points = self.over_time(|it, before| {
@@ -131,7 +134,19 @@ impl Plot<'_> {
             color: INK,
             points,
         };
-        chart.draw(sheet, time, &[curve], self.snapshots);
+        chart.draw(sheet, time, &[curve], &self.lost());
+    }
+
+    /// From when to when, in seconds, the statuses say that the pose is no number.
+    fn lost(&self) -> Vec<[f64; 2]> {
+        let is_lost = |it: &TracedStatus| it.floats.iter().any(|it| it.is_nan());
+        let runs = self.statuses.chunk_by(|a, b| is_lost(a) == is_lost(b));
+        let mut starts: Vec<_> = runs
+            .map(|run| (status_s(&run[0]), is_lost(&run[0])))
+            .collect();
+        starts.push((self.end_s() + TICK_S, false));
+        let spans = starts.windows(2).filter(|it| it[0].1);
+        spans.map(|it| [it[0].0, it[1].0]).collect()
     }
 
     /// What the arm says at each time, of itself and of itself a tick before.
@@ -169,6 +184,10 @@ impl Snapshot {
     }
 }
 
+fn status_s(status: &TracedStatus) -> f64 {
+    Duration::from_millis(u64::from(status.tick) * TICK_MS.unsigned_abs()).as_secs_f64()
+}
+
 /// Whether the angles changed more in a tick than any motor turns: they were set.
 fn is_set_anew(it: &Snapshot, before: &Snapshot) -> bool {
     let ways = it.joints_deg.iter().zip(&before.joints_deg);
@@ -190,10 +209,10 @@ const JOINTS: [(usize, &str, &str); 4] = [
 /// The control tick (note N27).
 const TICK_S: f64 = 0.02;
 const WIDTH: f64 = 1200.0;
-const HEIGHT: f64 = 1265.0;
+const HEIGHT: f64 = 1268.0;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 1164.0;
-const BANDS_TOP: f64 = 1172.0;
+const BANDS_TOP: f64 = 1176.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

@@ -26,6 +26,7 @@ fn help_shows_examples_for_every_verb() {
         "decode",
         "ports",
         "conformance",
+        "simulate",
     ] {
         let outcome = dobot(&[verb, "--help"]).succeeds();
         assert!(outcome.stdout.contains(&format!("dobot {verb}")), "{verb}");

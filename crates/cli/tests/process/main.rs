@@ -7,3 +7,4 @@ mod drawing;
 #[cfg(unix)]
 mod links;
 mod program;
+mod simulating;

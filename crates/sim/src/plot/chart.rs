@@ -20,21 +20,15 @@ pub(super) struct Curve {
 }
 
 impl Chart {
-    pub(super) fn draw(
-        &self,
-        sheet: &mut Sheet,
-        time: &Axis,
-        curves: &[Curve],
-        snapshots: &[Snapshot],
-    ) {
+    pub(super) fn draw(&self, sheet: &mut Sheet, time: &Axis, curves: &[Curve], lost: &[[f64; 2]]) {
         let values = curves.iter().flat_map(|it| &it.points).map(|it| it[1]);
         let axis = Axis::around(values.chain([0.0]), 1.0, [self.top + self.height, self.top]);
         let [left, right] = time.pixels();
         let bottom = self.top + self.height;
         sheet.area([left, self.top], [right, bottom], PANEL);
-        lost(sheet, time, snapshots, [self.top, bottom]);
+        mark_lost(sheet, time, lost, [self.top, bottom]);
         time_grid(sheet, time, [self.top, bottom]);
-        for (value, text) in axis.ticks(34.0) {
+        for (value, text) in axis.ticks(27.0) {
             let y = axis.pixel(value);
             let color = if value == 0.0 { "#9ca3af" } else { GRID };
             sheet.line([left, y], [right, y], color, 1.0);
@@ -111,8 +105,8 @@ fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {
 }
 
 /// Marks where the pose is no number.
-fn lost(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], [top, bottom]: [f64; 2]) {
-    for [from, to] in spans(snapshots, |it| !it.is_known()) {
+fn mark_lost(sheet: &mut Sheet, time: &Axis, lost: &[[f64; 2]], [top, bottom]: [f64; 2]) {
+    for &[from, to] in lost {
         let (from, to) = (time.pixel(from), time.pixel(to));
         sheet.area([from, top], [to, bottom], LOST);
         if to - from > 110.0 {
