@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow};
 use dobot_controller::Personality;
 use dobot_sim::{
-    Plot, Script, SimulateError, Simulation, Snapshot, Trace, simulate, simulate_watched,
+    Plot, Script, SimulateError, Simulation, Snapshot, Trace, TracedStatus, simulate,
+    simulate_watched,
 };
 
 use crate::failure::Failure;
@@ -100,7 +101,7 @@ fn is_dash(file: &Path) -> bool {
 }
 
 fn trace_file(text: &str) -> Result<PathBuf, String> {
-    if text == "-" || text.ends_with(".csv") {
+    if text == "-" || Path::new(text).extension().is_some_and(|it| it == "csv") {
         Ok(text.into())
     } else {
         Err("it ends in neither `.csv` nor is it `-`".to_owned())
@@ -108,7 +109,7 @@ fn trace_file(text: &str) -> Result<PathBuf, String> {
 }
 
 fn plot_file(text: &str) -> Result<PathBuf, String> {
-    if text.ends_with(".svg") {
+    if Path::new(text).extension().is_some_and(|it| it == "svg") {
         Ok(text.into())
     } else {
         Err("it does not end in `.svg`".to_owned())
@@ -129,7 +130,7 @@ fn read(file: &Path) -> anyhow::Result<Vec<u8>> {
 fn parse(bytes: &[u8], name: &str) -> anyhow::Result<Script> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let (before, rest) = bytes.split_at(error.valid_up_to());
-        let line = 1 + before.iter().filter(|&&it| it == b'\n').count();
+        let line = before.split(|&it| it == b'\n').count();
         anyhow!(
             "{name}:{line}: byte {:02X} is no text; allowed is UTF-8",
             rest[0]
@@ -173,21 +174,29 @@ fn write_trace(trace: &Trace, file: &Path) -> anyhow::Result<()> {
 }
 
 fn summary(name: &str, personality: Personality, lines: usize, it: &Simulation) -> String {
-    let sent = lines - it.unsent;
-    let mut text = format!(
-        "{name}: {:.2} s of an arm that behaves as {personality}\n",
-        it.end.as_secs_f64()
-    );
-    text += &format!("lines sent   {sent} of {lines}\n");
-    text += &format!("statuses     {}\n", it.trace.statuses.len());
-    if let Some(last) = it.trace.statuses.last() {
-        let [x, y, z, turn, base, rear, fore, servo, ..] = last.floats;
-        text += &format!(
-            "last status  at {:.2} s: x {x:.3}  y {y:.3}  z {z:.3} mm   turn {turn:.2}°   base {base:.2}°  rear {rear:.2}°  fore {fore:.2}°  servo {servo:.2}°\n",
-            f64::from(last.tick) * 0.02
-        );
-    }
-    text + &format!("refused      {}", it.refused.len())
+    let seconds = it.end.as_secs_f64();
+    [
+        format!("{name}: {seconds:.2} s of an arm that behaves as {personality}"),
+        format!("lines sent   {} of {lines}", lines - it.unsent),
+        format!("statuses     {}", it.trace.statuses.len()),
+        format!(
+            "last status  {}",
+            it.trace
+                .statuses
+                .last()
+                .map_or_else(|| "none".to_owned(), place)
+        ),
+        format!("refused      {}", it.refused.len()),
+    ]
+    .join("\n")
+}
+
+fn place(status: &TracedStatus) -> String {
+    let [x, y, z, turn, base, rear, fore, servo, ..] = status.floats;
+    format!(
+        "at {:.2} s: x {x:.3}  y {y:.3}  z {z:.3} mm   turn {turn:.2}°   base {base:.2}°  rear {rear:.2}°  fore {fore:.2}°  servo {servo:.2}°",
+        f64::from(status.tick) * 0.02
+    )
 }
 
 /// What a person should know about a run: a line each.

@@ -13,7 +13,7 @@ use self::axis::Axis;
 use self::chart::{Chart, Curve, bands};
 use self::sheet::{Anchor, INK, SOFT, Sheet};
 use self::views::views;
-use crate::trace::{TICK_MS, TracedStatus};
+use crate::TracedStatus;
 
 /// A picture of a run.
 #[derive(Clone, Copy, Debug)]
@@ -185,7 +185,7 @@ impl Snapshot {
 }
 
 fn status_s(status: &TracedStatus) -> f64 {
-    Duration::from_millis(u64::from(status.tick) * TICK_MS.unsigned_abs()).as_secs_f64()
+    f64::from(status.tick) * TICK_S
 }
 
 /// Whether the angles changed more in a tick than any motor turns: they were set.

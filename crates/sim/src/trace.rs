@@ -48,7 +48,7 @@ impl Trace {
         csv.extend_from_slice(STATUS_FIELDS.join(",").as_bytes());
         csv.push(b'\n');
         for status in &self.statuses {
-            push_int(&mut csv, i64::from(status.tick) * TICK_MS);
+            push_int(&mut csv, status.t_ms());
             for &float in &status.floats {
                 csv.push(b',');
                 push_float(&mut csv, float);
@@ -65,7 +65,7 @@ impl Trace {
         csv.extend_from_slice(TICK_FIELDS.join(",").as_bytes());
         csv.push(b'\n');
         for (tick, row) in (0..).zip(&self.ticks) {
-            push_int(&mut csv, tick * TICK_MS);
+            push_int(&mut csv, tick * i64::from(TICK_MS));
             for value in row.values() {
                 csv.push(b',');
                 push_int(&mut csv, value);
@@ -73,6 +73,14 @@ impl Trace {
             csv.push(b'\n');
         }
         csv
+    }
+}
+
+impl TracedStatus {
+    /// The nominal time of its tick, in milliseconds.
+    #[must_use]
+    pub fn t_ms(&self) -> i64 {
+        i64::from(self.tick) * i64::from(TICK_MS)
     }
 }
 
@@ -118,7 +126,7 @@ pub(crate) const TICK_FIELDS: [&str; 12] = [
 ];
 
 /// The control tick in milliseconds (note N27).
-pub(crate) const TICK_MS: i64 = 20;
+pub(crate) const TICK_MS: u32 = 20;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

@@ -71,15 +71,14 @@ impl Curve {
 /// Pump and laser as bands, and the time below all.
 pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top: f64) {
     let [left, right] = time.pixels();
-    let lanes: [(&str, &str, fn(&Snapshot) -> bool); 2] = [
-        ("pump", PUMP, |it| it.pump),
-        ("laser", LASER, |it| it.laser),
+    let lanes = [
+        ("pump", PUMP, spans(snapshots, |it| it.pump)),
+        ("laser", LASER, spans(snapshots, |it| it.laser)),
     ];
-    for (n, (name, color, is_on)) in (0_u8..).zip(lanes) {
-        let y = top + 20.0 * f64::from(n);
+    for ((name, color, spans), y) in lanes.into_iter().zip([top, top + 20.0]) {
         sheet.area([left, y], [right, y + 15.0], PANEL);
         sheet.text([left - 8.0, y + 12.0], Anchor::End, INK, name);
-        for [from, to] in spans(snapshots, is_on) {
+        for [from, to] in spans {
             let (from, to) = (time.pixel(from), time.pixel(to));
             sheet.area([from, y], [to.max(from + 1.0), y + 15.0], color);
         }
@@ -93,7 +92,7 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
             &text,
         );
     }
-    let middle = (left + right) / 2.0;
+    let middle = f64::midpoint(left, right);
     sheet.text([middle, bottom + 34.0], Anchor::Middle, INK, "time (s)");
 }
 
@@ -110,7 +109,7 @@ fn mark_lost(sheet: &mut Sheet, time: &Axis, lost: &[[f64; 2]], [top, bottom]: [
         let (from, to) = (time.pixel(from), time.pixel(to));
         sheet.area([from, top], [to, bottom], LOST);
         if to - from > 110.0 {
-            let middle = [(from + to) / 2.0, bottom - 8.0];
+            let middle = [f64::midpoint(from, to), bottom - 8.0];
             sheet.text(middle, Anchor::Middle, LASER, "the pose is NaN");
         }
     }

@@ -6,7 +6,7 @@ use super::{LEFT, RIGHT, Snapshot};
 
 /// Draws both views, and what their colours mean.
 pub(super) fn views(sheet: &mut Sheet, snapshots: &[Snapshot]) {
-    let middle = (LEFT + RIGHT) / 2.0;
+    let middle = f64::midpoint(LEFT, RIGHT);
     let top = View {
         title: "From above",
         axes: ["x (mm)", "y (mm)"],
@@ -60,7 +60,7 @@ impl View {
             .map(|n| (1.12 * (spans[n][1] - spans[n][0])).max(20.0) / sizes[n])
             .fold(0.0, f64::max);
         let axis = |n: usize, pixels| {
-            let center = (spans[n][0] + spans[n][1]) / 2.0;
+            let center = f64::midpoint(spans[n][0], spans[n][1]);
             let half = sizes[n] * mm_per_pixel / 2.0;
             Axis::exact([center - half, center + half], pixels)
         };
@@ -81,7 +81,7 @@ impl View {
             sheet.line([left, y], [right, y], GRID, 1.0);
             sheet.text([left - 8.0, y + 4.5], Anchor::End, SOFT, &text);
         }
-        let middle = (left + right) / 2.0;
+        let middle = f64::midpoint(left, right);
         sheet.text([middle, BOTTOM + 38.0], Anchor::Middle, INK, self.axes[0]);
         sheet.text(
             [right, TOP - 10.0],

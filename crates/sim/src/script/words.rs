@@ -147,7 +147,7 @@ fn whole(word: &str) -> Option<usize> {
 
 fn hex(word: &str) -> Option<Vec<u8>> {
     let digits = word.as_bytes();
-    if digits.is_empty() || digits.len() % 2 != 0 {
+    if digits.is_empty() || !digits.len().is_multiple_of(2) {
         return None;
     }
     let digit = |it: u8| u8::try_from(char::from(it).to_digit(16)?).ok();

@@ -209,7 +209,6 @@ enum Pair {
 fn pairs<'a>(expected: &'a Trace, found: &'a Trace) -> impl Iterator<Item = Pair> + 'a {
     let mut expected = expected.statuses.iter().peekable();
     let mut found = found.statuses.iter().peekable();
-    let t_ms = |it: &TracedStatus| i64::from(it.tick) * TICK_MS;
     std::iter::from_fn(move || {
         let order = match (expected.peek(), found.peek()) {
             (None, None) => return None,
@@ -218,8 +217,8 @@ fn pairs<'a>(expected: &'a Trace, found: &'a Trace) -> impl Iterator<Item = Pair
             (Some(a), Some(b)) => a.tick.cmp(&b.tick),
         };
         match order {
-            Ordering::Less => expected.next().map(|it| Pair::Missing(t_ms(it))),
-            Ordering::Greater => found.next().map(|it| Pair::Extra(t_ms(it))),
+            Ordering::Less => expected.next().map(|it| Pair::Missing(it.t_ms())),
+            Ordering::Greater => found.next().map(|it| Pair::Extra(it.t_ms())),
             Ordering::Equal => Some(Pair::Both(floats(expected.next()?, found.next()?))),
         }
     })
@@ -228,7 +227,7 @@ fn pairs<'a>(expected: &'a Trace, found: &'a Trace) -> impl Iterator<Item = Pair
 fn floats(expected: &TracedStatus, found: &TracedStatus) -> [Deviation; 10] {
     std::array::from_fn(|index| Deviation {
         field: STATUS_FIELDS[index + 1],
-        t_ms: i64::from(expected.tick) * TICK_MS,
+        t_ms: expected.t_ms(),
         expected: f64::from(expected.floats[index]),
         found: f64::from(found.floats[index]),
     })
@@ -241,7 +240,7 @@ fn outputs(expected: &Trace, found: &Trace) -> impl Iterator<Item = [Deviation; 
             let (expected, found) = (expected.values(), found.values());
             std::array::from_fn(|index| Deviation {
                 field: TICK_FIELDS[index + 1],
-                t_ms: tick * TICK_MS,
+                t_ms: tick * i64::from(TICK_MS),
                 expected: whole(expected[index]),
                 found: whole(found[index]),
             })

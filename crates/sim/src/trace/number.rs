@@ -128,7 +128,6 @@ fn by_the_library(value: f32) -> (u64, i32) {
     (digits, exponent)
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "it is below ten")]
 const fn digit(number: u64) -> u8 {
     b'0' + (number % 10) as u8
 }

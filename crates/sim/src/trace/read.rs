@@ -109,8 +109,8 @@ impl<const N: usize> Row<'_, N> {
     fn tick(&self) -> Result<u32, TraceError> {
         let allowed = "a multiple of 20 ms";
         let t_ms: u32 = self.field(0, allowed)?;
-        if i64::from(t_ms) % TICK_MS == 0 {
-            Ok(t_ms / TICK_MS.unsigned_abs() as u32)
+        if t_ms.is_multiple_of(TICK_MS) {
+            Ok(t_ms / TICK_MS)
         } else {
             Err(self.wrong(0, allowed))
         }
