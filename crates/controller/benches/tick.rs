@@ -105,10 +105,10 @@ fn bench(bencher: Bencher, personality: Personality, command: Option<Command>, f
 /// A controller that has begun what it was told.
 fn under_way(personality: Personality, command: Option<Command>, until: u32) -> Controller {
     let mut controller = Controller::power_up(PowerUp::new(personality));
-    for (command, ticks) in [Some(SLOWLY), command].into_iter().flatten().zip(1..) {
+    for (command, ticks) in [Some(SLOWLY), command].into_iter().flatten().zip(0..) {
         let packet = command.emit(&personality.dialect());
         // In the middle of a tick, when it is not calculating.
-        controller.handle_bytes(TICK * ticks - TICK / 2, &packet.to_bytes());
+        controller.handle_bytes(TICK * ticks + TICK / 2, &packet.to_bytes());
     }
     controller.handle_time(TICK * until);
     while controller.poll_bytes().is_some() {}

@@ -57,7 +57,7 @@ impl Controller {
                 (Program::Firmware(program), power_up.port)
             }
         };
-        let outputs = Outputs::new([0; 3], &program.hands());
+        let outputs = Outputs::new([0; 3], program.hands());
         Self {
             program,
             tick: 0,
@@ -216,7 +216,7 @@ impl Controller {
 
     fn tick(&mut self, at: Duration) {
         self.tick += 1;
-        self.outputs = Outputs::new(self.steppers.exchange(), &self.program.hands());
+        self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
         let (waiting, way_deg, is_at_rest) = match &mut self.program {
             Program::Specification(it) => {
                 it.tick(at, &mut self.log);

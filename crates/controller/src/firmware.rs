@@ -246,14 +246,14 @@ impl Firmware {
             return;
         }
         while let Some(found) = self.receiver.look() {
-            self.take(found, log);
+            self.take(&found, log);
         }
     }
 
-    fn take(&mut self, found: Found, log: &mut Log) {
+    fn take(&mut self, found: &Found, log: &mut Log) {
         self.heard.packets += 1;
         match found {
-            Found::Frame(frame) => {
+            &Found::Frame(frame) => {
                 log.counters.packets += 1;
                 self.heard.is_voice = false;
                 if !self.fifo.push(frame) {
@@ -262,9 +262,9 @@ impl Firmware {
             }
             Found::Voice(text) => {
                 log.counters.packets += 1;
-                self.hear(&Words::find(&text), log);
+                self.hear(&Words::find(text), log);
             }
-            Found::BadTail { header } => {
+            &Found::BadTail { header } => {
                 self.heard.bad_tails += 1;
                 log.refuse(Refused::BadTail);
                 self.interrupt(header);

@@ -22,7 +22,7 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    pub(crate) const fn new(pulses: [i32; 3], hands: &Hands) -> Self {
+    pub(crate) const fn new(pulses: [i32; 3], hands: Hands) -> Self {
         Self {
             pulses,
             head_servo: hands.head_servo,
@@ -60,7 +60,12 @@ impl Steppers {
             let residue = &mut self.residues[index];
             *residue += way_deg / 1.8 * 16.0 * 10.0;
             let pulses = whole(*residue);
-            *residue -= pulses as f32;
+            #[expect(
+                clippy::cast_precision_loss,
+                reason = "the processor has no more of it"
+            )]
+            let sent = pulses as f32;
+            *residue -= sent;
             self.pending[index] = direction.saturating_mul(pulses);
         }
     }
@@ -85,11 +90,16 @@ pub(crate) fn servo_value(angle_deg: f32) -> i16 {
 }
 
 /// The integer part of a number; 0 for one that is none, as the stock controller's processor has it.
+#[expect(clippy::cast_possible_truncation, reason = "that is the point")]
 pub(crate) const fn whole(value: f32) -> i32 {
     if value.is_finite() { value as i32 } else { 0 }
 }
 
 /// The integer part of a number in sixteen bits.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "its integers are that short"
+)]
 pub(crate) const fn short(value: f32) -> i16 {
     whole(value) as i16
 }

@@ -167,8 +167,11 @@ fn is_beyond(joints: &Joints, [base, rear, fore, servo]: [f32; 4]) -> bool {
 /// Whether angles are outside of the soft limits.
 fn is_outside(joints: &Joints, pose: Pose) -> bool {
     let reach_mm = reach(pose);
-    reach_mm > REACH_MM[1]
-        || reach_mm < REACH_MM[0]
+    // What is not a number is neither.
+    let is_far = reach_mm > REACH_MM[1];
+    let is_near = reach_mm < REACH_MM[0];
+    is_far
+        || is_near
         || pose.z_mm > HEIGHT_MM
         || 90.0 + joints.rear_deg - joints.fore_deg > ELBOW_DEG
 }

@@ -34,7 +34,7 @@ pub(crate) enum Kind {
 #[derive(Debug, Default)]
 struct History {
     samples: [[f32; 3]; 11],
-    count: usize,
+    count: u8,
 }
 
 impl Follow {
@@ -185,22 +185,26 @@ impl Follow {
 }
 
 impl History {
+    fn len(&self) -> usize {
+        self.count.into()
+    }
+
     /// Each of the samples before counts together with the new one, which counts once more.
     fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
         let mut sums = sample;
-        for old in &self.samples[..self.count] {
+        for old in &self.samples[..self.len()] {
             for (sum, (new, old)) in sums.iter_mut().zip(sample.iter().zip(old)) {
                 *sum += new + old;
             }
         }
         self.store(sample);
-        sums.map(|sum| sum / self.count as f32)
+        sums.map(|sum| sum / f32::from(self.count))
     }
 
     /// Half of it the new sample, half of it those before.
     fn hand_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
         let sums = self.sums_before(sample, [0.0, 0.0, sample[2]]);
-        core::array::from_fn(|axis| 0.5 * sample[axis] + 0.5 * sums[axis] / self.count as f32)
+        core::array::from_fn(|axis| 0.5 * sample[axis] + 0.5 * sums[axis] / f32::from(self.count))
     }
 
     /// The average of the angles told before: the newest one does not count yet.
@@ -212,7 +216,7 @@ impl History {
         ];
         let [rear_deg, fore_deg, base_deg] = self
             .sums_before(sample, [0.0; 3])
-            .map(|sum| sum / self.count as f32);
+            .map(|sum| sum / f32::from(self.count));
         Joints {
             base_deg,
             rear_deg,
@@ -225,7 +229,7 @@ impl History {
     /// happens to be there, or, behind ten samples, over the new one itself.
     fn sums_before(&mut self, sample: [f32; 3], mut sums: [f32; 3]) -> [f32; 3] {
         self.samples[SAMPLES] = sample;
-        for old in &self.samples[..=self.count] {
+        for old in &self.samples[..=self.len()] {
             for (sum, old) in sums.iter_mut().zip(old) {
                 *sum += old;
             }
@@ -236,11 +240,11 @@ impl History {
 
     /// Behind ten the oldest is dropped.
     fn store(&mut self, sample: [f32; 3]) {
-        if self.count == SAMPLES {
+        if self.len() == SAMPLES {
             self.samples.copy_within(1..SAMPLES, 0);
             self.samples[SAMPLES - 1] = sample;
         } else {
-            self.samples[self.count] = sample;
+            self.samples[self.len()] = sample;
             self.count += 1;
         }
     }

@@ -126,8 +126,11 @@ fn step(by: [f32; 3]) -> Option<Order> {
     (by != [0.0; 3]).then_some(Order::Move(by))
 }
 
+/// What a word orders together with a number.
+type Meaning = fn(f32) -> Option<Order>;
+
 /// The first one that is found counts.
-const ORDERS: [(&str, fn(f32) -> Option<Order>); 8] = [
+const ORDERS: [(&str, Meaning); 8] = [
     ("ahead", |mm| step([mm, 0.0, 0.0])),
     ("back", |mm| step([-mm, 0.0, 0.0])),
     ("left", |mm| step([0.0, mm, 0.0])),

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::{Limits, Tool};
-use dobot_controller::{Controller, PowerUp, Upload};
+use dobot_controller::{Controller, Personality, PowerUp, Upload};
 use dobot_wire::{Frame, Status, WriteMode, WriteVector};
 use proptest::prelude::*;
 
@@ -114,21 +114,28 @@ proptest! {
 
     #[test]
     fn how_bytes_are_cut_and_how_time_is_sliced_changes_nothing(
+        personality in proptest::sample::select(&Personality::ALL),
         frames in proptest::collection::vec((any_frame(), 0_u64..400), 1..6),
         cuts in proptest::collection::vec(1_usize..42, 1..8),
         slices in proptest::collection::vec(1_u64..90, 1..8),
     ) {
-        let whole = told(&frames, &[42], &[1000]);
-        let cut = told(&frames, &cuts, &slices);
+        let whole = told(personality, &frames, &[42], &[1000]);
+        let cut = told(personality, &frames, &cuts, &slices);
         prop_assert_eq!(whole, cut);
     }
 }
 
 /// Every status, when the bytes come in such pieces and the time in such steps.
-fn told(frames: &[([f32; 10], u64)], cuts: &[usize], slices_ms: &[u64]) -> Vec<Upload> {
-    let mut controller = Controller::power_up(PowerUp::default());
+fn told(
+    personality: Personality,
+    frames: &[([f32; 10], u64)],
+    cuts: &[usize],
+    slices_ms: &[u64],
+) -> Vec<Upload> {
+    let mut controller = Controller::power_up(PowerUp::new(personality));
     let mut statuses = Vec::new();
-    let mut now = Duration::ZERO;
+    // While the twin calculates it lets bytes pile up.
+    let mut now = Duration::from_millis(10);
     let mut slices = slices_ms.iter().cycle();
     let mut cuts = cuts.iter().cycle();
     for (floats, ms) in frames.iter().chain(&[([0.0; 10], 500)]) {

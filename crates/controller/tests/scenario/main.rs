@@ -5,4 +5,5 @@ mod jogging;
 mod lab;
 mod moving;
 mod queue;
+mod twin;
 mod writing;
