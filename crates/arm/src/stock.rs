@@ -37,12 +37,12 @@ pub struct Pose {
 
 /// Where these joint angles bring a tool that reaches `tool_mm` beyond the wrist.
 ///
-/// The rear arm is calculated from its angle above level, 90 degrees less the joint angle. That
-/// shows in the last digits.
+/// The rear arm is calculated from its angle above level: a quarter of a turn less the joint angle,
+/// in radians. That shows in the last digits.
 #[must_use]
 pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
     let base = radians(joints.base_deg);
-    let rear_above_level = radians(90.0 - joints.rear_deg);
+    let rear_above_level = FRAC_PI_2 - radians(joints.rear_deg);
     let fore = radians(joints.fore_deg);
     let reach_mm = REAR_MM * cos(rear_above_level) + FORE_MM * cos(fore) + tool_mm;
     Pose {
@@ -108,3 +108,4 @@ const REAR_MM: f32 = 135.0;
 const FORE_MM: f32 = 160.0;
 
 const PI: f32 = core::f32::consts::PI;
+const FRAC_PI_2: f32 = core::f32::consts::FRAC_PI_2;
