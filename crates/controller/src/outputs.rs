@@ -86,7 +86,7 @@ impl Steppers {
 
 /// The value that turns a servo to an angle.
 pub(crate) fn servo_value(angle_deg: f32) -> i16 {
-    short(angle_deg * 1000.0 / 180.0 + 500.0)
+    short(angle_deg / 180.0 * 1000.0 + 500.0)
 }
 
 /// The integer part of a number; 0 for one that is none, as the stock controller's processor has it.

@@ -64,18 +64,18 @@ impl Axis {
     /// Stretches the way of one joint to the time that the slowest one takes.
     fn plan(way: f32, target_deg: f32, ramp: Ramp, total_s: f32) -> Self {
         let (distance, sign) = (way.abs(), if way < 0.0 { -1.0 } else { 1.0 });
-        let (ramp_s, cruise_s, acceleration) = if 2.0 * distance / total_s <= ramp.speed {
-            let ramp_s = total_s / 2.0;
-            (ramp_s, 0.0, distance / (ramp_s * ramp_s))
+        let even_speed = 2.0 * distance / total_s;
+        let (ramp_s, cruise_s, peak) = if even_speed <= ramp.speed {
+            (total_s / 2.0, 0.0, even_speed)
         } else {
             let ramp_s = total_s - distance / ramp.speed;
-            (ramp_s, total_s - 2.0 * ramp_s, ramp.speed / ramp_s)
+            (ramp_s, total_s - 2.0 * ramp_s, ramp.speed)
         };
         Self {
             target_deg,
             is_done: distance < NO_WAY_DEG,
-            acceleration: sign * acceleration,
-            peak: sign * acceleration * ramp_s,
+            acceleration: sign * (peak / ramp_s),
+            peak: sign * (peak / ramp_s) * ramp_s,
             ramp_s,
             cruise_s,
         }
@@ -109,7 +109,7 @@ fn time_alone(
     if distance > speed * speed / acceleration {
         distance / speed + speed / acceleration
     } else {
-        2.0 * libm::sqrtf(distance / acceleration)
+        2.0 * libm::sqrtf(distance * acceleration) / acceleration
     }
 }
 
