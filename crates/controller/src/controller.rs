@@ -74,6 +74,7 @@ impl Controller {
     /// from the next tick on.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
+        self.ticks_at_rest = 0;
         match &mut self.program {
             Program::Specification(it) => it.handle_bytes(bytes, &mut self.log),
             Program::Firmware(it) => it.handle_bytes(now, bytes, &mut self.log),

@@ -52,6 +52,22 @@ fn falls_silent_while_four_commands_wait_and_goes_on_when_there_is_room() {
 }
 
 #[test]
+fn a_command_is_obeyed_at_the_next_tick_however_long_nothing_was_done() {
+    for personality in Personality::ALL {
+        for ms in [10_010, 10_030, 10_050, 10_070] {
+            let mut lab = Lab::power_up_with(PowerUp::new(personality)).wait_ms(ms);
+            let jog = JointJog {
+                axis: JointJogAxis::SuctionOn,
+                speed_percent: 100.0,
+            };
+            lab = lab.send(jog).wait_ms(9);
+            assert!(!lab.controller.suction(), "{personality} at {ms} ms");
+            assert!(lab.wait_ms(1).controller.suction(), "{personality} at {ms} ms");
+        }
+    }
+}
+
+#[test]
 fn refuses_a_seventh_command_in_the_queue() {
     let mut lab = Lab::power_up().wait_ms(60);
     for n in 1..=8 {
