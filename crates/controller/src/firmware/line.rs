@@ -36,8 +36,8 @@ impl Line {
         } = ramp;
         // Neither longer nor shorter, because one of the two is not a number, counts as longer.
         let (ramp_s, cruise_s, peak) = if speed * speed / acceleration >= length {
-            let ramp_s = libm::sqrtf(length / acceleration);
-            (ramp_s, 0.0, libm::sqrtf(acceleration * length))
+            let peak = libm::sqrtf(acceleration * length);
+            (peak / acceleration, 0.0, peak)
         } else {
             let cruise_s = (length - speed * speed / acceleration) / speed;
             (speed / acceleration, cruise_s, speed)
