@@ -20,6 +20,7 @@
 
 mod in_process;
 mod line;
+mod mechanics;
 mod plot;
 #[cfg(unix)]
 mod pty;
@@ -31,6 +32,7 @@ mod virtual_arm;
 
 pub use in_process::InProcess;
 pub use line::Line;
+pub use mechanics::{Joint, Mechanics};
 pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
 pub use pty::Pty;
