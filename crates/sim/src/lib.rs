@@ -18,6 +18,7 @@
 //! # }
 //! ```
 
+mod faults;
 mod in_process;
 mod line;
 mod mechanics;
@@ -30,6 +31,7 @@ mod simulate;
 mod trace;
 mod virtual_arm;
 
+pub use faults::{Fault, FaultError, Struck, What};
 pub use in_process::InProcess;
 pub use line::Line;
 pub use mechanics::{Joint, Mechanics};

@@ -13,11 +13,17 @@ pub struct Line {
     byte_time: Duration,
     /// When the last byte sent arrives.
     busy_until: Duration,
-    /// Arrival and value of the bytes on the line.
-    bytes: VecDeque<(Duration, u8)>,
-    /// When the last byte of each `send` arrives.
-    bursts: VecDeque<Duration>,
+    bytes: VecDeque<u8>,
+    bursts: VecDeque<Burst>,
     lost: u64,
+}
+
+/// The bytes of one `send`, without those that have been received.
+#[derive(Clone, Copy, Debug)]
+struct Burst {
+    /// When the first of them arrives.
+    arrives: Duration,
+    len: usize,
 }
 
 impl Line {
@@ -44,34 +50,56 @@ impl Line {
         if bytes.is_empty() {
             return;
         }
-        self.busy_until = self.busy_until.max(now);
-        for &byte in bytes {
-            self.busy_until += self.byte_time;
-            self.bytes.push_back((self.busy_until, byte));
-        }
-        self.bursts.push_back(self.busy_until);
+        let begins = self.busy_until.max(now);
+        self.bytes.extend(bytes);
+        self.bursts.push_back(Burst {
+            arrives: begins + self.byte_time,
+            len: bytes.len(),
+        });
+        self.busy_until = begins + self.byte_times(bytes.len());
     }
 
     /// When the earliest burst of bytes has arrived whole, if one is under way.
     #[must_use]
     pub fn next_burst(&self) -> Option<Duration> {
-        self.bursts.front().copied()
+        let burst = self.bursts.front()?;
+        Some(burst.arrives + self.byte_times(burst.len - 1))
     }
 
     /// Takes the bytes that have arrived by `now`, and tells when the last of them did.
     pub fn receive(&mut self, now: Duration, bytes: &mut Vec<u8>) -> Option<Duration> {
         let mut last = None;
-        while let Some(&(arrival, byte)) = self.bytes.front()
-            && arrival <= now
-        {
-            self.bytes.pop_front();
+        while let Some((arrival, byte)) = self.pop(now) {
             bytes.push(byte);
             last = Some(arrival);
         }
-        while self.bursts.front().is_some_and(|&end| end <= now) {
+        last
+    }
+
+    /// Takes the next byte that has arrived by `now`, and tells when.
+    pub(crate) fn pop(&mut self, now: Duration) -> Option<(Duration, u8)> {
+        let burst = self.bursts.front_mut()?;
+        let arrival = burst.arrives;
+        if arrival > now {
+            return None;
+        }
+        burst.arrives += self.byte_time;
+        burst.len -= 1;
+        if burst.len == 0 {
             self.bursts.pop_front();
         }
-        last
+        self.bytes.pop_front().map(|byte| (arrival, byte))
+    }
+
+    /// Forgets what is still under way: the sender fell silent.
+    pub(crate) fn cut(&mut self, now: Duration) {
+        self.bytes.clear();
+        self.bursts.clear();
+        self.busy_until = self.busy_until.min(now);
+    }
+
+    fn byte_times(&self, count: usize) -> Duration {
+        self.byte_time * u32::try_from(count).expect("the line holds less")
     }
 
     /// How many bytes were lost because too many waited.
@@ -128,6 +156,17 @@ mod tests {
         line.send(us(5000), &[3]);
         assert_eq!(line.lost(), 4);
         assert_eq!(line.next_burst(), Some(us(5001)));
+    }
+
+    #[test]
+    fn what_is_under_way_when_the_sender_falls_silent_never_arrives() {
+        let mut line = Line::new(us(100));
+        line.send(us(0), &[1, 2, 3]);
+        assert_eq!(line.pop(us(150)), Some((us(100), 1)));
+        line.cut(us(150));
+        assert_eq!(line.next_burst(), None);
+        line.send(us(160), &[4]);
+        assert_eq!(line.pop(us(1000)), Some((us(260), 4)));
     }
 
     #[test]

@@ -1,0 +1,364 @@
+//! The engine of the faults: which of them act now, and on what.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use super::random::Random;
+use super::when::{End, Moment};
+use super::{Amount, Damage, Fault, Kind, Struck, Tilt, What};
+use crate::{Joint, Line, Mechanics};
+
+/// All faults of a virtual arm, as an engine.
+///
+/// Bytes and pulses are judged one by one in the order in which they arrive, at the time at which
+/// they do, so that it does not matter how time is sliced or how bytes are chunked.
+#[derive(Debug)]
+pub(crate) struct Schedule {
+    entries: Vec<Entry>,
+    /// Bytes that were judged and wait to be fetched, in either direction.
+    judged: [VecDeque<(Duration, u8)>; 2],
+    orders: VecDeque<Order>,
+    struck: VecDeque<Struck>,
+}
+
+/// Where bytes travel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Direction {
+    ToArm,
+    FromArm,
+}
+
+/// What is to happen to the arm as a whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Order {
+    ClosePort,
+    AllowPort,
+    Reset(Tilt),
+    PowerOff(Tilt),
+    PowerOn,
+}
+
+/// What the controller has counted over all its lives.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Counted {
+    pub(crate) packets: u64,
+    pub(crate) statuses: u64,
+}
+
+/// One fault and how far it is.
+#[derive(Debug)]
+struct Entry {
+    fault: Fault,
+    phase: Phase,
+    /// Bytes, in either direction, or pulses that are still to be hit.
+    left: [u32; 2],
+    hits: u64,
+    random: [Random; 2],
+    delay: [Duration; 2],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Phase {
+    Waiting,
+    Acting { until: Option<Moment> },
+    Over,
+}
+
+impl Schedule {
+    /// Prepares faults; the same ones with the same seed do the same.
+    pub(crate) fn new(faults: &[Fault], seed: u64) -> Self {
+        let entry = |(number, &fault)| Entry::new(fault, seed, number);
+        Self {
+            entries: (0..).zip(faults).map(entry).collect(),
+            judged: [VecDeque::new(), VecDeque::new()],
+            orders: VecDeque::new(),
+            struck: VecDeque::new(),
+        }
+    }
+
+    /// Makes the joints slack, and says by how much each stands further than is believed.
+    pub(crate) fn fit(&self, machine: &mut Mechanics) -> [f64; 4] {
+        let mut zeros_deg = [0.0; 4];
+        for entry in &self.entries {
+            match entry.fault.kind {
+                Kind::Backlash { joint, deg } => machine.set_backlash(joint, deg),
+                Kind::Zero { joint, deg } => zeros_deg[joint as usize] += deg,
+                _ => {}
+            }
+        }
+        machine.set_servo_zero(zeros_deg[Joint::Servo as usize]);
+        zeros_deg
+    }
+
+    /// Takes the passing of time, and what has been counted by then.
+    pub(crate) fn handle_time(&mut self, now: Duration, counted: Counted) {
+        let reached = |moment| match moment {
+            Moment::Time(at) => at <= now,
+            Moment::Packet(number) => counted.packets >= number,
+            Moment::Status(number) => counted.statuses >= number,
+            Moment::Open => false,
+        };
+        for number in 0..self.entries.len() {
+            if self.entries[number].phase == Phase::Waiting
+                && reached(self.entries[number].fault.when.begin)
+            {
+                self.begin(number, now);
+            }
+            if let Phase::Acting { until: Some(end) } = self.entries[number].phase
+                && reached(end)
+            {
+                self.end(number, now);
+            }
+        }
+    }
+
+    /// Takes that a client opens the port.
+    pub(crate) fn handle_open(&mut self, now: Duration) {
+        for number in 0..self.entries.len() {
+            if self.entries[number].fault.when.begin == Moment::Open {
+                self.begin(number, now);
+            }
+        }
+    }
+
+    /// When a fault next begins or ends at a time.
+    pub(crate) fn poll_wakeup(&self) -> Duration {
+        let next = self.entries.iter().filter_map(Entry::next_time).min();
+        next.unwrap_or(Duration::MAX)
+    }
+
+    /// What is to happen to the arm.
+    pub(crate) fn poll_order(&mut self) -> Option<Order> {
+        self.orders.pop_front()
+    }
+
+    /// What happened; only the last few are kept.
+    pub(crate) fn poll_struck(&mut self) -> Option<Struck> {
+        self.struck.pop_front()
+    }
+
+    /// Whether statuses are withheld.
+    pub(crate) fn withholds(&self) -> bool {
+        let withholds = |it: &Entry| it.fault.kind == Kind::Withhold && it.acts();
+        self.entries.iter().any(withholds)
+    }
+
+    /// Judges the bytes that have arrived at the end of a line by then.
+    pub(crate) fn judge(&mut self, direction: Direction, line: &mut Line, by: Duration) {
+        let mut bytes = Vec::new();
+        while let Some((arrival, byte)) = line.pop(by) {
+            bytes.clear();
+            bytes.push(byte);
+            let mut delay = Duration::ZERO;
+            for number in 0..self.entries.len() {
+                let entry = &mut self.entries[number];
+                let before = entry.hits;
+                delay += entry.judge(direction, &mut bytes);
+                self.tell_hits(number, before, arrival);
+            }
+            let judged = &mut self.judged[direction as usize];
+            let last = judged.back().map_or(Duration::ZERO, |&(at, _)| at);
+            let at = (arrival + delay).max(last);
+            judged.extend(bytes.iter().map(|&byte| (at, byte)));
+        }
+    }
+
+    /// Takes the bytes that come through by then, and tells when the last of them does.
+    pub(crate) fn receive(
+        &mut self,
+        direction: Direction,
+        by: Duration,
+        bytes: &mut Vec<u8>,
+    ) -> Option<Duration> {
+        let judged = &mut self.judged[direction as usize];
+        let mut last = None;
+        while let Some(&(at, byte)) = judged.front()
+            && at <= by
+        {
+            judged.pop_front();
+            bytes.push(byte);
+            last = Some(at);
+        }
+        last
+    }
+
+    /// When a byte comes through that is late.
+    pub(crate) fn next_late(&self, direction: Direction, now: Duration) -> Option<Duration> {
+        let judged = &self.judged[direction as usize];
+        let next = judged.partition_point(|&(at, _)| at <= now);
+        judged.get(next).map(|&(at, _)| at)
+    }
+
+    /// Which of the pulses for base, rear and fore the motors really make.
+    pub(crate) fn make(&mut self, pulses: [i32; 3], at: Duration) -> [i32; 3] {
+        let mut made = pulses;
+        for number in 0..self.entries.len() {
+            let entry = &mut self.entries[number];
+            if let Kind::Lose { joint, amount } = entry.fault.kind
+                && entry.acts()
+            {
+                let before = entry.hits;
+                let pulses = &mut made[joint as usize];
+                *pulses = pulses.signum() * entry.make(pulses.abs(), amount);
+                self.tell_hits(number, before, at);
+            }
+        }
+        made
+    }
+
+    fn begin(&mut self, number: usize, now: Duration) {
+        let entry = &mut self.entries[number];
+        let end = entry.fault.when.end.map(|end| match end {
+            End::At(moment) => moment,
+            End::After(lasts) => Moment::Time(now + lasts),
+        });
+        entry.phase = Phase::Acting { until: end };
+        match entry.fault.kind {
+            Kind::Close => self.orders.push_back(Order::ClosePort),
+            Kind::Power(tilt) => self.orders.push_back(Order::PowerOff(tilt)),
+            Kind::Reset(tilt) => {
+                entry.phase = Phase::Over;
+                self.orders.push_back(Order::Reset(tilt));
+            }
+            // What it hits is told when it does.
+            Kind::Bytes { .. } | Kind::Lose { .. } | Kind::Backlash { .. } | Kind::Zero { .. } => {
+                return;
+            }
+            Kind::Delay { .. } | Kind::Withhold => {}
+        }
+        self.tell(number, now, What::Began);
+    }
+
+    fn end(&mut self, number: usize, now: Duration) {
+        let entry = &mut self.entries[number];
+        entry.phase = Phase::Over;
+        let hits = entry.hits;
+        match entry.fault.kind {
+            Kind::Close => self.orders.push_back(Order::AllowPort),
+            Kind::Power(_) => self.orders.push_back(Order::PowerOn),
+            _ => {}
+        }
+        self.tell(number, now, What::Over(hits));
+    }
+
+    /// Tells the 1st, 10th, 100th ... hit.
+    fn tell_hits(&mut self, number: usize, before: u64, at: Duration) {
+        let hits = self.entries[number].hits;
+        if hits > before && before.checked_ilog10() != hits.checked_ilog10() {
+            self.tell(number, at, What::Hit(10_u64.pow(hits.ilog10())));
+        }
+    }
+
+    fn tell(&mut self, number: usize, at: Duration, what: What) {
+        if self.struck.len() == STRUCK_LEN {
+            self.struck.pop_front();
+        }
+        let fault = self.entries[number].fault;
+        self.struck.push_back(Struck { at, fault, what });
+    }
+}
+
+impl Entry {
+    fn new(fault: Fault, seed: u64, number: u64) -> Self {
+        let left = match fault.kind {
+            Kind::Bytes { amount, .. } | Kind::Lose { amount, .. } => match amount {
+                Amount::Count(count) => count,
+                Amount::Percent(_) => 0,
+            },
+            _ => 0,
+        };
+        Self {
+            fault,
+            phase: Phase::Waiting,
+            left: [left; 2],
+            hits: 0,
+            random: [2 * number, 2 * number + 1].map(|it| Random::new(seed, it)),
+            delay: [Duration::ZERO; 2],
+        }
+    }
+
+    fn acts(&self) -> bool {
+        matches!(self.phase, Phase::Acting { .. })
+    }
+
+    fn next_time(&self) -> Option<Duration> {
+        match (self.phase, self.fault.when.begin) {
+            (Phase::Waiting, Moment::Time(at))
+            | (
+                Phase::Acting {
+                    until: Some(Moment::Time(at)),
+                },
+                _,
+            ) => Some(at),
+            _ => None,
+        }
+    }
+
+    /// Does to bytes what it does, and says how late they are.
+    fn judge(&mut self, direction: Direction, bytes: &mut Vec<u8>) -> Duration {
+        if !self.acts() {
+            return Duration::ZERO;
+        }
+        match self.fault.kind {
+            Kind::Bytes {
+                damage,
+                amount,
+                way,
+            } if way.includes(direction) => self.damage(direction as usize, damage, amount, bytes),
+            Kind::Delay { longest, way } if way.includes(direction) => {
+                return self.late(direction as usize, longest);
+            }
+            _ => {}
+        }
+        Duration::ZERO
+    }
+
+    fn damage(&mut self, direction: usize, damage: Damage, amount: Amount, bytes: &mut Vec<u8>) {
+        // There is one byte, or a few where another fault has doubled it.
+        for byte in std::mem::take(bytes) {
+            if !self.hits(direction, amount) {
+                bytes.push(byte);
+                continue;
+            }
+            match damage {
+                Damage::Drop => {}
+                Damage::Flip => bytes.push(byte ^ self.random[direction].bit()),
+                Damage::Duplicate => bytes.extend([byte, byte]),
+            }
+        }
+    }
+
+    /// Now and then the delay becomes another.
+    fn late(&mut self, direction: usize, longest: Duration) -> Duration {
+        let random = &mut self.random[direction];
+        if random.chance(DELAY_CHANGES_PERCENT) {
+            self.delay[direction] = longest.mul_f64(random.share());
+        }
+        self.delay[direction]
+    }
+
+    /// How many of so many pulses are made.
+    fn make(&mut self, pulses: i32, amount: Amount) -> i32 {
+        let lost = (0..pulses).filter(|_| self.hits(0, amount)).count();
+        pulses - i32::try_from(lost).expect("not more than there were")
+    }
+
+    fn hits(&mut self, direction: usize, amount: Amount) -> bool {
+        let hits = match amount {
+            Amount::Percent(percent) => self.random[direction].chance(percent),
+            Amount::Count(_) => {
+                let left = &mut self.left[direction];
+                let some = *left > 0;
+                *left -= u32::from(some);
+                some
+            }
+        };
+        self.hits += u64::from(hits);
+        hits
+    }
+}
+
+/// The delay changes about once a packet.
+const DELAY_CHANGES_PERCENT: f64 = 2.5;
+/// As many as are told between two looks at them, for sure.
+const STRUCK_LEN: usize = 64;
