@@ -4,6 +4,7 @@ mod parse;
 mod random;
 mod schedule;
 mod struck;
+mod trouble;
 mod when;
 
 use std::fmt;
@@ -12,6 +13,7 @@ use std::time::Duration;
 pub use parse::FaultError;
 pub(crate) use schedule::{Direction, Order, Schedule};
 pub use struck::{Struck, What};
+pub(crate) use trouble::Trouble;
 
 use crate::Joint;
 use when::{Time, When};

@@ -16,12 +16,20 @@ pub struct InProcess {
 }
 
 impl InProcess {
-    /// Shares a virtual arm.
+    /// Shares a virtual arm, and opens its port.
     #[must_use]
-    pub fn new(arm: VirtualArm) -> Self {
+    pub fn new(mut arm: VirtualArm) -> Self {
+        arm.handle_open(arm.now());
         Self {
             arm: Arc::new(Mutex::new(arm)),
         }
+    }
+
+    /// Opens the port again, which is there: after a client left, or after it was closed.
+    pub fn reopen(&self) {
+        let mut arm = self.arm();
+        let now = arm.now();
+        arm.handle_open(now);
     }
 
     /// The arm, to look at; nobody else gets it meanwhile.
@@ -45,11 +53,11 @@ impl Peer for InProcess {
         let mut arm = self.arm();
         let had = bytes.len();
         arm.poll_bytes(bytes);
-        while bytes.len() == had && arm.now() < until {
+        while bytes.len() == had && arm.now() < until && arm.has_port() {
             let next = arm.poll_wakeup().min(until);
             arm.handle_time(next);
             arm.poll_bytes(bytes);
         }
-        true
+        arm.has_port()
     }
 }

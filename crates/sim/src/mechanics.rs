@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::Joints;
+use dobot_controller::STEPS_PER_DEG;
 
 /// Where the joints really are: motors turn them, pulse by pulse, whatever the controller believes.
 ///
@@ -69,15 +70,20 @@ impl Mechanics {
         self.backlash_deg[joint as usize] = backlash_deg;
     }
 
-    /// Puts the servo on so that it stands at that angle when its signal says the middle.
-    pub const fn set_servo_zero(&mut self, zero_deg: f64) {
-        self.servo_zero_deg = zero_deg;
+    /// Turns the joints on by so many degrees, where they stay askew: nobody knows of it.
+    pub(crate) fn set_zeros(&mut self, zeros_deg: [f64; 4]) {
+        for (joint, zero_deg) in zeros_deg.into_iter().enumerate() {
+            self.from_deg[joint] += zero_deg;
+            self.joints_deg[joint] += zero_deg;
+        }
+        self.to_deg = self.from_deg;
+        self.servo_zero_deg = zeros_deg[Joint::Servo as usize];
     }
 
     /// Takes what a control tick sent: the pulses that the motors of base, rear and fore really
     /// make, signed as the controller counts them, and the signal of the tool's servo (500 is the
     /// middle, 1000 is 90 degrees).
-    pub fn handle_tick(&mut self, at: Duration, pulses: [i32; 3], head_servo: u16) {
+    pub fn handle_tick(&mut self, at: Duration, pulses: [i32; 3], head_servo: i16) {
         self.halt(at);
         for (joint, count) in pulses.into_iter().enumerate() {
             self.to_deg[joint] += f64::from(count) / STEPS_PER_DEG[joint];
@@ -158,9 +164,6 @@ impl std::fmt::Display for Joint {
     }
 }
 
-/// Pulses for a degree: 16 micro-steps to a step of 1.8 degrees, geared down ten times; base and
-/// forearm turn against their motors.
-const STEPS_PER_DEG: [f64; 3] = [-160.0 / 1.8, 160.0 / 1.8, -160.0 / 1.8];
 /// The control tick (note N27).
 const TICK: Duration = Duration::from_millis(20);
 
@@ -205,7 +208,8 @@ mod tests {
     #[test]
     fn a_servo_put_on_askew_stays_askew() {
         let mut machine = machine();
-        machine.set_servo_zero(3.0);
+        machine.set_zeros([0.0, 0.0, 0.0, 3.0]);
+        assert_eq!(machine.joints_at(ms(0)).servo.0, 3.0);
         machine.handle_tick(ms(0), [0; 3], 750);
         assert!((machine.joints_at(ms(20)).servo.0 - 48.0).abs() < 1e-9);
     }

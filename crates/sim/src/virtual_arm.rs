@@ -3,16 +3,23 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_controller::{Controller, Refused};
+use dobot_controller::{Controller, PowerUp, Refused};
 
-use crate::Line;
+use crate::faults::{Direction, Order, Tilt, Trouble};
+use crate::{Fault, Line, Mechanics, Struck};
 
 /// A controller at the end of a serial line, as an engine: it owns no port and no clock.
 #[derive(Debug)]
 pub struct VirtualArm {
     controller: Controller,
+    /// When the controller's first tick was or will be; `Duration::MAX` while the power is cut.
+    started: Duration,
+    mechanics: Mechanics,
+    /// Control ticks that the machine has seen.
+    ticks: u32,
     to_arm: Line,
     from_arm: Line,
+    trouble: Option<Box<Trouble>>,
     now: Duration,
     /// When something last happened: up to then the way is recorded.
     last_event: Duration,
@@ -20,7 +27,7 @@ pub struct VirtualArm {
     scratch: Vec<u8>,
 }
 
-/// Where the tool really was.
+/// Where the tool was, as far as the controller knows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// When, since power-up.
@@ -44,14 +51,29 @@ impl VirtualArm {
     #[must_use]
     pub fn new(controller: Controller, line: Line) -> Self {
         Self {
+            mechanics: Mechanics::new(controller.joints_at(Duration::ZERO)),
+            ticks: 0,
             controller,
+            started: Duration::ZERO,
             to_arm: line.clone(),
             from_arm: line,
+            trouble: None,
             now: Duration::ZERO,
             last_event: Duration::ZERO,
             recorder: None,
             scratch: Vec::new(),
         }
+    }
+
+    /// Lets things go wrong, from power-up on: call it before any time passes. The controller was
+    /// switched on with `power_up`, and will be again. The same faults with the same seed do the
+    /// same.
+    #[must_use]
+    pub fn with_faults(mut self, power_up: PowerUp, faults: &[Fault], seed: u64) -> Self {
+        let trouble = Trouble::new(power_up, faults, seed, &mut self.mechanics);
+        self.trouble = Some(Box::new(trouble));
+        self.strike(Duration::ZERO);
+        self
     }
 
     /// Records from now on where the tool is: at least once in `period` while it moves, and at
@@ -70,10 +92,22 @@ impl VirtualArm {
         self.recorder.as_ref().map_or(&[], |it| &it.samples)
     }
 
-    /// The controller.
+    /// The controller, whose time counts from its own first tick ([`VirtualArm::controller_time`]).
     #[must_use]
     pub const fn controller(&self) -> &Controller {
         &self.controller
+    }
+
+    /// What the time is for the controller: after a start anew it began again.
+    #[must_use]
+    pub const fn controller_time(&self, at: Duration) -> Duration {
+        at.saturating_sub(self.started)
+    }
+
+    /// The machine, and where it really is.
+    #[must_use]
+    pub const fn mechanics(&self) -> &Mechanics {
+        &self.mechanics
     }
 
     /// The time that it has come to.
@@ -82,18 +116,34 @@ impl VirtualArm {
         self.now
     }
 
-    /// Takes bytes that start travelling to the arm.
+    /// Whether the arm's port is there, to be opened or open.
+    #[must_use]
+    pub fn has_port(&self) -> bool {
+        self.trouble.as_ref().is_none_or(|it| it.has_port)
+    }
+
+    /// Takes that a client opens the port.
+    pub fn handle_open(&mut self, now: Duration) {
+        self.handle_time(now);
+        if let Some(trouble) = &mut self.trouble {
+            trouble.schedule.handle_open(now);
+            self.strike(now);
+        }
+    }
+
+    /// Takes bytes that start travelling to the arm; without a port they are lost.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
-        self.to_arm.send(now, bytes);
+        if self.has_port() {
+            self.to_arm.send(now, bytes);
+        }
     }
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         loop {
-            let event = self.controller.poll_wakeup();
-            let next = event.min(now);
-            self.deliver(next);
+            let event = self.next_event();
+            self.deliver(event.min(now));
             if event > now {
                 break;
             }
@@ -104,7 +154,13 @@ impl VirtualArm {
 
     /// Takes the bytes that have arrived from the arm by now.
     pub fn poll_bytes(&mut self, bytes: &mut Vec<u8>) {
-        self.from_arm.receive(self.now, bytes);
+        self.judge_from_arm(self.now);
+        match &mut self.trouble {
+            None => self.from_arm.receive(self.now, bytes),
+            Some(trouble) => trouble
+                .schedule
+                .receive(Direction::FromArm, self.now, bytes),
+        };
     }
 
     /// How many bytes to the arm were lost, because too many waited on the line.
@@ -118,52 +174,161 @@ impl VirtualArm {
         self.controller.poll_refused()
     }
 
+    /// Which fault struck since the last call; only the last few are kept.
+    pub fn poll_struck(&mut self) -> Option<Struck> {
+        self.trouble.as_mut()?.schedule.poll_struck()
+    }
+
     /// When something next happens.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        let event = self.controller.poll_wakeup();
-        self.from_arm
-            .next_burst()
-            .map_or(event, |arrival| arrival.min(event))
+        let event = self.next_event();
+        self.next_bytes().map_or(event, |it| it.min(event))
+    }
+
+    /// When the bytes that are on their way from the arm have arrived.
+    fn next_bytes(&self) -> Option<Duration> {
+        let burst = self.from_arm.next_burst();
+        let late = self.trouble.as_ref().and_then(|trouble| {
+            let schedule = &trouble.schedule;
+            schedule.next_late(Direction::FromArm, self.now)
+        });
+        burst.into_iter().chain(late).min()
+    }
+
+    /// When the controller or a fault next does something.
+    fn next_event(&self) -> Duration {
+        let tick = self.next_tick();
+        match &self.trouble {
+            None => tick,
+            Some(trouble) => trouble.schedule.poll_wakeup().min(tick),
+        }
+    }
+
+    fn next_tick(&self) -> Duration {
+        self.started.saturating_add(self.controller.poll_wakeup())
     }
 
     /// Gives the controller the bytes that arrive before `time`: one that arrives in the very
-    /// instant of a control tick is too late for it.
+    /// instant of a control tick is too late for it. One that arrives before the first tick meets
+    /// a deaf controller.
     fn deliver(&mut self, time: Duration) {
         self.scratch.clear();
         let before = time.saturating_sub(Duration::from_nanos(1));
-        if let Some(arrival) = self.to_arm.receive(before, &mut self.scratch) {
+        let arrival = match &mut self.trouble {
+            None => self.to_arm.receive(before, &mut self.scratch),
+            Some(trouble) => {
+                let schedule = &mut trouble.schedule;
+                schedule.judge(Direction::ToArm, &mut self.to_arm, before);
+                schedule.receive(Direction::ToArm, before, &mut self.scratch)
+            }
+        };
+        if let Some(arrival) = arrival
+            && arrival >= self.started
+        {
+            let arrival = self.controller_time(arrival);
             self.controller.handle_bytes(arrival, &self.scratch);
+        }
+        self.judge_from_arm(before);
+    }
+
+    /// Judges the bytes that arrive from the arm, before a fault begins or ends; those that find
+    /// no port are lost.
+    fn judge_from_arm(&mut self, by: Duration) {
+        if let Some(trouble) = &mut self.trouble {
+            if trouble.has_port {
+                let schedule = &mut trouble.schedule;
+                schedule.judge(Direction::FromArm, &mut self.from_arm, by);
+            } else {
+                while self.from_arm.pop(by).is_some() {}
+            }
         }
     }
 
     fn step(&mut self, event: Duration) {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.sample(&self.controller, self.last_event, event);
+        if let Some(recorder) = &mut self.recorder
+            && event >= self.started
+        {
+            let [from, to] = [self.last_event, event].map(|it| it.saturating_sub(self.started));
+            recorder.sample(&self.controller, self.started, from, to);
         }
-        self.controller.handle_time(event);
         self.last_event = event;
         self.now = event;
-        while let Some(upload) = self.controller.poll_bytes() {
-            self.from_arm.send(upload.at, &upload.bytes);
+        self.strike(event);
+        if self.next_tick() <= event {
+            self.tick(event);
+            self.strike(event);
         }
+    }
+
+    fn tick(&mut self, at: Duration) {
+        self.controller.handle_time(at.saturating_sub(self.started));
+        let withheld = |it: &Trouble| it.schedule.withholds();
+        let withheld = self.trouble.as_deref().is_some_and(withheld);
+        while let Some(upload) = self.controller.poll_bytes() {
+            if !withheld {
+                let leaves = self.started.saturating_add(upload.at);
+                self.from_arm.send(leaves, &upload.bytes);
+            }
+        }
+        if self.controller.tick_count() > self.ticks {
+            self.ticks = self.controller.tick_count();
+            self.drive(at);
+        }
+    }
+
+    /// Drives the machine with what the control tick sent.
+    fn drive(&mut self, at: Duration) {
+        let outputs = self.controller.outputs();
+        let pulses = match &mut self.trouble {
+            None => outputs.pulses,
+            Some(trouble) => trouble.schedule.make(outputs.pulses, at),
+        };
+        self.mechanics.handle_tick(at, pulses, outputs.head_servo);
+    }
+
+    /// Does what the faults of this moment want.
+    fn strike(&mut self, at: Duration) {
+        while let Some(trouble) = &mut self.trouble
+            && let Some(order) = trouble.handle_time(at, &self.controller)
+        {
+            match order {
+                Order::ClosePort => trouble.has_port = false,
+                Order::AllowPort => trouble.has_port = true,
+                Order::Reset(_) if self.started == Duration::MAX => {}
+                Order::Reset(tilt) => self.stop(at, tilt, at.saturating_add(START)),
+                Order::PowerOff(tilt) => self.stop(at, tilt, Duration::MAX),
+                Order::PowerOn => self.started = at.saturating_add(START),
+            }
+        }
+    }
+
+    /// Stops in the middle of whatever it does; a controller takes over that knows nothing.
+    fn stop(&mut self, at: Duration, tilt: Tilt, started: Duration) {
+        self.mechanics.halt(at);
+        self.from_arm.cut(at);
+        if let Some(trouble) = &mut self.trouble {
+            self.controller = trouble.start_anew(at, &self.controller, &self.mechanics, tilt);
+        }
+        self.ticks = 0;
+        self.started = started;
     }
 }
 
 impl Recorder {
     /// Samples the controller between two of its events, the later one included.
-    fn sample(&mut self, controller: &Controller, from: Duration, to: Duration) {
+    fn sample(&mut self, controller: &Controller, started: Duration, from: Duration, to: Duration) {
         let mut at = from + self.period;
         while at < to {
-            self.push(controller, at);
+            self.push(controller, started, at);
             at += self.period;
         }
-        self.push(controller, to);
+        self.push(controller, started, to);
     }
 
-    fn push(&mut self, controller: &Controller, at: Duration) {
+    fn push(&mut self, controller: &Controller, started: Duration, at: Duration) {
         let sample = Sample {
-            at,
+            at: started.saturating_add(at),
             position: controller.pose_at(at).position,
             laser: controller.laser(),
         };
@@ -179,3 +344,7 @@ impl Recorder {
         }
     }
 }
+
+/// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which
+/// waits for a new program, and 0.7 s of its own.
+const START: Duration = Duration::from_secs(2);

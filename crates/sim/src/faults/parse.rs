@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::when::{Moment, When, time, unsigned};
+use super::when::{When, time, unsigned};
 use super::{Amount, Damage, Fault, Kind, Tilt, Way};
 use crate::Joint;
 
@@ -287,7 +287,7 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::super::when::End;
+    use super::super::when::{End, Moment};
     use super::*;
 
     #[test]

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::random::Random;
 use super::when::{End, Moment};
 use super::{Amount, Damage, Fault, Kind, Struck, Tilt, What};
-use crate::{Joint, Line, Mechanics};
+use crate::{Line, Mechanics};
 
 /// All faults of a virtual arm, as an engine.
 ///
@@ -76,7 +76,8 @@ impl Schedule {
         }
     }
 
-    /// Makes the joints slack, and says by how much each stands further than is believed.
+    /// Makes the joints slack and puts them askew, and says by how much each stands further than is
+    /// believed.
     pub(crate) fn fit(&self, machine: &mut Mechanics) -> [f64; 4] {
         let mut zeros_deg = [0.0; 4];
         for entry in &self.entries {
@@ -86,7 +87,7 @@ impl Schedule {
                 _ => {}
             }
         }
-        machine.set_servo_zero(zeros_deg[Joint::Servo as usize]);
+        machine.set_zeros(zeros_deg);
         zeros_deg
     }
 
