@@ -28,6 +28,7 @@ mod pty;
 mod script;
 mod serve;
 mod simulate;
+mod speed;
 mod trace;
 mod virtual_arm;
 
@@ -41,6 +42,7 @@ pub use pty::Pty;
 pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
 pub use serve::{DEFAULT_TCP, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
+pub use speed::{Speed, SpeedError};
 pub use trace::{
     Comparison, Deviation, Difference, Tolerance, Trace, TraceError, TracedStatus, TracedTick,
 };

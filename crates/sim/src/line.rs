@@ -3,6 +3,8 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use dobot_wire::PACKET_LEN;
+
 /// One direction of a serial line.
 ///
 /// A byte needs its time, one after the other; what is sent faster than that waits, up to 4096
@@ -96,6 +98,11 @@ impl Line {
         self.bytes.clear();
         self.bursts.clear();
         self.busy_until = self.busy_until.min(now);
+    }
+
+    /// How long a packet takes.
+    pub(crate) fn packet_time(&self) -> Duration {
+        self.byte_times(PACKET_LEN)
     }
 
     fn byte_times(&self, count: usize) -> Duration {

@@ -104,7 +104,8 @@ impl Pty {
         }
     }
 
-    fn replace(&mut self) -> io::Result<()> {
+    /// Lets another port take its place: a client that has it open meets the end of it.
+    pub(crate) fn replace(&mut self) -> io::Result<()> {
         let (master, path) = pair()?;
         if let Some(link) = self.link.as_ref().filter(|link| leads(link, &self.path)) {
             std::fs::remove_file(link)?;
@@ -161,9 +162,9 @@ impl PtyClient {
         }
     }
 
-    /// Writes what fits; the rest is lost, as on a serial line that nobody listens to.
-    pub(crate) fn write(&self, bytes: &[u8]) {
-        let _ = rustix::io::write(self.master.get_ref(), bytes);
+    /// Writes what fits, and says how much that is.
+    pub(crate) fn write(&self, bytes: &[u8]) -> usize {
+        rustix::io::write(self.master.get_ref(), bytes).unwrap_or(0)
     }
 }
 

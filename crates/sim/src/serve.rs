@@ -1,4 +1,4 @@
-//! A virtual arm in real time, on TCP and on a virtual serial port.
+//! A virtual arm on TCP and on a virtual serial port, in real time or faster.
 
 use std::future::pending;
 use std::io;
@@ -11,11 +11,11 @@ use tokio::io::AsyncReadExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, sleep_until};
 
-use crate::VirtualArm;
 #[cfg(unix)]
 use crate::pty::{Pty, PtyClient};
+use crate::{Speed, Struck, VirtualArm};
 
-/// A virtual arm that runs in real time and serves one client at a time.
+/// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
 /// Whoever comes first has the arm until he leaves. Another one is turned away on TCP; on the
 /// virtual serial port, which cannot turn anybody away, he meets a line where nobody speaks or
@@ -30,8 +30,12 @@ pub struct Server {
     tcp: Option<TcpListener>,
     #[cfg(unix)]
     pty: Option<Pty>,
+    speed: Speed,
     client: Option<Client>,
-    buffer: Vec<u8>,
+    /// What the client sent.
+    incoming: Vec<u8>,
+    /// What is to be sent to it.
+    outgoing: Vec<u8>,
     /// Bytes to the arm that were lost before the client came, or before it was told of some.
     told_lost: Option<u64>,
 }
@@ -49,12 +53,16 @@ pub enum ServerEvent {
     /// The virtual serial port has another name now: a client that was killed left the old one
     /// locked.
     PtyMoved(PathBuf),
+    /// A client was turned away, because a fault has closed the port.
+    PortClosed(SocketAddr),
     /// The client left.
     Disconnected,
     /// The client sends faster than the line carries, so that bytes are lost; told once a client.
     Overrun,
     /// The controller refused something.
     Refused(Refused),
+    /// A fault struck.
+    Struck(Struck),
 }
 
 /// The one client that has the arm.
@@ -81,8 +89,10 @@ impl Server {
             tcp: None,
             #[cfg(unix)]
             pty: None,
+            speed: Speed::REAL,
             client: None,
-            buffer: Vec::new(),
+            incoming: Vec::new(),
+            outgoing: Vec::new(),
             told_lost: None,
         }
     }
@@ -102,46 +112,116 @@ impl Server {
         self
     }
 
+    /// Lets time pass at another speed.
+    #[must_use]
+    pub const fn at_speed(mut self, speed: Speed) -> Self {
+        self.speed = speed;
+        self
+    }
+
     /// The arm, to look at.
     #[must_use]
     pub const fn arm(&self) -> &VirtualArm {
         &self.arm
     }
 
-    /// Runs the arm, in real time, and tells what happens; never returns of its own accord. When
-    /// it is cancelled and called again, the arm goes on where it was.
+    /// Runs the arm and tells what happens; never returns of its own accord. When it is cancelled
+    /// and called again, the arm goes on where it was.
     ///
     /// # Errors
     ///
     /// When no more clients can be served.
     pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
         let (start, offset) = (Instant::now(), self.arm.now());
+        let mut answered = false;
         loop {
-            let wakeup = start + self.arm.poll_wakeup().saturating_sub(offset);
+            let wakeup = if self.speed.is_max() {
+                Instant::now() + self.patience(answered)
+            } else {
+                start + self.speed.of_arm(self.wakeup().saturating_sub(offset))
+            };
             let happening = self.wait(wakeup).await;
-            let now = offset + start.elapsed();
+            let now = if self.speed.is_max() {
+                self.next_moment(&happening)
+            } else {
+                offset + self.speed.of_clock(start.elapsed())
+            };
+            answered = matches!(happening, Happening::Bytes(Ok(1..)));
             self.arm.handle_time(now);
-            match happening {
-                Happening::Time => {}
-                Happening::Connect(connection) => self.admit(connection, &mut tell)?,
-                Happening::Bytes(Ok(1..)) => self.download(now, &mut tell),
-                Happening::Bytes(_) => self.dismiss(&mut tell)?,
-            }
             self.upload(&mut tell)?;
+            self.happen(happening, &mut tell)?;
             #[cfg(unix)]
             self.notice_pty(&mut tell)?;
-            while let Some(refused) = self.arm.poll_refused() {
-                tell(ServerEvent::Refused(refused));
-            }
+            self.tell_news(&mut tell);
+        }
+    }
+
+    /// When somebody has to look at the arm, by its own time.
+    fn wakeup(&self) -> Duration {
+        let latest = self.arm.now() + LOOK_AT_LEAST;
+        if self.client.is_some() {
+            return self.arm.poll_delivery().min(latest);
+        }
+        #[cfg(unix)]
+        if self.pty.is_some() {
+            return self.arm.poll_fault().min(self.arm.now() + LOOK_AT_PTY);
+        }
+        self.arm.poll_fault().min(latest)
+    }
+
+    /// At the greatest speed: how long to wait for an answer before time goes on.
+    fn patience(&self, answered: bool) -> Duration {
+        match self.client {
+            None => LOOK_AT_PTY,
+            Some(_) if answered => Duration::ZERO,
+            Some(_) => PATIENCE,
+        }
+    }
+
+    /// At the greatest speed: the time that it is for the arm now. It goes on only when the client
+    /// has taken all that there was.
+    fn next_moment(&self, happening: &Happening) -> Duration {
+        if matches!(happening, Happening::Time) && self.client.is_some() && self.outgoing.is_empty()
+        {
+            self.wakeup()
+        } else {
+            self.arm.now()
         }
     }
 
     async fn wait(&mut self, wakeup: Instant) -> Happening {
-        self.buffer.clear();
+        self.incoming.clear();
         tokio::select! {
             () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
-            count = read(self.client.as_mut(), &mut self.buffer) => Happening::Bytes(count),
+            count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
+        }
+    }
+
+    fn happen(
+        &mut self,
+        happening: Happening,
+        tell: &mut impl FnMut(ServerEvent),
+    ) -> io::Result<()> {
+        match happening {
+            Happening::Time => Ok(()),
+            Happening::Connect(connection) => self.admit(connection, tell),
+            Happening::Bytes(Ok(1..)) => {
+                self.download(tell);
+                Ok(())
+            }
+            // It may have been dismissed just now, for another reason.
+            Happening::Bytes(_) if self.client.is_none() => Ok(()),
+            Happening::Bytes(_) => self.dismiss(tell),
+        }
+    }
+
+    fn tell_news(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+        while let Some(refused) = self.arm.poll_refused() {
+            tell(ServerEvent::Refused(refused));
+        }
+        while let Some(struck) = self.arm.poll_struck() {
+            tell(ServerEvent::Struck(struck));
         }
     }
 
@@ -156,7 +236,9 @@ impl Server {
             Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
             Err(error) => return Err(error),
         };
-        if self.client.is_some() {
+        if !self.arm.has_port() {
+            tell(ServerEvent::PortClosed(from));
+        } else if self.client.is_some() {
             tell(ServerEvent::TcpRefused(from));
         } else {
             // Small packets at once; without it they are only later.
@@ -169,11 +251,13 @@ impl Server {
 
     fn welcome(&mut self, client: Client) {
         self.client = Some(client);
+        self.arm.handle_open(self.arm.now());
         self.told_lost = Some(self.arm.lost_bytes());
     }
 
     fn dismiss(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let left = self.client.take();
+        self.outgoing.clear();
         #[cfg(unix)]
         if matches!(left, Some(Client::Pty(_)))
             && let Some(pty) = &mut self.pty
@@ -187,8 +271,8 @@ impl Server {
     }
 
     /// Passes on what the client sends.
-    fn download(&mut self, now: Duration, tell: &mut impl FnMut(ServerEvent)) {
-        self.arm.handle_bytes(now, &self.buffer);
+    fn download(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+        self.arm.handle_bytes(self.arm.now(), &self.incoming);
         if self.told_lost.is_some_and(|it| it < self.arm.lost_bytes()) {
             self.told_lost = None;
             tell(ServerEvent::Overrun);
@@ -196,24 +280,41 @@ impl Server {
     }
 
     /// Passes on what arrived from the arm. A client that does not read loses bytes, as on a
-    /// serial line; nobody listening loses all.
+    /// serial line, unless time waits for it; nobody listening loses all.
     fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
-        self.buffer.clear();
-        self.arm.poll_bytes(&mut self.buffer);
-        if self.buffer.is_empty() {
-            return Ok(());
-        }
-        match &self.client {
-            Some(Client::Tcp(stream)) => {
-                let gone = |error: io::Error| error.kind() != io::ErrorKind::WouldBlock;
-                if stream.try_write(&self.buffer).is_err_and(gone) {
-                    self.dismiss(tell)?;
-                }
-            }
+        self.arm.poll_bytes(&mut self.outgoing);
+        let sent = match &self.client {
+            _ if self.outgoing.is_empty() => Ok(0),
+            Some(Client::Tcp(stream)) => stream.try_write(&self.outgoing),
             #[cfg(unix)]
-            Some(Client::Pty(client)) => client.write(&self.buffer),
-            None => {}
+            Some(Client::Pty(client)) => Ok(client.write(&self.outgoing)),
+            None => Ok(self.outgoing.len()),
+        };
+        match sent {
+            Ok(count) if self.speed.is_max() => drop(self.outgoing.drain(..count)),
+            Err(error) if error.kind() != io::ErrorKind::WouldBlock => self.dismiss(tell)?,
+            Err(_) if self.speed.is_max() => {}
+            _ => self.outgoing.clear(),
         }
+        if !self.arm.has_port() && self.client.is_some() {
+            self.hang_up(tell)?;
+        }
+        Ok(())
+    }
+
+    /// Takes the port away from the client.
+    fn hang_up(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+        let left = self.client.take();
+        #[cfg(unix)]
+        if matches!(left, Some(Client::Pty(_)))
+            && let Some(pty) = &mut self.pty
+        {
+            pty.replace()?;
+            tell(ServerEvent::PtyMoved(pty.path().to_owned()));
+        }
+        drop(left);
+        self.outgoing.clear();
+        tell(ServerEvent::Disconnected);
         Ok(())
     }
 
@@ -224,6 +325,7 @@ impl Server {
             return Ok(());
         };
         match &self.client {
+            None if !self.arm.has_port() => pty.ignore_client(),
             None => {
                 if let Some(client) = pty.client()? {
                     self.welcome(Client::Pty(client));
@@ -268,5 +370,11 @@ pub const DEFAULT_TCP: SocketAddr =
 /// drawn is straight between them.
 pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
 
+/// Without anything to do the arm is still looked at so often.
+const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
+/// Whoever opens the virtual serial port is noticed so soon.
+const LOOK_AT_PTY: Duration = Duration::from_millis(50);
+/// At the greatest speed a client has so long to answer a status.
+const PATIENCE: Duration = Duration::from_millis(1);
 /// A few packets.
 const READ_LEN: usize = 256;

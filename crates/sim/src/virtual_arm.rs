@@ -15,6 +15,9 @@ pub struct VirtualArm {
     /// When the controller's first tick was or will be; `Duration::MAX` while the power is cut.
     started: Duration,
     mechanics: Mechanics,
+    /// When the last status left, and the shortest time between two so far.
+    uploaded: Duration,
+    spacing: Duration,
     /// Control ticks that the machine has seen.
     ticks: u32,
     to_arm: Line,
@@ -52,6 +55,8 @@ impl VirtualArm {
     pub fn new(controller: Controller, line: Line) -> Self {
         Self {
             mechanics: Mechanics::new(controller.joints_at(Duration::ZERO)),
+            uploaded: Duration::ZERO,
+            spacing: STATUS_PERIOD,
             ticks: 0,
             controller,
             started: Duration::ZERO,
@@ -186,6 +191,24 @@ impl VirtualArm {
         self.next_bytes().map_or(event, |it| it.min(event))
     }
 
+    /// When the host next has bytes to pass on, as far as can be told now; until then nothing is
+    /// to be done. The arm may be looked at later than that without harm.
+    #[must_use]
+    pub fn poll_delivery(&self) -> Duration {
+        let bytes = self.next_bytes().unwrap_or_else(|| {
+            let after_tick = self.next_tick().saturating_add(self.from_arm.packet_time());
+            after_tick.max(self.uploaded + self.spacing + self.from_arm.packet_time())
+        });
+        bytes.min(self.poll_fault())
+    }
+
+    /// When a fault next begins or ends at a time.
+    #[must_use]
+    pub fn poll_fault(&self) -> Duration {
+        let next = |it: &Trouble| it.schedule.poll_wakeup();
+        self.trouble.as_deref().map_or(Duration::MAX, next)
+    }
+
     /// When the bytes that are on their way from the arm have arrived.
     fn next_bytes(&self) -> Option<Duration> {
         let burst = self.from_arm.next_burst();
@@ -198,11 +221,7 @@ impl VirtualArm {
 
     /// When the controller or a fault next does something.
     fn next_event(&self) -> Duration {
-        let tick = self.next_tick();
-        match &self.trouble {
-            None => tick,
-            Some(trouble) => trouble.schedule.poll_wakeup().min(tick),
-        }
+        self.next_tick().min(self.poll_fault())
     }
 
     fn next_tick(&self) -> Duration {
@@ -268,6 +287,10 @@ impl VirtualArm {
         while let Some(upload) = self.controller.poll_bytes() {
             if !withheld {
                 let leaves = self.started.saturating_add(upload.at);
+                if !self.uploaded.is_zero() {
+                    self.spacing = self.spacing.min(leaves.saturating_sub(self.uploaded));
+                }
+                self.uploaded = leaves;
                 self.from_arm.send(leaves, &upload.bytes);
             }
         }
@@ -345,6 +368,8 @@ impl Recorder {
     }
 }
 
+/// A status comes every 80 ms (note N20), or more often.
+const STATUS_PERIOD: Duration = Duration::from_millis(80);
 /// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which
 /// waits for a new program, and 0.7 s of its own.
 const START: Duration = Duration::from_secs(2);
