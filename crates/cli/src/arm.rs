@@ -3,51 +3,79 @@
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
-use anyhow::Context;
-use dobot_controller::Personality;
-use dobot_sim::{DEFAULT_TCP, Server, ServerEvent};
+use anyhow::{Context, anyhow};
+use dobot_controller::{Controller, Personality, Port, PowerUp};
+use dobot_sim::{DEFAULT_TCP, Fault, Line, Server, ServerEvent, Speed, VirtualArm};
 use tokio::net::TcpListener;
+use tokio::task::JoinSet;
 
-use crate::connect::virtual_arm;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
 
-/// Serve a virtual arm, in real time, on TCP and on a virtual serial port
+/// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot arm                          on TCP 127.0.0.1:5555 and on a virtual serial port
   dobot arm --pty /tmp/dobot         a virtual serial port with a name of your own, only
   dobot arm --tcp 127.0.0.1:0        a free TCP port, only
+  dobot arm --speed max              as fast as its client keeps up
+  dobot arm --fault drop=1% --fault reset@open
+                                     a bad line, and an arm that starts anew when its port is opened
+  dobot arm --count 30               thirty arms, on the ports 5555 to 5584
 
 It behaves like a real arm: one client at a time, 9600 baud, 12.5 statuses per second.
-What it refuses is told here. Ctrl-C ends it.")]
+What it refuses and which fault strikes is told here. Ctrl-C ends it.
+
+Faults: drop=1%, flip=0.1%, duplicate=1% (or a number of bytes; :to or :from for one way),
+delay=50ms, withhold@10s..12s, close@12s..14s, reset@12s, reset=rear:1.5,fore:-0.8@open,
+power@12s..15s, lose=rear:30, lose=fore:1%, backlash=base:0.3, zero=fore:2.
+When: @12s, @packet5 or @status100, from then on; @12s..15s, @packet5..+2s, a while.")]
 pub(crate) struct Args {
     /// Serve on TCP; port 0 takes a free one
     #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = "127.0.0.1:5555")]
     tcp: Option<SocketAddr>,
     /// Serve on a virtual serial port, with a symbolic link to it at LINK
     #[cfg(unix)]
-    #[arg(long, value_name = "LINK", num_args = 0..=1, default_missing_value = "")]
+    #[arg(long, value_name = "LINK", num_args = 0..=1, default_missing_value = "", conflicts_with = "count")]
     pty: Option<PathBuf>,
     /// How the arm behaves: specification, or firmware-1.1 as the arms that were sold do
     #[arg(long, value_name = "PERSONALITY", default_value = "specification")]
     personality: Personality,
+    /// The port that firmware-1.1 serves: usb or bluetooth
+    #[arg(long, value_name = "PORT", default_value = "usb", value_parser = port)]
+    port: Port,
+    /// What the tilt sensors read at power-up: rear arm and forearm, in degrees
+    #[arg(long, value_name = "REAR,FORE", default_value = "45,45", value_parser = pose, allow_hyphen_values = true)]
+    pose: (f64, f64),
+    /// How fast time passes: 0.1 to 1000 times as fast as a clock, or max
+    ///
+    /// With max, time runs on to the next status, then waits until the client has answered, for a
+    /// millisecond at most; without a client it stands still.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    speed: Speed,
+    /// What goes wrong, as in drop=1% or reset@12s; may be given several times
+    #[arg(long = "fault", value_name = "FAULT")]
+    faults: Vec<Fault>,
+    /// Chooses what happens by chance: the same faults with the same seed do the same
+    #[arg(long, value_name = "N", default_value = "0")]
+    seed: u64,
+    /// Serve so many arms, each on a TCP port of its own, one after the other
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    count: Option<u16>,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let interrupt = interrupt();
-    let mut server = Server::new(virtual_arm(args.personality));
     let (tcp, pty) = args.places();
-    if let Some(address) = tcp {
-        let listener = listen(address).await?;
-        let personality = args.personality;
-        output::line(&format!(
-            "tcp:{}   a virtual arm, personality {personality}",
-            listener.local_addr()?
-        ))?;
-        server = server.on_tcp(listener);
+    let mut servers = Vec::new();
+    for (number, address) in args.addresses(tcp)?.into_iter().enumerate() {
+        let mut server = Server::new(args.arm(number as u64)).at_speed(args.speed);
+        if let Some(address) = address {
+            server = server.on_tcp(args.listen(address).await?);
+        }
+        servers.push(server);
     }
     #[cfg(unix)]
     if let Some(link) = pty {
@@ -55,11 +83,31 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         let pty =
             dobot_sim::Pty::open(link.as_deref()).map_err(|error| no_pty(error, link.as_ref()))?;
         output::line(&format!("serial:{}   the same arm", pty.path().display()))?;
-        server = server.on_pty(pty);
+        let only = servers.pop().expect("there is one arm at least");
+        servers.push(only.on_pty(pty));
     }
     tokio::select! {
-        ended = server.run(|event| eprintln!("{}", text(&event))) => Ok(ended?),
+        ended = serve(servers) => ended,
         () = interrupt => Ok(()),
+    }
+}
+
+/// Runs all arms; ends with the first one that cannot be served any more.
+async fn serve(servers: Vec<Server>) -> Result<(), Failure> {
+    let several = servers.len() > 1;
+    let mut running = JoinSet::new();
+    for (number, mut server) in (1..).zip(servers) {
+        let name = if several {
+            format!("arm {number}: ")
+        } else {
+            String::new()
+        };
+        running.spawn(async move { server.run(|it| eprintln!("{name}{}", text(&it))).await });
+    }
+    match running.join_next().await {
+        Some(Ok(ended)) => Ok(ended?),
+        Some(Err(error)) => Err(error.into()),
+        None => Ok(()),
     }
 }
 
@@ -69,6 +117,7 @@ impl Args {
     #[cfg(unix)]
     fn places(&self) -> (Option<SocketAddr>, Option<PathBuf>) {
         match (self.tcp, &self.pty) {
+            (None, None) if self.count.is_some() => (Some(DEFAULT_TCP), None),
             (None, None) => (Some(DEFAULT_TCP), Some(PathBuf::new())),
             (tcp, pty) => (tcp, pty.clone()),
         }
@@ -77,6 +126,92 @@ impl Args {
     #[cfg(not(unix))]
     fn places(&self) -> (Option<SocketAddr>, ()) {
         (self.tcp.or(Some(DEFAULT_TCP)), ())
+    }
+
+    /// Where each arm is served on TCP, if it is.
+    fn addresses(&self, tcp: Option<SocketAddr>) -> Result<Vec<Option<SocketAddr>>, Failure> {
+        let Some(first) = tcp else {
+            return Ok(vec![None]);
+        };
+        let count = self.count.unwrap_or(1);
+        allow_files(count.into());
+        let port = |number| match first.port() {
+            0 => Some(0),
+            port => port.checked_add(number),
+        };
+        let at = |number| Some(Some(SocketAddr::new(first.ip(), port(number)?)));
+        let addresses: Option<Vec<_>> = (0..count).map(at).collect();
+        addresses.ok_or_else(|| {
+            let last = 65_535 - (count - 1);
+            anyhow!("{count} arms from port {} on go beyond port 65535; the first port may be up to {last}", first.port()).into()
+        })
+    }
+
+    /// The arm of that number; each has chances of its own.
+    fn arm(&self, number: u64) -> VirtualArm {
+        let power_up = PowerUp {
+            personality: self.personality,
+            port: self.port,
+            rear_deg: self.pose.0,
+            fore_deg: self.pose.1,
+        };
+        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        if self.faults.is_empty() {
+            return arm;
+        }
+        arm.with_faults(power_up, &self.faults, self.seed.wrapping_add(number))
+    }
+
+    async fn listen(&self, address: SocketAddr) -> Result<TcpListener, Failure> {
+        let listener = listen(address).await?;
+        let personality = self.personality;
+        output::line(&format!(
+            "tcp:{}   a virtual arm, personality {personality}",
+            listener.local_addr()?
+        ))?;
+        Ok(listener)
+    }
+}
+
+fn port(text: &str) -> Result<Port, String> {
+    match text {
+        "usb" => Ok(Port::Usb),
+        "bluetooth" => Ok(Port::Bluetooth),
+        _ => Err("a port is usb or bluetooth".to_owned()),
+    }
+}
+
+fn pose(text: &str) -> Result<(f64, f64), String> {
+    let angles = || {
+        let (rear, fore) = text.split_once(',')?;
+        Some((angle(rear, -5.0, 85.0)?, angle(fore, -10.0, 95.0)?))
+    };
+    angles().ok_or_else(|| {
+        "a pose is two angles in degrees, the rear arm's from -5 to 85 and the forearm's from -10 to 95, as in 45,45"
+            .to_owned()
+    })
+}
+
+fn angle(text: &str, least: f64, most: f64) -> Option<f64> {
+    text.parse().ok().filter(|it| (least..=most).contains(it))
+}
+
+/// A thousand arms need more open files than a program usually gets.
+#[cfg_attr(not(unix), expect(unused_variables, reason = "there is no such limit"))]
+fn allow_files(count: usize) {
+    #[cfg(unix)]
+    if count > MANY_ARMS {
+        use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+
+        let limit = getrlimit(Resource::Nofile);
+        // What is not granted is told when a file cannot be opened.
+        let _ = setrlimit(
+            Resource::Nofile,
+            Rlimit {
+                current: limit.maximum,
+                ..limit
+            },
+        );
     }
 }
 
@@ -131,8 +266,16 @@ fn text(event: &ServerEvent) -> String {
         ServerEvent::Overrun => {
             "the client sends faster than 9600 baud: bytes are lost, as on a real line".to_owned()
         }
+        ServerEvent::PortClosed(from) => {
+            format!("turned away: {from}; a fault has closed the port")
+        }
+        ServerEvent::Struck(struck) => struck.to_string(),
         ServerEvent::Disconnected => "disconnected".to_owned(),
         ServerEvent::Refused(refused) => refused.to_string(),
         other => format!("{other:?}"),
     }
 }
+
+/// With that many arms the open files may not be enough.
+#[cfg(unix)]
+const MANY_ARMS: usize = 100;

@@ -458,9 +458,13 @@ mod in_time {
         for seconds in [10, 20] {
             let ten = tokio::time::sleep(Duration::from_secs(10));
             serve(&mut server, |_| ten).await;
-            // A cancelled server may have been about to wake up for the next tick.
+            // Without a client the arm is looked at once a second: what has passed since then is
+            // lost with the server that was cancelled.
             let apart = server.arm().now().abs_diff(Duration::from_secs(seconds));
-            assert!(apart <= ms(50), "{apart:?}");
+            assert!(
+                apart <= Duration::from_secs(seconds / 10) + ms(50),
+                "{apart:?}"
+            );
         }
     }
 
