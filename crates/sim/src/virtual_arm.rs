@@ -140,6 +140,10 @@ impl VirtualArm {
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
         if self.has_port() {
+            if now > self.started {
+                // Ticks in which nothing happened may still be to be passed over.
+                self.controller.handle_time(self.controller_time(now));
+            }
             self.to_arm.send(now, bytes);
         }
     }
@@ -224,8 +228,21 @@ impl VirtualArm {
         self.next_tick().min(self.poll_fault())
     }
 
+    /// When the controller next wants the time: while bytes travel to it at each tick, so that it
+    /// gets each byte before the first tick after it.
     fn next_tick(&self) -> Duration {
-        self.started.saturating_add(self.controller.poll_wakeup())
+        let wakeup = self.controller.poll_wakeup();
+        let until_then = if self.is_spoken_to() {
+            wakeup.min(TICK * self.controller.tick_count())
+        } else {
+            wakeup
+        };
+        self.started.saturating_add(until_then)
+    }
+
+    fn is_spoken_to(&self) -> bool {
+        let late = |it: &Trouble| it.schedule.keeps(Direction::ToArm);
+        self.to_arm.next_burst().is_some() || self.trouble.as_deref().is_some_and(late)
     }
 
     /// Gives the controller the bytes that arrive before `time`: one that arrives in the very
@@ -294,6 +311,7 @@ impl VirtualArm {
                 self.from_arm.send(leaves, &upload.bytes);
             }
         }
+        // Several ticks at once are ticks in which nothing moved.
         if self.controller.tick_count() > self.ticks {
             self.ticks = self.controller.tick_count();
             self.drive(at);
@@ -368,6 +386,8 @@ impl Recorder {
     }
 }
 
+/// The control tick (note N27).
+const TICK: Duration = Duration::from_millis(20);
 /// A status comes every 80 ms (note N20), or more often.
 const STATUS_PERIOD: Duration = Duration::from_millis(80);
 /// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which

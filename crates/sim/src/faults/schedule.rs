@@ -183,6 +183,11 @@ impl Schedule {
         last
     }
 
+    /// Whether bytes wait to be fetched.
+    pub(crate) fn keeps(&self, direction: Direction) -> bool {
+        !self.judged[direction as usize].is_empty()
+    }
+
     /// When a byte comes through that is late.
     pub(crate) fn next_late(&self, direction: Direction, now: Duration) -> Option<Duration> {
         let judged = &self.judged[direction as usize];
