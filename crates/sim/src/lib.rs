@@ -20,6 +20,7 @@
 
 mod faults;
 mod in_process;
+mod lettering;
 mod line;
 mod mechanics;
 mod plot;
@@ -31,6 +32,7 @@ mod simulate;
 mod speed;
 mod trace;
 mod virtual_arm;
+pub mod world;
 
 pub use faults::{Fault, FaultError, Struck, What};
 pub use in_process::InProcess;

@@ -1,0 +1,120 @@
+//! What is pressed into what.
+
+use super::grip::Grip;
+use super::object::Object;
+use super::tip::Tip;
+use super::{Event, Paper, Point, Tool};
+
+/// What is pressed into something else at present, and how deep it was when that was told.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Contacts {
+    told: Vec<(What, With, f64)>,
+}
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum What {
+    Tool,
+    Object(usize),
+}
+
+/// What is in its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum With {
+    Table,
+    Object(usize),
+}
+
+/// What may touch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scenery<'a> {
+    pub(crate) tool: &'a Tool,
+    pub(crate) paper: Option<&'a Paper>,
+    pub(crate) objects: &'a [Object],
+    pub(crate) grip: &'a Grip,
+    pub(crate) tip: &'a Tip,
+    /// How far the fingers are apart.
+    pub(crate) opening_mm: f64,
+}
+
+impl Contacts {
+    /// Looks what touches what, and tells what is new or twice as deep as before.
+    pub(crate) fn look(&mut self, scenery: &Scenery<'_>, mut tell: impl FnMut(Event)) {
+        let mut now = Vec::new();
+        scenery.tool(&mut now);
+        scenery.load(&mut now);
+        now.retain(|(_, _, depth_mm)| *depth_mm > scenery.tool.give_mm);
+        for contact in &mut now {
+            let same = |it: &&(What, With, f64)| (it.0, it.1) == (contact.0, contact.1);
+            match self.told.iter().find(same) {
+                Some(told) if contact.2 < 2.0 * told.2 => contact.2 = told.2,
+                _ => tell(scenery.event(contact)),
+            }
+        }
+        self.told = now;
+    }
+}
+
+impl Scenery<'_> {
+    /// Where the tool ends: a gripper in two fingers.
+    fn ends(&self) -> [Point; 2] {
+        let across = Point::towards(self.tip.turn_deg + 90.0) * (self.opening_mm / 2.0);
+        [self.tip.at + across, self.tip.at - across]
+    }
+
+    fn tool(&self, contacts: &mut Vec<(What, With, f64)>) {
+        contacts.push((What::Tool, With::Table, -self.tip.height_mm));
+        for (i, object) in self.objects.iter().enumerate() {
+            let depth_mm = object.top_mm() - self.tip.height_mm;
+            if depth_mm <= 0.0 || self.grip.holds(i) {
+                continue;
+            }
+            let footprint = object.footprint();
+            if self
+                .ends()
+                .iter()
+                .any(|it| footprint.margin_mm(*it) > AT_THE_EDGE_MM)
+            {
+                contacts.push((What::Tool, With::Object(i), depth_mm));
+            }
+        }
+    }
+
+    fn load(&self, contacts: &mut Vec<(What, With, f64)>) {
+        for held in self.grip.objects() {
+            let object = &self.objects[held];
+            contacts.push((What::Object(held), With::Table, -object.bottom_mm));
+            for (i, other) in self.objects.iter().enumerate() {
+                if !self.grip.holds(i)
+                    && let Some(depth_mm) = object.overlap_mm(other)
+                {
+                    contacts.push((What::Object(held), With::Object(i), depth_mm));
+                }
+            }
+        }
+    }
+
+    fn event(&self, &(what, with, depth_mm): &(What, With, f64)) -> Event {
+        let name = |object: usize| self.objects[object].name.clone();
+        let what = match what {
+            What::Tool => format!("the {}", self.tool.name()),
+            What::Object(object) => name(object),
+        };
+        let with = match with {
+            With::Object(object) => name(object),
+            With::Table if self.paper.is_some_and(|it| it.contains(self.tip.at)) => {
+                "the paper".to_owned()
+            }
+            With::Table => "the table".to_owned(),
+        };
+        Event::Collided {
+            what,
+            with,
+            depth_mm: super::point::rounded(depth_mm),
+            at_mm: self.tip.at.rounded(),
+        }
+    }
+}
+
+/// A finger that lies at a side touches it, but is not in it.
+const AT_THE_EDGE_MM: f64 = 0.2;

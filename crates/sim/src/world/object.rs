@@ -1,0 +1,98 @@
+//! Things that stand on the table.
+
+use serde::{Deserialize, Serialize};
+
+use super::Point;
+use super::footprint::Footprint;
+use super::point::rounded;
+
+/// A thing on the table, or in the grip of the tool.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Object {
+    /// What it is called; no other object is.
+    pub name: String,
+    /// Its shape and size.
+    pub shape: Shape,
+    /// What it weighs, in grams.
+    pub mass_g: f64,
+    /// Its colour, as `#rrggbb`.
+    pub color: String,
+    /// Where its middle is.
+    pub at_mm: Point,
+    /// How it is turned about the vertical, counter-clockwise.
+    pub turn_deg: f64,
+    /// How high its underside is above the table.
+    pub bottom_mm: f64,
+}
+
+/// The shapes of objects; all stand upright.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Shape {
+    /// A box, by its sides along X, Y and Z before it is turned.
+    Box {
+        /// The sides.
+        size_mm: [f64; 3],
+    },
+    /// A cylinder.
+    Cylinder {
+        /// How wide it is.
+        diameter_mm: f64,
+        /// How tall it is.
+        height_mm: f64,
+    },
+}
+
+impl Object {
+    /// How high its upper face is above the table.
+    #[must_use]
+    pub fn top_mm(&self) -> f64 {
+        self.bottom_mm + self.height_mm()
+    }
+
+    pub(crate) const fn height_mm(&self) -> f64 {
+        match self.shape {
+            Shape::Box { size_mm } => size_mm[2],
+            Shape::Cylinder { height_mm, .. } => height_mm,
+        }
+    }
+
+    pub(crate) fn footprint(&self) -> Footprint {
+        match self.shape {
+            Shape::Box { size_mm: [x, y, _] } => Footprint::Rectangle {
+                middle: self.at_mm,
+                half_mm: [x / 2.0, y / 2.0],
+                turn_deg: self.turn_deg,
+            },
+            Shape::Cylinder { diameter_mm, .. } => Footprint::Disc {
+                middle: self.at_mm,
+                radius_mm: diameter_mm / 2.0,
+            },
+        }
+    }
+
+    /// How deep two objects are in each other, measured upwards; `None` where one is not above or
+    /// below the other at all.
+    pub(crate) fn overlap_mm(&self, other: &Self) -> Option<f64> {
+        let depth = (self.top_mm() - other.bottom_mm).min(other.top_mm() - self.bottom_mm);
+        (depth > -TOUCHING_MM && self.footprint().overlaps(&other.footprint())).then_some(depth)
+    }
+
+    /// Whether it stands on another one.
+    pub(crate) fn stands_on(&self, other: &Self) -> bool {
+        (self.bottom_mm - other.top_mm()).abs() < TOUCHING_MM
+            && self.footprint().overlaps(&other.footprint())
+    }
+
+    pub(crate) fn rounded(&self) -> Self {
+        Self {
+            at_mm: self.at_mm.rounded(),
+            turn_deg: rounded(self.turn_deg),
+            bottom_mm: rounded(self.bottom_mm),
+            ..self.clone()
+        }
+    }
+}
+
+/// Nearer than that is no gap.
+pub(crate) const TOUCHING_MM: f64 = 0.01;

@@ -1,0 +1,472 @@
+//! What is allowed in a scene.
+
+use std::ops::RangeInclusive;
+
+use toml::Spanned;
+
+use super::file::{self, File, Number, line};
+use super::{Paper, Scene, SceneError};
+use crate::world::color::{color, names};
+use crate::world::footprint::Footprint;
+use crate::world::{Object, Point, Shape, Tool, ToolKind};
+
+pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
+    let check = Check { text };
+    Ok(Scene {
+        tool: check.tool(file)?,
+        table_z_mm: check.table(file)?,
+        paper: file.paper.as_ref().map(|it| check.paper(it)).transpose()?,
+        objects: check.objects(file)?,
+    })
+}
+
+/// Checks, and tells the lines of the text.
+struct Check<'a> {
+    text: &'a str,
+}
+
+/// An object whose height is not known yet.
+struct Placed<'a> {
+    object: Object,
+    line: usize,
+    on: Option<&'a Spanned<String>>,
+}
+
+impl Check<'_> {
+    fn line<T>(&self, it: &Spanned<T>) -> usize {
+        line(self.text, it.span().start)
+    }
+
+    fn table(&self, file: &File) -> Result<f64, SceneError> {
+        let Some(table) = &file.table else {
+            return Ok(TABLE_Z_MM);
+        };
+        self.number(&table.z_mm, "z_mm of [table]", -400.0..=0.0)
+    }
+
+    fn paper(&self, paper: &file::Paper) -> Result<Paper, SceneError> {
+        let [x, y] = [(&paper.x_mm, "x_mm"), (&paper.y_mm, "y_mm")].map(|(span, name)| {
+            let [from, to] = *span.get_ref();
+            let allowed = || {
+                format!("two numbers within {NEAR_MM} mm of the base, the smaller one first, are allowed")
+            };
+            let good = from < to && from >= -NEAR_MM && to <= NEAR_MM;
+            let what = format!("{name} of [paper]");
+            good.then_some([from, to])
+                .ok_or_else(|| self.value(span, what, format!("[{from}, {to}]"), allowed()))
+        });
+        let ([x, to_x], [y, to_y]) = (x?, y?);
+        Ok(Paper {
+            from_mm: Point::new(x, y),
+            to_mm: Point::new(to_x, to_y),
+        })
+    }
+
+    fn tool(&self, file: &File) -> Result<Tool, SceneError> {
+        let tools = [
+            file.pen.as_ref().map(|it| self.pen(it)),
+            file.laser.as_ref().map(|it| self.laser(it)),
+            file.suction_cup.as_ref().map(|it| self.suction_cup(it)),
+            file.gripper.as_ref().map(|it| self.gripper(it)),
+        ];
+        let mut tools = tools.into_iter().flatten();
+        let Some(tool) = tools.next() else {
+            let found = "there is no tool".to_owned();
+            return Err(SceneError::Tools { line: 1, found });
+        };
+        if tools.next().is_some() {
+            let found = "there is a second tool".to_owned();
+            let line = self.second_tool(file);
+            return Err(SceneError::Tools { line, found });
+        }
+        tool
+    }
+
+    fn second_tool(&self, file: &File) -> usize {
+        let mut lines: Vec<usize> = [
+            file.pen.as_ref().map(|it| self.line(it)),
+            file.laser.as_ref().map(|it| self.line(it)),
+            file.suction_cup.as_ref().map(|it| self.line(it)),
+            file.gripper.as_ref().map(|it| self.line(it)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        lines.sort_unstable();
+        lines.get(1).copied().unwrap_or(1)
+    }
+
+    fn pen(&self, pen: &Spanned<file::Pen>) -> Result<Tool, SceneError> {
+        let file::Pen {
+            down_z_mm,
+            give_mm,
+            width_mm,
+        } = pen.get_ref();
+        let width_mm = self.optional(width_mm.as_ref(), "width_mm of [pen]", 0.05..=10.0, 0.5)?;
+        let kind = ToolKind::Pen { width_mm };
+        self.mounted("pen", [down_z_mm, give_mm], [-40.0, 2.0], kind)
+    }
+
+    fn laser(&self, laser: &Spanned<file::Laser>) -> Result<Tool, SceneError> {
+        let it = laser.get_ref();
+        let optional = |number: &Option<Number>, what, range, default| {
+            self.optional(number.as_ref(), what, range, default)
+        };
+        let kind = ToolKind::Laser {
+            focus_mm: optional(&it.focus_mm, "focus_mm of [laser]", 1.0..=200.0, 25.0)?,
+            depth_mm: optional(&it.depth_mm, "depth_mm of [laser]", 0.1..=50.0, 3.0)?,
+            power_w: optional(&it.power_w, "power_w of [laser]", 0.001..=100.0, 0.5)?,
+        };
+        self.mounted("laser", [&it.down_z_mm, &it.give_mm], [-65.0, 0.5], kind)
+    }
+
+    fn suction_cup(&self, cup: &Spanned<file::SuctionCup>) -> Result<Tool, SceneError> {
+        let it = cup.get_ref();
+        let (diameter, lifts) = ("diameter_mm of [suction-cup]", "lifts_g of [suction-cup]");
+        let kind = ToolKind::SuctionCup {
+            diameter_mm: self.optional(it.diameter_mm.as_ref(), diameter, 1.0..=100.0, 20.0)?,
+            lifts_g: self.optional(it.lifts_g.as_ref(), lifts, 1.0..=MOST_G, 500.0)?,
+        };
+        self.mounted(
+            "suction-cup",
+            [&it.down_z_mm, &it.give_mm],
+            [-40.0, 3.0],
+            kind,
+        )
+    }
+
+    fn gripper(&self, gripper: &Spanned<file::Gripper>) -> Result<Tool, SceneError> {
+        let it = gripper.get_ref();
+        let lifts_g = self.optional(
+            it.lifts_g.as_ref(),
+            "lifts_g of [gripper]",
+            1.0..=MOST_G,
+            500.0,
+        )?;
+        let open_mm = self.optional(
+            it.open_mm.as_ref(),
+            "open_mm of [gripper]",
+            1.0..=200.0,
+            40.0,
+        )?;
+        let closed_mm = self.optional(
+            it.closed_mm.as_ref(),
+            "closed_mm of [gripper]",
+            0.0..=open_mm,
+            0.0,
+        )?;
+        let kind = ToolKind::Gripper {
+            open_mm,
+            closed_mm,
+            lifts_g,
+        };
+        self.mounted("gripper", [&it.down_z_mm, &it.give_mm], [-40.0, 1.0], kind)
+    }
+
+    /// What all tools have: the height of the wrist when the tip is down, and how far it gives.
+    fn mounted(
+        &self,
+        name: &str,
+        [down_z, give]: [&Option<Number>; 2],
+        [down_z_mm, give_mm]: [f64; 2],
+        kind: ToolKind,
+    ) -> Result<Tool, SceneError> {
+        let what = |key: &str| format!("{key} of [{name}]");
+        Ok(Tool {
+            down_z_mm: self.optional(
+                down_z.as_ref(),
+                &what("down_z_mm"),
+                -300.0..=130.0,
+                down_z_mm,
+            )?,
+            give_mm: self.optional(give.as_ref(), &what("give_mm"), 0.1..=20.0, give_mm)?,
+            kind,
+        })
+    }
+
+    /// The objects, in the order of the file, at their heights.
+    fn objects(&self, file: &File) -> Result<Vec<Object>, SceneError> {
+        let mut placed = Vec::new();
+        for (i, it) in file.r#box.iter().enumerate() {
+            placed.push(self.place_box(it, i + 1)?);
+        }
+        for (i, it) in file.cylinder.iter().enumerate() {
+            placed.push(self.place_cylinder(it, i + 1)?);
+        }
+        if placed.len() > MOST_OBJECTS {
+            return Err(SceneError::Value {
+                line: placed[MOST_OBJECTS].line,
+                what: "the number of objects".to_owned(),
+                found: placed.len().to_string(),
+                allowed: format!("up to {MOST_OBJECTS} are allowed"),
+            });
+        }
+        placed.sort_by_key(|it| it.line);
+        unique_names(&placed)?;
+        self.stack(&mut placed)?;
+        apart(&placed)?;
+        Ok(placed.into_iter().map(|it| it.object).collect())
+    }
+
+    fn place_box<'a>(
+        &self,
+        it: &'a Spanned<file::Box>,
+        number: usize,
+    ) -> Result<Placed<'a>, SceneError> {
+        let file = it.get_ref();
+        let name = self.name(file.name.as_ref(), || format!("box {number}"))?;
+        let of = |key: &str| format!("{key} of `{name}`");
+        let size_mm = *file.size_mm.get_ref();
+        for side in size_mm {
+            self.within(&file.size_mm, side, &of("size_mm"), SIZE_MM)?;
+        }
+        let turn_deg =
+            self.optional(file.turn_deg.as_ref(), &of("turn_deg"), -360.0..=360.0, 0.0)?;
+        let object = Object {
+            shape: Shape::Box { size_mm },
+            at_mm: self.place(&file.at_mm, &name)?,
+            turn_deg,
+            mass_g: self.optional(file.mass_g.as_ref(), &of("mass_g"), MASS_G, 20.0)?,
+            color: self.color(file.color.as_ref(), &name)?,
+            bottom_mm: 0.0,
+            name,
+        };
+        self.on_the_table(&file.at_mm, &object)?;
+        Ok(Placed {
+            object,
+            line: self.line(it),
+            on: file.on.as_ref(),
+        })
+    }
+
+    fn place_cylinder<'a>(
+        &self,
+        it: &'a Spanned<file::Cylinder>,
+        number: usize,
+    ) -> Result<Placed<'a>, SceneError> {
+        let file = it.get_ref();
+        let name = self.name(file.name.as_ref(), || format!("cylinder {number}"))?;
+        let of = |key: &str| format!("{key} of `{name}`");
+        let object = Object {
+            shape: Shape::Cylinder {
+                diameter_mm: self.number(&file.diameter_mm, &of("diameter_mm"), SIZE_MM)?,
+                height_mm: self.number(&file.height_mm, &of("height_mm"), SIZE_MM)?,
+            },
+            at_mm: self.place(&file.at_mm, &name)?,
+            turn_deg: 0.0,
+            mass_g: self.optional(file.mass_g.as_ref(), &of("mass_g"), MASS_G, 20.0)?,
+            color: self.color(file.color.as_ref(), &name)?,
+            bottom_mm: 0.0,
+            name,
+        };
+        self.on_the_table(&file.at_mm, &object)?;
+        Ok(Placed {
+            object,
+            line: self.line(it),
+            on: file.on.as_ref(),
+        })
+    }
+
+    fn name(
+        &self,
+        name: Option<&Spanned<String>>,
+        made: impl FnOnce() -> String,
+    ) -> Result<String, SceneError> {
+        let Some(span) = name else {
+            return Ok(made());
+        };
+        let name = span.get_ref();
+        let long = name.chars().count();
+        if (1..=40).contains(&long) && !name.chars().any(char::is_control) && name.trim() == name {
+            return Ok(name.clone());
+        }
+        let allowed =
+            "1 to 40 characters on one line, no blanks around them, are allowed".to_owned();
+        Err(self.value(span, "a name".to_owned(), format!("{name:?}"), allowed))
+    }
+
+    fn color(&self, it: Option<&Spanned<String>>, name: &str) -> Result<String, SceneError> {
+        let found = it.map_or("gray", |it| it.get_ref());
+        match (color(found), it) {
+            (Some(color), _) => Ok(color),
+            (None, Some(span)) => {
+                let allowed = format!("allowed are #rrggbb, {}", names());
+                Err(self.value(
+                    span,
+                    format!("color of `{name}`"),
+                    format!("{found:?}"),
+                    allowed,
+                ))
+            }
+            (None, None) => Ok("#8d969c".to_owned()),
+        }
+    }
+
+    fn place(&self, at: &Spanned<[f64; 2]>, name: &str) -> Result<Point, SceneError> {
+        let [x, y] = *at.get_ref();
+        if x.hypot(y) <= NEAR_MM {
+            return Ok(Point::new(x, y));
+        }
+        let allowed = format!("a place within {NEAR_MM} mm of the base axis is allowed");
+        Err(self.value(
+            at,
+            format!("at_mm of `{name}`"),
+            format!("[{x}, {y}]"),
+            allowed,
+        ))
+    }
+
+    /// Nothing stands in the base of the arm.
+    fn on_the_table(&self, at: &Spanned<[f64; 2]>, object: &Object) -> Result<(), SceneError> {
+        let base = Footprint::Disc {
+            middle: Point::default(),
+            radius_mm: BASE_RADIUS_MM,
+        };
+        if !object.footprint().overlaps(&base) {
+            return Ok(());
+        }
+        let Point { x, y } = object.at_mm;
+        let allowed = format!(
+            "that is in the base of the arm, which takes {BASE_RADIUS_MM} mm around its axis"
+        );
+        let what = format!("at_mm of `{}`", object.name);
+        Err(self.value(at, what, format!("[{x}, {y}]"), allowed))
+    }
+
+    fn number(
+        &self,
+        number: &Number,
+        what: &str,
+        range: RangeInclusive<f64>,
+    ) -> Result<f64, SceneError> {
+        self.within(number, *number.get_ref(), what, range)
+    }
+
+    fn optional(
+        &self,
+        number: Option<&Number>,
+        what: &str,
+        range: RangeInclusive<f64>,
+        default: f64,
+    ) -> Result<f64, SceneError> {
+        number.map_or(Ok(default), |it| self.number(it, what, range))
+    }
+
+    fn within<T>(
+        &self,
+        span: &Spanned<T>,
+        found: f64,
+        what: &str,
+        range: RangeInclusive<f64>,
+    ) -> Result<f64, SceneError> {
+        if range.contains(&found) {
+            return Ok(found);
+        }
+        let allowed = format!("from {} to {} is allowed", range.start(), range.end());
+        Err(self.value(span, what.to_owned(), found.to_string(), allowed))
+    }
+
+    fn value<T>(
+        &self,
+        span: &Spanned<T>,
+        what: String,
+        found: String,
+        allowed: String,
+    ) -> SceneError {
+        SceneError::Value {
+            line: self.line(span),
+            what,
+            found,
+            allowed,
+        }
+    }
+
+    /// Gives those that stand on others their heights: the lower ones first.
+    fn stack(&self, placed: &mut [Placed<'_>]) -> Result<(), SceneError> {
+        let mut known: Vec<bool> = placed.iter().map(|it| it.on.is_none()).collect();
+        while let Some(next) = self.next_to_stack(placed, &known)? {
+            let (it, under) = next;
+            placed[it].object.bottom_mm = placed[under].object.top_mm();
+            known[it] = true;
+        }
+        Ok(())
+    }
+
+    /// One whose height is not known but that of what it stands on.
+    fn next_to_stack(
+        &self,
+        placed: &[Placed<'_>],
+        known: &[bool],
+    ) -> Result<Option<(usize, usize)>, SceneError> {
+        let mut waiting = None;
+        for (it, on) in placed
+            .iter()
+            .enumerate()
+            .filter_map(|(i, it)| Some((i, it.on?)))
+        {
+            if known[it] {
+                continue;
+            }
+            let under = placed.iter().position(|it| it.object.name == *on.get_ref());
+            let fail = |reason| SceneError::Support {
+                line: self.line(on),
+                name: placed[it].object.name.clone(),
+                on: on.get_ref().clone(),
+                reason,
+            };
+            let under = under.ok_or_else(|| fail("there is no object of that name"))?;
+            let footprint = placed[it].object.footprint();
+            if !footprint.overlaps(&placed[under].object.footprint()) {
+                return Err(fail("no part of it is above that"));
+            }
+            if known[under] {
+                return Ok(Some((it, under)));
+            }
+            waiting.get_or_insert_with(|| fail("they stand on each other in a circle"));
+        }
+        waiting.map_or(Ok(None), Err)
+    }
+}
+
+fn unique_names(placed: &[Placed<'_>]) -> Result<(), SceneError> {
+    for (i, it) in placed.iter().enumerate() {
+        let name = &it.object.name;
+        if let Some(first) = placed[..i].iter().find(|first| first.object.name == *name) {
+            return Err(SceneError::NameTwice {
+                line: it.line,
+                name: name.clone(),
+                first_line: first.line,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn apart(placed: &[Placed<'_>]) -> Result<(), SceneError> {
+    for (i, it) in placed.iter().enumerate() {
+        let in_it = |other: &&Placed<'_>| {
+            let depth_mm = it.object.overlap_mm(&other.object);
+            depth_mm.is_some_and(|depth| depth > 0.01)
+        };
+        if let Some(other) = placed[..i].iter().find(in_it) {
+            return Err(SceneError::Overlap {
+                line: it.line,
+                name: it.object.name.clone(),
+                other: other.object.name.clone(),
+                other_line: other.line,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Where the table of a stock arm is, about (`docs/kinematics.md`).
+const TABLE_Z_MM: f64 = -103.0;
+/// How far from the base axis things may be.
+const NEAR_MM: f64 = 500.0;
+/// What the base takes up.
+const BASE_RADIUS_MM: f64 = 80.0;
+const SIZE_MM: RangeInclusive<f64> = 0.5..=500.0;
+const MASS_G: RangeInclusive<f64> = 0.1..=MOST_G;
+const MOST_G: f64 = 10_000.0;
+const MOST_OBJECTS: usize = 500;
