@@ -5,13 +5,15 @@ use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
-use dobot_sim::{DEFAULT_TCP, Fault, Line, Server, ServerEvent, Speed, VirtualArm};
+use dobot_sim::world::{Scene, World};
+use dobot_sim::{DEFAULT_TCP, DEFAULT_WORLD, Fault, Line, Server, ServerEvent, Speed, VirtualArm};
 use tokio::net::TcpListener;
 use tokio::task::JoinSet;
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
+use crate::world::read_scene;
 
 /// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]
@@ -23,6 +25,7 @@ Examples:
   dobot arm --speed max              as fast as its client keeps up
   dobot arm --fault drop=1% --fault reset@open
                                      a bad line, and an arm that starts anew when its port is opened
+  dobot arm --world desk.toml        with paper, tool and objects; `dobot world` tells of them
   dobot arm --count 30               thirty arms, on the ports 5555 to 5584
 
 It behaves like a real arm: one client at a time, 9600 baud, 12.5 statuses per second.
@@ -64,14 +67,21 @@ pub(crate) struct Args {
     /// Serve so many arms, each on a TCP port of its own, one after the other
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10_000))]
     count: Option<u16>,
+    /// Put the arm into the world of a scene file: paper, tool, objects
+    #[arg(long, value_name = "SCENE", conflicts_with = "count")]
+    world: Option<PathBuf>,
+    /// Where `dobot world` can ask for it; port 0 takes a free one
+    #[arg(long, value_name = "HOST:PORT", requires = "world", default_value_t = DEFAULT_WORLD)]
+    world_port: SocketAddr,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let interrupt = interrupt();
+    let scene = args.world.as_deref().map(read_scene).transpose()?;
     let (tcp, pty) = args.places();
     let mut servers = Vec::new();
     for (number, address) in args.addresses(tcp)?.into_iter().enumerate() {
-        let mut server = Server::new(args.arm(number as u64)).at_speed(args.speed);
+        let mut server = Server::new(args.arm(number as u64, scene.as_ref())).at_speed(args.speed);
         if let Some(address) = address {
             server = server.on_tcp(args.listen(address).await?);
         }
@@ -85,6 +95,15 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         output::line(&format!("serial:{}   the same arm", pty.path().display()))?;
         let only = servers.pop().expect("there is one arm at least");
         servers.push(only.on_pty(pty));
+    }
+    if scene.is_some() {
+        let listener = listen(args.world_port, "world-port").await?;
+        output::line(&format!(
+            "{}   its world, for `dobot world --from`",
+            listener.local_addr()?
+        ))?;
+        let only = servers.pop().expect("there is one arm at least");
+        servers.push(only.on_world(listener));
     }
     tokio::select! {
         ended = serve(servers) => ended,
@@ -148,7 +167,7 @@ impl Args {
     }
 
     /// The arm of that number; each has chances of its own.
-    fn arm(&self, number: u64) -> VirtualArm {
+    fn arm(&self, number: u64, scene: Option<&Scene>) -> VirtualArm {
         let power_up = PowerUp {
             personality: self.personality,
             port: self.port,
@@ -156,14 +175,19 @@ impl Args {
             fore_deg: self.pose.1,
         };
         let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
-        if self.faults.is_empty() {
-            return arm;
+        let arm = if self.faults.is_empty() {
+            arm
+        } else {
+            arm.with_faults(power_up, &self.faults, self.seed.wrapping_add(number))
+        };
+        match scene {
+            Some(scene) => arm.with_world(World::new(scene.clone())),
+            None => arm,
         }
-        arm.with_faults(power_up, &self.faults, self.seed.wrapping_add(number))
     }
 
     async fn listen(&self, address: SocketAddr) -> Result<TcpListener, Failure> {
-        let listener = listen(address).await?;
+        let listener = listen(address, "tcp").await?;
         let personality = self.personality;
         output::line(&format!(
             "tcp:{}   a virtual arm, personality {personality}",
@@ -215,14 +239,16 @@ fn allow_files(count: usize) {
     }
 }
 
-async fn listen(address: SocketAddr) -> Result<TcpListener, Failure> {
+async fn listen(address: SocketAddr, option: &str) -> Result<TcpListener, Failure> {
     TcpListener::bind(address).await.map_err(|error| {
         let taken = error.kind() == std::io::ErrorKind::AddrInUse;
         let error = anyhow::Error::from(error).context(format!("cannot serve on {address}"));
         if taken {
             Failure::new(
                 error,
-                "another arm may be served there; `--tcp 127.0.0.1:0` takes a free port",
+                format!(
+                    "another arm may be served there; `--{option} 127.0.0.1:0` takes a free port"
+                ),
             )
         } else {
             error.into()
@@ -270,6 +296,7 @@ fn text(event: &ServerEvent) -> String {
             format!("turned away: {from}; a fault has closed the port")
         }
         ServerEvent::Struck(struck) => struck.to_string(),
+        ServerEvent::World(happened) => happened.to_string(),
         ServerEvent::Disconnected => "disconnected".to_owned(),
         ServerEvent::Refused(refused) => refused.to_string(),
         other => format!("{other:?}"),

@@ -14,6 +14,7 @@ mod set;
 mod simulate;
 mod status;
 mod travel;
+mod world;
 
 use std::process::ExitCode;
 
@@ -39,6 +40,7 @@ enum Verb {
     Set(set::Args),
     Simulate(simulate::Args),
     Decode(decode::Args),
+    World(world::Args),
     Ports(ports::Args),
     Conformance(conformance::Args),
 }
@@ -62,6 +64,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Set(args) => wait_for(set::run(args)),
         Verb::Simulate(args) => simulate::run(&args),
         Verb::Decode(args) => decode::run(&args),
+        Verb::World(args) => wait_for(world::run(args)),
         Verb::Ports(args) => ports::run(&args),
         Verb::Conformance(args) => wait_for(conformance::run(args)),
     }

@@ -42,7 +42,7 @@ pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
 pub use pty::Pty;
 pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
-pub use serve::{DEFAULT_TCP, RECORDING_PERIOD, Server, ServerEvent};
+pub use serve::{DEFAULT_TCP, DEFAULT_WORLD, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
 pub use speed::{Speed, SpeedError};
 pub use trace::{

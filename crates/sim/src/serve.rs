@@ -7,12 +7,13 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_controller::Refused;
-use tokio::io::AsyncReadExt;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
-use tokio::time::{Instant, sleep_until};
+use tokio::time::{Instant, sleep_until, timeout};
 
 #[cfg(unix)]
 use crate::pty::{Pty, PtyClient};
+use crate::world::Happened;
 use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
@@ -28,6 +29,8 @@ use crate::{Speed, Struck, VirtualArm};
 pub struct Server {
     arm: VirtualArm,
     tcp: Option<TcpListener>,
+    /// Whoever comes here is told the state of the world.
+    world: Option<TcpListener>,
     #[cfg(unix)]
     pty: Option<Pty>,
     speed: Speed,
@@ -61,6 +64,8 @@ pub enum ServerEvent {
     Overrun,
     /// The controller refused something.
     Refused(Refused),
+    /// Something happened in the world around the arm.
+    World(Happened),
     /// A fault struck.
     Struck(Struck),
 }
@@ -77,6 +82,7 @@ enum Client {
 enum Happening {
     Time,
     Connect(io::Result<(TcpStream, SocketAddr)>),
+    Curious(io::Result<(TcpStream, SocketAddr)>),
     Bytes(io::Result<usize>),
 }
 
@@ -87,6 +93,7 @@ impl Server {
         Self {
             arm,
             tcp: None,
+            world: None,
             #[cfg(unix)]
             pty: None,
             speed: Speed::REAL,
@@ -101,6 +108,14 @@ impl Server {
     #[must_use]
     pub fn on_tcp(mut self, listener: TcpListener) -> Self {
         self.tcp = Some(listener);
+        self
+    }
+
+    /// Tells the state of the world to whoever comes here, as many as come: each gets one JSON
+    /// document, a [`WorldState`](crate::world::WorldState), or `null` where the arm has no world.
+    #[must_use]
+    pub fn on_world(mut self, listener: TcpListener) -> Self {
+        self.world = Some(listener);
         self
     }
 
@@ -194,6 +209,7 @@ impl Server {
         tokio::select! {
             () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
+            connection = accept(self.world.as_ref()) => Happening::Curious(connection),
             count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
         }
     }
@@ -206,6 +222,7 @@ impl Server {
         match happening {
             Happening::Time => Ok(()),
             Happening::Connect(connection) => self.admit(connection, tell),
+            Happening::Curious(connection) => self.show_world(connection),
             Happening::Bytes(Ok(1..)) => {
                 self.download(tell);
                 Ok(())
@@ -222,6 +239,9 @@ impl Server {
         }
         while let Some(struck) = self.arm.poll_struck() {
             tell(ServerEvent::Struck(struck));
+        }
+        while let Some(happened) = self.arm.poll_world() {
+            tell(ServerEvent::World(happened));
         }
     }
 
@@ -246,6 +266,26 @@ impl Server {
             self.welcome(Client::Tcp(stream));
             tell(ServerEvent::TcpConnected(from));
         }
+        Ok(())
+    }
+
+    /// Tells the state of the world; the arm goes on while it is written.
+    fn show_world(&self, connection: io::Result<(TcpStream, SocketAddr)>) -> io::Result<()> {
+        let mut stream = match connection {
+            Ok((stream, _)) => stream,
+            Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
+            Err(error) => return Err(error),
+        };
+        let state = self.arm.world().map(|it| it.state());
+        let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
+        tokio::spawn(async move {
+            // Whoever does not read it does without.
+            let told = async {
+                stream.write_all(&document).await?;
+                stream.shutdown().await
+            };
+            let _ = timeout(TIME_TO_READ, told).await;
+        });
         Ok(())
     }
 
@@ -366,6 +406,10 @@ async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<u
 pub const DEFAULT_TCP: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5555);
 
+/// Where the world around a virtual arm is told, unless told otherwise.
+pub const DEFAULT_WORLD: SocketAddr =
+    SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5556);
+
 /// How often a moving arm is recorded: once a control tick. Corners are recorded besides, and what is
 /// drawn is straight between them.
 pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
@@ -376,5 +420,7 @@ const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
 const LOOK_AT_PTY: Duration = Duration::from_millis(50);
 /// At the greatest speed a client has so long to answer a status.
 const PATIENCE: Duration = Duration::from_millis(1);
+/// How long one who asked for the world may take to read it.
+const TIME_TO_READ: Duration = Duration::from_secs(10);
 /// A few packets.
 const READ_LEN: usize = 256;

@@ -6,6 +6,7 @@ use dobot_arm::Position;
 use dobot_controller::{Controller, PowerUp, Refused};
 
 use crate::faults::{Direction, Order, Tilt, Trouble};
+use crate::world::{Actuators, Happened, World};
 use crate::{Fault, Line, Mechanics, Struck};
 
 /// A controller at the end of a serial line, as an engine: it owns no port and no clock.
@@ -27,6 +28,7 @@ pub struct VirtualArm {
     /// When something last happened: up to then the way is recorded.
     last_event: Duration,
     recorder: Option<Recorder>,
+    world: Option<Box<World>>,
     scratch: Vec<u8>,
 }
 
@@ -66,6 +68,7 @@ impl VirtualArm {
             now: Duration::ZERO,
             last_event: Duration::ZERO,
             recorder: None,
+            world: None,
             scratch: Vec::new(),
         }
     }
@@ -79,6 +82,25 @@ impl VirtualArm {
         self.trouble = Some(Box::new(trouble));
         self.strike(Duration::ZERO);
         self
+    }
+
+    /// Puts the arm into a world, which from then on feels what its tool does.
+    #[must_use]
+    pub fn with_world(mut self, world: World) -> Self {
+        self.world = Some(Box::new(world));
+        self.feel(self.now);
+        self
+    }
+
+    /// The world around it, if it has one.
+    #[must_use]
+    pub fn world(&self) -> Option<&World> {
+        self.world.as_deref()
+    }
+
+    /// What happened in the world since the last call.
+    pub fn poll_world(&mut self) -> Option<Happened> {
+        self.world.as_mut()?.poll_event()
     }
 
     /// Records from now on where the tool is: at least once in `period` while it moves, and at
@@ -288,6 +310,7 @@ impl VirtualArm {
             let [from, to] = [self.last_event, event].map(|it| it.saturating_sub(self.started));
             recorder.sample(&self.controller, self.started, from, to);
         }
+        self.go_through_world(event);
         self.last_event = event;
         self.now = event;
         self.strike(event);
@@ -315,6 +338,35 @@ impl VirtualArm {
         if self.controller.tick_count() > self.ticks {
             self.ticks = self.controller.tick_count();
             self.drive(at);
+        }
+    }
+
+    /// Lets the world feel the way since the last event, at least once a tick while it moves.
+    fn go_through_world(&mut self, to: Duration) {
+        if self.world.is_none() {
+            return;
+        }
+        let mut at = self.last_event + TICK;
+        while at < to && !self.mechanics.is_still() {
+            self.feel(at);
+            at += TICK;
+            if self.mechanics.joints_at(at) == self.mechanics.joints_at(to) {
+                break;
+            }
+        }
+        self.feel(to);
+    }
+
+    /// Tells the world where the arm really is, and what acted at its tool since it was told last.
+    fn feel(&mut self, at: Duration) {
+        if let Some(world) = &mut self.world {
+            let outputs = self.controller.outputs();
+            let actuators = Actuators {
+                pump: outputs.pump,
+                laser: outputs.laser,
+                gripper_deg: (f64::from(outputs.gripper_servo) - 500.0) * 0.18,
+            };
+            world.handle_arm(at, &self.mechanics.joints_at(at), actuators);
         }
     }
 
