@@ -70,6 +70,8 @@ pub struct World {
     refused: Option<usize>,
     /// How far apart the fingers were when they began to close.
     closing_from_mm: f64,
+    /// How far apart the fingers are at least: as far as what they hold is wide.
+    held_mm: f64,
     ink: Ink,
     burns: Burns,
     contacts: Contacts,
@@ -111,6 +113,7 @@ impl World {
             grip: Grip::default(),
             refused: None,
             closing_from_mm: 0.0,
+            held_mm: 0.0,
             ink: Ink::default(),
             burns: Burns::default(),
             contacts: Contacts::default(),
@@ -173,7 +176,7 @@ impl World {
         };
         WorldState {
             time_s: self.arm.map_or(0.0, |it| seconds(it.at)),
-            arm: self.arm.map(|it| it.state(&self.scene.tool)),
+            arm: self.arm.map(|it| it.state(&self.scene.tool, self.held_mm)),
             tool: self.scene.tool,
             table_z_mm: self.scene.table_z_mm,
             paper: self.scene.paper,
@@ -318,6 +321,7 @@ impl World {
             && self.refused != Some(object)
         {
             self.take(object, to);
+            self.held_mm = if self.grip.is_empty() { 0.0 } else { to_mm };
         }
     }
 
@@ -349,6 +353,7 @@ impl World {
 
     fn release(&mut self, now: &Moment) {
         self.refused = None;
+        self.held_mm = 0.0;
         if let Some(event) = self.grip.release(&mut self.scene.objects) {
             self.tell(now.at, event);
         }
@@ -362,7 +367,11 @@ impl World {
             objects: &self.scene.objects,
             grip: &self.grip,
             tip: &now.tip,
-            opening_mm: self.scene.tool.opening_mm(now.actuators.gripper_deg),
+            opening_mm: self
+                .scene
+                .tool
+                .opening_mm(now.actuators.gripper_deg)
+                .max(self.held_mm),
         };
         self.contacts.look(&scenery, |event| events.push(event));
         for event in events {
@@ -444,7 +453,7 @@ impl Moment {
         }
     }
 
-    fn state(&self, tool: &Tool) -> ArmState {
+    fn state(&self, tool: &Tool, held_mm: f64) -> ArmState {
         let Pose { position, rotation } = forward(&self.joints, tool.mounting());
         ArmState {
             base_deg: rounded(self.joints.base.0),
@@ -459,7 +468,7 @@ impl Moment {
             pump: self.actuators.pump,
             laser: self.actuators.laser,
             gripper_deg: rounded(self.actuators.gripper_deg),
-            opening_mm: rounded(tool.opening_mm(self.actuators.gripper_deg)),
+            opening_mm: rounded(tool.opening_mm(self.actuators.gripper_deg).max(held_mm)),
         }
     }
 }

@@ -339,6 +339,8 @@ fn a_gripper_holds_what_is_narrower_than_its_opening_and_drops_it_when_it_opens(
         .gripper(80.0)
         .go(200.0, 60.0, 50.0, 40.0);
     near(lab.object("rod").bottom_mm, 45.0, 0.01);
+    // The fingers cannot close farther than the rod is wide.
+    near(lab.state().arm.unwrap().opening_mm, 20.0, 0.5);
     let lab = lab.gripper(30.0).tells(&[
         "picked up rod",
         "dropped rod: it fell 45.0 mm onto the table",

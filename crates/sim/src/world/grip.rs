@@ -1,6 +1,7 @@
 //! What the tool holds.
 
 use super::object::{Object, TOUCHING_MM};
+use super::point::rounded;
 use super::tip::Tip;
 use super::{Event, Point};
 
@@ -54,7 +55,7 @@ impl Grip {
         if mass_g > lifts_g {
             return Event::TooHeavy {
                 object: name,
-                mass_g,
+                mass_g: rounded(mass_g),
                 lifts_g,
             };
         }
@@ -90,7 +91,7 @@ impl Grip {
                     object: objects[object].name.clone(),
                     onto: onto
                         .map_or_else(|| "the table".to_owned(), |it| objects[it].name.clone()),
-                    fell_mm,
+                    fell_mm: rounded(fell_mm),
                 });
             }
         }

@@ -133,11 +133,22 @@ fn mix(from: [f64; 3], to: [f64; 3], share: f64) -> String {
 
 /// The edge of an object: its colour, darker.
 fn edge(object: &Object) -> String {
+    mix(rgb(object), [20.0, 24.0, 32.0], 0.45)
+}
+
+/// What can be read on an object: dark on a light one, light on a dark one.
+fn contrast(object: &Object) -> &'static str {
+    let [red, green, blue] = rgb(object);
+    let light = 0.3 * red + 0.59 * green + 0.11 * blue;
+    if light > 150.0 { INK } else { SHEET }
+}
+
+fn rgb(object: &Object) -> [f64; 3] {
     let byte = |at: usize| {
         let digits = object.color.get(at..at + 2).unwrap_or("80");
         u8::from_str_radix(digits, 16).map_or(128.0, f64::from)
     };
-    mix([byte(1), byte(3), byte(5)], [20.0, 24.0, 32.0], 0.45)
+    [byte(1), byte(3), byte(5)]
 }
 
 /// What may stand in an attribute: a colour, or gray where a state says something else.

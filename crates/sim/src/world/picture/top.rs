@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use dobot_arm::{FOREARM, REAR_ARM};
 
 use super::marks::marks;
-use super::{Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, edge, fill, label, scale_bar};
+use super::{
+    Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, contrast, edge, fill, label, scale_bar,
+};
 use crate::lettering::{Anchor, lettering, width};
 use crate::world::footprint::Footprint;
 use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
@@ -57,7 +59,7 @@ pub(super) fn view(state: &WorldState, frame: &Frame, unit: f64) -> String {
         svg += &tool(state, arm);
     }
     for object in &objects {
-        svg += &name(object, state.held.contains(&object.name), unit);
+        svg += &name(object, state, unit);
     }
     let corner = Point::new(
         frame.left + frame.width - 5.0 * unit,
@@ -174,31 +176,27 @@ fn outline(object: &Object) -> String {
     }
 }
 
-/// The name: on the object where there is room, otherwise below it.
-fn name(object: &Object, held: bool, unit: f64) -> String {
+/// The name: on the object where there is room and nothing stands there, otherwise below it.
+fn name(object: &Object, state: &WorldState, unit: f64) -> String {
     let high = 1.5 * unit;
-    let [back, _] = object.footprint().extent(Point::new(1.0, 0.0));
-    let below = -back + high + 1.1 * unit;
+    let held = state.held.contains(&object.name);
     let text = if held {
         format!("{} (held)", object.name)
     } else {
         object.name.clone()
     };
     let [right, left] = object.footprint().extent(Point::new(0.0, 1.0));
-    let fits = width(&text, high) + 2.0 * unit < left - right;
-    let y = if fits {
-        -object.at_mm.x + high / 2.0
-    } else {
-        below
-    };
+    let covered = state.objects.iter().any(|it| it.stands_on(object));
+    let middle = Point::new(-object.at_mm.y, -object.at_mm.x);
+    if !covered && !held && width(&text, high) + 2.0 * unit < left - right {
+        let words = lettering(&text, Anchor::Middle, middle.x, middle.y + high / 2.0, high);
+        let color = contrast(object);
+        return format!("<g stroke=\"{color}\" stroke-width=\".9\">{words}</g>\n");
+    }
+    let [back, _] = object.footprint().extent(Point::new(1.0, 0.0));
+    let below = Point::new(middle.x, -back + high + 1.1 * unit);
     let color = if held { WARM } else { INK };
-    label(
-        &text,
-        Anchor::Middle,
-        Point::new(-object.at_mm.y, y),
-        high,
-        color,
-    )
+    label(&text, Anchor::Middle, below, high, color)
 }
 
 /// Rear arm, forearm and tool holder, so faint that what lies below shows.

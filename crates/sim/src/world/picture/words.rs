@@ -44,12 +44,11 @@ fn doing(state: &WorldState) -> String {
 
 /// What happened last, the latest at the bottom.
 pub(super) fn log(state: &WorldState, frame: &Frame, unit: f64) -> String {
-    let (x, high, step) = (frame.left + 3.0 * unit, 1.35 * unit, 3.1 * unit);
+    let (x, high, step) = (frame.left + 3.0 * unit, 1.45 * unit, 3.3 * unit);
     let words = |text: &str, y: f64, color: &str| {
         let words = lettering(text, Anchor::Left, x, y, high);
         format!("<g stroke=\"{color}\" stroke-width=\".75\">{words}</g>\n")
     };
-    let mut svg = words(&headline(state.event_count), frame.top + 4.4 * unit, MUTED);
     let lines = lines(state, frame.width - 6.0 * unit, high);
     #[expect(
         clippy::cast_possible_truncation,
@@ -57,18 +56,25 @@ pub(super) fn log(state: &WorldState, frame: &Frame, unit: f64) -> String {
         reason = "a few dozen lines"
     )]
     let room = ((frame.height - 9.0 * unit) / step).clamp(1.0, 60.0) as usize;
+    let cut = lines.len().saturating_sub(room);
+    let all = cut == 0 && state.events.len() as u64 == state.event_count;
+    let mut svg = words(
+        &headline(state.event_count, all),
+        frame.top + 4.4 * unit,
+        MUTED,
+    );
     let mut y = frame.top + 8.6 * unit;
-    for (text, color) in &lines[lines.len().saturating_sub(room)..] {
+    for (text, color) in &lines[cut..] {
         svg += &words(text, y, color);
         y += step;
     }
     svg
 }
 
-fn headline(count: u64) -> String {
+fn headline(count: u64, all: bool) -> String {
     match count {
         0 => "nothing happened yet".to_owned(),
-        1 => "what happened".to_owned(),
+        _ if all => "what happened".to_owned(),
         many => format!("what happened, the last of {many}"),
     }
 }
@@ -119,7 +125,7 @@ fn facts(state: &WorldState) -> Vec<(&'static str, String)> {
             "x, y, z",
             format!("{:.1}, {:.1}, {:.1} mm", arm.x_mm, arm.y_mm, arm.z_mm),
         ));
-        facts.push(("turn", format!("{:.1}", arm.rotation_deg)));
+        facts.push(("turn", format!("{:.1}\u{b0}", arm.rotation_deg)));
         facts.push(("tip above the table", format!("{:.1} mm", arm.tip_mm)));
     }
     if !state.strokes.is_empty() {

@@ -1,0 +1,171 @@
+//! An arm in a world, and what is told of it.
+
+use std::io::{BufRead, BufReader, Read};
+use std::net::TcpListener;
+use std::process::{Child, ChildStderr, Stdio};
+use std::thread;
+
+use crate::program::{command, dobot};
+
+/// `dobot arm --world` as a process of its own; it ends with the test.
+struct Inhabited {
+    child: Child,
+    told: BufReader<ChildStderr>,
+    /// Where the arm is, and where its world is told.
+    arm: String,
+    world: String,
+}
+
+impl Inhabited {
+    fn new(scene: &str) -> Self {
+        let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
+        let mut child = command(&[&["arm", "--world", scene], &ports[..]].concat())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
+        let told = BufReader::new(child.stderr.take().expect("it is piped"));
+        let mut address = || {
+            let mut line = String::new();
+            output.read_line(&mut line).expect("it prints where it is");
+            line.split_whitespace()
+                .next()
+                .expect("an address comes first")
+                .to_owned()
+        };
+        let (arm, world) = (address(), address());
+        // Nobody reads the rest.
+        thread::spawn(move || output.read_to_end(&mut Vec::new()));
+        Self {
+            child,
+            told,
+            arm,
+            world,
+        }
+    }
+
+    fn run(&self, arguments: &[&str]) {
+        let to = ["--to", &self.arm, "--dialect", "specification"];
+        dobot(&[arguments, &to[..]].concat()).succeeds();
+    }
+
+    fn state(&self) -> serde_json::Value {
+        let outcome = dobot(&["world", "--json", "--from", &self.world]).succeeds();
+        serde_json::from_str(&outcome.stdout).expect("it is JSON")
+    }
+
+    /// Waits until it tells something.
+    fn wait_for(&mut self, part: &str) {
+        let mut line = String::new();
+        while !line.contains(part) {
+            line.clear();
+            let count = self.told.read_line(&mut line).expect("it is text");
+            assert!(count > 0, "it ended without telling {part}");
+        }
+    }
+}
+
+impl Drop for Inhabited {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn scene(name: &str) -> String {
+    format!(
+        "{}/../../examples/scenes/{name}.toml",
+        env!("CARGO_MANIFEST_DIR")
+    )
+}
+
+#[test]
+fn what_is_drawn_over_tcp_is_ink_in_the_world_and_on_its_picture() {
+    let arm = Inhabited::new(&scene("desk"));
+    let square = crate::program::example("square.svg");
+    arm.run(&["draw", &square, "--pen-down", "-40"]);
+    let state = arm.state();
+    let strokes = state["strokes"].as_array().expect("there are some");
+    assert_eq!(strokes.len(), 1, "{state}");
+    let folder = tempfile::tempdir().expect("there is room");
+    let picture = folder.path().join("world.svg");
+    let picture = picture.to_str().expect("the path is text");
+    let outcome = dobot(&["world", "--picture", picture, "--from", &arm.world]).succeeds();
+    assert!(
+        outcome.stdout.contains("strokes            1"),
+        "{outcome:?}"
+    );
+    let svg = std::fs::read_to_string(picture).expect("it was written");
+    let [x, y] = [0, 1].map(|i| strokes[0]["points_mm"][0][i].as_f64().expect("a number"));
+    assert!(
+        svg.contains(&format!("M{:.3} {:.3}L", -y, -x)),
+        "no ink from x {x} y {y}"
+    );
+}
+
+#[test]
+fn a_cube_is_picked_up_and_put_on_a_tray_with_the_verbs_of_the_program() {
+    let mut arm = Inhabited::new(&scene("pick-and-place"));
+    let go = |x: &str, y: &str, z: &str, pump: &str| {
+        arm.run(&["move", x, y, z, "--path", "movj", "--suction", pump]);
+    };
+    go("200", "80", "-35", "on");
+    go("200", "80", "0", "on");
+    go("235", "-80", "0", "on");
+    go("235", "-80", "-29", "off");
+    arm.wait_for("picked up red");
+    arm.wait_for("put red down on tray");
+    let state = arm.state();
+    let red = &state["objects"][0];
+    assert_eq!(red["name"], "red");
+    for (found, expected) in [
+        (&red["at_mm"][0], 235.0),
+        (&red["at_mm"][1], -80.0),
+        (&red["bottom_mm"], 6.0),
+    ] {
+        let found = found.as_f64().expect("a number");
+        assert!(
+            (found - expected).abs() < 0.1,
+            "found {found}, expected {expected}"
+        );
+    }
+}
+
+#[test]
+fn a_bad_scene_is_told_with_file_and_line() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("bad.toml");
+    std::fs::write(
+        &file,
+        "[pen]\n\n[[box]]\nsize_mm = [1, 2, -3]\nat_mm = [200, 0]\n",
+    )
+    .expect("there is room");
+    let file = file.to_str().expect("the path is text");
+    dobot(&["arm", "--tcp", "127.0.0.1:0", "--world", file]).fails(
+        1,
+        &["bad.toml: line 4: size_mm of `box 1` is -3; from 0.5 to 500 is allowed"],
+    );
+    dobot(&["arm", "--world", "no-such.toml"]).fails(1, &["no-such.toml", "examples/scenes"]);
+    dobot(&["arm", "--world-port", "127.0.0.1:0"]).fails(2, &["--world"]);
+}
+
+#[test]
+fn a_world_port_that_is_taken_and_one_where_no_world_is_told_are_told() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let taken = listener.local_addr().expect("it is bound").to_string();
+    let desk = scene("desk");
+    dobot(&[
+        "arm",
+        "--tcp",
+        "127.0.0.1:0",
+        "--world",
+        &desk,
+        "--world-port",
+        &taken,
+    ])
+    .fails(1, &["cannot serve on", &taken, "--world-port 127.0.0.1:0"]);
+    thread::spawn(move || drop(listener.accept()));
+    dobot(&["world", "--from", &taken]).fails(1, &["is not the state of a world"]);
+    dobot(&["world", "--picture", "world.jpg"]).fails(2, &["end in .svg"]);
+}
