@@ -157,14 +157,14 @@ fn a_pen_draws_where_it_is_down_and_only_there() {
     let strokes = lab.state().strokes;
     assert_eq!(strokes.len(), 2, "{strokes:?}");
     let corner = &strokes[0].points_mm;
-    // The pen comes down on a slope, of which the last 0.05 mm write; then 50 and 40 mm.
+    // The pen comes down on a slope, of which the last 0.1 mm write; then 50 and 40 mm.
     at(corner[0], 200.0, 10.0, 0.05);
     at(*corner.last().unwrap(), 240.0, 60.0, 0.01);
     let length: f64 = corner
         .windows(2)
         .map(|it| (it[1].x - it[0].x).hypot(it[1].y - it[0].y))
         .sum();
-    near(length, 90.0, 0.06);
+    near(length, 90.0, 0.15);
     assert!(corner.len() < 8, "{corner:?}");
     for point in &strokes[1].points_mm {
         at(*point, 240.0, -60.0, 0.01);

@@ -195,8 +195,8 @@ fn shares_below(from: f64, to: f64, most: f64) -> Option<[f64; 2]> {
     }
 }
 
-/// What rounding and motor steps may lift a pen that still writes.
-const WRITES_MM: f64 = 0.05;
+/// What motor steps, 0.03 mm each at the wrist, may lift a pen that still writes.
+pub(crate) const WRITES_MM: f64 = 0.1;
 /// Slower than that the laser stands.
 const STANDS_MM_S: f64 = 0.05;
 const SAME_HOLE_MM: f64 = 0.1;

@@ -99,8 +99,8 @@ pub(crate) fn length_mm(points: &[Point]) -> f64 {
         .sum()
 }
 
-/// A tenth of a hair: no line shows it.
-pub(crate) const KEPT_MM: f64 = 0.005;
+/// Less than a motor step moves the wrist: no line shows it.
+pub(crate) const KEPT_MM: f64 = 0.02;
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Frame, INK, MUTED, WARM};
 use crate::lettering::{Anchor, lettering, width};
-use crate::world::marks::ink_mm;
+use crate::world::marks::{WRITES_MM, ink_mm};
 use crate::world::track::length_mm;
 use crate::world::{Event, Point, ToolKind, WorldState};
 
@@ -32,7 +32,7 @@ fn doing(state: &WorldState) -> String {
     };
     match (state.tool.kind, state.held.first()) {
         (_, Some(held)) => format!("{name}, holds {held}"),
-        (ToolKind::Pen { .. }, _) if arm.tip_mm <= 0.05 => "pen, down".to_owned(),
+        (ToolKind::Pen { .. }, _) if arm.tip_mm <= WRITES_MM => "pen, down".to_owned(),
         (ToolKind::Pen { .. }, _) => "pen, up".to_owned(),
         (ToolKind::Laser { .. }, _) if arm.laser => "laser, on".to_owned(),
         (ToolKind::Laser { .. }, _) => "laser, off".to_owned(),
