@@ -4,8 +4,8 @@ mod arguments;
 mod conformance;
 mod decoding;
 mod drawing;
+#[cfg(unix)]
 mod links;
 mod program;
 mod simulating;
 mod worlds;
-#[cfg(unix)]

@@ -62,7 +62,10 @@ fn a_command_is_obeyed_at_the_next_tick_however_long_nothing_was_done() {
             };
             lab = lab.send(jog).wait_ms(9);
             assert!(!lab.controller.suction(), "{personality} at {ms} ms");
-            assert!(lab.wait_ms(1).controller.suction(), "{personality} at {ms} ms");
+            assert!(
+                lab.wait_ms(1).controller.suction(),
+                "{personality} at {ms} ms"
+            );
         }
     }
 }
