@@ -133,23 +133,28 @@ impl Follow {
         Ok(())
     }
 
+    /// The history remembers what its units are worth.
     fn moused(
         &mut self,
         sample: [f32; 3],
         settings: &Settings,
         body: &Body,
     ) -> Result<Joints, Outcome> {
-        let [swing, longer, higher] = self.mouse.mouse_average(sample);
-        let z_mm = body.pose.z_mm + MOUSE_MM * higher;
+        let [swing, longer, higher] = self.mouse.mouse_average([
+            MOUSE_DEG * sample[0],
+            MOUSE_MM * sample[1],
+            MOUSE_MM * sample[2],
+        ]);
+        let z_mm = body.pose.z_mm + higher;
         let pose = Pose {
-            x_mm: reach(body.pose) + MOUSE_MM * longer,
+            x_mm: reach(body.pose) + longer,
             y_mm: 0.0,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
             rotation_deg: 0.0,
         };
         let arms = solve(pose, body)?;
         Ok(Joints {
-            base_deg: body.joints.base_deg - MOUSE_DEG * swing,
+            base_deg: body.joints.base_deg - swing,
             ..arms
         })
     }
