@@ -72,12 +72,8 @@ impl Line {
         } else {
             self.travelled += self.speed(t_s) * PERIOD_S;
         }
-        Progress::of(body.advance_to(along(
-            self.start,
-            self.direction,
-            self.travelled,
-            body.pose.rotation_deg,
-        )))
+        let way = self.direction.map(|part| part * self.travelled);
+        Progress::of(body.advance_to(moved(self.start, way, body.pose.rotation_deg)))
     }
 
     pub(crate) const fn forget_travelled(&mut self) {
@@ -95,12 +91,12 @@ impl Line {
     }
 }
 
-/// The pose so far along a straight line.
-pub(crate) fn along(start: [f32; 3], direction: [f32; 3], by: f32, rotation_deg: f32) -> Pose {
+/// The pose that a way leads to.
+pub(crate) fn moved(start: [f32; 3], way: [f32; 3], rotation_deg: f32) -> Pose {
     Pose {
-        x_mm: start[0] + direction[0] * by,
-        y_mm: start[1] + direction[1] * by,
-        z_mm: start[2] + direction[2] * by,
+        x_mm: start[0] + way[0],
+        y_mm: start[1] + way[1],
+        z_mm: start[2] + way[2],
         rotation_deg,
     }
 }

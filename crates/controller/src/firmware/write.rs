@@ -3,7 +3,7 @@
 use dobot_wire::Frame;
 
 use super::body::{Body, PERIOD_S};
-use super::line::along;
+use super::line::moved;
 use super::settings::Settings;
 use super::{Outcome, Progress};
 use crate::outputs::short;
@@ -25,7 +25,7 @@ pub(crate) struct Write {
     speed: f32,
     /// How far the last tick went.
     step: f32,
-    travelled: f32,
+    travelled: [f32; 3],
 }
 
 /// Ticks that accelerate, go on as fast, and decelerate.
@@ -80,7 +80,7 @@ impl Write {
             self.acceleration = factor * settings.write_acceleration;
         }
         self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
-        self.travelled = 0.0;
+        self.travelled = [0.0; 3];
         self.speed_change = self.acceleration * PERIOD_S;
         let max = f(10);
         let begin = if self.stored_speed > max {
@@ -113,7 +113,7 @@ impl Write {
             even = 1;
         }
         let ticks = f32::from(up.wrapping_add(even).wrapping_add(down));
-        let rest = self.length - way_up - f32::from(even) * top * PERIOD_S - way_down;
+        let rest = self.length - (way_up + f32::from(even) * top * PERIOD_S + way_down);
         let correction = 50.0 * rest / ticks;
         let correction = if correction.abs() > change {
             change
@@ -178,14 +178,10 @@ impl Write {
             self.step = self.speed * PERIOD_S;
         }
         let is_last = counts.up <= 0 && counts.even <= 0 && counts.down <= 0;
-        self.travelled += self.step;
-        let direction = self.vector.map(|part| part / self.length);
-        let to = along(
-            self.start,
-            direction,
-            self.travelled,
-            body.pose.rotation_deg,
-        );
+        for (travelled, part) in self.travelled.iter_mut().zip(self.vector) {
+            *travelled += part * self.step / self.length;
+        }
+        let to = moved(self.start, self.travelled, body.pose.rotation_deg);
         if Progress::of(body.advance_to(to)) == Progress::CutShort {
             return Outcome::over(false);
         }
