@@ -109,7 +109,8 @@ fn mark_lost(sheet: &mut Sheet, time: &Axis, lost: &[[f64; 2]], [top, bottom]: [
         let (from, to) = (time.pixel(from), time.pixel(to));
         sheet.area([from, top], [to, bottom], LOST);
         if to - from > 110.0 {
-            let middle = [f64::midpoint(from, to), bottom - 8.0];
+            // Where lines are rare: they stand still at the top, at zero or at the bottom.
+            let middle = [f64::midpoint(from, to), top + 0.32 * (bottom - top)];
             sheet.text(middle, Anchor::Middle, LASER, "the pose is NaN");
         }
     }

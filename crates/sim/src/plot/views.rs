@@ -180,7 +180,7 @@ fn legend(sheet: &mut Sheet, snapshots: &[Snapshot]) {
         if snapshots.iter().any(|it| Kind::of(it) == kind) {
             sheet.line([x, LEGEND], [x + 26.0, LEGEND], kind.color(), kind.width());
             sheet.text([x + 34.0, LEGEND + 4.5], Anchor::Start, INK, name);
-            x += 160.0;
+            x += 170.0;
         }
     }
     for (fill, name) in [(PAPER, "start"), (INK, "end")] {
