@@ -186,7 +186,9 @@ impl Firmware {
             ref frame,
             ..
         } = self.in_force;
-        let is_jogging = matches!(state, JOINT_JOG | LINEAR_JOG) && short(frame.float(2)) != 0;
+        // A release that met a limit goes on running down.
+        let is_jogging = matches!(state, JOINT_JOG | LINEAR_JOG)
+            && (short(frame.float(2)) != 0 || !self.jog.is_released());
         is_finished && self.fifo.len() == 0 && !is_jogging
     }
 

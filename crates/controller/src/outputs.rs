@@ -84,9 +84,10 @@ impl Steppers {
     }
 }
 
-/// The value that turns a servo to an angle.
+/// The value that turns a servo to an angle: the length of its pulse, which is 1500 microseconds at 0
+/// degrees, less a thousand. Angles a hair below a whole number are rounded up by it.
 pub(crate) fn servo_value(angle_deg: f32) -> i16 {
-    short(angle_deg / 180.0 * 1000.0 + 500.0)
+    short((angle_deg * 1000.0 / 180.0 + 1500.0) - 1000.0)
 }
 
 /// The integer part of a number; 0 for one that is none, as the stock controller's processor has it.

@@ -24,6 +24,11 @@ pub(crate) enum Kind {
 }
 
 impl Jog {
+    /// Whether no speed is left.
+    pub(crate) fn is_released(&self) -> bool {
+        self.speed == 0.0
+    }
+
     /// A tick of a jog. It is finished in every tick, so that what waits replaces it.
     pub(crate) fn tick(
         &mut self,
