@@ -35,12 +35,14 @@ fn the_stock_inverse_leads_back_to_the_angles_that_the_real_arm_was_sent_to() {
             },
             TOOL_MM,
         );
-        for (got, expected) in [got.base_deg, got.rear_deg, got.fore_deg]
-            .into_iter()
-            .zip(row.joints_deg)
-        {
+        let stretched = row.stretched_joints();
+        for (got, expected) in [
+            (got.base_deg, stretched.base_deg),
+            (got.rear_deg, stretched.rear_deg),
+            (got.fore_deg, stretched.fore_deg),
+        ] {
             // A position to 5 decimals in single precision tells an angle to about 1e-4 degrees.
-            let off_deg = (f64::from(got) - expected).abs();
+            let off_deg = (got - expected).abs();
             assert!(
                 off_deg <= 2e-4,
                 "row {}: {got}, expected {expected} to 0.0002",
