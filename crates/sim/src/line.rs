@@ -78,6 +78,11 @@ impl Line {
         last
     }
 
+    /// When the next byte arrives, if one is under way.
+    pub(crate) fn next_byte(&self) -> Option<Duration> {
+        self.bursts.front().map(|it| it.arrives)
+    }
+
     /// Takes the next byte that has arrived by `now`, and tells when.
     pub(crate) fn pop(&mut self, now: Duration) -> Option<(Duration, u8)> {
         let burst = self.bursts.front_mut()?;

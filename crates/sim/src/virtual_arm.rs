@@ -185,13 +185,18 @@ impl VirtualArm {
 
     /// Takes the bytes that have arrived from the arm by now.
     pub fn poll_bytes(&mut self, bytes: &mut Vec<u8>) {
-        self.judge_from_arm(self.now);
+        self.judge(self.now);
         match &mut self.trouble {
-            None => self.from_arm.receive(self.now, bytes),
-            Some(trouble) => trouble
-                .schedule
-                .receive(Direction::FromArm, self.now, bytes),
-        };
+            None => {
+                self.from_arm.receive(self.now, bytes);
+            }
+            Some(trouble) => {
+                let schedule = &mut trouble.schedule;
+                while let Some((_, byte)) = schedule.pop(Direction::FromArm, self.now) {
+                    bytes.push(byte);
+                }
+            }
+        }
     }
 
     /// How many bytes to the arm were lost, because too many waited on the line.
@@ -270,36 +275,43 @@ impl VirtualArm {
     /// Gives the controller the bytes that arrive before `time`: one that arrives in the very
     /// instant of a control tick is too late for it. One that arrives before the first tick meets
     /// a deaf controller.
+    ///
+    /// At the beginning of a tick a controller may be busy, so that it matters when each byte
+    /// comes; for the rest of the tick only that it comes before the next.
     fn deliver(&mut self, time: Duration) {
-        self.scratch.clear();
         let before = time.saturating_sub(Duration::from_nanos(1));
-        let arrival = match &mut self.trouble {
-            None => self.to_arm.receive(before, &mut self.scratch),
-            Some(trouble) => {
-                let schedule = &mut trouble.schedule;
-                schedule.judge(Direction::ToArm, &mut self.to_arm, before);
-                schedule.receive(Direction::ToArm, before, &mut self.scratch)
+        self.judge(before);
+        let mut last = Duration::ZERO;
+        while let Some((arrival, byte)) = self.next_byte(before) {
+            if arrival < self.started {
+                continue;
             }
-        };
-        if let Some(arrival) = arrival
-            && arrival >= self.started
-        {
             let arrival = self.controller_time(arrival);
-            self.controller.handle_bytes(arrival, &self.scratch);
+            if arrival.subsec_nanos() % TICK.subsec_nanos() < BUSY.subsec_nanos() {
+                self.controller.handle_bytes(arrival, &[byte]);
+            } else {
+                self.scratch.push(byte);
+                last = arrival;
+            }
         }
-        self.judge_from_arm(before);
+        if !self.scratch.is_empty() {
+            self.controller.handle_bytes(last, &self.scratch);
+            self.scratch.clear();
+        }
     }
 
-    /// Judges the bytes that arrive from the arm, before a fault begins or ends; those that find
-    /// no port are lost.
-    fn judge_from_arm(&mut self, by: Duration) {
+    fn next_byte(&mut self, before: Duration) -> Option<(Duration, u8)> {
+        match &mut self.trouble {
+            None => self.to_arm.pop(before),
+            Some(trouble) => trouble.schedule.pop(Direction::ToArm, before),
+        }
+    }
+
+    /// Lets the faults judge the bytes that have arrived, before one of them begins or ends.
+    fn judge(&mut self, by: Duration) {
         if let Some(trouble) = &mut self.trouble {
-            if trouble.has_port {
-                let schedule = &mut trouble.schedule;
-                schedule.judge(Direction::FromArm, &mut self.from_arm, by);
-            } else {
-                while self.from_arm.pop(by).is_some() {}
-            }
+            let lines = [&mut self.to_arm, &mut self.from_arm];
+            trouble.schedule.judge(lines, by, trouble.has_port);
         }
     }
 
@@ -434,6 +446,8 @@ impl Recorder {
 
 /// The control tick (note N27).
 const TICK: Duration = Duration::from_millis(20);
+/// After that much of a tick no controller calculates any more (note N39).
+const BUSY: Duration = Duration::from_millis(8);
 /// A status comes every 80 ms (note N20), or more often.
 const STATUS_PERIOD: Duration = Duration::from_millis(80);
 /// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which

@@ -144,43 +144,46 @@ impl Schedule {
         self.entries.iter().any(withholds)
     }
 
-    /// Judges the bytes that have arrived at the end of a line by then.
-    pub(crate) fn judge(&mut self, direction: Direction, line: &mut Line, by: Duration) {
-        let mut bytes = Vec::new();
-        while let Some((arrival, byte)) = line.pop(by) {
-            bytes.clear();
-            bytes.push(byte);
-            let mut delay = Duration::ZERO;
-            for number in 0..self.entries.len() {
-                let entry = &mut self.entries[number];
-                let before = entry.hits;
-                delay += entry.judge(direction, &mut bytes);
-                self.tell_hits(number, before, arrival);
+    /// Judges the bytes that have arrived by then at the ends of both lines, in the order in which
+    /// they did. Those from the arm that find no port are lost.
+    pub(crate) fn judge(&mut self, lines: [&mut Line; 2], by: Duration, has_port: bool) {
+        let [to_arm, from_arm] = lines;
+        loop {
+            let next = [to_arm.next_byte(), from_arm.next_byte()];
+            let [to, from] = next.map(|it| it.unwrap_or(Duration::MAX));
+            let (direction, line) = if to <= from {
+                (Direction::ToArm, &mut *to_arm)
+            } else {
+                (Direction::FromArm, &mut *from_arm)
+            };
+            let Some((arrival, byte)) = line.pop(by) else {
+                return;
+            };
+            if direction == Direction::ToArm || has_port {
+                self.judge_byte(direction, arrival, byte);
             }
-            let judged = &mut self.judged[direction as usize];
-            let last = judged.back().map_or(Duration::ZERO, |&(at, _)| at);
-            let at = (arrival + delay).max(last);
-            judged.extend(bytes.iter().map(|&byte| (at, byte)));
         }
     }
 
-    /// Takes the bytes that come through by then, and tells when the last of them does.
-    pub(crate) fn receive(
-        &mut self,
-        direction: Direction,
-        by: Duration,
-        bytes: &mut Vec<u8>,
-    ) -> Option<Duration> {
-        let judged = &mut self.judged[direction as usize];
-        let mut last = None;
-        while let Some(&(at, byte)) = judged.front()
-            && at <= by
-        {
-            judged.pop_front();
-            bytes.push(byte);
-            last = Some(at);
+    fn judge_byte(&mut self, direction: Direction, arrival: Duration, byte: u8) {
+        let mut bytes = vec![byte];
+        let mut delay = Duration::ZERO;
+        for number in 0..self.entries.len() {
+            let entry = &mut self.entries[number];
+            let before = entry.hits;
+            delay += entry.judge(direction, &mut bytes);
+            self.tell_hits(number, before, arrival);
         }
-        last
+        let judged = &mut self.judged[direction as usize];
+        let last = judged.back().map_or(Duration::ZERO, |&(at, _)| at);
+        let at = (arrival + delay).max(last);
+        judged.extend(bytes.iter().map(|&byte| (at, byte)));
+    }
+
+    /// Takes the next byte that has come through by then, and tells when it did.
+    pub(crate) fn pop(&mut self, direction: Direction, by: Duration) -> Option<(Duration, u8)> {
+        let judged = &mut self.judged[direction as usize];
+        judged.pop_front_if(|&mut (at, _)| at <= by)
     }
 
     /// Whether bytes wait to be fetched.
