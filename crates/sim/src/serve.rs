@@ -193,11 +193,14 @@ impl Server {
         }
     }
 
-    /// At the greatest speed: the time that it is for the arm now. It goes on only when the client
-    /// has taken all that there was.
+    /// At the greatest speed: the time that it is for the arm now. It goes on when the client has
+    /// taken all that there was, or when a fault keeps all clients away.
     fn next_moment(&self, happening: &Happening) -> Duration {
-        if matches!(happening, Happening::Time) && self.client.is_some() && self.outgoing.is_empty()
-        {
+        let waits_for_nobody = match self.client {
+            Some(_) => self.outgoing.is_empty(),
+            None => !self.arm.has_port(),
+        };
+        if matches!(happening, Happening::Time) && waits_for_nobody {
             self.wakeup()
         } else {
             self.arm.now()

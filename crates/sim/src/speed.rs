@@ -22,7 +22,8 @@ impl Speed {
     pub const REAL: Self = Self(Some(1.0));
 
     /// As fast as the client keeps up: time runs on to the next status, and stands still until the
-    /// client has answered or a millisecond has passed. Without a client it stands still.
+    /// client has answered or a millisecond has passed. Without a client it stands still, unless a
+    /// fault has closed the port.
     pub const MAX: Self = Self(None);
 
     pub(crate) const fn is_max(self) -> bool {

@@ -14,7 +14,8 @@ use std::time::Duration;
 
 use common::{POWER_UP_X_MM, button, move_to, ms, virtual_arm};
 use dobot_client::{Connection, plausible};
-use dobot_sim::{Pty, Server, ServerEvent};
+use dobot_controller::PowerUp;
+use dobot_sim::{Pty, Server, ServerEvent, Speed, What};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MoveTo, MovingMode, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
@@ -441,6 +442,93 @@ mod on_both {
         .await;
         let counters = server.arm().controller().counters();
         assert_eq!(counters.packets, 0, "only who has the arm is heard");
+    }
+}
+
+mod at_the_greatest_speed {
+    use super::*;
+
+    #[tokio::test]
+    async fn time_runs_on_from_status_to_status_and_no_answer_comes_too_late() {
+        let (server, address) = on_tcp().await;
+        let mut server = server.at_speed(Speed::MAX);
+        serve(&mut server, async |_| {
+            let mut arm = connect(&format!("tcp:{address}")).await;
+            let mut last = None;
+            for n in 0..20_u8 {
+                let side = if n % 2 == 0 { 80.0 } else { -80.0 };
+                let there = move_to(MovingMode::MovL, 200.0, side, 0.0);
+                last = Some(arm.send(there).expect("it is allowed"));
+            }
+            let last = last.expect("there are twenty");
+            arm.completed(last).await.expect("nothing is lost");
+        })
+        .await;
+        let arm = server.arm();
+        assert_eq!(arm.controller().counters().packets, 20);
+        // Twenty ways of 160 mm, the first one apart, at 50 mm/s at the most.
+        assert!(arm.now() > Duration::from_secs(60), "{:?}", arm.now());
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn time_stands_still_without_a_client() {
+        let mut server = Server::new(virtual_arm()).at_speed(Speed::MAX);
+        serve(&mut server, |_| tokio::time::sleep(Duration::from_secs(10))).await;
+        assert_eq!(server.arm().now(), Duration::ZERO);
+    }
+}
+
+mod with_faults {
+    use super::*;
+
+    #[tokio::test]
+    async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
+        let (listener, address) = listen().await;
+        let fault = "close@500ms..1500ms".parse().expect("it is a fault");
+        let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
+        let mut server = Server::new(arm).on_tcp(listener);
+        serve(&mut server, async |mut told: Told| {
+            let mut first = connect(&format!("tcp:{address}")).await;
+            while first.next_status().await.is_ok() {}
+            told.disconnected().await;
+            let mut second = connect(&format!("tcp:{address}")).await;
+            second.next_status().await.expect_err("it is turned away");
+            told.until(|it| matches!(it, ServerEvent::PortClosed(_)))
+                .await;
+            let over = |it: &ServerEvent| {
+                matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0))
+            };
+            told.until(over).await;
+            let mut third = connect(&format!("tcp:{address}")).await;
+            third.next_status().await.expect("the arm is still there");
+        })
+        .await;
+    }
+
+    #[tokio::test]
+    async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
+        let pty = Pty::open(None).expect("there is one more");
+        let path = pty.path().to_str().expect("the name is text").to_owned();
+        let fault = "close@500ms..600ms".parse().expect("it is a fault");
+        let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
+        let mut server = Server::new(arm).on_pty(pty);
+        serve(&mut server, async |mut told: Told| {
+            let mut first = connect(&format!("serial:{path}")).await;
+            while first.next_status().await.is_ok() {}
+            let moved = told
+                .until(|it| matches!(it, ServerEvent::PtyMoved(_)))
+                .await;
+            let ServerEvent::PtyMoved(path) = moved else {
+                panic!("{moved:?}");
+            };
+            told.until(
+                |it| matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0)),
+            )
+            .await;
+            let mut second = connect(&format!("serial:{}", path.display())).await;
+            second.next_status().await.expect("the arm is still there");
+        })
+        .await;
     }
 }
 

@@ -53,6 +53,34 @@ fn what_is_no_command_line_ends_with_two() {
 }
 
 #[test]
+fn what_is_no_fault_speed_or_pose_is_told_with_what_is_allowed() {
+    for (arguments, parts) in [
+        (
+            &["--fault", "dorp=1%"][..],
+            &["`dorp`", "drop, flip", "reset"][..],
+        ),
+        (&["--fault", "drop=200%"], &["`200%`", "up to 100 %"]),
+        (&["--fault", "close@12s"], &["close@12s", "@12s..15s"]),
+        (&["--speed", "0"], &["`0`", "0.1 to 1000", "max"]),
+        (&["--pose", "45"], &["two angles", "45,45"]),
+        (&["--pose", "45,200"], &["-10 to 95"]),
+        (&["--port", "lpt"], &["usb or bluetooth"]),
+        (&["--personality", "klingon"], &["firmware-1.1"]),
+        (&["--dialect", "firmware-1.1"], &["--dialect"]),
+        (&["--count", "0"], &["1..=10000"]),
+        (&["--seed", "many"], &["many"]),
+    ] {
+        dobot(&[&["arm"], arguments].concat()).fails(2, parts);
+    }
+}
+
+#[test]
+fn more_arms_than_ports_are_refused() {
+    dobot(&["arm", "--count", "10", "--tcp", "127.0.0.1:65530"])
+        .fails(1, &["10 arms from port 65530", "up to 65526"]);
+}
+
+#[test]
 fn a_virtual_arm_stands_in_its_power_up_pose() {
     let status = json(&dobot(&["status", "--json"]).succeeds().stdout);
     assert!(near(&status["rear_deg"], 45.0) && near(&status["fore_deg"], 45.0));
