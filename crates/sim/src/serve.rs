@@ -13,7 +13,7 @@ use tokio::time::{Instant, sleep_until, timeout};
 
 #[cfg(unix)]
 use crate::pty::{Pty, PtyClient};
-use crate::world::Happened;
+use crate::world::{Happened, World};
 use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
@@ -279,7 +279,7 @@ impl Server {
             Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
             Err(error) => return Err(error),
         };
-        let state = self.arm.world().map(|it| it.state());
+        let state = self.arm.world().map(World::state);
         let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
         tokio::spawn(async move {
             // Whoever does not read it does without.

@@ -5,7 +5,9 @@
 use std::time::Duration;
 
 use dobot_arm::{Degrees, Joints, Pose, Position, inverse};
+use dobot_controller::{Controller, PowerUp};
 use dobot_sim::world::{Actuators, Event, Object, Point, Scene, World, WorldState};
+use dobot_sim::{Line, VirtualArm};
 use proptest::prelude::*;
 
 /// An arm in a world, told where to go.
@@ -470,6 +472,22 @@ fn an_hour_of_writing_is_a_few_points_and_the_same_every_time() {
     let points: usize = state.strokes.iter().map(|it| it.points_mm.len()).sum();
     assert!(points < 200, "{points} points for 80 lines");
     assert_eq!(drawn(), state);
+}
+
+#[test]
+fn a_world_feels_where_the_arm_is_and_not_where_it_believes_to_be() {
+    let power_up = PowerUp::default();
+    let askew = ["zero=servo:5".parse().unwrap()];
+    let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK)
+        .with_faults(power_up, &askew, 0)
+        .with_world(World::new(Scene::parse("[pen]").unwrap()));
+    arm.handle_time(Duration::from_millis(200));
+    let told = arm.world().unwrap().state().arm.unwrap();
+    near(told.rotation_deg, 5.0, 1e-9);
+    // At power-up: 135 sin 45 + 160 cos 45 + 55.07, and 135 cos 45 - 160 sin 45.
+    near(told.x_mm, 263.667, 1e-3);
+    near(told.z_mm, -17.678, 1e-3);
+    near(arm.controller().joints_at(arm.now()).servo.0, 0.0, 1e-9);
 }
 
 fn moment() -> impl Strategy<Value = (u64, Joints, Actuators)> {

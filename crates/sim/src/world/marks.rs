@@ -80,7 +80,8 @@ impl Ink {
 /// What the laser burned.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Burns {
-    burns: Vec<(Track, f64)>,
+    /// Each with its mean speed, in mm/s.
+    lines: Vec<(Track, f64)>,
     holes: Vec<Hole>,
     /// What goes on with the next piece.
     going: Going,
@@ -144,7 +145,7 @@ impl Burns {
 
     fn line(&mut self, from: Point, to: Point, time_s: f64, speed_mm_s: f64) {
         if let (Going::Line(burned_s), Some((track, mean_mm_s))) =
-            (self.going, self.burns.last_mut())
+            (self.going, self.lines.last_mut())
             && (speed_mm_s / *mean_mm_s - 1.0).abs() < SAME_SPEED
         {
             track.push(to);
@@ -155,7 +156,7 @@ impl Burns {
         }
         let mut track = Track::new(from);
         track.push(to);
-        self.burns.push((track, speed_mm_s));
+        self.lines.push((track, speed_mm_s));
         self.going = Going::Line(time_s);
     }
 
@@ -165,7 +166,7 @@ impl Burns {
             power_w,
             speed_mm_s: super::point::rounded(*speed_mm_s),
         };
-        self.burns.iter().map(burn).collect()
+        self.lines.iter().map(burn).collect()
     }
 
     pub(crate) fn holes(&self) -> Vec<Hole> {

@@ -38,6 +38,10 @@ pub(super) struct Paper {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[expect(
+    clippy::struct_field_names,
+    reason = "a number carries its unit; these happen to have the same"
+)]
 pub(super) struct Pen {
     pub(super) down_z_mm: Option<Number>,
     pub(super) give_mm: Option<Number>,
@@ -106,6 +110,6 @@ pub(super) fn read(text: &str) -> Result<File, SceneError> {
 
 /// The line of a byte of the text, from 1.
 pub(super) fn line(text: &str, byte: usize) -> usize {
-    let before = &text.as_bytes()[..byte.min(text.len())];
-    1 + before.iter().filter(|it| **it == b'\n').count()
+    let before = text.get(..byte).unwrap_or(text);
+    1 + before.matches('\n').count()
 }
