@@ -481,14 +481,20 @@ mod at_the_greatest_speed {
 mod with_faults {
     use super::*;
 
+    /// A packet that changes nothing: it makes a fault strike that waits for one.
+    fn idle_button() -> Command {
+        button(JointJogAxis::SuctionOff, 100.0).into()
+    }
+
     #[tokio::test]
     async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
         let (listener, address) = listen().await;
-        let fault = "close@500ms..1500ms".parse().expect("it is a fault");
+        let fault = "close@packet1..+3s".parse().expect("it is a fault");
         let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
         let mut server = Server::new(arm).on_tcp(listener);
         serve(&mut server, async |mut told: Told| {
             let mut first = connect(&format!("tcp:{address}")).await;
+            first.send(idle_button()).expect("it is allowed");
             while first.next_status().await.is_ok() {}
             told.disconnected().await;
             let mut second = connect(&format!("tcp:{address}")).await;
@@ -509,11 +515,12 @@ mod with_faults {
     async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
         let pty = Pty::open(None).expect("there is one more");
         let path = pty.path().to_str().expect("the name is text").to_owned();
-        let fault = "close@500ms..600ms".parse().expect("it is a fault");
+        let fault = "close@packet1..+200ms".parse().expect("it is a fault");
         let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
         let mut server = Server::new(arm).on_pty(pty);
         serve(&mut server, async |mut told: Told| {
             let mut first = connect(&format!("serial:{path}")).await;
+            first.send(idle_button()).expect("it is allowed");
             while first.next_status().await.is_ok() {}
             let moved = told
                 .until(|it| matches!(it, ServerEvent::PtyMoved(_)))
@@ -597,7 +604,8 @@ async fn read_statuses(mut from: impl AsyncReadExt + Unpin, count: usize) -> Vec
     let mut statuses = Vec::new();
     let mut skipped = None;
     while statuses.len() < count {
-        let mut some = [0; 64];
+        // Never more than one packet, so that none comes beyond those asked for.
+        let mut some = [0; 42];
         let len = from.read(&mut some).await.expect("the link is open");
         assert!(len > 0, "closed after {statuses:?}");
         let frames: Vec<_> = decoder.feed(&some[..len]).collect();
