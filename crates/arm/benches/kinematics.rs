@@ -5,7 +5,7 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use dobot_arm::{FOREARM, Joints, Limits, Pose, REAR_ARM, Tool, agrees, forward, inverse};
+use dobot_arm::{FOREARM, Joints, Limits, Pose, REAR_ARM, Tool, agrees, forward, inverse, stock};
 
 fn main() {
     divan::main();
@@ -68,6 +68,20 @@ fn forward_whole(bencher: Bencher) {
     });
 }
 
+/// As the stock controller calculates, in 24 digits and a few more.
+#[divan::bench]
+fn stock_forward(bencher: Bencher) {
+    each(bencher, &spread(in_single), |joints| {
+        stock::forward(*joints, TOOL_MM)
+    });
+}
+
+#[divan::bench]
+fn stock_inverse(bencher: Bencher) {
+    let poses = spread(|joints| stock::forward(in_single(joints), TOOL_MM));
+    each(bencher, &poses, |pose| stock::inverse(*pose, TOOL_MM));
+}
+
 #[divan::bench]
 fn limits_check(bencher: Bencher) {
     each(bencher, &spread(|joints| joints), |joints| {
@@ -99,6 +113,19 @@ fn status_agrees(bencher: Bencher) {
     each(bencher, &statuses, |status| {
         agrees(status.0, status.1, status.2)
     });
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the stock controller has no more digits"
+)]
+fn in_single(joints: Joints) -> stock::Joints {
+    stock::Joints {
+        base_deg: joints.base.0 as f32,
+        rear_deg: joints.rear.0 as f32,
+        fore_deg: joints.fore.0 as f32,
+        servo_deg: joints.servo.0 as f32,
+    }
 }
 
 fn each<T: Sync, O>(bencher: Bencher, inputs: &[T], calculate: impl Fn(&T) -> O + Sync) {
@@ -151,3 +178,4 @@ fn arguments(pose: &Pose) -> [f64; 8] {
 const NOTHING: f64 = 1e-30;
 
 const TOOL: Tool = Tool::SuctionCup;
+const TOOL_MM: f32 = 55.07;

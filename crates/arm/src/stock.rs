@@ -7,7 +7,7 @@
 
 mod functions;
 
-use self::functions::{acos, atan, atan2, cos, sin};
+use self::functions::{acos, atan, atan2, sin_cos};
 
 /// The joint angles as the stock controller holds them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,14 +41,14 @@ pub struct Pose {
 /// in radians. That shows in the last digits.
 #[must_use]
 pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
-    let base = radians(joints.base_deg);
-    let rear_above_level = FRAC_PI_2 - radians(joints.rear_deg);
-    let fore = radians(joints.fore_deg);
-    let reach_mm = REAR_MM * cos(rear_above_level) + FORE_MM * cos(fore) + tool_mm;
+    let (base_sin, base_cos) = sin_cos(radians(joints.base_deg));
+    let (rear_sin, rear_cos) = sin_cos(FRAC_PI_2 - radians(joints.rear_deg));
+    let (fore_sin, fore_cos) = sin_cos(radians(joints.fore_deg));
+    let reach_mm = REAR_MM * rear_cos + FORE_MM * fore_cos + tool_mm;
     Pose {
-        x_mm: reach_mm * cos(base),
-        y_mm: reach_mm * sin(base),
-        z_mm: REAR_MM * sin(rear_above_level) - FORE_MM * sin(fore),
+        x_mm: reach_mm * base_cos,
+        y_mm: reach_mm * base_sin,
+        z_mm: REAR_MM * rear_sin - FORE_MM * fore_sin,
         rotation_deg: joints.servo_deg + joints.base_deg,
     }
 }
@@ -64,10 +64,8 @@ pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
     let across_mm = reach(pose) - tool_mm;
     let cosine = shoulder_cosine(across_mm, up_mm);
     let rear_above_level = acos(cosine) + atan(up_mm / across_mm);
-    let fore = atan2(
-        REAR_MM * sin(rear_above_level) - up_mm,
-        across_mm - REAR_MM * cos(rear_above_level),
-    );
+    let (sin, cos) = sin_cos(rear_above_level);
+    let fore = atan2(REAR_MM * sin - up_mm, across_mm - REAR_MM * cos);
     Joints {
         base_deg,
         rear_deg: 90.0 - degrees(rear_above_level),

@@ -5,16 +5,11 @@
 //! those of Abramowitz and Stegun. Doubles hold each exact result, so that only the cutting has to
 //! be done here; addition, multiplication, division and root of single precision are as everywhere.
 
-/// By formula 4.3.97.
-pub(super) fn sin(x: f32) -> f32 {
+/// Sine and cosine, by formula 4.3.97.
+pub(super) fn sin_cos(x: f32) -> (f32, f32) {
     let (rest, quadrant) = divided(x);
     let turned = if x.is_sign_negative() { 2 } else { 0 };
-    sine(rest, quadrant + turned)
-}
-
-pub(super) fn cos(x: f32) -> f32 {
-    let (rest, quadrant) = divided(x);
-    sine(rest, quadrant + 1)
+    (sine(rest, quadrant + turned), sine(rest, quadrant + 1))
 }
 
 /// By formula 4.4.46; not a number outside of -1 to 1.
@@ -33,7 +28,7 @@ pub(super) fn acos(x: f32) -> f32 {
 pub(super) fn atan(x: f32) -> f32 {
     let is_steep = libm::fabsf(x) > 1.0;
     let slope = if is_steep { 1.0 / x } else { x };
-    let angle = f64::from(slope) * nearest_24(series(&ARC_TANGENT, slope * slope));
+    let angle = f64::from(slope) * nearest_24(odd_series(&ARC_TANGENT, slope));
     rounded(if is_steep {
         libm::copysign(QUARTER, x.into()) - cut_32(angle)
     } else {
@@ -45,10 +40,10 @@ pub(super) fn atan(x: f32) -> f32 {
 pub(super) fn atan2(y: f32, x: f32) -> f32 {
     if libm::fabsf(y) > libm::fabsf(x) {
         libm::copysignf(FRAC_PI_2, y) + atan(-(x / y))
-    } else if x.is_sign_negative() && x != 0.0 {
-        libm::copysignf(PI, y) + atan(y / x)
-    } else if x == 0.0 {
+    } else if x == 0.0 && y == 0.0 {
         0.0
+    } else if x.is_sign_negative() {
+        libm::copysignf(PI, y) + atan(y / x)
     } else {
         atan(y / x)
     }
@@ -79,21 +74,30 @@ fn sine(rest: f64, quadrant: u32) -> f32 {
     } else {
         angle
     };
-    rounded(cut_24(series(&SINE, angle * angle))) * angle
+    rounded(cut_24(odd_series(&SINE, angle))) * angle
+}
+
+/// One and the powers of a square, not cut yet: by what an angle and its sine, or a slope and its
+/// angle, differ.
+fn odd_series<const N: usize>(coefficients: &[f64; N], x: f32) -> f64 {
+    let square = x * x;
+    let rest = term(series(coefficients, square), square.into());
+    // What is entirely beyond the digits of the one is not noticed; otherwise it tells in the cut.
+    if rest.abs() < BEYOND { 1.0 } else { 1.0 + rest }
 }
 
 /// The sum of a series, not cut yet. The coefficient of the highest power comes first.
 fn series<const N: usize>(coefficients: &[f64; N], x: f32) -> f64 {
     let x = f64::from(x);
-    coefficients[1..].iter().fold(coefficients[0], |sum, &it| {
-        let product = cut_32(cut_24(sum) * x);
-        // What is entirely beyond the digits is not noticed; otherwise it would tell in the cut.
-        if product.abs() < it.abs() * BEYOND {
-            it
-        } else {
-            it + product
-        }
-    })
+    let first = coefficients[0];
+    coefficients[1..]
+        .iter()
+        .fold(first, |sum, it| it + term(sum, x))
+}
+
+/// What the sum of the higher powers adds to a coefficient.
+fn term(sum: f64, x: f64) -> f64 {
+    cut_32(cut_24(sum) * x)
 }
 
 /// Cuts off what is beyond 24 digits.
@@ -150,13 +154,12 @@ const MANY: f64 = 1000.0;
 /// The 33rd digit.
 const BEYOND: f64 = 1.0 / 4_294_967_296.0;
 
-const SINE: [f64; 6] = kept([
+const SINE: [f64; 5] = kept([
     -0.000_000_023_9,
     0.000_002_752_6,
     -0.000_198_409_0,
     0.008_333_331_5,
     -0.166_666_666_4,
-    1.0,
 ]);
 const ARC_COSINE: [f64; 8] = kept([
     -0.001_262_491_1,
@@ -168,7 +171,7 @@ const ARC_COSINE: [f64; 8] = kept([
     -0.214_598_801_6,
     1.570_796_305_0,
 ]);
-const ARC_TANGENT: [f64; 9] = kept([
+const ARC_TANGENT: [f64; 8] = kept([
     0.002_866_225_7,
     -0.016_165_736_7,
     0.042_909_613_8,
@@ -177,5 +180,261 @@ const ARC_TANGENT: [f64; 9] = kept([
     -0.142_088_994_4,
     0.199_935_508_5,
     -0.333_331_452_8,
-    1.0,
 ]);
+
+#[cfg(test)]
+mod tests {
+    use core::ops::Range;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn doubles_hold_what_the_processor_calculates_in_whole_numbers(
+            angle in numbers(-40..8),
+            slope in numbers(-40..20),
+            cosine in -1.0_f32..=1.0,
+        ) {
+            let (sin, cos) = sin_cos(angle);
+            prop_assert_eq!(sin, exact::sin(angle), "sin {}", angle);
+            prop_assert_eq!(cos, exact::cos(angle), "cos {}", angle);
+            prop_assert_eq!(atan(slope), exact::atan(slope), "atan {}", slope);
+            prop_assert_eq!(acos(cosine), exact::acos(cosine), "acos {}", cosine);
+        }
+
+        #[test]
+        fn angles_are_off_by_two_digits_at_most(
+            angle in -7.0_f32..7.0,
+            cosine in -1.0_f32..=1.0,
+            y in numbers(-20..20),
+            x in numbers(-20..20),
+        ) {
+            let (sin, cos) = sin_cos(angle);
+            let near = |got: f32, expected: f64, off: f64| (f64::from(got) - expected).abs() <= off;
+            prop_assert!(near(sin, libm::sin(angle.into()), LAST_TWO), "sin {}: {}", angle, sin);
+            prop_assert!(near(cos, libm::cos(angle.into()), LAST_TWO), "cos {}: {}", angle, cos);
+            // Half of the last digit of an angle above 2, and the error of the series.
+            let off = 1.2e-7 + 2e-7;
+            prop_assert!(near(acos(cosine), libm::acos(cosine.into()), off), "acos {}", cosine);
+            let expected = libm::atan2(y.into(), x.into());
+            prop_assert!(near(atan2(y, x), expected, off), "atan2 {} {}", y, x);
+        }
+
+        #[test]
+        fn only_what_is_no_number_or_too_large_gives_no_number(bits: u32, more: u32) {
+            let (a, b) = (f32::from_bits(bits), f32::from_bits(more));
+            let (sin, cos) = sin_cos(a);
+            prop_assert_eq!(sin.is_nan(), !a.is_finite(), "sin {}", a);
+            prop_assert_eq!(cos.is_nan(), !a.is_finite(), "cos {}", a);
+            prop_assert_eq!(acos(a).is_nan(), !(-1.0..=1.0).contains(&a), "acos {}", a);
+            prop_assert_eq!(atan(a).is_nan(), a.is_nan(), "atan {}", a);
+            if a.is_finite() || b.is_finite() {
+                prop_assert_eq!(atan2(a, b).is_nan(), a.is_nan() || b.is_nan(), "atan2 {} {}", a, b);
+            }
+        }
+    }
+
+    #[test]
+    fn the_quarters_of_a_turn_are_where_they_belong() {
+        for (y, x, expected) in [
+            (0.0, 1.0, 0.0),
+            (-0.0, 1.0, -0.0),
+            (1.0, 0.0, FRAC_PI_2),
+            (-1.0, -0.0, -FRAC_PI_2),
+            (0.0, -1.0, PI),
+            (-0.0, -1.0, -PI),
+            (0.0, 0.0, 0.0),
+            (-0.0, -0.0, 0.0),
+        ] {
+            assert_eq!(atan2(y, x).to_bits(), f32::to_bits(expected), "{y} {x}");
+        }
+        assert!(atan2(f32::NAN, 0.0).is_nan());
+    }
+
+    /// Two in the last place of one.
+    const LAST_TWO: f64 = 2.4e-7;
+
+    /// Numbers of all sizes between two powers of two, of either sign.
+    fn numbers(powers: Range<i32>) -> impl Strategy<Value = f32> {
+        let parts = (powers, 1.0_f32..2.0, any::<bool>());
+        parts.prop_map(|(power, part, is_negative)| {
+            libm::scalbnf(if is_negative { -part } else { part }, power)
+        })
+    }
+
+    /// The same once more, in whole numbers and with every digit by itself.
+    mod exact {
+        use super::super::{ARC_COSINE, ARC_TANGENT, QUARTER, SINE};
+
+        /// A mantissa of 32 digits, the first of them 1, or nothing; and whether there is more.
+        #[derive(Clone, Copy)]
+        struct Wide {
+            is_negative: bool,
+            power: i32,
+            mantissa: u64,
+            has_more: bool,
+        }
+
+        pub(super) fn sin(x: f32) -> f32 {
+            sine(x, if x < 0.0 { 2 } else { 0 })
+        }
+
+        pub(super) fn cos(x: f32) -> f32 {
+            sine(x, 1)
+        }
+
+        pub(super) fn atan(x: f32) -> f32 {
+            let slope = if x.abs() > 1.0 { 1.0 / x } else { x };
+            let factor = half_up(series(&ARC_TANGENT, true, slope * slope));
+            let angle = product(factor, wide(slope.into()));
+            if x.abs() > 1.0 {
+                round(sum(wide(QUARTER.copysign(x.into())), negative(angle)))
+            } else {
+                round(angle)
+            }
+        }
+
+        pub(super) fn acos(x: f32) -> f32 {
+            let factor = half_up(series(&ARC_COSINE, false, x.abs()));
+            let angle = product(wide(libm::sqrtf(1.0 - x.abs()).into()), factor);
+            if x.is_sign_negative() {
+                round(sum(wide(2.0 * QUARTER), negative(angle)))
+            } else {
+                round(angle)
+            }
+        }
+
+        fn sine(x: f32, quarters: u64) -> f32 {
+            // In units of 2^-80 every angle down to 2^-40 is a whole number.
+            let quarter = u128::from(wide(QUARTER).mantissa) << (80 - 31);
+            let size = {
+                let size = wide(x.abs().into());
+                u128::from(size.mantissa) << (80 + size.power)
+            };
+            let quadrant = u64::try_from(size / quarter).expect("at most 2^8") + quarters;
+            let rest = size % quarter;
+            let rest = Wide {
+                is_negative: false,
+                power: 16 - rest.leading_zeros().cast_signed(),
+                mantissa: u64::try_from((rest << rest.leading_zeros()) >> 96).expect("32 digits"),
+                has_more: false,
+            };
+            let angle = round(if quadrant % 2 == 1 {
+                sum(rest, wide(-QUARTER))
+            } else {
+                rest
+            });
+            let angle = if quadrant % 4 == 1 || quadrant % 4 == 2 {
+                -angle
+            } else {
+                angle
+            };
+            let factor = series(&SINE, true, angle * angle);
+            round(product(factor, wide(angle.into())))
+        }
+
+        fn series(coefficients: &[f64], ends_with_one: bool, x: f32) -> Wide {
+            let x = wide(x.into());
+            let one = ends_with_one.then_some(1.0);
+            let mut coefficients = coefficients.iter().copied().chain(one).map(wide);
+            let first = coefficients.next().expect("a series");
+            coefficients.fold(first, |so_far, it| sum(product(so_far, x), it))
+        }
+
+        /// Of the first 24 digits of each. What is behind the 32nd is lost, but for the last step.
+        fn product(a: Wide, b: Wide) -> Wide {
+            let digits = (a.mantissa >> 8) * (b.mantissa >> 8);
+            let shift = i32::from(digits != 0 && digits >> 47 == 0);
+            let digits = digits << shift;
+            Wide {
+                is_negative: a.is_negative != b.is_negative,
+                power: a.power + b.power + 32 - shift,
+                mantissa: digits >> 16,
+                has_more: digits & 0xFFFF != 0,
+            }
+        }
+
+        fn sum(a: Wide, b: Wide) -> Wide {
+            let key = |it: &Wide| (it.mantissa != 0, it.power, it.mantissa);
+            let (large, small) = if key(&a) < key(&b) { (b, a) } else { (a, b) };
+            let distance = large.power - small.power;
+            if small.mantissa == 0 || distance > 32 {
+                return Wide {
+                    has_more: false,
+                    ..large
+                };
+            }
+            let shifted = small.mantissa >> distance;
+            let is_cut = shifted << distance != small.mantissa;
+            let mut digits = large.mantissa << 8;
+            let mut power = large.power;
+            if large.is_negative == small.is_negative {
+                digits += (shifted << 8) | u64::from(is_cut);
+            } else {
+                // Whatever is left over stands for almost a digit.
+                digits -= (shifted << 8) + u64::from(is_cut);
+            }
+            while digits >> 40 != 0 {
+                digits = (digits >> 1) | (digits & 1);
+                power += 1;
+            }
+            while digits != 0 && digits >> 39 == 0 {
+                digits <<= 1;
+                power -= 1;
+            }
+            Wide {
+                is_negative: large.is_negative,
+                power,
+                mantissa: digits >> 8,
+                has_more: digits & 0xFF != 0,
+            }
+        }
+
+        /// To the nearest 24 digits; where there is no nearest, to the even one.
+        fn round(it: Wide) -> f32 {
+            let (kept, rest) = (it.mantissa >> 8, it.mantissa & 0xFF);
+            let is_up = rest > 0x80 || rest == 0x80 && (it.has_more || kept % 2 == 1);
+            narrow(it, kept + u64::from(is_up))
+        }
+
+        fn half_up(it: Wide) -> Wide {
+            wide(narrow(it, (it.mantissa + 0x80) >> 8).into())
+        }
+
+        fn negative(it: Wide) -> Wide {
+            Wide {
+                is_negative: !it.is_negative,
+                ..it
+            }
+        }
+
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_precision_loss,
+            reason = "there are 25 digits, and the 25th is 0"
+        )]
+        fn narrow(it: Wide, digits: u64) -> f32 {
+            let size = libm::scalbn(digits as f64, it.power + 8) as f32;
+            if it.is_negative { -size } else { size }
+        }
+
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "whole numbers of 32 digits"
+        )]
+        fn wide(value: f64) -> Wide {
+            let (part, power) = libm::frexp(value.abs());
+            Wide {
+                is_negative: value.is_sign_negative(),
+                power: power - 32,
+                mantissa: libm::scalbn(part, 32) as u64,
+                has_more: false,
+            }
+        }
+    }
+}
