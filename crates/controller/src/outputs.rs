@@ -90,10 +90,15 @@ pub(crate) fn servo_value(angle_deg: f32) -> i16 {
     short((angle_deg * 1000.0 / 180.0 + 1500.0) - 1000.0)
 }
 
-/// The integer part of a number; 0 for one that is none, as the stock controller's processor has it.
+/// The integer part of a number; 0 for one that is none or does not fit, as the stock controller's
+/// processor has it in sixteen bits.
 #[expect(clippy::cast_possible_truncation, reason = "that is the point")]
 pub(crate) const fn whole(value: f32) -> i32 {
-    if value.is_finite() { value as i32 } else { 0 }
+    if value.abs() < 2_147_483_648.0 {
+        value as i32
+    } else {
+        0
+    }
 }
 
 /// The integer part of a number in sixteen bits.
