@@ -87,6 +87,19 @@ pub fn reach(pose: Pose) -> f32 {
     libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm)
 }
 
+/// What the sensor on an arm tells of its tilt, in degrees: gravity along two axes, each in whole
+/// parts of 16384.
+#[must_use]
+pub fn sensed(tilt_deg: f64) -> f32 {
+    let tilt = tilt_deg.to_radians();
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "single precision holds whole numbers of 15 digits"
+    )]
+    let parts = |share: f64| libm::rint(share * 16_384.0) as f32;
+    degrees(atan2(parts(libm::sin(tilt)), parts(libm::cos(tilt))))
+}
+
 /// The cosine of the angle at the shoulder, between the rear arm and the way to the wrist.
 fn shoulder_cosine(across_mm: f32, up_mm: f32) -> f32 {
     let distance_mm = libm::sqrtf(across_mm * across_mm + up_mm * up_mm);

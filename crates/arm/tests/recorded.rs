@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse};
+use dobot_arm::stock::{Joints, Pose, forward, inverse, sensed};
 use proptest::prelude::*;
 
 #[test]
@@ -77,6 +77,15 @@ fn angles_do_not_come_back_from_their_place_as_they_were() {
         [found.base_deg, found.rear_deg, found.fore_deg],
         [25.000_003_8, 34.999_996_2, 50.000_007_6]
     );
+}
+
+/// As the arm believed to stand that was powered up at these angles.
+#[test]
+fn sensors_tell_angles_in_steps() {
+    assert_eq!(sensed(45.0), 45.0);
+    assert_eq!(sensed(30.0), 29.999_927_5);
+    assert_eq!(90.0 - sensed(60.0), 29.999_935_2);
+    assert_eq!(90.0 - sensed(30.0), 60.000_072_5);
 }
 
 proptest! {

@@ -107,12 +107,8 @@ enum Progress {
 }
 
 impl Firmware {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "it calculates in single precision"
-    )]
     pub(crate) fn power_up(power_up: &PowerUp) -> Self {
-        let body = Body::power_up(power_up.rear_deg as f32, power_up.fore_deg as f32);
+        let body = Body::power_up(power_up.rear_deg, power_up.fore_deg);
         Self {
             port: power_up.port,
             receiver: Receiver::new(power_up.port),

@@ -1,7 +1,7 @@
 //! What the stock controller believes of the arm, and the one way to move it.
 
 use dobot_arm::Tool;
-use dobot_arm::stock::{Joints, Pose, forward, inverse, reach};
+use dobot_arm::stock::{Joints, Pose, forward, inverse, reach, sensed};
 
 use crate::outputs::{Hands, servo_value};
 
@@ -26,11 +26,12 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    pub(crate) fn power_up(rear_deg: f32, fore_deg: f32) -> Self {
+    /// Believes the sensors: that of the rear arm tells its angle from level.
+    pub(crate) fn power_up(rear_deg: f64, fore_deg: f64) -> Self {
         Self {
             joints: Joints {
-                rear_deg,
-                fore_deg,
+                rear_deg: 90.0 - sensed(90.0 - rear_deg),
+                fore_deg: sensed(fore_deg),
                 ..Joints::default()
             },
             pose: Pose::default(),
