@@ -21,8 +21,9 @@ use crate::{Personality, Port, PowerUp, Refused};
 #[derive(Debug)]
 pub struct Controller {
     program: Program,
-    /// The number of the next control tick.
+    /// The number of the next control tick, and when it is due.
     tick: u32,
+    next_tick: Duration,
     /// How many ticks in a row nothing moved and nothing waited.
     ticks_at_rest: u8,
     schedule: Schedule,
@@ -61,6 +62,7 @@ impl Controller {
         Self {
             program,
             tick: 0,
+            next_tick: Duration::ZERO,
             ticks_at_rest: 0,
             schedule: Schedule::new(port),
             steppers: Steppers::default(),
@@ -83,7 +85,7 @@ impl Controller {
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
-        loop {
+        while self.next_event() <= now {
             self.rest_until(now);
             let at = self.poll_wakeup();
             if at > now {
@@ -92,7 +94,7 @@ impl Controller {
             if let Program::Specification(it) = &mut self.program {
                 it.handle_time(at, &mut self.log);
             }
-            if self.next_tick() <= at {
+            if self.next_tick <= at {
                 self.tick(at);
             }
         }
@@ -119,11 +121,7 @@ impl Controller {
     /// When [`Controller::handle_time`] wants to be called next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        let tick = TICK * (self.tick + self.ticks_to_rest());
-        match &self.program {
-            Program::Specification(it) => it.wakeup().map_or(tick, |it| it.min(tick)),
-            Program::Firmware(_) => tick,
-        }
+        self.next_event() + TICK * self.ticks_to_rest()
     }
 
     /// Where the tool is told to be at a time between now and the next wakeup.
@@ -181,13 +179,19 @@ impl Controller {
         &self.log.counters
     }
 
-    fn next_tick(&self) -> Duration {
-        TICK * self.tick
+    /// The next tick, or the end of a motion before it.
+    fn next_event(&self) -> Duration {
+        match &self.program {
+            Program::Specification(it) => it
+                .wakeup()
+                .map_or(self.next_tick, |it| it.min(self.next_tick)),
+            Program::Firmware(_) => self.next_tick,
+        }
     }
 
     /// How much of the last tick's time has passed, from 0 to 1.
     fn tick_share(&self, at: Duration) -> f64 {
-        let since = at.saturating_sub(self.next_tick().saturating_sub(TICK));
+        let since = at.saturating_sub(self.next_tick.saturating_sub(TICK));
         (since.as_secs_f64() / TICK.as_secs_f64()).min(1.0)
     }
 
@@ -203,11 +207,12 @@ impl Controller {
     /// Passes over such ticks, as many as are due.
     fn rest_until(&mut self, now: Duration) {
         for _ in 0..self.ticks_to_rest() {
-            let at = self.next_tick();
+            let at = self.next_tick;
             if at > now {
                 return;
             }
             self.tick += 1;
+            self.next_tick += TICK;
             self.schedule.tick(0);
             if let Program::Firmware(it) = &mut self.program {
                 it.rest(at);
@@ -217,6 +222,7 @@ impl Controller {
 
     fn tick(&mut self, at: Duration) {
         self.tick += 1;
+        self.next_tick += TICK;
         self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
         let (waiting, way_deg, is_at_rest) = match &mut self.program {
             Program::Specification(it) => {

@@ -9,6 +9,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{Line, Script, VirtualArm, simulate};
+use dobot_wire::Frame;
 
 fn main() {
     divan::main();
@@ -45,6 +46,31 @@ fn idle_controller(bencher: Bencher, personality: Personality) {
     });
 }
 
+/// The controller alone, drawing: a vector for each status.
+#[divan::bench(args = Personality::ALL, sample_count = 20)]
+fn drawing_controller(bencher: Bencher, personality: Personality) {
+    let packets = zigzag(personality).map(|[x, y]| {
+        let floats = [4.0, 0.0, x, y, 0.0, 0.0, 0.0, 20.0, 20.0, 20.0];
+        let frame = floats.iter().zip(1..);
+        frame
+            .fold(Frame::ZERO, |it, (value, n)| it.with(n, *value))
+            .to_bytes()
+    });
+    bencher.counter(ItemsCount::new(DRAWING_S)).bench_local(|| {
+        let mut controller = Controller::power_up(PowerUp::new(personality));
+        for (n, packet) in (0..DRAWING_S * 1000 / 80).zip(packets.iter().cycle()) {
+            // In the second half of a tick, when no controller calculates.
+            let at = Duration::from_millis(80 * n + 13);
+            controller.handle_bytes(at, packet);
+            while let Some(upload) = controller.poll_bytes() {
+                divan::black_box(&upload);
+            }
+        }
+        assert_eq!(controller.counters().refused, 0);
+        assert!(controller.counters().begun > DRAWING_S);
+    });
+}
+
 /// An hour of drawing, a vector for each status: the script is read, executed and traced.
 #[divan::bench(args = Personality::ALL, sample_count = 20)]
 fn drawing(bencher: Bencher, personality: Personality) {
@@ -57,24 +83,24 @@ fn drawing(bencher: Bencher, personality: Personality) {
     });
 }
 
-/// A zigzag of 45,000 vectors on two alternating diagonals, one each 80 ms.
+/// A zigzag of 45,000 vectors.
 fn hour_of_drawing(personality: Personality) -> String {
     let mut text = format!("!end {}\n", DRAWING_S * 1000);
-    let x = if personality.dialect().reverses_write_x {
-        -1
-    } else {
-        1
-    };
-    for n in 0..DRAWING_S * 1000 / 80 {
-        let (x, y) = match n % 4 {
-            0 => (x, 1),
-            1 => (x, -1),
-            2 => (-x, 1),
-            _ => (-x, -1),
-        };
+    let ways = zigzag(personality);
+    for [x, y] in ways.iter().cycle().take(DRAWING_S as usize * 1000 / 80) {
         text += &format!("credit 4 0 {x} {y} 0 0 0 20 20 20\n");
     }
     text
+}
+
+/// Two alternating diagonals, there and back.
+fn zigzag(personality: Personality) -> [[f32; 2]; 4] {
+    let x = if personality.dialect().reverses_write_x {
+        -1.0
+    } else {
+        1.0
+    };
+    [[x, 1.0], [x, -1.0], [-x, 1.0], [-x, -1.0]]
 }
 
 const IDLE_S: u64 = 1000;
