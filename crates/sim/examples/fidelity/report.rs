@@ -143,9 +143,8 @@ times, and every status and every control tick of both are compared:
 - **outputs**: servo values, pump, valve and laser in every tick
 - **text**: what is printed on the port that is not in use
 
-NaN has to stand where the recording has NaN. A 0 is no rounded value: every digit is the same. What is left is a tilt
-sensor that does not read quite what the script says (`p02`), and the last millimetre of a reach (`x7`).
-`crates/sim/tests/traces.rs` allows 0.01 mm, 0.01° and 1 pulse, and fails if this page is not what
+NaN has to stand where the recording has NaN. A 0 is no rounded value: every digit is the same.
+`crates/sim/tests/traces.rs` allows no difference, and fails if this page is not what
 `cargo run -p dobot-sim --example fidelity` prints.
 ";
 
