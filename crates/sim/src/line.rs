@@ -71,8 +71,11 @@ impl Line {
     /// Takes the bytes that have arrived by `now`, and tells when the last of them did.
     pub fn receive(&mut self, now: Duration, bytes: &mut Vec<u8>) -> Option<Duration> {
         let mut last = None;
-        while let Some(end) = self.next_burst().filter(|it| *it <= now) {
-            let burst = self.bursts.pop_front().expect("it was seen just above");
+        while let Some(&burst) = self.bursts.front()
+            && let end = burst.arrives + self.byte_times(burst.len - 1)
+            && end <= now
+        {
+            self.bursts.pop_front();
             bytes.extend(self.bytes.drain(..burst.len));
             last = Some(end);
         }
