@@ -85,12 +85,13 @@ fn drawing(bencher: Bencher, personality: Personality) {
 
 /// A zigzag of 45,000 vectors.
 fn hour_of_drawing(personality: Personality) -> String {
-    let mut text = format!("!end {}\n", DRAWING_S * 1000);
     let ways = zigzag(personality);
-    for [x, y] in ways.iter().cycle().take(DRAWING_S as usize * 1000 / 80) {
-        text += &format!("credit 4 0 {x} {y} 0 0 0 20 20 20\n");
-    }
-    text
+    let vectors = (0..DRAWING_S * 1000 / 80)
+        .zip(ways.iter().cycle())
+        .map(|(_, [x, y])| format!("credit 4 0 {x} {y} 0 0 0 20 20 20\n"));
+    std::iter::once(format!("!end {}\n", DRAWING_S * 1000))
+        .chain(vectors)
+        .collect()
 }
 
 /// Two alternating diagonals, there and back.
