@@ -1,13 +1,11 @@
 //! The picture of a drawing: what was commanded, what was drawn, and where it lies.
 
-mod lettering;
-
 use std::fmt::Write as _;
 
+use dobot_lettering::{Anchor, lettering, width};
 use resvg::tiny_skia::{Pixmap, Transform};
 use thiserror::Error;
 
-use self::lettering::{Anchor, lettering, width};
 use crate::plan::{MoveKind, Plan};
 use crate::point::{Bounds, Point, Stroke};
 use crate::simplify::simplify;

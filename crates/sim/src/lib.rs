@@ -20,7 +20,6 @@
 
 mod faults;
 mod in_process;
-mod lettering;
 mod line;
 mod mechanics;
 mod plot;

@@ -7,8 +7,9 @@ mod words;
 
 use std::fmt::Write as _;
 
+use dobot_lettering::{Anchor, lettering};
+
 use super::{Object, Point, WorldState};
-use crate::lettering::{Anchor, lettering};
 
 impl WorldState {
     /// The picture, as the text of an SVG file in true millimetres: from above as a person behind

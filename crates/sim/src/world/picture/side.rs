@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_lettering::{Anchor, lettering};
 
 use super::{Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, edge, fill, scale_bar};
-use crate::lettering::{Anchor, lettering};
 use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
 
 /// Below the view from above, half as wide as that.

@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_lettering::{Anchor, lettering, width};
 
 use super::marks::marks;
 use super::{
     Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, contrast, edge, fill, label, scale_bar,
 };
-use crate::lettering::{Anchor, lettering, width};
 use crate::world::footprint::Footprint;
 use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
 

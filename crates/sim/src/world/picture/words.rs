@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
+use dobot_lettering::{Anchor, lettering, width};
+
 use super::{Frame, INK, MUTED, WARM};
-use crate::lettering::{Anchor, lettering, width};
 use crate::world::marks::{WRITES_MM, ink_mm};
 use crate::world::track::length_mm;
 use crate::world::{Event, Point, ToolKind, WorldState};

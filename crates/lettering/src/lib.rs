@@ -1,14 +1,23 @@
 //! Lettering: a small alphabet of lines, so that pictures look the same with and without fonts.
+//!
+//! ```
+//! use dobot_lettering::{Anchor, lettering};
+//!
+//! let group = lettering("50 mm", Anchor::Middle, 0.0, 10.0, 3.0);
+//! assert!(group.starts_with("<g transform="));
+//! ```
 
 use std::fmt::Write as _;
 
-/// A line of text as an SVG group: its left end or middle at `x`, its foot at `y`, capitals
+/// A line of text as an SVG group: its left end, middle or right end at `x`, its foot at `y`, capitals
 /// `height` tall. Small letters are written as capitals.
-pub(crate) fn lettering(text: &str, anchor: Anchor, x: f64, y: f64, height: f64) -> String {
+#[must_use]
+pub fn lettering(text: &str, anchor: Anchor, x: f64, y: f64, height: f64) -> String {
     let scale = height / CAPITAL;
     let x = match anchor {
         Anchor::Left => x,
         Anchor::Middle => x - width(text, height) / 2.0,
+        Anchor::Right => x - width(text, height),
     };
     let mut group = format!(
         r#"<g transform="translate({x:.2} {:.2}) scale({scale:.4})">"#,
@@ -28,17 +37,22 @@ pub(crate) fn lettering(text: &str, anchor: Anchor, x: f64, y: f64, height: f64)
     group + "</g>"
 }
 
-/// How wide a line of text is.
-pub(crate) fn width(text: &str, height: f64) -> f64 {
+/// How wide a line of text is whose capitals are so tall.
+#[must_use]
+pub fn width(text: &str, height: f64) -> f64 {
     let advance: f64 = text.chars().map(|c| glyph(c).1 + GAP).sum();
     (advance - GAP).max(0.0) * height / CAPITAL
 }
 
 /// Where a text is held.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Anchor {
+pub enum Anchor {
+    /// At its left end.
     Left,
+    /// In its middle.
     Middle,
+    /// At its right end.
+    Right,
 }
 
 /// The lines of a letter and its width, on a grid where capitals stand from y 0 to y 6.
@@ -107,6 +121,7 @@ fn glyph(c: char) -> (&'static str, f64) {
         ),
         '\u{d7}' => ("M0 2.2L2.4 4.6M2.4 2.2L0 4.6", 2.4),
         '\u{b7}' => ("M0 3.15V3.2", 0.0),
+        '\u{b0}' => ("M.9 0A.8 .8 0 1 0 .9 1.6A.8 .8 0 1 0 .9 0", 1.7),
         '_' => ("M0 6.5H3.4", 3.4),
         '\'' => ("M0 0V1.3", 0.0),
         _ => ("M0 0H3V6H0Z", 3.0),
@@ -122,7 +137,7 @@ mod tests {
 
     #[test]
     fn every_glyph_is_a_path_that_reads() {
-        for c in (' '..='~').chain("×·–".chars()) {
+        for c in (' '..='~').chain("×·–°".chars()) {
             let (path, width) = glyph(c);
             assert!(
                 svgtypes::PathParser::from(path).all(|s| s.is_ok()),
