@@ -144,7 +144,7 @@ step_fuzz() {
       target=$(basename "$target" .rs)
       mkdir -p "corpus/$target" "artifacts/$target"
       "target/$host/release/$target" "corpus/$target" "-artifact_prefix=artifacts/$target/" \
-        "-max_total_time=${FUZZ_SECONDS:-30}" -timeout=10 -max_len=1000 -print_final_stats=1 2>&1 |
+        "-max_total_time=${FUZZ_SECONDS:-30}" -seed=1 -timeout=10 -max_len=1000 -print_final_stats=1 2>&1 |
         tail -n 12
     done
   )

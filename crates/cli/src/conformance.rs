@@ -31,7 +31,8 @@ back. Speeds and other settings end up as they are at power-up. Ctrl-C stops it 
 A line for each check: holds; specification or firmware-1.1, where only this dialect has it so; DIFFERS;
 not tried. The exit code is 0 when all that was tried holds, in one dialect.")]
 pub(crate) struct Args {
-    /// The controller's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT
+    /// The controller's address.
+    #[arg(help = "The controller's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT")]
     address: Address,
     /// How the arm of virtual: behaves: specification, or firmware-1.1 as the arms that were sold do
     #[arg(long, value_name = "PERSONALITY")]

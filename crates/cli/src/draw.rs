@@ -179,6 +179,8 @@ impl Args {
             draw_speed_mm_s: self.speed,
             travel_speed_mm_s: self.travel_speed,
             acceleration_mm_s2: self.acceleration,
+            // Nobody knows better over a port until it is told.
+            stops_at_corners: self.to.dialect.is_some_and(|it| !it.uses_start_speed),
             ..Pen::default()
         }
     }

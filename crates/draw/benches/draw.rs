@@ -30,6 +30,7 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
     let cornering = Cornering {
         acceleration_mm_s2: 100.0,
         deviation_mm: 0.02,
+        stops: false,
     };
     let mut speeds = Vec::new();
     bencher

@@ -19,6 +19,8 @@ pub struct Cornering {
     /// How far an imagined arc through a corner may leave it, in mm: the larger, the faster
     /// corners are passed. The arm itself draws the corner sharp.
     pub deviation_mm: f64,
+    /// Whether every corner is a stop.
+    pub stops: bool,
 }
 
 impl Cornering {
@@ -37,6 +39,9 @@ impl Cornering {
     /// ```
     #[must_use]
     pub fn corner_v2(self, before: [f64; 3], after: [f64; 3]) -> f64 {
+        if self.stops {
+            return 0.0;
+        }
         let cos_turn = before[0] * after[0] + before[1] * after[1] + before[2] * after[2];
         let sin_half = (0.5 * (1.0 + cos_turn)).clamp(0.0, 1.0).sqrt();
         self.acceleration_mm_s2 * self.deviation_mm * sin_half / (1.0 - sin_half)
@@ -97,6 +102,7 @@ mod tests {
     const CORNERING: Cornering = Cornering {
         acceleration_mm_s2: 100.0,
         deviation_mm: 0.02,
+        stops: false,
     };
 
     fn run(degrees: f64, length_mm: f64, limit_mm_s: f64) -> Run {

@@ -20,6 +20,9 @@ pub struct Pen {
     pub acceleration_mm_s2: f64,
     /// How far an imagined arc may cut a corner, in mm; see [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
+    /// Whether it comes to rest at the end of each vector. On a stock arm it has to: there only a
+    /// vector that begins and ends at rest is as long as it should be (note N48).
+    pub stops_at_corners: bool,
 }
 
 impl Pen {
@@ -48,6 +51,7 @@ impl Default for Pen {
             lift_speed_mm_s: 40.0,
             acceleration_mm_s2: 100.0,
             corner_deviation_mm: 0.02,
+            stops_at_corners: false,
         }
     }
 }

@@ -223,6 +223,7 @@ impl Planner {
             // The spared part keeps rounded speeds within the acceleration.
             acceleration_mm_s2: pen.acceleration_mm_s2 * (1.0 - 1e-5),
             deviation_mm: pen.corner_deviation_mm,
+            stops: pen.stops_at_corners,
         };
         Self {
             pen,
