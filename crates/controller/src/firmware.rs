@@ -11,25 +11,27 @@ mod follow;
 mod jog;
 mod joint_way;
 mod line;
+mod outcome;
+mod printer;
 mod receiver;
 mod settings;
 mod spoken;
 mod target;
 mod write;
 
-use core::fmt::{self, Write as _};
 use core::time::Duration;
 
 use dobot_arm::stock::Joints as StockJoints;
 use dobot_arm::{Joints, Pose};
 use dobot_wire::{Frame, Status};
-use heapless::Deque;
 
 use self::body::Body;
 use self::fifo::Fifo;
 use self::follow::Follow;
 use self::jog::Jog;
 use self::line::Line;
+use self::outcome::{Outcome, Progress};
+use self::printer::Printer;
 use self::receiver::{Found, Receiver, VOICE_HEADER};
 use self::settings::Settings;
 use self::spoken::{Spoken, Words};
@@ -87,23 +89,6 @@ struct InForce {
     is_new: bool,
     /// Whether something was told about it.
     is_told: bool,
-}
-
-/// What a tick of a command comes to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Outcome {
-    is_over: bool,
-    notice: Option<Refused>,
-}
-
-/// What a tick of a way comes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Progress {
-    GoesOn,
-    /// The end was noticed; nothing moved in this tick.
-    Arrived,
-    /// A limit forbade the tick.
-    CutShort,
 }
 
 impl Firmware {
@@ -216,7 +201,7 @@ impl Firmware {
     }
 
     pub(crate) fn poll_other_port(&mut self) -> Option<u8> {
-        self.printer.0.pop_front()
+        self.printer.poll()
     }
 
     /// The joint angles after so much of the last tick's time, from 0 to 1.
@@ -418,82 +403,6 @@ impl Firmware {
     }
 }
 
-impl Outcome {
-    const GOES_ON: Self = Self {
-        is_over: false,
-        notice: None,
-    };
-    const OVER: Self = Self {
-        is_over: true,
-        notice: None,
-    };
-
-    /// Over, whether the tick was gone or a limit forbade it.
-    const fn over(was_gone: bool) -> Self {
-        if was_gone {
-            Self::OVER
-        } else {
-            Self::OVER.with(Refused::CutShort)
-        }
-    }
-
-    const fn over_with(notice: Refused) -> Self {
-        Self::OVER.with(notice)
-    }
-
-    const fn hangs(hang: Hang) -> Self {
-        Self::GOES_ON.with(Refused::Hangs(hang))
-    }
-
-    const fn hangs_if(hangs: bool, hang: Hang) -> Self {
-        if hangs {
-            Self::hangs(hang)
-        } else {
-            Self::GOES_ON
-        }
-    }
-
-    const fn with(self, notice: Refused) -> Self {
-        Self {
-            notice: Some(notice),
-            ..self
-        }
-    }
-}
-
-impl Progress {
-    /// Whether the tick was gone or a limit forbade it.
-    const fn of(was_gone: bool) -> Self {
-        if was_gone {
-            Self::GoesOn
-        } else {
-            Self::CutShort
-        }
-    }
-}
-
-/// What is printed on the other port. Nobody has to fetch it: the oldest is displaced.
-#[derive(Debug, Default)]
-struct Printer(Deque<u8, PRINTED_LEN>);
-
-impl Printer {
-    fn print(&mut self, text: fmt::Arguments<'_>) {
-        self.write_fmt(text).expect("it takes whatever comes");
-    }
-}
-
-impl fmt::Write for Printer {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            if self.0.is_full() {
-                self.0.pop_front();
-            }
-            self.0.push_back(byte).expect("room was made just above");
-        }
-        Ok(())
-    }
-}
-
 const fn status(body: &Body) -> Status {
     Status {
         x_mm: body.pose.x_mm,
@@ -517,4 +426,3 @@ const JOINT_JOG: i16 = 2;
 const LINEAR_JOG: i16 = 7;
 /// From the end of a tick's calculation until its status leaves.
 const SENDING: Duration = Duration::from_micros(600);
-const PRINTED_LEN: usize = 256;
