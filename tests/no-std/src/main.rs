@@ -43,7 +43,7 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 /// A command goes to bytes and comes back.
 fn wire() -> Option<()> {
     let bytes = packet().to_bytes();
-    let found = Decoder::commands().feed(&bytes).last()?;
+    let found = Decoder::commands().feed(&upload.bytes).last()?;
     let command = Command::parse(&found, &DIALECT).ok()?;
     (command == Command::MoveTo(TARGET)).then_some(())
 }
@@ -73,8 +73,8 @@ fn controller() -> Option<()> {
     let mut status = None;
     for second in 1..=10 {
         controller.handle_time(Duration::from_secs(second));
-        while let Some(bytes) = controller.poll_bytes() {
-            status = Decoder::statuses(|_| true).feed(&bytes).last();
+        while let Some(upload) = controller.poll_bytes() {
+            status = Decoder::statuses(|_| true).feed(&upload.bytes).last();
         }
     }
     let status = Status::parse(&status?).ok()?;
