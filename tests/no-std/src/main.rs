@@ -43,7 +43,7 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 /// A command goes to bytes and comes back.
 fn wire() -> Option<()> {
     let bytes = packet().to_bytes();
-    let found = Decoder::commands().feed(&upload.bytes).last()?;
+    let found = Decoder::commands().feed(&bytes).last()?;
     let command = Command::parse(&found, &DIALECT).ok()?;
     (command == Command::MoveTo(TARGET)).then_some(())
 }
