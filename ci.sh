@@ -138,12 +138,12 @@ step_fuzz() {
   cargo fmt --manifest-path fuzz/Cargo.toml --check
   (
     cd fuzz
-    RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}" \
-      cargo build --locked --release --target "$host"
+    export RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}"
+    cargo build --locked --release --target "$host"
     for target in fuzz_targets/*.rs; do
       target=$(basename "$target" .rs)
       mkdir -p "corpus/$target" "artifacts/$target"
-      "target/$host/release/$target" "corpus/$target" "-artifact_prefix=artifacts/$target/" \
+      cargo run -q --locked --release --target "$host" --bin "$target" -- "corpus/$target" "-artifact_prefix=artifacts/$target/" \
         "-max_total_time=${FUZZ_SECONDS:-30}" -seed=1 -timeout=10 -max_len=1000 -print_final_stats=1 2>&1 |
         tail -n 12
     done
