@@ -5,7 +5,8 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough. Cargo fetches the dependencies at the first run.
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, which is installed on Debian if it is
+# missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
 #
@@ -136,6 +137,7 @@ step_fuzz() {
     -Cllvm-args=-sanitizer-coverage-pc-table
   )
   cargo fmt --manifest-path fuzz/Cargo.toml --check
+  needs_command c++ g++
   (
     cd fuzz
     export RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}"
@@ -152,6 +154,19 @@ step_fuzz() {
 
 step_bench() {
   cargo bench --locked --workspace --bench '*'
+}
+
+# Installs a Debian package for a command where that is possible, and else says what to do.
+needs_command() {
+  local command=$1 package=$2
+  if command -v "$command" >/dev/null; then
+    return
+  fi
+  if [[ $EUID != 0 ]] || ! command -v apt-get >/dev/null; then
+    fail "$command is missing; install it, on Debian with: apt-get install $package"
+  fi
+  apt-get update -q
+  apt-get install -qy --no-install-recommends "$package"
 }
 
 needs_component() {
