@@ -125,10 +125,12 @@ impl Firmware {
 
     /// Takes bytes that arrive now.
     pub(crate) fn handle_bytes(&mut self, now: Duration, bytes: &[u8], log: &mut Log) {
+        self.receive(now, log);
         for &byte in bytes {
-            self.receive(now, log);
             self.receiver.push(byte);
-            self.receive(now, log);
+            if self.receiver.may_find() {
+                self.receive(now, log);
+            }
         }
         log.counters.skipped_bytes = self.receiver.skipped;
     }

@@ -65,6 +65,11 @@ impl Receiver {
         }
     }
 
+    /// Whether a look at the buffer could change anything.
+    pub(crate) fn may_find(&self) -> bool {
+        self.header.is_none() || self.ring.len() >= BODY_LEN
+    }
+
     /// Looks at the buffer; `None` when there is nothing more to be found in it now.
     pub(crate) fn look(&mut self) -> Option<Found> {
         let header = match self.header {
