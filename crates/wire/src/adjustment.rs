@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, ParseError};
 /// Scales the configured speeds and accelerations (state 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PlaybackAdjustment {
     /// The speed of targets in percent of the configured one, above 0 to 100.
     pub speed_percent: f32,

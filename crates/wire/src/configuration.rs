@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, ParseError};
 /// Sets the parameters of the arm (state 9; Table 3.9). Speeds and accelerations are above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(tag = "mode", rename_all = "snake_case"))]
 pub enum Configuration {
     /// How fast a jog is (mode 0).
@@ -147,6 +148,7 @@ impl Dialect {
 /// What is mounted at the end of the arm (state 9, mode 4; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[repr(u8)]
 pub enum EndEffector {

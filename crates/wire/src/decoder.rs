@@ -222,6 +222,7 @@ impl<D> Drop for Packets<'_, '_, D> {
 /// What a decoder counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Counts {
     /// Packets found, voice packets included.
     pub frames: u64,

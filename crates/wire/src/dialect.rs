@@ -118,6 +118,21 @@ impl<'de> serde::Deserialize<'de> for Dialect {
     }
 }
 
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Dialect {
+    fn schema_name() -> alloc::borrow::Cow<'static, str> {
+        "Dialect".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "What the packets mean: as the published document says, or as stock arms do (firmware 1.1).",
+            "type": "string",
+            "enum": Self::ALL.map(|it| it.name),
+        })
+    }
+}
+
 /// A name that no dialect has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no such dialect; the names are \"specification\" and \"firmware-1.1\"")]

@@ -7,6 +7,7 @@
 /// [`Command`](crate::Command) and [`Status`](crate::Status).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct Frame {
     floats: [f32; FLOATS],

@@ -9,6 +9,7 @@ use crate::{Dialect, Frame, ParseError};
 /// units of the hand tracker on a stock arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Gesture {
     /// The hand's position along X.
     pub x: f32,

@@ -9,6 +9,7 @@ use crate::{Dialect, Frame, ParseError};
 /// (note N13).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointJog {
     /// What the button moves or switches.
     pub axis: JointJogAxis,
@@ -47,6 +48,7 @@ impl JointJog {
 /// What a button of joint jog moves or switches (Table 2.5; note N14).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[repr(u8)]
 pub enum JointJogAxis {

@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, MovingMode, ParseError};
 /// Go to joint angles, then set the tool (state 6; Table 3.7).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MoveJoints {
     /// The base's angle (joint 1) in degrees, counter-clockwise seen from above.
     pub base_deg: f32,

@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, MovingMode, ParseError};
 /// Go to a point, then set the tool (state 3; Table 3.7).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MoveTo {
     /// Forward of the base's axis, in millimetres.
     pub x_mm: f32,

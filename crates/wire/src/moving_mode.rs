@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, ParseError};
 /// The way to a target (float 8 of states 3 and 6; Table 3.7).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum MovingMode {
     /// Lift, move across, lower (note N11).

@@ -6,6 +6,7 @@ use crate::{Frame, ParseError};
 /// Where the arm is (Table 2.3); each one received permits one command (note N20).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Status {
     /// Forward of the base's axis, in millimetres.
     pub x_mm: f32,

@@ -6,6 +6,7 @@ use crate::{Dialect, Frame, ParseError};
 /// Draws a straight line to a point given relative to this one (state 4; Table 2.6).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WriteVector {
     /// Pen or laser.
     pub mode: WriteMode,
@@ -98,6 +99,7 @@ impl Dialect {
 /// Pen or laser (float 2 of state 4; Table 2.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[repr(u8)]
 pub enum WriteMode {

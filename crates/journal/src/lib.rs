@@ -1,0 +1,1 @@
+//! The journal of jobs: what has to survive a crash and a power cut.

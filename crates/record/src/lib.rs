@@ -1,0 +1,1 @@
+//! Recordings of everything on the wire, as MCAP files, and their replay.

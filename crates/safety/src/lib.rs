@@ -1,0 +1,1 @@
+//! The safety policy: what no command of any client may do.
