@@ -1,0 +1,192 @@
+//! Why the station does not do what a client asks.
+
+use dobot_client::SendError;
+use dobot_safety::Violation;
+
+use super::{JobPhase, Role};
+
+/// Why the station does not do what a client asks. Nothing has changed then.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The client's role is not enough.
+    #[error("this takes the role {needed}; this client has {found}")]
+    Role {
+        /// What it takes.
+        needed: Role,
+        /// What the client has.
+        found: Role,
+    },
+    /// The client does not have control.
+    #[error("{}", match holder { Some(name) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
+    NoLease {
+        /// Who has it.
+        holder: Option<String>,
+    },
+    /// Nobody of that number asked for control.
+    #[error("client {0} does not ask for control")]
+    NotAsking(u64),
+    /// The arm is stopped until a person resets that.
+    #[error("the arm was stopped by {by}{}", reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    Stopped {
+        /// Who stopped it.
+        by: String,
+        /// Why.
+        reason: Option<String>,
+    },
+    /// The arm has not come to rest yet after a stop.
+    #[error("the arm still moves; it rests within {within_s:.1} s")]
+    StillMoving {
+        /// How long that takes at the most.
+        within_s: f64,
+    },
+    /// There is no arm to talk to.
+    #[error("there is no link to an arm: {0}")]
+    NoLink(String),
+    /// The session does not send it.
+    #[error(transparent)]
+    Send(SendError),
+    /// The policy does not allow it.
+    #[error(transparent)]
+    Policy(Box<Violation>),
+    /// The laser is not armed.
+    #[error("the laser is disarmed")]
+    LaserDisarmed,
+    /// A number is not allowed.
+    #[error("{name} is {found}; allowed is {allowed}")]
+    OutOfRange {
+        /// Which number.
+        name: &'static str,
+        /// What was given.
+        found: f64,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// Too much waits already.
+    #[error("{waiting} commands wait already, and more than {most} may not")]
+    TooMany {
+        /// How many wait.
+        waiting: usize,
+        /// How many may.
+        most: usize,
+    },
+    /// A job has the arm.
+    #[error("job {0} has the arm")]
+    JobRunning(u64),
+    /// There is no such job.
+    #[error("there is no job {0}")]
+    NoSuchJob(u64),
+    /// A job is not in a phase that allows this.
+    #[error("job {job} is {found:?}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
+    JobPhase {
+        /// Its number.
+        job: u64,
+        /// How far it is.
+        found: JobPhase,
+        /// How far it would have to be.
+        allowed: &'static str,
+    },
+    /// A job cannot be done as it is.
+    #[error("command {index} of the job: {why}")]
+    BadJob {
+        /// Which command, from 0.
+        index: usize,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// A job cannot be gone on with as things are.
+    #[error("the job cannot be gone on with: {0}")]
+    CannotResume(String),
+    /// The journal cannot be written.
+    #[error("the journal of jobs cannot be written: {0}")]
+    Journal(String),
+    /// The request cannot be understood.
+    #[error("the request cannot be understood: {0}")]
+    Malformed(String),
+    /// The station ends.
+    #[error("the station is shutting down")]
+    Ending,
+}
+
+impl Refusal {
+    /// The kind of refusal: the last part of the problem type's address.
+    #[must_use]
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::Role { .. } => "role",
+            Self::NoLease { .. } => "no-lease",
+            Self::NotAsking(_) => "not-asking",
+            Self::Stopped { .. } => "stopped",
+            Self::StillMoving { .. } => "still-moving",
+            Self::NoLink(_) => "no-link",
+            Self::Send(_) => "command",
+            Self::Policy(_) => "policy",
+            Self::LaserDisarmed => "laser-disarmed",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::TooMany { .. } => "too-many",
+            Self::JobRunning(_) => "job-running",
+            Self::NoSuchJob(_) => "no-such-job",
+            Self::JobPhase { .. } => "job-phase",
+            Self::BadJob { .. } => "bad-job",
+            Self::CannotResume(_) => "cannot-resume",
+            Self::Journal(_) => "journal",
+            Self::Malformed(_) => "malformed",
+            Self::Ending => "ending",
+        }
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::Role { needed, .. } => format!("use a token with the role {needed}"),
+            Self::NoLease { holder: None } => "take the lease".into(),
+            Self::NoLease { .. } => "ask the holder for the lease: `dobot lease ask`".into(),
+            Self::Stopped { .. } => {
+                "look at the arm; when it may move again, `dobot stop --reset`".into()
+            }
+            Self::StillMoving { .. } => "wait until it rests".into(),
+            Self::NoLink(_) => "`dobot watch` shows what the station waits for".into(),
+            Self::Send(error) => return send_hint(error),
+            Self::Policy(_) => "`dobot policy` shows the rules".into(),
+            Self::LaserDisarmed => {
+                "put the goggles on, then arm the laser for a while: `dobot lease laser --for 600`"
+                    .into()
+            }
+            Self::TooMany { .. } => "wait until some are over, or send them as a job".into(),
+            Self::JobRunning(_) => "pause it: `dobot jobs pause`".into(),
+            Self::NoSuchJob(_) | Self::JobPhase { .. } => "`dobot jobs` lists the jobs".into(),
+            Self::Journal(_) => "make room on the disk, or check the folder's permissions".into(),
+            Self::NotAsking(_)
+            | Self::OutOfRange { .. }
+            | Self::BadJob { .. }
+            | Self::CannotResume(_)
+            | Self::Malformed(_)
+            | Self::Ending => return None,
+        })
+    }
+}
+
+impl From<SendError> for Refusal {
+    fn from(error: SendError) -> Self {
+        Self::Send(error)
+    }
+}
+
+impl From<Violation> for Refusal {
+    fn from(violation: Violation) -> Self {
+        Self::Policy(Box::new(violation))
+    }
+}
+
+/// What helps against a command that the session does not send.
+fn send_hint(error: &SendError) -> Option<String> {
+    match error {
+        SendError::Undecided { .. } => Some(
+            "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold"
+                .into(),
+        ),
+        SendError::OnTheSpot => Some("a JUMP goes there without harm".into()),
+        _ => None,
+    }
+}
