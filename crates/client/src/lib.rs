@@ -43,3 +43,7 @@ pub use open::OpenError;
 pub use peer::Peer;
 pub use ports::{Port, ports};
 pub use session::{CommandId, Event, SendError, Session, plausible};
+
+/// Which dialect an arm speaks, and by which evidence.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Finding {}
