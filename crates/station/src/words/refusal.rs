@@ -73,6 +73,15 @@ pub enum Refusal {
     /// A job has the arm.
     #[error("job {0} has the arm")]
     JobRunning(u64),
+    /// The arm is finding out its dialect.
+    #[error("the arm makes the motions that tell its dialect")]
+    Detecting,
+    /// The motions that tell the dialect did not tell it.
+    #[error("the dialect was not found: {0}")]
+    NotFound(String),
+    /// No job runs.
+    #[error("no job is running")]
+    NoJobRuns,
     /// There is no such job.
     #[error("there is no job {0}")]
     NoSuchJob(u64),
@@ -125,6 +134,9 @@ impl Refusal {
             Self::OutOfRange { .. } => "out-of-range",
             Self::TooMany { .. } => "too-many",
             Self::JobRunning(_) => "job-running",
+            Self::Detecting => "detecting",
+            Self::NotFound(_) => "dialect-not-found",
+            Self::NoJobRuns => "no-job-runs",
             Self::NoSuchJob(_) => "no-such-job",
             Self::JobPhase { .. } => "job-phase",
             Self::BadJob { .. } => "bad-job",
@@ -155,9 +167,11 @@ impl Refusal {
             }
             Self::TooMany { .. } => "wait until some are over, or send them as a job".into(),
             Self::JobRunning(_) => "pause it: `dobot jobs pause`".into(),
-            Self::NoSuchJob(_) | Self::JobPhase { .. } => "`dobot jobs` lists the jobs".into(),
+            Self::Detecting => "wait until it is done, or stop it: `dobot stop`".into(),
+            Self::NoJobRuns | Self::NoSuchJob(_) | Self::JobPhase { .. } => "`dobot jobs` lists the jobs".into(),
             Self::Journal(_) => "make room on the disk, or check the folder's permissions".into(),
             Self::NotAsking(_)
+            | Self::NotFound(_)
             | Self::OutOfRange { .. }
             | Self::BadJob { .. }
             | Self::CannotResume(_)

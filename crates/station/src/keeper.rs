@@ -1,0 +1,386 @@
+//! The keeper of the arm: every rule for people and arm, as an engine.
+
+mod detecting;
+mod halt;
+mod jog;
+mod laser;
+mod lease;
+mod raw;
+mod request;
+mod plan;
+mod run;
+mod stop;
+mod view;
+
+use std::collections::{HashMap, VecDeque};
+use std::time::Duration;
+
+use dobot_client::{CommandId, Event, Session};
+use dobot_safety::Policy;
+use dobot_wire::{Command, Dialect, Packet, Status};
+
+use self::halt::Halt;
+use self::jog::Held;
+use self::laser::Interlock;
+use self::lease::Lease;
+use self::run::Run;
+use self::stop::Stop;
+use self::detecting::Detecting;
+use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Role};
+
+pub use self::plan::JobPlan;
+pub use self::run::{Begun, Effect};
+
+/// The keeper of the arm, as an engine: it owns no port, no file and no clock.
+///
+/// Things happen to it (`handle_*`), it wants things (`poll_*`). Its time counts from the start of
+/// the station and never goes back. Every byte that reaches the arm passes here, and with it every
+/// rule: who has control, what the policy allows, that a stop holds, that the laser is off unless a
+/// person has armed it.
+#[derive(Debug)]
+pub struct Keeper {
+    session: Session,
+    policy: Policy,
+    now: Duration,
+    link: Linked,
+    clients: HashMap<ClientId, Known>,
+    next_client: u64,
+    lease: Option<Lease>,
+    stop: Option<Stop>,
+    laser: Interlock,
+    held: Option<Held>,
+    halt: Option<Halt>,
+    run: Option<Run>,
+    detecting: Option<Detecting>,
+    /// Commands of clients that are not over, and who sent them.
+    pending: HashMap<CommandId, ClientId>,
+    /// Packets that wait for nothing.
+    urgent: VecDeque<Packet>,
+    effects: VecDeque<Effect>,
+    notices: VecDeque<Notice>,
+    told: u64,
+    answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
+    /// How many statuses in a row told the same place.
+    still: u32,
+    last: Option<Status>,
+    /// Something changed that those who watch want to see.
+    changed: bool,
+}
+
+/// The way to the arm.
+#[derive(Debug)]
+struct Linked {
+    phase: LinkPhase,
+    address: Option<String>,
+    problem: Option<String>,
+    /// The laser has been switched off since the link came up.
+    greeted: bool,
+}
+
+/// A client that is connected.
+#[derive(Clone, Debug)]
+struct Known {
+    name: String,
+    role: Role,
+}
+
+impl Keeper {
+    /// A keeper that has no arm yet.
+    #[must_use]
+    pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
+        let mut session = Session::new(dialect);
+        session.set_ahead(seconds(policy.queue.ahead_s));
+        Self {
+            session,
+            policy,
+            now: Duration::ZERO,
+            link: Linked {
+                phase: LinkPhase::Searching,
+                address: None,
+                problem: None,
+                greeted: false,
+            },
+            clients: HashMap::new(),
+            next_client: 1,
+            lease: None,
+            stop: None,
+            laser: Interlock::default(),
+            held: None,
+            halt: None,
+            run: None,
+            detecting: None,
+            pending: HashMap::new(),
+            urgent: VecDeque::new(),
+            effects: VecDeque::new(),
+            notices: VecDeque::new(),
+            told: 0,
+            answers: VecDeque::new(),
+            still: 0,
+            last: None,
+            changed: true,
+        }
+    }
+
+    /// Takes that the port is open: statuses may come.
+    pub fn handle_link_up(&mut self, now: Duration, address: &str) {
+        self.handle_time(now);
+        self.link = Linked {
+            phase: LinkPhase::Listening,
+            address: Some(address.to_owned()),
+            problem: None,
+            greeted: false,
+        };
+        self.session.handle_open(self.now);
+        self.changed = true;
+    }
+
+    /// Takes that the port is gone, or could not be opened, and why.
+    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
+        self.handle_time(now);
+        let lost = matches!(self.link.phase, LinkPhase::Up | LinkPhase::Listening);
+        self.link.phase = phase;
+        self.link.problem = problem;
+        self.changed = true;
+        if lost {
+            self.lose_link();
+        }
+    }
+
+    /// Takes bytes from the arm.
+    pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
+        self.handle_time(now);
+        self.session.handle_bytes(self.now, bytes);
+        self.follow_session();
+        self.pump();
+    }
+
+    /// Takes the passing of time.
+    pub fn handle_time(&mut self, now: Duration) {
+        self.now = self.now.max(now);
+        self.session.handle_time(self.now);
+        self.follow_session();
+        self.watch_dead_man();
+        self.watch_laser();
+        self.repeat_halt();
+        self.pump();
+    }
+
+    /// The packet to send now, if there is one.
+    pub fn poll_bytes(&mut self) -> Option<Packet> {
+        self.urgent
+            .pop_front()
+            .or_else(|| self.session.poll_bytes())
+    }
+
+    /// The next thing that happened, for all who watch.
+    pub fn poll_notice(&mut self) -> Option<Notice> {
+        self.notices.pop_front()
+    }
+
+    /// The answer to a request that took its time.
+    pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
+        self.answers.pop_front()
+    }
+
+    /// What the journal is to keep, in order.
+    pub fn poll_effect(&mut self) -> Option<Effect> {
+        self.effects.pop_front()
+    }
+
+    /// Whether something changed since this was asked last.
+    pub fn poll_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
+    /// When [`Keeper::handle_time`] wants to be called next, at the latest.
+    #[must_use]
+    pub fn poll_wakeup(&self) -> Duration {
+        [
+            Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
+            self.held.as_ref().map(Held::falls_silent),
+            self.laser.ends(),
+            self.halt.as_ref().map(Halt::next),
+        ]
+        .into_iter()
+        .flatten()
+        .min()
+        .unwrap_or(Duration::MAX)
+    }
+
+    /// Whether the statuses may be passed on to a raw program, for which each one is a permit: not
+    /// while what it sent already waits here.
+    #[must_use]
+    pub fn permits_raw(&self) -> bool {
+        self.session.waiting() < RAW_WAITING
+    }
+
+    /// The rules.
+    #[must_use]
+    pub const fn policy(&self) -> &Policy {
+        &self.policy
+    }
+
+    /// The conversation with the arm.
+    #[must_use]
+    pub const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// Whether the arm was seen at rest for a while, after all that it was sent.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.still >= AT_REST && self.session.under_way() == 0
+    }
+
+    const fn is_linked(&self) -> bool {
+        matches!(self.link.phase, LinkPhase::Listening | LinkPhase::Up)
+    }
+
+    /// Takes what happened in the session.
+    fn follow_session(&mut self) {
+        while let Some(event) = self.session.poll_event() {
+            self.changed = true;
+            match event {
+                Event::Status(status) => self.see(status),
+                Event::Completed(id) => self.command_over(id, None),
+                Event::NotReached(it) => {
+                    let why = it.to_string();
+                    self.command_over(it.command, Some(why));
+                }
+                Event::LinkLost { .. } => self.fall_silent(&event),
+                Event::Reset(reset) => self.notice_reset(&reset.to_string()),
+                _ => {}
+            }
+        }
+    }
+
+    fn see(&mut self, status: Status) {
+        if self.link.phase == LinkPhase::Listening || self.link.phase == LinkPhase::Lost {
+            self.link.phase = LinkPhase::Up;
+            self.link.problem = None;
+            self.tell(News::LinkUp, "the arm tells its state".into());
+        }
+        if !self.link.greeted {
+            // Whatever was before: a crash, another program, a cable that was out.
+            self.link.greeted = true;
+            self.part_from_laser();
+        }
+        self.still = if self.last == Some(status) { self.still + 1 } else { 0 };
+        self.last = Some(status);
+        self.watch_jog();
+        self.watch_halt();
+        self.watch_stop();
+        self.watch_run();
+        self.watch_detection(&status);
+    }
+
+    fn fall_silent(&mut self, event: &Event) {
+        let why = event
+            .or_failed()
+            .err()
+            .map_or_else(String::new, |error| error.to_string());
+        self.link.phase = LinkPhase::Lost;
+        self.link.greeted = false;
+        self.link.problem = Some(format!(
+            "{why}; is the arm switched on, and the cable in its place?"
+        ));
+        self.lose_link();
+    }
+
+    /// What was not sent is forgotten; what the arm has, it does.
+    fn lose_link(&mut self) {
+        self.link.greeted = false;
+        self.part_from_laser();
+        self.held = None;
+        self.drop_waiting("the link to the arm was lost");
+        self.interrupt_run("the link to the arm was lost");
+        self.end_detection("the link to the arm was lost");
+        let text = self
+            .link
+            .problem
+            .clone()
+            .unwrap_or_else(|| "the link to the arm was lost".into());
+        self.tell(News::LinkLost, text);
+    }
+
+    fn notice_reset(&mut self, evidence: &str) {
+        self.held = None;
+        self.part_from_laser();
+        self.drop_waiting("the arm was reset");
+        self.interrupt_run("the arm was reset");
+        self.end_detection("the arm was reset");
+        self.tell(
+            News::Reset,
+            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
+        );
+    }
+
+    fn command_over(&mut self, id: CommandId, failed: Option<String>) {
+        self.run_command_over(id, failed.as_deref());
+        if self.pending.remove(&id).is_none() {
+            return;
+        }
+        let command = id.0;
+        match failed {
+            None => self.tell(
+                News::CommandDone { command },
+                format!("command {command} is done"),
+            ),
+            Some(why) => {
+                self.part_from_laser();
+                self.tell(
+                    News::CommandFailed { command },
+                    format!("command {command}: {why}"),
+                );
+            }
+        }
+    }
+
+    /// Forgets the commands that have not been sent.
+    fn drop_waiting(&mut self, why: &str) {
+        for id in self.session.forget_waiting() {
+            self.run_command_forgotten(id);
+            if self.pending.remove(&id).is_some() {
+                let command = id.0;
+                self.tell(
+                    News::CommandFailed { command },
+                    format!("command {command} was not sent: {why}"),
+                );
+            }
+        }
+    }
+
+    /// Sends a command at once, whatever waits.
+    fn send_urgent(&mut self, command: impl Into<Command>) {
+        if let Ok(packet) = self.session.emit_now(&command.into()) {
+            self.urgent.push_back(packet);
+        }
+    }
+
+    fn tell(&mut self, news: News, text: String) {
+        self.told += 1;
+        self.changed = true;
+        self.notices.push_back(Notice {
+            number: self.told,
+            at_s: self.now.as_secs_f64(),
+            news,
+            text,
+        });
+    }
+
+    fn name(&self, client: ClientId) -> String {
+        self.clients
+            .get(&client)
+            .map_or_else(|| format!("client {}", client.0), |it| it.name.clone())
+    }
+}
+
+/// A number of seconds that the policy has checked.
+fn seconds(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or_default()
+}
+
+/// So many statuses in a row that tell the same: the arm is at rest.
+const AT_REST: u32 = 3;
+/// More of a raw program's packets do not wait here: it gets no permit.
+const RAW_WAITING: usize = 2;

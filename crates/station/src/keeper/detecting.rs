@@ -1,0 +1,80 @@
+//! Finding out which dialect the arm speaks, while nobody else moves it.
+
+use dobot_client::Detection;
+use dobot_wire::Status;
+
+use super::Keeper;
+use crate::words::{ClientId, Refusal, Reply};
+
+/// A detection that is under way, and who asked for it.
+#[derive(Debug)]
+pub(super) struct Detecting {
+    client: ClientId,
+    detection: Detection,
+}
+
+impl Keeper {
+    /// Begins; the answer comes when the arm has made its motions.
+    pub(super) fn detect(&mut self, client: ClientId) -> Option<Result<Reply, Refusal>> {
+        match self.begin_detection(client) {
+            Ok(detecting) => {
+                self.detecting = Some(detecting);
+                self.halt = None;
+                None
+            }
+            Err(refusal) => Some(Err(refusal)),
+        }
+    }
+
+    fn begin_detection(&self, client: ClientId) -> Result<Detecting, Refusal> {
+        self.check_may_move(client)?;
+        if !self.session.is_trusted() {
+            return Err(Refusal::Send(dobot_client::SendError::Untrusted));
+        }
+        let within_s = self.session.rests_within().as_secs_f64();
+        let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
+            return Err(Refusal::StillMoving { within_s });
+        };
+        let allowed = |joints: &dobot_arm::Joints| self.policy.allows(joints);
+        let detection = Detection::new(&status, allowed)
+            .map_err(|error| Refusal::NotFound(error.to_string()))?;
+        Ok(Detecting { client, detection })
+    }
+
+    pub(super) fn check_not_detecting(&self) -> Result<(), Refusal> {
+        match self.detecting {
+            None => Ok(()),
+            Some(_) => Err(Refusal::Detecting),
+        }
+    }
+
+    pub(super) fn watch_detection(&mut self, status: &Status) {
+        let now = self.now;
+        let Some(detecting) = &mut self.detecting else {
+            return;
+        };
+        detecting.detection.handle_status(now, status);
+        if let Some(packet) = detecting.detection.poll_packet() {
+            self.urgent.push_back(packet);
+        }
+        if let Some(outcome) = detecting.detection.poll_outcome() {
+            let client = detecting.client;
+            self.detecting = None;
+            let answer = match outcome {
+                Ok(finding) => self
+                    .set_dialect(finding.dialect)
+                    .map(|_| Reply::Found { finding }),
+                Err(error) => Err(Refusal::NotFound(error.to_string())),
+            };
+            self.answers.push_back((client, answer));
+        }
+    }
+
+    /// Ends a detection that cannot go on.
+    pub(super) fn end_detection(&mut self, why: &str) {
+        if let Some(detecting) = self.detecting.take() {
+            let refusal = Refusal::NotFound(why.to_owned());
+            self.answers.push_back((detecting.client, Err(refusal)));
+        }
+    }
+}

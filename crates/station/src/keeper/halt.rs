@@ -1,0 +1,92 @@
+//! The packets that bring an arm to rest, said until it rests: a packet can get lost.
+
+use std::time::Duration;
+
+use dobot_wire::{JointJog, JointJogAxis};
+
+use super::Keeper;
+
+/// An arm that is being brought to rest: laser off, button released, and so again.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Halt {
+    next: Duration,
+    laser_is_next: bool,
+    /// Rounds said already.
+    rounds: u32,
+}
+
+impl Halt {
+    pub(super) const fn next(&self) -> Duration {
+        self.next
+    }
+}
+
+impl Keeper {
+    /// Laser off at once; then the release of whatever button is held, until the arm rests. While
+    /// that goes on already, it need not begin anew.
+    pub(super) fn halt_now(&mut self) {
+        if self.halt.is_some_and(|it| it.rounds == 0) {
+            return;
+        }
+        self.part_from_laser();
+        self.halt = Some(Halt {
+            next: self.now + GAP,
+            laser_is_next: false,
+            rounds: 0,
+        });
+    }
+
+    /// Lets go of the button that is held.
+    pub(super) fn release_now(&mut self) {
+        self.send_urgent(button(JointJogAxis::Released));
+        self.halt = Some(Halt {
+            next: self.now + AGAIN,
+            laser_is_next: false,
+            rounds: 1,
+        });
+    }
+
+    /// Says it again: a stock arm wants a gap between packets, and may have missed one.
+    pub(super) fn repeat_halt(&mut self) {
+        let Some(halt) = self.halt.filter(|it| it.next <= self.now) else {
+            return;
+        };
+        if !self.is_linked() {
+            self.halt = None;
+            return;
+        }
+        let axis = if halt.laser_is_next {
+            JointJogAxis::LaserOff
+        } else {
+            JointJogAxis::Released
+        };
+        self.send_urgent(button(axis));
+        let again = if halt.laser_is_next { GAP } else { AGAIN };
+        self.halt = (halt.rounds < ROUNDS).then_some(Halt {
+            next: self.now + again,
+            laser_is_next: !halt.laser_is_next,
+            rounds: halt.rounds + u32::from(!halt.laser_is_next),
+        });
+    }
+
+    /// At rest there is nothing more to say, once it has been said twice.
+    pub(super) fn watch_halt(&mut self) {
+        let rests = self.is_at_rest();
+        self.halt = self.halt.filter(|it| !rests || it.rounds < 2);
+    }
+}
+
+pub(super) const fn button(axis: JointJogAxis) -> JointJog {
+    JointJog {
+        axis,
+        speed_percent: 0.0,
+    }
+}
+
+/// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
+const GAP: Duration = Duration::from_millis(60);
+/// Two statuses may show that it was heard.
+const AGAIN: Duration = Duration::from_millis(240);
+/// An arm that has not heard it by then does not hear, or finishes a long move first; its queue is
+/// not filled up with more of the same.
+const ROUNDS: u32 = 3;

@@ -1,0 +1,146 @@
+//! Jogging is hold-to-run: a button that nobody holds any more is let go.
+
+use std::time::Duration;
+
+use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
+
+use super::{Keeper, seconds};
+use crate::words::{ClientId, Jog, News, Refusal, Reply};
+
+/// The button that is held.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
+    client: ClientId,
+    jog: Jog,
+    /// When it was said last.
+    said: Duration,
+    /// How long its client may be silent.
+    patience: Duration,
+}
+
+impl Held {
+    pub(super) fn falls_silent(&self) -> Duration {
+        self.said + self.patience
+    }
+}
+
+impl Keeper {
+    /// Presses a jog button, or holds it.
+    pub(super) fn jog(
+        &mut self,
+        client: ClientId,
+        jog: Jog,
+        patience_s: f64,
+    ) -> Result<Reply, Refusal> {
+        if released(jog) {
+            self.check_lease(client)?;
+            self.let_go();
+            return Ok(Reply::Done);
+        }
+        if !moves(jog) {
+            return self.command(client, &jog.command());
+        }
+        self.check_may_move(client)?;
+        if let Some(held) = &mut self.held
+            && held.jog == jog
+            && held.client == client
+        {
+            held.said = self.now;
+            return Ok(Reply::Done);
+        }
+        if self.held.is_none() && self.session.is_moving() {
+            return Err(Refusal::StillMoving {
+                within_s: self.session.rests_within().as_secs_f64(),
+            });
+        }
+        self.check_way(&jog.command())?;
+        self.session.send(jog.command())?;
+        self.halt = None;
+        self.held = Some(Held {
+            client,
+            jog,
+            said: self.now,
+            patience: seconds(patience_s),
+        });
+        Ok(Reply::Done)
+    }
+
+    /// Lets go of the button, if one is held.
+    pub(super) fn let_go(&mut self) {
+        if self.held.take().is_some() {
+            self.drop_waiting("the button was released");
+            self.release_now();
+        }
+    }
+
+    pub(super) fn watch_dead_man(&mut self) {
+        if let Some(held) = &self.held
+            && held.falls_silent() <= self.now
+        {
+            let text = format!(
+                "{} fell silent for {:.0} ms: its button was released",
+                self.name(held.client),
+                held.patience.as_secs_f64() * 1e3,
+            );
+            self.let_go();
+            self.tell(News::DeadMan, text);
+        }
+    }
+
+    /// With each status: where the arm would come to before it could be stopped has to be allowed.
+    pub(super) fn watch_jog(&mut self) {
+        let (Some(held), Some(model)) = (&self.held, self.session.seen_model()) else {
+            return;
+        };
+        let within_s = held.patience.as_secs_f64().min(REACTION_S) + LINE_S;
+        if let Err(violation) = self
+            .policy
+            .check_jog(&model, &held.jog.command(), within_s)
+        {
+            let client = held.client;
+            self.let_go();
+            self.tell_refused(client, &violation.into());
+        }
+    }
+
+    /// Whether a client may move the arm by hand now.
+    pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
+        self.check_link()?;
+        self.check_lease(client)?;
+        self.check_stop()?;
+        self.check_not_detecting()?;
+        match &self.run {
+            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the whole way of a command is allowed.
+    pub(super) fn check_way(&self, command: &Command) -> Result<(), Refusal> {
+        self.session.check(command)?;
+        if let Some(model) = self.session.model() {
+            self.policy.check(model, command)?;
+        }
+        Ok(())
+    }
+}
+
+const fn released(jog: Jog) -> bool {
+    match jog {
+        Jog::Joint(it) => matches!(it.axis, JointJogAxis::Released),
+        Jog::Linear(it) => matches!(it.axis, LinearJogAxis::Released),
+    }
+}
+
+/// Whether the button has to be held: switches have not.
+fn moves(jog: Jog) -> bool {
+    match jog {
+        Jog::Joint(it) => it.axis.moves(),
+        Jog::Linear(it) => it.axis.moves(),
+    }
+}
+
+/// From one status to the next, by when this is looked at again.
+const REACTION_S: f64 = 0.08;
+/// A status and a packet on the line, and a bit.
+const LINE_S: f64 = 0.12;

@@ -1,0 +1,158 @@
+//! A job looked at from its beginning to its end, before anything moves.
+
+use std::sync::Arc;
+
+use dobot_arm::Position;
+use dobot_course::Model;
+use dobot_safety::{Policy, burns};
+use dobot_wire::{Command, Configuration};
+
+use crate::words::Refusal;
+
+/// A job whose whole way has been checked: where each command ends, and how long it takes.
+#[derive(Clone, Debug)]
+pub struct JobPlan {
+    commands: Arc<[Command]>,
+    steps: Arc<[Step]>,
+    burns: bool,
+    lift_mm: f32,
+}
+
+/// One command of a job.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// Where the tool is when it is over.
+    end: Position,
+    moves: bool,
+    /// How long it and all before it take, in seconds.
+    until_s: f64,
+}
+
+impl JobPlan {
+    /// Looks at every command of a job, from where the arm is.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::BadJob`] with the first command that is not allowed, and why.
+    pub fn new(
+        policy: &Policy,
+        mut model: Model,
+        commands: Vec<Command>,
+        lift_mm: f32,
+    ) -> Result<Self, Refusal> {
+        check_beginning(&commands)?;
+        let mut steps = Vec::with_capacity(commands.len());
+        let mut until_s = 0.0;
+        for (index, command) in commands.iter().enumerate() {
+            let bad = |why: String| Refusal::BadJob { index, why };
+            let course = policy
+                .check(&model, command)
+                .map_err(|violation| bad(violation.to_string()))?;
+            let takes_s = course
+                .duration_s()
+                .ok_or_else(|| bad("a jog goes on until it is released; a job may not hold one".into()))?;
+            model = model.after(command, &course);
+            until_s += takes_s;
+            steps.push(Step {
+                end: model.place.pose.position,
+                moves: course.moves(),
+                until_s,
+            });
+        }
+        Ok(Self {
+            burns: commands.iter().any(burns),
+            commands: commands.into(),
+            steps: steps.into(),
+            lift_mm,
+        })
+    }
+
+    /// How many commands there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.commands.len()
+    }
+
+    /// Whether there is nothing to do.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.commands.is_empty()
+    }
+
+    /// The commands.
+    #[must_use]
+    pub fn commands(&self) -> &[Command] {
+        &self.commands
+    }
+
+    /// Whether the laser burns somewhere.
+    #[must_use]
+    pub const fn burns(&self) -> bool {
+        self.burns
+    }
+
+    /// How far the tool is lifted in a pause, in millimetres.
+    #[must_use]
+    pub const fn lift_mm(&self) -> f32 {
+        self.lift_mm
+    }
+
+    /// Where the tool is when all before a command is over; `None` before the first motion.
+    #[must_use]
+    pub fn start(&self, index: usize) -> Option<Position> {
+        let before = &self.steps[..index.min(self.steps.len())];
+        let moved = before.iter().any(|it| it.moves);
+        before.last().filter(|_| moved).map(|it| it.end)
+    }
+
+    /// How long all of it takes, in seconds.
+    #[must_use]
+    pub fn planned_s(&self) -> f64 {
+        self.steps.last().map_or(0.0, |it| it.until_s)
+    }
+
+    /// How long all from a command on takes, in seconds.
+    #[must_use]
+    pub fn left_s(&self, index: usize) -> f64 {
+        let over = index.checked_sub(1).and_then(|it| self.steps.get(it));
+        self.planned_s() - over.map_or(0.0, |it| it.until_s)
+    }
+}
+
+/// What is relative needs to know where it begins, wherever the arm was before.
+fn check_beginning(commands: &[Command]) -> Result<(), Refusal> {
+    let calm = |it: &Command| {
+        matches!(
+            it,
+            Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::JointJog(_)
+        )
+    };
+    let first = commands.iter().position(|it| !calm(it));
+    let bad = |index, why: &str| {
+        Err(Refusal::BadJob {
+            index,
+            why: why.to_owned(),
+        })
+    };
+    match first.map(|index| (index, &commands[index])) {
+        None => bad(0, "nothing in it moves the arm"),
+        Some((_, Command::MoveTo(_) | Command::MoveJoints(_))) => no_references(commands),
+        Some((index, _)) => bad(
+            index,
+            "the first motion has to be a target (state 3 or 6), which says where the job begins",
+        ),
+    }
+}
+
+/// After new initial angles nobody knows where the arm is by the places before them.
+fn no_references(commands: &[Command]) -> Result<(), Refusal> {
+    let reference =
+        |it: &Command| matches!(it, Command::Configuration(Configuration::InitialAngles { .. }));
+    match commands.iter().position(reference) {
+        None => Ok(()),
+        Some(index) => Err(Refusal::BadJob {
+            index,
+            why: "initial angles are set by hand, not in a job".into(),
+        }),
+    }
+}

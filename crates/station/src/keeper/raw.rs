@@ -1,0 +1,56 @@
+//! Raw programs: they speak the arm's own protocol, and the station's rules hold for them too.
+
+use std::time::Duration;
+
+use dobot_wire::{Command, Packet};
+
+use super::Keeper;
+use crate::words::{ClientId, Jog, News, Refusal};
+
+impl Keeper {
+    /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the packet is not sent then, and all who watch are told.
+    pub fn handle_raw(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        packet: &Packet,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        let taken = self.take_raw(client, packet);
+        if let Err(refusal) = &taken {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        taken
+    }
+
+    fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        if self.lease.is_none() {
+            self.give_lease(client);
+        }
+        self.check_lease(client)?;
+        let command = self.session.parse(packet)?;
+        let patience_s = self.policy.jog.raw_dead_man_s;
+        match command {
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            command => {
+                // Another packet than that of the button means that it is not held any more.
+                self.let_go();
+                self.command(client, &command)
+            }
+        }
+        .map(|_| ())
+    }
+
+    /// Tells all who watch that something was refused.
+    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        let text = format!("refused to {}: {refusal}", self.name(client));
+        let kind = refusal.kind().to_owned();
+        self.tell(News::Refused { client, kind }, text);
+    }
+}

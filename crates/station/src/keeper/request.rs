@@ -1,0 +1,164 @@
+//! What clients ask for.
+
+use std::time::Duration;
+
+use dobot_wire::{Command, Dialect};
+
+use super::Keeper;
+use crate::words::{ClientId, LinkPhase, News, Refusal, Reply, Request};
+
+impl Keeper {
+    /// Takes a request. `None` when the answer takes its time: [`Keeper::poll_answer`] has it then.
+    ///
+    /// Jobs are kept and planned by the caller, since that may take long: he answers
+    /// [`Request::SubmitJob`], and turns [`Request::StartJob`] into [`Keeper::handle_start`].
+    pub fn handle_request(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        request: Request,
+    ) -> Option<Result<Reply, Refusal>> {
+        self.handle_time(now);
+        let answer = match self.check_role(client, &request) {
+            Err(refusal) => Some(Err(refusal)),
+            Ok(()) if matches!(request, Request::Detect) => self.detect(client),
+            Ok(()) => Some(self.obey(client, request)),
+        };
+        if let Some(Err(refusal)) = &answer {
+            self.tell_refused(client, refusal);
+            if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.has_lease(client) {
+                // What its client believes about the arm is wrong.
+                self.part_from_laser();
+            }
+        }
+        self.changed = true;
+        self.pump();
+        answer
+    }
+
+    fn check_role(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
+        let known = self.clients.get(&client);
+        let found = known.map_or(crate::words::Role::Watch, |it| it.role);
+        let needed = request.role();
+        if found < needed {
+            return Err(Refusal::Role { needed, found });
+        }
+        Ok(())
+    }
+
+    fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
+        match request {
+            Request::Command { command } => self.command(client, &command),
+            Request::Jog { jog } => self.jog(client, jog, self.policy.jog.dead_man_s),
+            Request::Release => {
+                self.check_lease(client)?;
+                self.let_go();
+                Ok(Reply::Done)
+            }
+            Request::Stop { reason } => Ok(self.stop(client, reason.map(|it| shortened(&it)))),
+            Request::ResetStop => self.reset_stop(client),
+            Request::TakeLease => self.take_lease(client),
+            Request::ReleaseLease => self.release_lease(client),
+            Request::AskLease => self.ask_lease(client),
+            Request::GrantLease { to } => self.grant_lease(client, to),
+            Request::SeizeLease => Ok(self.seize_lease(client)),
+            Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
+            Request::DisarmLaser => {
+                self.disarm_laser("a client asked for it");
+                Ok(Reply::Done)
+            }
+            Request::ConfirmPose => self.confirm_pose(client),
+            Request::SetDialect { dialect } => self.set_dialect(dialect),
+            Request::PauseJob => self.pause_job(client),
+            Request::CancelJob { job } => self.cancel_job(client, job),
+            Request::Detect | Request::SubmitJob { .. } | Request::StartJob { .. } => Err(
+                Refusal::Malformed("jobs and detections are not asked for this way".into()),
+            ),
+        }
+    }
+
+    /// Sends one command, if its whole way is allowed.
+    pub(super) fn command(
+        &mut self,
+        client: ClientId,
+        command: &Command,
+    ) -> Result<Reply, Refusal> {
+        if let Some(jog) = held_button(command) {
+            return self.jog(client, jog, self.policy.jog.dead_man_s);
+        }
+        self.check_may_move(client)?;
+        let waiting = self.session.waiting();
+        if waiting >= MOST_WAITING {
+            return Err(Refusal::TooMany {
+                waiting,
+                most: MOST_WAITING,
+            });
+        }
+        self.check_laser(command)?;
+        self.check_way(command)?;
+        let id = self.session.send(*command)?;
+        self.note_laser(command);
+        self.halt = None;
+        self.pending.insert(id, client);
+        Ok(Reply::Accepted {
+            command: id.0,
+            takes_s: Some(self.session.ahead_s()),
+        })
+    }
+
+    fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        self.check_lease(client)?;
+        self.check_link()?;
+        if !self.session.is_trusted() {
+            self.session.confirm_pose();
+            let text = format!("{} confirmed where the arm stands", self.name(client));
+            self.tell(News::PoseTrusted, text);
+        }
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
+        if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
+            return Err(Refusal::JobRunning(run.job()));
+        }
+        if self.session.dialect() != Some(&dialect) {
+            self.session.set_dialect(dialect);
+            self.tell(
+                News::DialectKnown { dialect },
+                format!("the arm speaks {dialect}"),
+            );
+        }
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn check_link(&self) -> Result<(), Refusal> {
+        if self.link.phase == LinkPhase::Up {
+            return Ok(());
+        }
+        let why = match (&self.link.problem, self.link.phase) {
+            (Some(problem), _) => problem.clone(),
+            (None, LinkPhase::Searching) => "no arm has been found yet".into(),
+            (None, _) => "the arm has not told anything yet".into(),
+        };
+        Err(Refusal::NoLink(why))
+    }
+}
+
+/// A button by which the arm moves has to be held, however it is pressed.
+fn held_button(command: &Command) -> Option<crate::words::Jog> {
+    use crate::words::Jog;
+    match command {
+        Command::JointJog(it) if it.axis.moves() => Some(Jog::Joint(*it)),
+        Command::LinearJog(it) if it.axis.moves() => Some(Jog::Linear(*it)),
+        _ => None,
+    }
+}
+
+fn shortened(reason: &str) -> String {
+    let printable = reason.chars().filter(|it| !it.is_control());
+    printable.take(REASON_LEN).collect()
+}
+
+/// A client that has so much waiting had better send a job.
+const MOST_WAITING: usize = 64;
+const REASON_LEN: usize = 200;

@@ -1,0 +1,363 @@
+//! The task that owns the arm's port: the keeper, its clock, its link, its journal, its recording.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_client::Link;
+use dobot_wire::Packet;
+use tokio::sync::{mpsc, oneshot};
+use tokio::time::Instant;
+
+use crate::connect::{Connecting, Source};
+use crate::handle::{Ears, Message};
+use crate::jobs::Jobs;
+use crate::keeper::{Effect, Keeper};
+use crate::recording::Recording;
+use crate::words::{ClientId, LinkPhase, Refusal, Reply, Request};
+use crate::{Handle, Snapshot};
+
+/// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
+#[derive(Debug)]
+pub(crate) struct Owner {
+    keeper: Keeper,
+    started: Instant,
+    ears: Ears,
+    source: Source,
+    link: Option<Link>,
+    /// What the connecting task tells, while there is no link.
+    connecting: Option<mpsc::Receiver<Connecting>>,
+    incoming: Vec<u8>,
+    jobs: Jobs,
+    /// What the journal has written.
+    written: mpsc::UnboundedReceiver<Written>,
+    to_journal: mpsc::UnboundedSender<Written>,
+    recording: Recording,
+    /// Answers that take their time.
+    waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
+    ending: Option<Instant>,
+}
+
+/// What came back from the disk.
+#[derive(Debug)]
+pub(crate) enum Written {
+    Given { job: u64, upto: usize },
+    Failed(String),
+}
+
+/// What the owner waits for.
+enum Happening {
+    Message(Option<Message>),
+    Link(Result<bool, dobot_client::LinkError>),
+    Connecting(Option<Connecting>),
+    Written(Option<Written>),
+    Time,
+}
+
+impl Owner {
+    pub(crate) fn new(
+        keeper: Keeper,
+        ears: Ears,
+        source: Source,
+        jobs: Jobs,
+        recording: Recording,
+        started: Instant,
+    ) -> Self {
+        let (to_journal, written) = mpsc::unbounded_channel();
+        Self {
+            keeper,
+            started,
+            ears,
+            source,
+            link: None,
+            connecting: None,
+            incoming: Vec::new(),
+            jobs,
+            written,
+            to_journal,
+            recording,
+            waiting: HashMap::new(),
+            ending: None,
+        }
+    }
+
+    /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
+    /// moment to come to its end.
+    pub(crate) async fn run(mut self) {
+        self.connect();
+        loop {
+            self.carry_out();
+            if self.is_over() {
+                break;
+            }
+            match self.happening().await {
+                Happening::Message(Some(message)) => self.handle(message),
+                Happening::Message(None) => self.end(),
+                Happening::Link(outcome) => self.hear(outcome),
+                Happening::Connecting(news) => self.follow(news),
+                Happening::Written(Some(written)) => self.note(written),
+                Happening::Written(None) | Happening::Time => {}
+            }
+            let now = self.now();
+            self.keeper.handle_time(now);
+        }
+        self.part().await;
+    }
+
+    fn now(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    async fn happening(&mut self) -> Happening {
+        let wakeup = self.wakeup();
+        let link = self.link.as_mut();
+        tokio::select! {
+            biased;
+            message = self.ears.messages.recv() => Happening::Message(message),
+            written = self.written.recv() => Happening::Written(written),
+            heard = receive(link, &mut self.incoming) => Happening::Link(heard),
+            news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
+            () = tokio::time::sleep_until(wakeup) => Happening::Time,
+        }
+    }
+
+    fn wakeup(&self) -> Instant {
+        let wanted = self.started.checked_add(self.keeper.poll_wakeup());
+        let latest = Instant::now() + LOOK_AT_LEAST;
+        wanted.map_or(latest, |it| it.min(latest))
+    }
+
+    /// Does what the keeper wants: packets first.
+    fn carry_out(&mut self) {
+        self.send();
+        self.relay();
+        while let Some(effect) = self.keeper.poll_effect() {
+            self.write(effect);
+        }
+        while let Some((client, answer)) = self.keeper.poll_answer() {
+            if let Some(reply) = self.waiting.remove(&client) {
+                // Whoever asked may have left.
+                let _ = reply.send(answer);
+            }
+        }
+        while let Some(notice) = self.keeper.poll_notice() {
+            let notice = Arc::new(notice);
+            self.recording.notice(self.now(), &notice);
+            self.jobs.note(&notice);
+            // Nobody may be watching.
+            let _ = self.ears.notices.send(notice);
+        }
+        if self.keeper.poll_changed() {
+            self.publish();
+        }
+    }
+
+    fn send(&mut self) {
+        while let Some(packet) = self.keeper.poll_bytes() {
+            let bytes = packet.to_bytes();
+            if let Some(link) = &mut self.link {
+                link.send(&bytes);
+                self.recording.to_arm(self.started.elapsed(), &bytes);
+            }
+        }
+    }
+
+    /// Passes the statuses on to raw programs, as permits.
+    fn relay(&mut self) {
+        while let Some(status) = self.keeper.poll_status() {
+            if self.keeper.permits_raw() {
+                // There may be no raw program.
+                let _ = self.ears.packets.send(Packet::from(status.emit()).to_bytes());
+            }
+        }
+    }
+
+    fn publish(&mut self) {
+        let state = self.keeper.state();
+        self.recording.state(self.now(), &state);
+        if let Ok(json) = serde_json::to_string(&state) {
+            self.ears.publish(Arc::new(Snapshot {
+                state,
+                json: json.into(),
+            }));
+        }
+    }
+
+    fn handle(&mut self, message: Message) {
+        let now = self.now();
+        match message {
+            Message::Came { name, role, reply } => {
+                let client = self.keeper.handle_client(now, &name, role);
+                if reply.send(client).is_err() {
+                    self.keeper.handle_left(now, client);
+                }
+            }
+            Message::Left(client) => {
+                self.waiting.remove(&client);
+                self.keeper.handle_left(now, client);
+            }
+            Message::Asked {
+                client,
+                request,
+                reply,
+            } => self.ask(client, request, reply),
+            Message::Raw {
+                client,
+                packet,
+                reply,
+            } => {
+                let taken = self.keeper.handle_raw(now, client, &packet);
+                // The program may have left.
+                let _ = reply.send(taken);
+            }
+            Message::Planned {
+                client,
+                begun,
+                reply,
+            } => {
+                let started = self.keeper.handle_start(now, client, *begun);
+                let _ = reply.send(started);
+            }
+            Message::End => self.end(),
+        }
+    }
+
+    fn ask(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        let now = self.now();
+        match request {
+            Request::SubmitJob { .. } | Request::StartJob { .. } | Request::CancelJob { .. }
+                if self.keeper.check_request(client, &request).is_ok()
+                    && !self.keeper.is_at_work(&request) =>
+            {
+                let model = self.keeper.planning_model();
+                self.jobs
+                    .handle(request, client, model, self.ears.own.clone(), reply);
+            }
+            request => match self.keeper.handle_request(now, client, request) {
+                // Whoever asked may have left.
+                Some(answer) => drop(reply.send(answer)),
+                None => {
+                    self.waiting.insert(client, reply);
+                }
+            },
+        }
+    }
+
+    fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
+        let now = self.now();
+        if !self.incoming.is_empty() {
+            self.recording.from_arm(now, &self.incoming);
+            self.keeper.handle_bytes(now, &self.incoming);
+            self.incoming.clear();
+        }
+        let problem = match outcome {
+            Ok(true) => return,
+            Ok(false) => "the other end closed the link".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        self.link = None;
+        let problem = format!("{problem}; the station looks for the arm again");
+        self.keeper
+            .handle_link_down(now, LinkPhase::Lost, Some(problem));
+        self.connect();
+    }
+
+    /// Looks for the arm, in a task of its own.
+    fn connect(&mut self) {
+        if self.ending.is_none() {
+            self.connecting = Some(self.source.connect());
+        }
+    }
+
+    fn follow(&mut self, news: Option<Connecting>) {
+        let now = self.now();
+        match news {
+            Some(Connecting::Up {
+                link,
+                address,
+                received,
+            }) => {
+                self.connecting = None;
+                self.link = Some(link);
+                self.keeper.handle_link_up(now, &address.to_string());
+                if let Some(dialect) = self.source.dialect_of(&address) {
+                    self.keeper.handle_known_dialect(dialect);
+                }
+                self.recording.link(now, &address);
+                if !received.is_empty() {
+                    self.keeper.handle_bytes(now, &received);
+                }
+            }
+            Some(Connecting::Waiting(problem)) => {
+                self.keeper
+                    .handle_link_down(now, LinkPhase::Searching, Some(problem));
+            }
+            None => self.connect(),
+        }
+    }
+
+    fn write(&mut self, effect: Effect) {
+        self.jobs.write(effect, self.to_journal.clone());
+    }
+
+    fn note(&mut self, written: Written) {
+        let now = self.now();
+        match written {
+            Written::Given { job, upto } => self.keeper.handle_given(now, job, upto),
+            Written::Failed(why) => self.keeper.handle_journal_failed(now, &why),
+        }
+    }
+
+    /// The station ends: no more of the job, laser off; what is under way gets a moment.
+    fn end(&mut self) {
+        if self.ending.is_none() {
+            self.ending = Some(Instant::now() + PATIENCE);
+            let now = self.now();
+            self.keeper.handle_end(now);
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.ending.is_some_and(|it| {
+            self.link.is_none() || self.keeper.is_at_rest() || it <= Instant::now()
+        })
+    }
+
+    async fn part(mut self) {
+        self.carry_out();
+        if let Some(link) = &mut self.link {
+            // A link that is broken takes nothing any more.
+            let _ = link.flush().await;
+        }
+        let at_rest = self.keeper.is_at_rest() || self.link.is_none();
+        self.jobs.end(at_rest).await;
+        self.recording.end();
+    }
+}
+
+async fn receive(
+    link: Option<&mut Link>,
+    incoming: &mut Vec<u8>,
+) -> Result<bool, dobot_client::LinkError> {
+    match link {
+        Some(link) => link.receive(Duration::MAX, incoming).await,
+        None => std::future::pending().await,
+    }
+}
+
+async fn listen(connecting: Option<&mut mpsc::Receiver<Connecting>>) -> Option<Connecting> {
+    match connecting {
+        Some(connecting) => connecting.recv().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Without anything to do the keeper is still looked at so often.
+const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
+/// So long the arm may take to come to rest when the station ends.
+const PATIENCE: Duration = Duration::from_secs(3);
