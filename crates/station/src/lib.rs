@@ -1,7 +1,13 @@
 //! The daemon that owns an arm's port and keeps people and arm safe.
 
+mod config;
+mod folders;
 mod handle;
+mod running;
 mod words;
 
+pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
+pub use folders::Folders;
 pub use handle::{Client, Handle, Snapshot};
+pub use running::{Running, RunningError};
 pub use words::*;

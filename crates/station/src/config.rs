@@ -1,0 +1,88 @@
+//! What a station is told when it starts.
+
+use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4};
+use std::path::PathBuf;
+
+use dobot_client::Address;
+use dobot_controller::Personality;
+use dobot_sim::Speed;
+use dobot_wire::Dialect;
+
+use crate::Folders;
+
+/// What a station is told when it starts.
+///
+/// ```
+/// use dobot_station::{Config, Folders};
+///
+/// let config = Config {
+///     arm: Some("serial:/dev/ttyUSB0".parse()?),
+///     ..Config::new(Folders::at("/srv/dobot"))
+/// };
+/// assert_eq!(config.http.to_string(), "127.0.0.1:8642");
+/// # Ok::<(), dobot_client::AddressError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// Where the arm is. When absent, the station takes the first arm that it finds, or a virtual
+    /// one when there is none.
+    pub arm: Option<Address>,
+    /// How a virtual arm behaves.
+    pub personality: Personality,
+    /// How fast time passes for a virtual arm.
+    pub speed: Speed,
+    /// What the arm understands. When absent, it is what was found out about this arm before; a
+    /// virtual arm speaks as its personality does, and any other one is undecided.
+    pub dialect: Option<Dialect>,
+    /// The file of the safety policy; the default policy when absent.
+    pub policy: Option<PathBuf>,
+    /// Where the station keeps what it has to remember.
+    pub folders: Folders,
+    /// Where page and API are served; port 0 takes a free one.
+    pub http: SocketAddr,
+    /// Where raw packets are served over TCP, if they are; port 0 takes a free one.
+    pub raw: Option<SocketAddr>,
+    /// Where a symbolic link to a virtual serial port with raw packets is made, if one is.
+    pub pty: Option<PathBuf>,
+    /// Certificate and key of the page and the API. When absent, they are served without TLS on
+    /// loopback, and with a certificate that the station makes for itself elsewhere.
+    pub tls: Option<TlsFiles>,
+}
+
+/// A certificate and its key, as PEM files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TlsFiles {
+    /// The chain of certificates, the server's own first.
+    pub certificate: PathBuf,
+    /// The private key.
+    pub key: PathBuf,
+}
+
+/// Where page and API are served unless told otherwise.
+pub const DEFAULT_HTTP: SocketAddr = loopback(8642);
+
+/// Where raw packets are served unless told otherwise: where the vendor's bridge was.
+pub const DEFAULT_RAW: SocketAddr = loopback(5555);
+
+impl Config {
+    /// Any arm, page and raw port on loopback, the default policy.
+    #[must_use]
+    pub fn new(folders: Folders) -> Self {
+        Self {
+            arm: None,
+            personality: Personality::default(),
+            speed: Speed::REAL,
+            dialect: None,
+            policy: None,
+            folders,
+            http: DEFAULT_HTTP,
+            raw: Some(DEFAULT_RAW),
+            pty: None,
+            tls: None,
+        }
+    }
+}
+
+const fn loopback(port: u16) -> SocketAddr {
+    SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, port))
+}
