@@ -40,6 +40,17 @@ pub struct Dialect {
     pub loses_pose_on_the_spot: bool,
     /// How high a JUMP lifts until it is told otherwise, in millimetres (note N11).
     pub default_jump_height_mm: f32,
+    /// A JUMP lifts by its height at either end, and all joints go together on each of its three
+    /// ways, instead of across above the higher end (notes N11 and N45).
+    pub jumps_by_joints: bool,
+    /// The tool keeps its direction along a MOVL and turns at the end, instead of evenly along the
+    /// line (notes N12 and N46).
+    pub turns_after_line: bool,
+    /// State 4 in laser mode: the height is held, the laser stays as it was set, and vectors
+    /// without it accelerate a hundredfold, instead of moving as in writing mode (note N48).
+    pub has_rapid_laser_mode: bool,
+    /// State 10: float 5 scales all jogs, instead of nothing (note N15).
+    pub scales_jogs: bool,
 }
 
 impl Dialect {
@@ -58,6 +69,10 @@ impl Dialect {
         uses_default_pause: true,
         loses_pose_on_the_spot: false,
         default_jump_height_mm: 20.0,
+        jumps_by_joints: false,
+        turns_after_line: false,
+        has_rapid_laser_mode: false,
+        scales_jogs: true,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -74,6 +89,10 @@ impl Dialect {
         uses_default_pause: false,
         loses_pose_on_the_spot: true,
         default_jump_height_mm: 10.0,
+        jumps_by_joints: true,
+        turns_after_line: true,
+        has_rapid_laser_mode: true,
+        scales_jogs: false,
     };
 
     /// All dialects that have a name.
