@@ -1,12 +1,54 @@
 //! Where a command leads the arm: the motion model that client, safety and controller share.
+//!
+//! A [`Model`] is what is believed of an arm. It says where a [`Command`](dobot_wire::Command) leads
+//! from there, as a [`Course`], and what is to be believed when the command is over. Nothing here
+//! moves or waits: a course is a pure function of the time in seconds since the command began.
+//!
+//! What differs between arms are fields of [`Dialect`](dobot_wire::Dialect). The motions are those
+//! of the room `motion`; a stock arm, which goes tick by tick, is up to a tick of 20 ms for each
+//! motion later, and on the way up to a tick's travel apart.
+//!
+//! ```
+//! use dobot_course::Model;
+//! use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status};
+//!
+//! let status = Status {
+//!     x_mm: 215.07, y_mm: 0.0, z_mm: 135.0, rotation_deg: 0.0,
+//!     base_deg: 0.0, rear_deg: 0.0, fore_deg: 0.0, servo_deg: 0.0,
+//!     suction: false, gripper_deg: 0.0,
+//! };
+//! let model = Model::new(Dialect::SPECIFICATION, &status);
+//! let down = Command::from(MoveTo {
+//!     x_mm: 215.07, y_mm: 0.0, z_mm: 35.0, rotation_deg: 0.0, suction: true,
+//!     mode: MovingMode::MovL, gripper_deg: 0.0, pause_s: 0.5,
+//! });
+//! let course = model.course(&down)?;
+//! // 100 mm at 50 mm/s with ramps of half a second, and the pause.
+//! assert!((course.duration_s().unwrap() - 3.0).abs() < 1e-9);
+//! let half_way = course.place_at(1.25)?;
+//! assert!((half_way.pose.position.z.0 - 85.0).abs() < 1e-9);
+//! assert!(model.after(&down, &course).suction);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![no_std]
 
-/// Joint angles and the pose that they lead to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Joint angles.
-    pub joints: dobot_arm::Joints,
-    /// The pose.
-    pub pose: dobot_arm::Pose,
-}
+mod button;
+mod course;
+mod error;
+mod follow;
+mod jog;
+mod lifts;
+mod model;
+mod place;
+mod plan;
+mod settings;
+mod way;
+
+pub use button::{Button, JogAxis};
+pub use course::Course;
+pub use error::{CourseError, LONGEST_S};
+pub use jog::JogCourse;
+pub use model::Model;
+pub use place::Place;
+pub use settings::Settings;

@@ -1,0 +1,128 @@
+//! Where a command leads.
+
+use dobot_arm::{Tool, Unreachable};
+
+use crate::error::LONGEST_S;
+use crate::way::Way;
+use crate::{CourseError, JogCourse, Place};
+
+/// Where a command leads: the whole way, as a pure function of the time since it began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Course {
+    pub(crate) way: Way,
+    pub(crate) from: Place,
+    pub(crate) tool: Tool,
+    /// Where the way ends, as well as it can be told.
+    pub(crate) to: Place,
+    pub(crate) pause_s: f64,
+    pub(crate) burns: bool,
+    /// Whether it begins where the model says, and goes as planned.
+    pub(crate) is_exact: bool,
+    /// Whether it ends where it says.
+    pub(crate) knows_end: bool,
+    /// With what speed a vector ends, in mm/s.
+    pub(crate) end_speed_mm_s: Option<f64>,
+}
+
+impl Course {
+    /// How long motion and pause take, in seconds; `None` for a jog, which goes on until told
+    /// otherwise.
+    #[must_use]
+    pub fn duration_s(&self) -> Option<f64> {
+        self.motion_s().map(|it| it + self.pause_s)
+    }
+
+    /// How long the motion takes, in seconds; `None` for a jog.
+    #[must_use]
+    pub const fn motion_s(&self) -> Option<f64> {
+        self.way.duration_s()
+    }
+
+    /// How long the arm waits behind the motion, in seconds.
+    #[must_use]
+    pub const fn pause_s(&self) -> f64 {
+        self.pause_s
+    }
+
+    /// Where the arm is at a time since the command began: before 0 at the start, behind the motion
+    /// at the end. Limits are not looked at: [`Course::check`] does that.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where a way leads through a place in which the arm cannot be at all.
+    pub fn place_at(&self, t_s: f64) -> Result<Place, Unreachable> {
+        self.way.place_at(t_s, self.tool).unwrap_or(Ok(self.from))
+    }
+
+    /// Where the command ends. `None` where that cannot be told: of a jog and its release, of a step
+    /// from a place that is not known itself, and where a stock arm smooths what it follows (notes
+    /// N49 and N9); [`Course::place_at`] the end is the best guess then.
+    #[must_use]
+    pub fn end(&self) -> Option<Place> {
+        self.knows_end.then_some(self.to)
+    }
+
+    /// Whether the way is known, not only guessed: it begins where the arm is known to stand, and
+    /// the arm does not smooth it.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+
+    /// Whether something moves on the way.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.motion_s() != Some(0.0)
+    }
+
+    /// Whether the laser burns on the way.
+    #[must_use]
+    pub const fn laser(&self) -> bool {
+        self.burns
+    }
+
+    /// The jog that it is.
+    #[must_use]
+    pub const fn jog(&self) -> Option<JogCourse> {
+        match self.way {
+            Way::Jog(jog) => Some(jog),
+            _ => None,
+        }
+    }
+
+    /// Whether the whole way stays within the limits of a stock arm (note N30) and takes no longer
+    /// than [`LONGEST_S`]. An arm that stands outside of the limits may come back in. A jog is not
+    /// looked along: it has no end.
+    ///
+    /// # Errors
+    ///
+    /// [`CourseError::TooSlow`], or [`CourseError::Unreachable`] with the first limit on the way.
+    pub fn check(&self) -> Result<(), CourseError> {
+        let Some(duration_s) = self.motion_s() else {
+            return Ok(());
+        };
+        if duration_s > LONGEST_S {
+            return Err(CourseError::TooSlow { found: duration_s });
+        }
+        let samples = libm::ceil(duration_s / SAMPLING_S).max(1.0);
+        let mut inside = self.from.check().is_ok();
+        let mut index = 0.0;
+        while index <= samples {
+            let t_s = duration_s * (index / samples);
+            match self
+                .way
+                .place_at(t_s, self.tool)
+                .map(|it| it.and_then(|place| place.check()))
+            {
+                Some(Ok(())) => inside = true,
+                Some(Err(error)) if inside || index == samples => return Err(error.into()),
+                Some(Err(_)) | None => {}
+            }
+            index += 1.0;
+        }
+        Ok(())
+    }
+}
+
+/// As often as this a way is checked against the limits: once a control tick.
+const SAMPLING_S: f64 = 0.02;

@@ -1,0 +1,137 @@
+//! Jogging: one axis moves while a button is held (Tables 3.5 and 2.5).
+
+use dobot_arm::{Degrees, Joints, Millimeters, Tool, Unreachable};
+use dobot_motion::{PlanError, Ramp};
+
+use crate::{JogAxis, Model, Place, Settings};
+
+/// One axis on the move, until told otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JogCourse {
+    axis: JogAxis,
+    from: Place,
+    tool: Tool,
+    from_gripper_deg: f64,
+    ramp: Ramp,
+    acceleration: f64,
+    target: f64,
+}
+
+impl JogCourse {
+    /// Starts from where the arm is, with the speed that the axis has (degrees/s or mm/s), towards
+    /// a share of the axis's speed, -1 to 1.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where the axis has no acceleration or a number is not finite.
+    pub fn start(model: &Model, axis: JogAxis, share: f64, speed: f64) -> Result<Self, PlanError> {
+        let (max, acceleration) = axis.speeds(&model.settings);
+        let target = max * share * model.settings.teach_percent / 100.0;
+        Ok(Self {
+            axis,
+            from: model.place,
+            tool: model.tool,
+            from_gripper_deg: model.gripper_deg,
+            ramp: Ramp::new(speed, target, acceleration)?,
+            acceleration,
+            target,
+        })
+    }
+
+    /// Comes to rest from the speed that it has after `t_s`, where the arm is then by the model.
+    ///
+    /// # Errors
+    ///
+    /// As of [`JogCourse::start`].
+    pub fn release(&self, model: &Model, t_s: f64) -> Result<Self, PlanError> {
+        Ok(Self {
+            from: model.place,
+            from_gripper_deg: model.gripper_deg,
+            ramp: Ramp::to_rest(self.ramp.speed_at(t_s), self.acceleration)?,
+            target: 0.0,
+            ..*self
+        })
+    }
+
+    /// What moves.
+    #[must_use]
+    pub const fn axis(&self) -> JogAxis {
+        self.axis
+    }
+
+    /// The speed aimed at in degrees/s or mm/s; its sign is the direction.
+    #[must_use]
+    pub const fn target_speed(&self) -> f64 {
+        self.target
+    }
+
+    /// The acceleration in degrees/s2 or mm/s2, above 0.
+    #[must_use]
+    pub const fn acceleration(&self) -> f64 {
+        self.acceleration
+    }
+
+    /// The speed after a time, in degrees/s or mm/s.
+    #[must_use]
+    pub fn speed_at(&self, t_s: f64) -> f64 {
+        self.ramp.speed_at(t_s)
+    }
+
+    /// How long the change to the speed aimed at takes, in seconds.
+    #[must_use]
+    pub const fn change_s(&self) -> f64 {
+        self.ramp.change_s()
+    }
+
+    /// The gripper's angle in degrees after a time.
+    #[must_use]
+    pub fn gripper_deg_at(&self, t_s: f64) -> f64 {
+        match self.axis {
+            JogAxis::Gripper => self.from_gripper_deg + self.ramp.distance_at(t_s),
+            _ => self.from_gripper_deg,
+        }
+    }
+
+    /// Where the arm is after a time, were it not for limits.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where the arm cannot be at all.
+    pub fn place_at(&self, t_s: f64) -> Result<Place, Unreachable> {
+        let by = self.ramp.distance_at(t_s);
+        let joints = |change: fn(&mut Joints) -> &mut Degrees| {
+            let mut joints = self.from.joints;
+            *change(&mut joints) += Degrees(by);
+            Ok(Place::at_joints(joints, self.tool))
+        };
+        let line = |x: f64, y: f64, z: f64| {
+            let mut pose = self.from.pose;
+            pose.position.x += Millimeters(x * by);
+            pose.position.y += Millimeters(y * by);
+            pose.position.z += Millimeters(z * by);
+            Place::at_pose(pose, self.tool)
+        };
+        match self.axis {
+            JogAxis::Base => joints(|it| &mut it.base),
+            JogAxis::Rear => joints(|it| &mut it.rear),
+            JogAxis::Fore => joints(|it| &mut it.fore),
+            JogAxis::Servo => joints(|it| &mut it.servo),
+            JogAxis::X => line(1.0, 0.0, 0.0),
+            JogAxis::Y => line(0.0, 1.0, 0.0),
+            JogAxis::Z => line(0.0, 0.0, 1.0),
+            JogAxis::Gripper => Ok(self.from),
+        }
+    }
+}
+
+impl JogAxis {
+    /// Speed and acceleration at 100 %, in degrees or millimetres.
+    const fn speeds(self, settings: &Settings) -> (f64, f64) {
+        let teach = &settings.teach;
+        match self {
+            Self::Base | Self::Rear | Self::Fore => (teach.joint_deg_s, teach.joint_deg_s2),
+            Self::Servo | Self::Gripper => (teach.servo_deg_s, teach.servo_deg_s2),
+            Self::X | Self::Y | Self::Z => (teach.line_mm_s, teach.line_mm_s2),
+        }
+    }
+}

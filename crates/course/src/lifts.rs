@@ -1,0 +1,60 @@
+//! The JUMP of stock arms: up, across and down, each with all joints together (note N45).
+
+use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
+use dobot_motion::{JointMove, Speeds};
+
+use crate::{CourseError, Place};
+
+/// Lifts by a height where it stands, goes to that height above the target, and down.
+///
+/// ```text
+///          _ - - _ to + height        each way from rest to rest, all joints together:
+///  from + _       |                   none of the three is a straight line
+///  height |       * to
+///    from *
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lifts {
+    ways: [JointMove; 3],
+}
+
+impl Lifts {
+    /// Plans the three ways. A stock arm leaves out one whose end is out of reach; here that is an
+    /// error, because the tool would then go straight across.
+    pub(crate) fn new(
+        from: Place,
+        to: Pose,
+        end: Joints,
+        height: Millimeters,
+        speeds: &Speeds,
+        tool: Tool,
+    ) -> Result<Self, CourseError> {
+        let above = |mut pose: Pose| {
+            pose.position.z += height;
+            Limits::STOCK.solve(&pose, tool)
+        };
+        let corners = [from.joints, above(from.pose)?, above(to)?, end];
+        let way = |index: usize| JointMove::new(corners[index], corners[index + 1], speeds);
+        Ok(Self {
+            ways: [way(0)?, way(1)?, way(2)?],
+        })
+    }
+
+    pub(crate) fn joints_at(&self, t_s: f64) -> Joints {
+        let [up, across, down] = &self.ways;
+        let across_s = t_s - up.duration_s();
+        let down_s = across_s - across.duration_s();
+        if across_s < 0.0 {
+            up.joints_at(t_s)
+        } else if down_s < 0.0 {
+            across.joints_at(across_s)
+        } else {
+            down.joints_at(down_s)
+        }
+    }
+
+    pub(crate) const fn duration_s(&self) -> f64 {
+        let [up, across, down] = &self.ways;
+        up.duration_s() + across.duration_s() + down.duration_s()
+    }
+}

@@ -1,0 +1,239 @@
+//! What is believed of an arm.
+
+use dobot_arm::{Joints, Tool, forward};
+use dobot_wire::{
+    Command, Configuration, Dialect, EndEffector, Status, Voice, VoiceOrder, WriteMode, WriteVector,
+};
+
+use crate::plan::plan;
+use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
+
+/// What is believed of an arm: where it is and what it was told, before or after a command.
+///
+/// ```
+/// # use dobot_arm::{Joints, Tool};
+/// # use dobot_course::{Model, Place};
+/// # use dobot_wire::{Command, Dialect, WriteMode, WriteVector};
+/// let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+/// let model = Model::standing(Dialect::SPECIFICATION, here);
+/// let vector = Command::from(WriteVector {
+///     mode: WriteMode::Writing, x_mm: 0.0, y_mm: 20.0, z_mm: 0.0, laser: false,
+///     start_speed_mm_s: 0.0, end_speed_mm_s: 0.0, max_speed_mm_s: 40.0, stop: false,
+/// });
+/// let course = model.course(&vector)?;
+/// // 8 mm speeding up to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
+/// assert!((course.duration_s().unwrap() - 0.9).abs() < 1e-9);
+/// let after = model.after(&vector, &course);
+/// assert!((after.place.pose.position.y.0 - 20.0).abs() < 1e-9);
+/// # Ok::<(), dobot_course::CourseError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "two switches of the arm, and two things that are known or not"
+)]
+pub struct Model {
+    /// Where the arm is.
+    pub place: Place,
+    /// What is mounted.
+    pub tool: Tool,
+    /// Whether the pump runs.
+    pub suction: bool,
+    /// Whether the laser is on.
+    pub laser: bool,
+    /// The gripper's angle in degrees.
+    pub gripper_deg: f64,
+    /// What configuration has told.
+    pub settings: Settings,
+    /// How the arm understands commands.
+    pub dialect: Dialect,
+    /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
+    pub(crate) knows_place: bool,
+    /// The end speed of the last write vector in mm/s, with which the next one starts where the
+    /// dialect does not use its start speed (note N5).
+    pub(crate) write_speed_mm_s: f64,
+    /// The jog that goes on.
+    pub(crate) jog: Option<JogCourse>,
+    /// Whether the last command was a mouse move or a gesture, with which the next one is averaged.
+    pub(crate) follows: bool,
+}
+
+impl Model {
+    /// An arm that tells a status and has been configured by nobody: stock settings, and the suction
+    /// cup unless the status is that of a laser.
+    #[must_use]
+    pub fn new(dialect: Dialect, status: &Status) -> Self {
+        let mut model = Self::standing(dialect, Place::of_status(status));
+        model.seen(status);
+        model
+    }
+
+    /// An arm that stands at a place and has been configured by nobody: stock settings, suction cup.
+    #[must_use]
+    pub fn standing(dialect: Dialect, place: Place) -> Self {
+        Self {
+            place,
+            tool: Tool::SuctionCup,
+            suction: false,
+            laser: false,
+            gripper_deg: 0.0,
+            settings: Settings::stock(&dialect),
+            dialect,
+            knows_place: true,
+            write_speed_mm_s: 0.0,
+            jog: None,
+            follows: false,
+        }
+    }
+
+    /// Takes over place, pump and gripper from the status of an arm at rest, and the tool where its
+    /// reach shows that it is another one.
+    pub fn seen(&mut self, status: &Status) {
+        self.place = Place::of_status(status);
+        self.tool = tool_of(&self.place, self.tool);
+        self.suction = status.suction;
+        self.gripper_deg = status.gripper_deg.into();
+        self.knows_place = true;
+        self.jog = None;
+    }
+
+    /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
+    /// [`seen`](Model::seen) at rest.
+    #[must_use]
+    pub const fn knows_place(&self) -> bool {
+        self.knows_place
+    }
+
+    /// Where a command leads from here.
+    ///
+    /// # Errors
+    ///
+    /// [`CourseError`] where a value breaks its table, its end is out of reach or beyond the limits
+    /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
+    pub fn course(&self, command: &Command) -> Result<Course, CourseError> {
+        Command::parse(&command.emit(&self.dialect), &self.dialect)
+            .map_err(CourseError::Invalid)?;
+        let course = plan(self, command)?;
+        if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
+            // Its end is beyond a limit; the text tells where the way leaves it.
+            course.check()?;
+        }
+        Ok(course)
+    }
+
+    /// The model in the moment in which a command begins: what acts at once has acted (settings,
+    /// switches), what comes behind the motion has not.
+    #[must_use]
+    pub fn begun(&self, command: &Command) -> Self {
+        let mut model = *self;
+        model.follows = matches!(command, Command::MouseMove(_) | Command::Gesture(_));
+        match command {
+            Command::MoveTo(_) | Command::MoveJoints(_) => {}
+            Command::WriteVector(it) => model.laser = model.laser_during(it),
+            Command::MouseMove(it) => model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings),
+            Command::Gesture(it) => model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture),
+            Command::Voice(it) => model.suction = model.suction_after(it),
+            Command::JointJog(_) | Command::LinearJog(_) => model.press(command),
+            Command::Configuration(it) => model.configure(it),
+            Command::PlaybackAdjustment(it) => {
+                let dialect = model.dialect;
+                model.settings.adjust(it, &dialect);
+            }
+        }
+        model
+    }
+
+    /// The model when the command is over.
+    #[must_use]
+    pub fn after(&self, command: &Command, course: &Course) -> Self {
+        let mut model = self.begun(command);
+        model.place = course.to;
+        model.knows_place = course.knows_end;
+        model.jog = course.jog();
+        model.write_speed_mm_s = course.end_speed_mm_s.unwrap_or(model.write_speed_mm_s);
+        match command {
+            Command::MoveTo(it) => model.set_tool(it.suction, it.gripper_deg),
+            Command::MoveJoints(it) => model.set_tool(it.suction, it.gripper_deg),
+            // Behind the last vector the laser goes off, unless the dialect leaves it (note N36).
+            Command::WriteVector(_) if !model.dialect.has_rapid_laser_mode => model.laser = false,
+            _ => {}
+        }
+        model
+    }
+
+    /// Whether the laser burns during a vector.
+    pub(crate) const fn laser_during(&self, vector: &WriteVector) -> bool {
+        if vector.stop {
+            return self.dialect.has_rapid_laser_mode
+                && matches!(vector.mode, WriteMode::Laser)
+                && vector.laser;
+        }
+        match vector.mode {
+            WriteMode::Laser => vector.laser,
+            WriteMode::Writing => self.dialect.has_rapid_laser_mode && self.laser,
+        }
+    }
+
+    fn suction_after(&self, voice: &Voice) -> bool {
+        match VoiceOrder::parse(voice) {
+            Some(VoiceOrder::Catch) => true,
+            Some(VoiceOrder::Release) => false,
+            _ => self.suction,
+        }
+    }
+
+    fn set_tool(&mut self, suction: bool, gripper_deg: f32) {
+        self.suction = suction;
+        self.gripper_deg = gripper_deg.into();
+    }
+
+    fn follow(&mut self, grab: bool, acceleration_deg_s2: f64, smooths: fn(&Dialect) -> bool) {
+        self.suction = grab;
+        if smooths(&self.dialect) {
+            self.settings.overwrite_joints(acceleration_deg_s2);
+        }
+    }
+
+    fn press(&mut self, command: &Command) {
+        match Button::of(command) {
+            Some(Button::Suction(on)) => self.suction = on,
+            Some(Button::Laser(on)) => self.laser = on,
+            _ => {}
+        }
+    }
+
+    fn configure(&mut self, configuration: &Configuration) {
+        self.settings.configure(configuration);
+        if let Configuration::EndEffector { tool } = configuration {
+            self.tool = tool_named(*tool);
+        }
+    }
+}
+
+/// The tool of a status that was told under a name.
+pub(crate) const fn tool_named(tool: EndEffector) -> Tool {
+    match tool {
+        EndEffector::SuctionCup => Tool::SuctionCup,
+        EndEffector::Gripper => Tool::Gripper,
+        EndEffector::Laser => Tool::Laser,
+    }
+}
+
+/// The tool by which position and angles of a status belong together.
+fn tool_of(place: &Place, believed: Tool) -> Tool {
+    let reach_mm = |joints: &Joints, tool| forward(joints, tool).position.reach().0;
+    let told_mm = place.pose.position.reach().0;
+    let off_mm = |tool| (reach_mm(&place.joints, tool) - told_mm).abs();
+    if off_mm(believed) <= SAME_REACH_MM {
+        return believed;
+    }
+    [Tool::SuctionCup, Tool::Laser]
+        .into_iter()
+        .find(|&tool| off_mm(tool) <= SAME_REACH_MM)
+        .unwrap_or(believed)
+}
+
+/// Position and angles of a status agree to 0.01 mm (note N22).
+const SAME_REACH_MM: f64 = 0.05;
+const MOUSE_DEG_S2: f64 = 100.0;
+const GESTURE_DEG_S2: f64 = 500.0;

@@ -1,0 +1,303 @@
+//! From a command to its course: pure, nothing has moved yet.
+
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable};
+use dobot_motion::{JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
+use dobot_wire::{
+    Command, Configuration, Gesture, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
+    WriteVector,
+};
+
+use crate::follow::{gestured, moused};
+use crate::lifts::Lifts;
+use crate::model::tool_named;
+use crate::place::position;
+use crate::way::Way;
+use crate::{Button, Course, CourseError, JogCourse, Model, Place};
+
+/// Plans a command from where the arm is.
+pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseError> {
+    match command {
+        Command::MoveTo(it) => {
+            let target = Target::Pose(Pose {
+                position: position(it.x_mm, it.y_mm, it.z_mm),
+                rotation: Degrees(it.rotation_deg.into()),
+            });
+            Ok(target
+                .course(model, it.mode)?
+                .pausing(pause_s(it.pause_s, model)))
+        }
+        Command::MoveJoints(it) => {
+            let [base, rear, fore, servo] =
+                [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg].map(f64::from);
+            let target = Target::Joints(Joints::new(base, rear, fore, servo));
+            Ok(target
+                .course(model, it.mode)?
+                .pausing(pause_s(it.pause_s, model)))
+        }
+        Command::WriteVector(it) if it.stop => Ok(still(model)),
+        Command::WriteVector(it) => write(it, model),
+        Command::MouseMove(it) => mouse(it, model),
+        Command::Gesture(it) => gesture(it, model),
+        Command::Voice(it) => spoken(it, model),
+        Command::JointJog(_) | Command::LinearJog(_) => pressed(command, model),
+        Command::Configuration(it) => configured(it, model),
+        Command::PlaybackAdjustment(_) => Ok(still(model)),
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Target {
+    Pose(Pose),
+    Joints(Joints),
+}
+
+impl Target {
+    /// The place of the target. One given as joint angles says more than its pose.
+    fn place(self, model: &Model) -> Result<Place, Unreachable> {
+        match self {
+            Self::Pose(pose) => Limits::STOCK
+                .solve(&pose, model.tool)
+                .map(|joints| Place { joints, pose }),
+            Self::Joints(joints) => {
+                Limits::STOCK.check(&joints, model.tool)?;
+                Ok(Place::at_joints(joints, model.tool))
+            }
+        }
+    }
+
+    fn course(self, model: &Model, mode: MovingMode) -> Result<Course, CourseError> {
+        let to = self.place(model)?;
+        let speeds = model.settings.move_speeds();
+        let height = model.settings.jump_height;
+        let from = model.place;
+        let way = match mode {
+            MovingMode::Jump if model.dialect.jumps_by_joints => Way::Lifts(Lifts::new(
+                from, to.pose, to.joints, height, &speeds, model.tool,
+            )?),
+            MovingMode::Jump => Way::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
+            MovingMode::MovL => line(model, to.pose)?,
+            MovingMode::MovJ => Way::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
+        };
+        Ok(Course {
+            // It says itself where it ends, from wherever.
+            knows_end: true,
+            ..moving(way, to, model)
+        })
+    }
+}
+
+/// A straight line, and how the tool turns on it.
+fn line(model: &Model, to: Pose) -> Result<Way, CourseError> {
+    let from = model.place.pose;
+    let length_mm = from.position.distance(to.position).0;
+    if model.dialect.loses_pose_on_the_spot && model.knows_place && length_mm < ON_THE_SPOT_MM {
+        return Err(CourseError::OnTheSpot);
+    }
+    let held = Pose {
+        rotation: if model.dialect.turns_after_line {
+            from.rotation
+        } else {
+            to.rotation
+        },
+        ..to
+    };
+    let line = LineMove::new(from, held, &model.settings.move_speeds())?;
+    Ok(Way::Line(line, to.rotation))
+}
+
+fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
+    let from = model.place.pose;
+    let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
+    if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
+        return Err(CourseError::OnTheSpot);
+    }
+    let stroke = Stroke::new(from.position, by, &stroke_speeds(vector, model)?)?;
+    let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
+    let way = Way::Stroke {
+        stroke,
+        rotation: from.rotation,
+        held_z: is_flat.then_some(from.position.z),
+    };
+    let course = relative(way, model)?;
+    Ok(Course {
+        burns: model.laser_during(vector),
+        end_speed_mm_s: Some(stroke.end_speed()),
+        ..course
+    })
+}
+
+/// Speeds above the largest count as the largest (note N5).
+fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, CourseError> {
+    let max_mm_s = f64::from(vector.max_speed_mm_s);
+    let start_mm_s = if model.dialect.uses_start_speed {
+        vector.start_speed_mm_s.into()
+    } else {
+        model.write_speed_mm_s
+    };
+    let mut acceleration_mm_s2 = model.settings.write_acceleration_mm_s2;
+    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
+    if model.dialect.has_rapid_laser_mode && is_rapid {
+        acceleration_mm_s2 *= RAPID_FACTOR;
+        // Less than half of what a tick changes the speed by, and no tick is planned for it.
+        let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
+        if max_mm_s < least_mm_s {
+            return Err(CourseError::SlowRapid {
+                found: max_mm_s,
+                least: least_mm_s,
+            });
+        }
+    }
+    Ok(StrokeSpeeds {
+        start_mm_s: f64::min(start_mm_s, max_mm_s),
+        end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
+        max_mm_s,
+        acceleration_mm_s2,
+    })
+}
+
+/// By a mouse increment: that much of Y, X and Z by the document (note N9).
+fn mouse(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
+    if model.dialect.mouse_swings {
+        return moused(by, model);
+    }
+    let from = model.place.pose;
+    let to = Pose {
+        position: from.position + position(by.x, by.y, by.z),
+        rotation: Degrees(by.rotation_deg.into()),
+    };
+    relative(
+        Way::Line(
+            LineMove::new(from, to, &model.settings.move_speeds())?,
+            to.rotation,
+        ),
+        model,
+    )
+}
+
+/// To where the hand is, with the rotation kept (note N18).
+fn gesture(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
+    if model.dialect.scales_gesture {
+        return gestured(hand, model);
+    }
+    straight(position(hand.x, hand.y, hand.z), model)
+}
+
+fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
+    match VoiceOrder::parse(voice).ok_or(CourseError::NotUnderstood)? {
+        VoiceOrder::Catch | VoiceOrder::Release => Ok(still(model)),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
+            let from = model.place.pose.position;
+            straight(from + position(x_mm, y_mm, z_mm), model)
+        }
+    }
+}
+
+fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
+    let from = model.place.pose;
+    let to = Pose {
+        position: to,
+        ..from
+    };
+    let line = LineMove::new(from, to, &model.settings.move_speeds())?;
+    relative(Way::Line(line, to.rotation), model)
+}
+
+/// A button pressed; while an arm jogs it goes on from the speed that it has.
+fn pressed(command: &Command, model: &Model) -> Result<Course, CourseError> {
+    let speed = |axis| match &model.jog {
+        Some(jog) if jog.axis() == axis => jog.target_speed(),
+        _ => 0.0,
+    };
+    let way = match Button::of(command) {
+        Some(Button::Held { axis, share }) => {
+            Way::Jog(JogCourse::start(model, axis, share, speed(axis))?)
+        }
+        Some(Button::Released) => match &model.jog {
+            Some(jog) => Way::RunDown(jog.release(model, f64::MAX)?),
+            None => Way::Still,
+        },
+        _ => Way::Still,
+    };
+    let goes_on = matches!(way, Way::Jog(_) | Way::RunDown(_));
+    let course = moving(way, model.place, model);
+    Ok(Course {
+        knows_end: course.knows_end && !goes_on,
+        burns: model.begun(command).laser && goes_on,
+        ..course
+    })
+}
+
+fn configured(configuration: &Configuration, model: &Model) -> Result<Course, CourseError> {
+    let joints = model.place.joints;
+    let to = match *configuration {
+        Configuration::InitialAngles { rear_deg, fore_deg } => {
+            let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
+            let place = Place::at_joints(told, model.tool);
+            place.check()?;
+            return Ok(Course {
+                knows_end: true,
+                ..moving(Way::Still, place, model)
+            });
+        }
+        Configuration::EndEffector { tool } => Place::at_joints(joints, tool_named(tool)),
+        _ => model.place,
+    };
+    Ok(moving(Way::Still, to, model))
+}
+
+/// A target without a pause of its own takes the default one, where there is one (note N10).
+fn pause_s(pause_s: f32, model: &Model) -> f64 {
+    if pause_s > 0.0 || !model.dialect.uses_default_pause {
+        pause_s.into()
+    } else {
+        model.settings.default_pause_s
+    }
+}
+
+fn still(model: &Model) -> Course {
+    moving(Way::Still, model.place, model)
+}
+
+/// A way by so much from wherever the arm is.
+fn relative(way: Way, model: &Model) -> Result<Course, CourseError> {
+    let to = way
+        .place_at(f64::MAX, model.tool)
+        .unwrap_or(Ok(model.place));
+    Ok(match to {
+        Ok(to) => moving(way, to, model),
+        Err(error) => {
+            // The arm cannot be there at all: where the way leaves the limits says more.
+            moving(way, model.place, model).check()?;
+            return Err(error.into());
+        }
+    })
+}
+
+pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Course {
+    Course {
+        way,
+        from: model.place,
+        tool: model.tool,
+        to,
+        pause_s: 0.0,
+        burns: model.laser && way != Way::Still,
+        is_exact: model.knows_place,
+        knows_end: model.knows_place,
+        end_speed_mm_s: None,
+    }
+}
+
+impl Course {
+    fn pausing(self, pause_s: f64) -> Self {
+        Self { pause_s, ..self }
+    }
+}
+
+/// A status says where the arm is to that much.
+const ON_THE_SPOT_MM: f64 = 0.001;
+/// A vector of that length or less is none (note N16).
+const NO_LENGTH_MM: f64 = 0.0001;
+/// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
+const RAPID_FACTOR: f64 = 100.0;
+/// Half a control tick of 20 ms.
+const HALF_A_TICK_S: f64 = 0.01;
