@@ -1,29 +1,91 @@
 //! How the rest of the station talks to the one who owns the arm.
 
-use std::sync::Arc;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
 
+use axum::extract::ws::Utf8Bytes;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
-use crate::words::{ClientId, Notice, Refusal, Reply, Request, Role, State};
+use crate::words::{ClientId, JobView, Notice, Refusal, Reply, Request, Role, State};
 
 /// How the rest of the station talks to the [`Owner`](crate::Owner) of the arm; clones share it.
 #[derive(Clone, Debug)]
 pub struct Handle {
     pub(crate) messages: mpsc::Sender<Message>,
     pub(crate) states: watch::Receiver<Arc<Snapshot>>,
+    pub(crate) every: broadcast::Sender<Arc<Snapshot>>,
     pub(crate) notices: broadcast::Sender<Arc<Notice>>,
+    pub(crate) recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     pub(crate) packets: broadcast::Sender<[u8; 42]>,
+    pub(crate) rules: Arc<Rules>,
+}
+
+/// The other end of all [`Handle`]s: what the owner of the arm hears, and where it tells.
+#[derive(Debug)]
+pub(crate) struct Ends {
+    /// What clients ask.
+    pub(crate) messages: mpsc::Receiver<Message>,
+    states: watch::Sender<Arc<Snapshot>>,
+    every: broadcast::Sender<Arc<Snapshot>>,
+    notices: broadcast::Sender<Arc<Notice>>,
+    recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
+    packets: broadcast::Sender<[u8; 42]>,
+}
+
+/// What holds as long as the station runs.
+#[derive(Debug)]
+pub(crate) struct Rules {
+    /// The policy as JSON.
+    pub(crate) policy: serde_json::Value,
+    /// How long a jog button stays pressed without being said again, in seconds.
+    pub(crate) dead_man_s: f64,
 }
 
 /// A state, and its JSON, written once for all who watch.
 #[derive(Debug)]
 pub struct Snapshot {
-    /// The state.
-    pub state: State,
-    /// The state as JSON.
-    pub json: Arc<str>,
+    state: State,
+    /// `{"state":...}`, as it goes out to those who watch.
+    message: Utf8Bytes,
 }
+
+impl Snapshot {
+    /// Writes the JSON of a state.
+    ///
+    /// # Panics
+    ///
+    /// Never: a state is made of structures with text keys, which JSON can always hold.
+    #[must_use]
+    pub fn new(state: State) -> Self {
+        let json = serde_json::to_string(&state).expect("structures with text keys are JSON");
+        Self {
+            state,
+            message: format!("{BEFORE}{json}{AFTER}").into(),
+        }
+    }
+
+    /// The state.
+    #[must_use]
+    pub const fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The state as JSON.
+    #[must_use]
+    pub fn json(&self) -> &str {
+        let message = self.message.as_str();
+        &message[BEFORE.len()..message.len() - AFTER.len()]
+    }
+
+    /// The message to those who watch; a clone shares its bytes.
+    pub(crate) fn message(&self) -> Utf8Bytes {
+        self.message.clone()
+    }
+}
+
+const BEFORE: &str = "{\"state\":";
+const AFTER: &str = "}";
 
 /// A client of the station; it leaves when this is dropped, and its lease ends with it.
 #[derive(Debug)]
@@ -56,11 +118,79 @@ pub(crate) enum Message {
         packet: Packet,
         reply: oneshot::Sender<Result<(), Refusal>>,
     },
+    /// Somebody wants to know all jobs, the oldest first.
+    Jobs(oneshot::Sender<Vec<JobView>>),
+    /// A client behaves badly, in one line: those who watch are to know.
+    Trouble(String),
     /// End: laser off, and no more.
     End,
 }
 
+impl Ends {
+    /// Tells a new state.
+    pub(crate) fn tell(&self, state: State) {
+        let snapshot = Arc::new(Snapshot::new(state));
+        self.states.send_replace(snapshot.clone());
+        // Nobody may be watching.
+        let _ = self.every.send(snapshot);
+    }
+
+    /// Tells what happened.
+    pub(crate) fn announce(&self, notice: Notice) {
+        let notice = Arc::new(notice);
+        let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        if recent.len() == RECENT {
+            recent.pop_front();
+        }
+        recent.push_back(notice.clone());
+        drop(recent);
+        // Nobody may be watching.
+        let _ = self.notices.send(notice);
+    }
+
+    /// Passes on a status packet of the arm to raw programs.
+    pub(crate) fn pass_on(&self, packet: [u8; 42]) {
+        // There may be no raw program.
+        let _ = self.packets.send(packet);
+    }
+}
+
+/// How many messages may wait for the owner.
+const MESSAGES: usize = 1024;
+/// How many states a client may lag behind before it loses some.
+const STATES: usize = 256;
+/// How many notices a client may lag behind before it loses some.
+const NOTICES: usize = 1024;
+/// How many packets a raw program may lag behind before it loses some.
+const PACKETS: usize = 256;
+/// How many notices are kept for those who ask later.
+const RECENT: usize = 200;
+
 impl Handle {
+    /// A handle, and its other end for the owner of the arm.
+    pub(crate) fn new(first: State, rules: Rules) -> (Self, Ends) {
+        let (asking, messages) = mpsc::channel(MESSAGES);
+        let (telling, states) = watch::channel(Arc::new(Snapshot::new(first)));
+        let handle = Self {
+            messages: asking,
+            states,
+            every: broadcast::Sender::new(STATES),
+            notices: broadcast::Sender::new(NOTICES),
+            recent: Arc::default(),
+            packets: broadcast::Sender::new(PACKETS),
+            rules: Arc::new(rules),
+        };
+        let ends = Ends {
+            messages,
+            states: telling,
+            every: handle.every.clone(),
+            notices: handle.notices.clone(),
+            recent: handle.recent.clone(),
+            packets: handle.packets.clone(),
+        };
+        (handle, ends)
+    }
+
     /// Makes a client known under a name, with what it may do.
     ///
     /// # Errors
@@ -84,10 +214,41 @@ impl Handle {
         self.states.borrow().clone()
     }
 
-    /// The state, whenever it changes: with each status of the arm, and with each event.
+    /// The state, whenever it changes: with each status of the arm, and with each event. Who looks
+    /// late sees the newest one only.
     #[must_use]
     pub fn states(&self) -> watch::Receiver<Arc<Snapshot>> {
         self.states.clone()
+    }
+
+    /// Every single state from now on.
+    #[must_use]
+    pub fn every_state(&self) -> broadcast::Receiver<Arc<Snapshot>> {
+        self.every.subscribe()
+    }
+
+    /// What happened lately, the oldest first.
+    #[must_use]
+    pub fn recent(&self) -> Vec<Arc<Notice>> {
+        let recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        recent.iter().cloned().collect()
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        self.send(Message::Jobs(reply)).await?;
+        answer.await.map_err(|_| Refusal::Ending)
+    }
+
+    /// Lets those who watch know that a client behaves badly.
+    pub(crate) async fn trouble(&self, text: String) {
+        // Without an owner nobody is there to know.
+        let _ = self.send(Message::Trouble(text)).await;
     }
 
     /// What happens, from now on.
@@ -139,6 +300,12 @@ impl Client {
     ///
     /// [`Refusal`]; nothing has changed then.
     pub async fn request(&self, request: Request) -> Result<Reply, Refusal> {
+        let answer = self.ask(request).await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// Hands over a request; its answer comes later, and the next one may be handed over before.
+    pub(crate) async fn ask(&self, request: Request) -> Result<Answer, Refusal> {
         let (reply, answer) = oneshot::channel();
         let client = self.id;
         self.handle
@@ -148,7 +315,7 @@ impl Client {
                 reply,
             })
             .await?;
-        answer.await.map_err(|_| Refusal::Ending)?
+        Ok(answer)
     }
 
     /// Passes on a packet of a raw program, which speaks the arm's own protocol. The first one
@@ -170,6 +337,9 @@ impl Client {
         answer.await.map_err(|_| Refusal::Ending)?
     }
 }
+
+/// The answer to a request, when it comes; it never comes from a station that ends.
+pub(crate) type Answer = oneshot::Receiver<Result<Reply, Refusal>>;
 
 impl Drop for Client {
     fn drop(&mut self) {
