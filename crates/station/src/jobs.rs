@@ -1,0 +1,381 @@
+//! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use dobot_course::Model;
+use dobot_journal::{Job, JobId, JobState, Journal, JournalError, Window};
+use dobot_safety::Policy;
+use tokio::sync::{mpsc, oneshot};
+
+use crate::handle::Message;
+use crate::keeper::{Begun, Effect, JobPlan};
+use crate::owner::Written;
+use crate::words::{ClientId, JobKind, JobPhase, JobView, NewJob, Refusal, Reply};
+
+/// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
+/// that owns the arm.
+#[derive(Clone, Debug)]
+pub(crate) struct Jobs {
+    journal: Arc<Journal>,
+    policy: Arc<Policy>,
+    /// Planned times, in seconds, of the jobs that were looked at since the start.
+    planned_s: Arc<Mutex<HashMap<u64, f64>>>,
+    orders: mpsc::UnboundedSender<Order>,
+}
+
+/// What is written in its turn.
+#[derive(Debug)]
+enum Order {
+    Write(Effect, mpsc::UnboundedSender<Written>),
+    /// The last one: the station ends, and the arm is at rest or not.
+    End {
+        at_rest: bool,
+        done: oneshot::Sender<()>,
+    },
+}
+
+impl Jobs {
+    /// The jobs of a journal.
+    pub(crate) fn new(journal: Journal, policy: Arc<Policy>) -> Self {
+        let journal = Arc::new(journal);
+        let (orders, waiting) = mpsc::unbounded_channel();
+        let writer = journal.clone();
+        std::thread::spawn(move || write_all(&writer, waiting));
+        Self {
+            journal,
+            policy,
+            planned_s: Arc::default(),
+            orders,
+        }
+    }
+
+    /// The job that was at work when the station ended without saying so.
+    pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
+        let jobs = self.journal.jobs()?;
+        Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
+    }
+
+    /// Looks at a job again, and gives what the keeper needs of it.
+    pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
+        let commands = self.journal.commands(job.id).map_err(journal_refusal)?;
+        let lift_mm = job.lift_mm.unwrap_or(0.0);
+        let plan = JobPlan::new(&self.policy, model, commands, lift_mm)?;
+        self.note_planned(job.id.0, plan.planned_s());
+        Ok(Begun {
+            job: job.id.0,
+            title: job.title.clone(),
+            kind: of_journal(job.kind),
+            plan,
+            completed: job.window.completed,
+        })
+    }
+
+    /// Plans and keeps a new job.
+    pub(crate) fn submit(
+        self,
+        job: NewJob,
+        model: Model,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            let view = self.keep(job, model, now_ms);
+            // Whoever asked may have left; the job is kept all the same.
+            let _ = reply.send(view.map(|job| Reply::Job { job }));
+        });
+    }
+
+    /// Plans a job that is to be started, and hands it to the owner of the arm.
+    pub(crate) fn plan(
+        self,
+        job: u64,
+        model: Model,
+        client: ClientId,
+        owner: mpsc::Sender<Message>,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || match self.startable(job, model) {
+            Err(refusal) => {
+                // Whoever asked may have left.
+                let _ = reply.send(Err(refusal));
+            }
+            Ok(begun) => {
+                let begun = Box::new(begun);
+                // An owner that ends drops the message, and with it the reply.
+                let _ = owner.blocking_send(Message::Planned {
+                    client,
+                    begun,
+                    reply,
+                });
+            }
+        });
+    }
+
+    /// Ends a job that the arm is not at.
+    pub(crate) fn cancel(
+        self,
+        job: u64,
+        by: String,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            // Whoever asked may have left.
+            let _ = reply.send(self.end_waiting(job, &by));
+        });
+    }
+
+    /// All jobs, the oldest first; that of the keeper as it is now.
+    pub(crate) fn list(self, current: Option<JobView>, reply: oneshot::Sender<Vec<JobView>>) {
+        tokio::task::spawn_blocking(move || {
+            let jobs = self.journal.jobs().unwrap_or_default();
+            let view = |job: &Job| match &current {
+                Some(current) if current.job == job.id.0 => current.clone(),
+                _ => self.view(job),
+            };
+            // Whoever asked may have left.
+            let _ = reply.send(jobs.iter().map(view).collect());
+        });
+    }
+
+    /// Writes what the keeper wants to be kept, in order.
+    pub(crate) fn write(&self, effect: Effect, written: mpsc::UnboundedSender<Written>) {
+        // The writer ends only after this sender.
+        let _ = self.orders.send(Order::Write(effect, written));
+    }
+
+    /// Waits until all is written; a station that ends with its arm at rest ends well.
+    pub(crate) async fn end(&self, at_rest: bool) {
+        let (done, waiting) = oneshot::channel();
+        if self.orders.send(Order::End { at_rest, done }).is_ok() {
+            // The writer is there until it has answered.
+            let _ = waiting.await;
+        }
+    }
+
+    fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<JobView, Refusal> {
+        check_new(&job)?;
+        let dialect = model.dialect;
+        let plan = JobPlan::new(&self.policy, model, job.commands, job.lift_mm)?;
+        let id = self
+            .journal
+            .submit(&dobot_journal::NewJob {
+                title: job.title,
+                kind: to_journal(job.kind),
+                dialect,
+                lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+                created_ms: now_ms,
+                commands: plan.commands().to_vec(),
+            })
+            .map_err(journal_refusal)?;
+        self.note_planned(id.0, plan.planned_s());
+        // The history may be longer than wanted until the next time.
+        let _ = self.journal.keep_last(HISTORY);
+        let job = self.journal.job(id).map_err(journal_refusal)?;
+        Ok(self.view(&job))
+    }
+
+    fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
+        let job = self.find(job)?;
+        if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
+            return Err(Refusal::JobPhase {
+                job: job.id.0,
+                found: phase(&job.state),
+                allowed: "queued or paused",
+            });
+        }
+        if job.dialect != model.dialect {
+            return Err(Refusal::CannotResume(format!(
+                "it was made for an arm that speaks {}, and this one speaks {}",
+                job.dialect, model.dialect
+            )));
+        }
+        self.begun(&job, model)
+    }
+
+    fn end_waiting(&self, job: u64, by: &str) -> Result<Reply, Refusal> {
+        let job = self.find(job)?;
+        if job.state.is_over() {
+            return Err(Refusal::JobPhase {
+                job: job.id.0,
+                found: phase(&job.state),
+                allowed: "queued, running or paused",
+            });
+        }
+        let reason = format!("ended by {by}");
+        self.journal
+            .set_state(job.id, &JobState::Stopped { reason })
+            .map_err(journal_refusal)?;
+        let job = self.find(job.id.0)?;
+        Ok(Reply::Job {
+            job: self.view(&job),
+        })
+    }
+
+    fn find(&self, job: u64) -> Result<Job, Refusal> {
+        match self.journal.job(JobId(job)) {
+            Err(JournalError::NoSuchJob { .. }) => Err(Refusal::NoSuchJob(job)),
+            found => found.map_err(journal_refusal),
+        }
+    }
+
+    fn view(&self, job: &Job) -> JobView {
+        let planned = self.planned_s.lock();
+        let planned = planned.unwrap_or_else(PoisonError::into_inner);
+        let planned_s = planned.get(&job.id.0).copied();
+        JobView {
+            job: job.id.0,
+            title: job.title.clone(),
+            kind: of_journal(job.kind),
+            phase: phase(&job.state),
+            reason: reason(&job.state),
+            commands: job.commands,
+            completed: job.window.completed,
+            planned_s,
+            left_s: planned_s.filter(|_| job.window.completed == 0),
+        }
+    }
+
+    fn note_planned(&self, job: u64, planned_s: f64) {
+        let planned = self.planned_s.lock();
+        let mut planned = planned.unwrap_or_else(PoisonError::into_inner);
+        planned.insert(job, planned_s);
+    }
+}
+
+fn check_new(job: &NewJob) -> Result<(), Refusal> {
+    let title = job.title.chars().count();
+    if title == 0 || title > TITLE_LEN {
+        return Err(Refusal::Malformed(format!(
+            "title has {title} characters; allowed are 1 to {TITLE_LEN}"
+        )));
+    }
+    if !(0.0..=LIFT_MM).contains(&job.lift_mm) {
+        return Err(Refusal::OutOfRange {
+            name: "lift_mm",
+            found: job.lift_mm.into(),
+            allowed: format!("0 to {LIFT_MM} mm"),
+        });
+    }
+    Ok(())
+}
+
+/// Writes in a thread of its own: the disk takes its time.
+fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
+    while let Some(order) = orders.blocking_recv() {
+        match order {
+            Order::Write(effect, written) => {
+                let outcome = match write(journal, &effect) {
+                    Err(error) => Some(Written::Failed(error.to_string())),
+                    Ok(()) => given(&effect),
+                };
+                if let Some(outcome) = outcome {
+                    // An owner that has ended wants to know nothing more.
+                    let _ = written.send(outcome);
+                }
+            }
+            Order::End { at_rest, done } => {
+                if at_rest {
+                    // A journal that cannot be written says so at the next start.
+                    let _ = journal.note_clean_shutdown();
+                }
+                let _ = done.send(());
+                return;
+            }
+        }
+    }
+}
+
+fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
+    match effect {
+        Effect::Give {
+            job,
+            completed,
+            upto,
+            start,
+        } => journal.give(
+            JobId(*job),
+            &Window {
+                completed: *completed,
+                upto: *upto,
+                start: *start,
+            },
+        ),
+        Effect::Phase {
+            job,
+            phase,
+            reason,
+            window,
+        } => {
+            if let Some(window) = window {
+                journal.give(JobId(*job), window)?;
+            }
+            journal.set_state(JobId(*job), &state(*phase, reason.clone()))
+        }
+    }
+}
+
+const fn given(effect: &Effect) -> Option<Written> {
+    match effect {
+        Effect::Give { job, upto, .. } => Some(Written::Given {
+            job: *job,
+            upto: *upto,
+        }),
+        Effect::Phase { .. } => None,
+    }
+}
+
+fn journal_refusal(error: JournalError) -> Refusal {
+    Refusal::Journal(error.to_string())
+}
+
+const fn phase(state: &JobState) -> JobPhase {
+    match state {
+        JobState::Queued => JobPhase::Queued,
+        JobState::Running => JobPhase::Running,
+        JobState::Paused { .. } => JobPhase::Paused,
+        JobState::Stopped { .. } => JobPhase::Stopped,
+        JobState::Done => JobPhase::Done,
+        JobState::Failed { .. } => JobPhase::Failed,
+    }
+}
+
+fn state(phase: JobPhase, reason: Option<String>) -> JobState {
+    let reason = reason.unwrap_or_default();
+    match phase {
+        JobPhase::Queued => JobState::Queued,
+        JobPhase::Running => JobState::Running,
+        JobPhase::Paused => JobState::Paused { reason },
+        JobPhase::Stopped => JobState::Stopped { reason },
+        JobPhase::Done => JobState::Done,
+        JobPhase::Failed => JobState::Failed { reason },
+    }
+}
+
+fn reason(state: &JobState) -> Option<String> {
+    match state {
+        JobState::Paused { reason }
+        | JobState::Stopped { reason }
+        | JobState::Failed { reason } => Some(reason.clone()),
+        JobState::Queued | JobState::Running | JobState::Done => None,
+    }
+}
+
+const fn of_journal(kind: dobot_journal::JobKind) -> JobKind {
+    match kind {
+        dobot_journal::JobKind::Drawing => JobKind::Drawing,
+        dobot_journal::JobKind::Program => JobKind::Program,
+    }
+}
+
+const fn to_journal(kind: JobKind) -> dobot_journal::JobKind {
+    match kind {
+        JobKind::Drawing => dobot_journal::JobKind::Drawing,
+        JobKind::Program => dobot_journal::JobKind::Program,
+    }
+}
+
+/// So many jobs that are over are kept.
+const HISTORY: usize = 100;
+const TITLE_LEN: usize = 200;
+const LIFT_MM: f32 = 100.0;
