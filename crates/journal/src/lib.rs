@@ -1,1 +1,43 @@
 //! The journal of jobs: what has to survive a crash and a power cut.
+//!
+//! A job is a drawing or a program: commands for the arm, with what becomes of them. The protocol
+//! has no acknowledgement, so the journal writes down what *may* have been done before it is done:
+//! no command may be sent before [`Journal::give`] has put it into the job's [`Window`] for good.
+//! After a crash the commands of the window are the doubtful ones.
+//!
+//! ```
+//! use dobot_journal::{JobKind, JobState, Journal, NewJob, Window};
+//! use dobot_wire::{Configuration, Dialect};
+//!
+//! let journal = Journal::in_memory()?;
+//! let id = journal.submit(&NewJob {
+//!     title: "a line".into(),
+//!     kind: JobKind::Drawing,
+//!     dialect: Dialect::FIRMWARE_1_1,
+//!     lift_mm: None,
+//!     created_ms: 1_700_000_000_000,
+//!     commands: vec![Configuration::Writing { acceleration_mm_s2: 100.0 }.into()],
+//! })?;
+//!
+//! journal.set_state(id, &JobState::Running)?;
+//! let first = Window { completed: 0, upto: 1, start: None };
+//! journal.give(id, &first)?;
+//! // From here on the command may be sent; a program that is started after a crash finds:
+//! assert_eq!(journal.progress(id)?, first);
+//! # Ok::<(), dobot_journal::JournalError>(())
+//! ```
+
+mod error;
+mod job;
+mod journal;
+mod rows;
+mod state;
+mod store;
+mod window;
+
+pub use error::JournalError;
+pub use job::{Job, JobId, JobKind, NewJob};
+pub use journal::Journal;
+pub use redb::StorageBackend;
+pub use state::JobState;
+pub use window::Window;

@@ -1,0 +1,66 @@
+//! What a durable window costs: `cargo bench -p dobot-journal`.
+
+use divan::Bencher;
+use dobot_journal::{JobId, JobKind, JobState, Journal, NewJob, Window};
+use dobot_wire::{Command, Configuration, Dialect, Status};
+
+fn main() {
+    divan::main();
+}
+
+/// One window given, on the disk when it returns.
+#[divan::bench(args = [100, 50_000])]
+fn give_one_window(bencher: Bencher<'_, '_>, commands: usize) {
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let journal = Journal::open(&folder.path().join("journal.redb")).expect("a new journal");
+    let id = running_job(&journal, commands);
+    let window = Window {
+        completed: 0,
+        upto: 32,
+        start: Some(START),
+    };
+    bencher.bench_local(|| journal.give(id, divan::black_box(&window)));
+}
+
+/// A large drawing taken.
+#[divan::bench]
+fn submit_50_000_commands(bencher: Bencher<'_, '_>) {
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let journal = Journal::open(&folder.path().join("journal.redb")).expect("a new journal");
+    let job = job(50_000);
+    bencher.bench_local(|| journal.submit(divan::black_box(&job)));
+}
+
+fn running_job(journal: &Journal, commands: usize) -> JobId {
+    let id = journal.submit(&job(commands)).expect("a job");
+    let running = journal.set_state(id, &JobState::Running);
+    running.expect("a job that runs");
+    id
+}
+
+fn job(commands: usize) -> NewJob {
+    let command = Command::from(Configuration::Writing {
+        acceleration_mm_s2: 100.0,
+    });
+    NewJob {
+        title: "bench".into(),
+        kind: JobKind::Drawing,
+        dialect: Dialect::FIRMWARE_1_1,
+        lift_mm: Some(5.0),
+        created_ms: 0,
+        commands: vec![command; commands],
+    }
+}
+
+const START: Status = Status {
+    x_mm: 200.0,
+    y_mm: 0.0,
+    z_mm: 50.0,
+    rotation_deg: 0.0,
+    base_deg: 0.0,
+    rear_deg: 10.0,
+    fore_deg: 30.0,
+    servo_deg: 0.0,
+    suction: false,
+    gripper_deg: 0.0,
+};

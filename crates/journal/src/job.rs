@@ -1,0 +1,70 @@
+//! A job: a drawing or a program, with what becomes of it.
+
+use std::fmt;
+
+use dobot_wire::{Command, Dialect};
+use serde::{Deserialize, Serialize};
+
+use crate::{JobState, Window};
+
+/// The number of a job in its journal. It is never used again, not even after the job is removed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JobId(pub u64);
+
+impl fmt::Display for JobId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// What a job is made from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum JobKind {
+    /// A picture, as vectors.
+    Drawing,
+    /// A program of targets (playback).
+    Program,
+}
+
+/// A job to be put into the journal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewJob {
+    /// What people call it.
+    pub title: String,
+    /// What it is made from.
+    pub kind: JobKind,
+    /// How the arm reads its packets.
+    pub dialect: Dialect,
+    /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
+    /// where it is not lifted.
+    pub lift_mm: Option<f32>,
+    /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
+    pub created_ms: i64,
+    /// What the arm is to do, in order.
+    pub commands: Vec<Command>,
+}
+
+/// A job in the journal, without its commands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// Its number.
+    pub id: JobId,
+    /// What people call it.
+    pub title: String,
+    /// What it is made from.
+    pub kind: JobKind,
+    /// How the arm reads its packets.
+    pub dialect: Dialect,
+    /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
+    /// where it is not lifted.
+    pub lift_mm: Option<f32>,
+    /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
+    pub created_ms: i64,
+    /// How many commands it has.
+    pub commands: usize,
+    /// What became of it.
+    pub state: JobState,
+    /// How far it has come.
+    pub window: Window,
+}

@@ -1,0 +1,330 @@
+//! The journal of jobs.
+
+use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use dobot_wire::Command;
+use redb::{ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
+
+use crate::rows::{self, JobRow, WindowRow};
+use crate::store::{
+    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
+};
+use crate::{Job, JobId, JobState, JournalError, NewJob, Window};
+
+/// Jobs that survive a crash and a power cut, in one file.
+///
+/// What a method has acknowledged with `Ok` is on the disk, whole; what it has not is there as a
+/// whole or not at all. Each change waits for the disk: some milliseconds.
+///
+/// After an error the next call opens the file anew, so the journal works again as soon as its
+/// storage does. Where the storage lets it read, jobs can still be read.
+#[derive(Debug)]
+pub struct Journal {
+    store: Mutex<Store>,
+    was_clean: bool,
+}
+
+impl Journal {
+    /// Opens the journal in a file, or makes it where there is none; its folder must exist.
+    ///
+    /// A journal that a crash has left behind is repaired. From now on it counts as not clean,
+    /// until [`Journal::note_clean_shutdown`].
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where the file is something else, damaged, or open in another program;
+    /// nothing in it is changed then.
+    pub fn open(path: &Path) -> Result<Self, JournalError> {
+        Self::with_store(Store::open(path)?)
+    }
+
+    /// A journal that is forgotten with the program.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where there is no memory for it.
+    pub fn in_memory() -> Result<Self, JournalError> {
+        Self::with_store(Store::in_memory()?)
+    }
+
+    /// A journal on other storage than a file: what disks do wrong can be tried with it.
+    ///
+    /// `storage` hands the storage out, and again after it has failed.
+    ///
+    /// # Errors
+    ///
+    /// As [`Journal::open`].
+    pub fn with_backend<B: StorageBackend>(
+        storage: impl Fn() -> B + Send + Sync + 'static,
+    ) -> Result<Self, JournalError> {
+        Self::with_store(Store::with_backend(storage)?)
+    }
+
+    /// Whether the program that had it open before has called [`Journal::note_clean_shutdown`] as
+    /// its last word. A new journal is clean.
+    #[must_use]
+    pub const fn was_clean(&self) -> bool {
+        self.was_clean
+    }
+
+    /// Says that nothing is left to be put right: the arm rests, the laser is off.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where the storage fails.
+    pub fn note_clean_shutdown(&self) -> Result<(), JournalError> {
+        self.store().write(|change| note_clean(change, true))
+    }
+
+    /// Takes a job, which is queued.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where a command or the lift makes no sense, or the storage fails.
+    pub fn submit(&self, job: &NewJob) -> Result<JobId, JournalError> {
+        let row = JobRow::new(job)?.to_bytes();
+        let packets = rows::packets(job)?;
+        let mut store = self.store();
+        let id = store.read(|look| fact(look, NEXT_JOB_FACT))?;
+        store.write(|change| {
+            change.open_table(FACTS)?.insert(NEXT_JOB_FACT, id + 1)?;
+            change
+                .open_table(COMMANDS)?
+                .insert(id, packets.as_slice())?;
+            change.open_table(JOBS)?.insert(id, row.as_slice())?;
+            Ok(())
+        })?;
+        Ok(JobId(id))
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where the storage fails or a row makes no sense.
+    pub fn jobs(&self) -> Result<Vec<Job>, JournalError> {
+        self.store().jobs()
+    }
+
+    /// One job.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], or the storage fails.
+    pub fn job(&self, id: JobId) -> Result<Job, JournalError> {
+        self.store().job(id)
+    }
+
+    /// What a job is to do.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], or the storage fails.
+    pub fn commands(&self, id: JobId) -> Result<Vec<Command>, JournalError> {
+        let mut store = self.store();
+        let row = store.row(id)?;
+        let commands = store.read(|look| {
+            let table = look.open_table(COMMANDS)?;
+            let packets = table.get(id.0)?;
+            Ok(rows::commands(
+                packets.as_ref().map_or(&[][..], |it| it.value()),
+                &row,
+            ))
+        })?;
+        commands.map_err(|found| store.damaged(found))
+    }
+
+    /// How far a job has come.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], or the storage fails.
+    pub fn progress(&self, id: JobId) -> Result<Window, JournalError> {
+        self.job(id).map(|job| job.window)
+    }
+
+    /// Allows commands to be given to the arm: **only after this returned `Ok` may a command
+    /// before `window.upto` be sent.**
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where the job does not run, the window leaves it or goes back behind what
+    /// is done, or the storage fails. Nothing may be sent then that was not given before.
+    pub fn give(&self, id: JobId, window: &Window) -> Result<(), JournalError> {
+        let start = rows::start_bytes(id, window.start.as_ref())?;
+        let mut store = self.store();
+        check_window(&store.job(id)?, window)?;
+        let row = (
+            window.completed as u64,
+            window.upto as u64,
+            start.as_slice(),
+        );
+        store.write(|change| {
+            change.open_table(WINDOWS)?.insert(id.0, row)?;
+            Ok(())
+        })
+    }
+
+    /// Says what became of a job.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], or the storage fails.
+    pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
+        let mut store = self.store();
+        let mut row = store.row(id)?;
+        row.state = state.clone();
+        let row = row.to_bytes();
+        store.write(|change| {
+            change.open_table(JOBS)?.insert(id.0, row.as_slice())?;
+            Ok(())
+        })
+    }
+
+    /// Forgets a job that is over, or that has not begun.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], [`JournalError::Unfinished`], or the storage fails.
+    pub fn remove(&self, id: JobId) -> Result<(), JournalError> {
+        let mut store = self.store();
+        let state = store.row(id)?.state;
+        if state.is_under_way() {
+            return Err(JournalError::Unfinished { job: id, state });
+        }
+        store.write(|change| forget(change, &[id]))
+    }
+
+    /// Forgets the oldest jobs that are over until `most` of them are left, and tells how many it
+    /// forgot. Jobs that are not over stay.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`] where the storage fails.
+    pub fn keep_last(&self, most: usize) -> Result<usize, JournalError> {
+        let mut store = self.store();
+        let jobs = store.jobs()?;
+        let over = jobs.iter().filter(|job| job.state.is_over());
+        let over: Vec<JobId> = over.map(|job| job.id).collect();
+        let old = &over[..over.len().saturating_sub(most)];
+        if !old.is_empty() {
+            store.write(|change| forget(change, old))?;
+        }
+        Ok(old.len())
+    }
+
+    fn with_store(mut store: Store) -> Result<Self, JournalError> {
+        let (format, clean) =
+            store.read(|look| Ok((fact(look, FORMAT_FACT)?, fact(look, CLEAN_FACT)?)))?;
+        if format > FORMAT {
+            return Err(JournalError::Newer {
+                file: store.file(),
+                found: format,
+                known: FORMAT,
+            });
+        }
+        store.write(|change| note_clean(change, false))?;
+        Ok(Self {
+            store: Mutex::new(store),
+            was_clean: clean == 1,
+        })
+    }
+
+    /// A panic in the middle leaves nothing half: what is not committed is not there.
+    fn store(&self) -> MutexGuard<'_, Store> {
+        self.store.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Store {
+    fn jobs(&mut self) -> Result<Vec<Job>, JournalError> {
+        let jobs = self.read(|look| {
+            let table = look.open_table(JOBS)?;
+            let windows = look.open_table(WINDOWS)?;
+            let job = |entry: Result<_, redb::StorageError>| {
+                let (id, bytes): (redb::AccessGuard<'_, u64>, redb::AccessGuard<'_, &[u8]>) =
+                    entry?;
+                let window = windows.get(id.value())?;
+                let window = window.as_ref().map(redb::AccessGuard::value);
+                Ok(read_job(JobId(id.value()), bytes.value(), window))
+            };
+            table
+                .iter()?
+                .map(job)
+                .collect::<Result<Vec<_>, redb::Error>>()
+        })?;
+        let jobs = jobs.into_iter().collect::<Result<Vec<_>, _>>();
+        jobs.map_err(|found| self.damaged(found))
+    }
+
+    fn job(&mut self, id: JobId) -> Result<Job, JournalError> {
+        let job = self.read(|look| {
+            let jobs = look.open_table(JOBS)?;
+            let windows = look.open_table(WINDOWS)?;
+            let window = windows.get(id.0)?;
+            let window = window.as_ref().map(redb::AccessGuard::value);
+            Ok(jobs.get(id.0)?.map(|row| read_job(id, row.value(), window)))
+        })?;
+        let job = job.ok_or(JournalError::NoSuchJob(id))?;
+        job.map_err(|found| self.damaged(found))
+    }
+
+    fn row(&mut self, id: JobId) -> Result<JobRow, JournalError> {
+        let row = self.read(|look| {
+            let row = look.open_table(JOBS)?.get(id.0)?;
+            Ok(row.map(|row| JobRow::from_bytes(row.value())))
+        })?;
+        let row = row.ok_or(JournalError::NoSuchJob(id))?;
+        row.map_err(|found| self.damaged(found))
+    }
+}
+
+fn read_job(id: JobId, row: &[u8], window: Option<WindowRow<'_>>) -> Result<Job, String> {
+    let window = window.map(rows::window).transpose()?.unwrap_or_default();
+    JobRow::from_bytes(row)?.job(id, window)
+}
+
+fn check_window(job: &Job, window: &Window) -> Result<(), JournalError> {
+    if job.state != JobState::Running {
+        return Err(JournalError::NotRunning {
+            job: job.id,
+            state: job.state.clone(),
+        });
+    }
+    let done = job.window.completed;
+    if done <= window.completed && window.completed <= window.upto && window.upto <= job.commands {
+        return Ok(());
+    }
+    Err(JournalError::Window {
+        job: job.id,
+        completed: window.completed,
+        upto: window.upto,
+        done,
+        commands: job.commands,
+    })
+}
+
+/// A fact that is missing is 0, which no format, job or clean journal is.
+fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Error> {
+    let value = look.open_table(FACTS)?.get(name)?;
+    Ok(value.map_or(0, |value| value.value()))
+}
+
+fn note_clean(change: &WriteTransaction, clean: bool) -> Result<(), redb::Error> {
+    let mut facts = change.open_table(FACTS)?;
+    facts.insert(CLEAN_FACT, u64::from(clean))?;
+    Ok(())
+}
+
+fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> {
+    let mut rows = change.open_table(JOBS)?;
+    let mut commands = change.open_table(COMMANDS)?;
+    let mut windows = change.open_table(WINDOWS)?;
+    for job in jobs {
+        rows.remove(job.0)?;
+        commands.remove(job.0)?;
+        windows.remove(job.0)?;
+    }
+    Ok(())
+}

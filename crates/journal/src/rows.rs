@@ -1,0 +1,138 @@
+//! Jobs as rows of tables: what is written, and what is refused because it would not come back.
+
+use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
+use serde::{Deserialize, Serialize};
+
+use crate::{Job, JobId, JobKind, JobState, JournalError, NewJob, Window};
+
+/// What the table of jobs holds, as JSON.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct JobRow {
+    title: String,
+    kind: JobKind,
+    dialect: String,
+    lift_mm: Option<f32>,
+    created_ms: i64,
+    commands: usize,
+    pub(crate) state: JobState,
+}
+
+impl JobRow {
+    /// The row of a new job, which is queued.
+    pub(crate) fn new(job: &NewJob) -> Result<Self, JournalError> {
+        if let Some(lift_mm) = job
+            .lift_mm
+            .filter(|lift| !(lift.is_finite() && *lift > 0.0))
+        {
+            return Err(JournalError::Lift(lift_mm));
+        }
+        Ok(Self {
+            title: job.title.clone(),
+            kind: job.kind,
+            dialect: job.dialect.name().to_owned(),
+            lift_mm: job.lift_mm,
+            created_ms: job.created_ms,
+            commands: job.commands.len(),
+            state: JobState::Queued,
+        })
+    }
+
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
+        serde_json::to_vec(self).expect("strings and finite numbers are always JSON")
+    }
+
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
+        serde_json::from_slice(bytes).map_err(|error| format!("a row of a job: {error}"))
+    }
+
+    pub(crate) fn dialect(&self) -> Result<Dialect, String> {
+        self.dialect
+            .parse()
+            .map_err(|error| format!("the dialect {:?}: {error}", self.dialect))
+    }
+
+    pub(crate) fn job(self, id: JobId, window: Window) -> Result<Job, String> {
+        Ok(Job {
+            id,
+            dialect: self.dialect()?,
+            title: self.title,
+            kind: self.kind,
+            lift_mm: self.lift_mm,
+            created_ms: self.created_ms,
+            commands: self.commands,
+            state: self.state,
+            window,
+        })
+    }
+}
+
+/// The packets of a job, one after the other: what the arm will get, bit by bit.
+pub(crate) fn packets(job: &NewJob) -> Result<Vec<u8>, JournalError> {
+    let mut bytes = Vec::with_capacity(job.commands.len() * PACKET_LEN);
+    for (index, command) in job.commands.iter().enumerate() {
+        let packet = command.emit(&job.dialect);
+        let back = Command::parse(&packet, &job.dialect)
+            .map_err(|source| JournalError::NotSendable { index, source })?;
+        if back != *command {
+            return Err(JournalError::NotExact { index });
+        }
+        bytes.extend_from_slice(&packet.to_bytes());
+    }
+    Ok(bytes)
+}
+
+/// The commands that [`packets`] wrote.
+pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, String> {
+    let dialect = row.dialect()?;
+    let (packets, rest) = bytes.as_chunks::<PACKET_LEN>();
+    if !rest.is_empty() || packets.len() != row.commands {
+        return Err(format!(
+            "{} bytes of commands where {} commands belong",
+            bytes.len(),
+            row.commands
+        ));
+    }
+    let command = |(index, bytes): (usize, &[u8; PACKET_LEN])| {
+        let packet = Packet::from_bytes(bytes).ok_or(format!("command {index} is no packet"))?;
+        Command::parse(&packet, &dialect).map_err(|error| format!("command {index}: {error}"))
+    };
+    packets.iter().enumerate().map(command).collect()
+}
+
+/// What the table of windows holds: where it begins, where it ends, and the packet of a status.
+pub(crate) type WindowRow<'a> = (u64, u64, &'a [u8]);
+
+/// The place at which a window begins as bytes; empty where there is none.
+pub(crate) fn start_bytes(job: JobId, start: Option<&Status>) -> Result<Vec<u8>, JournalError> {
+    let Some(status) = start else {
+        return Ok(Vec::new());
+    };
+    let frame = status.emit();
+    Status::parse(&frame).map_err(|source| JournalError::Start { job, source })?;
+    Ok(frame.to_bytes().to_vec())
+}
+
+/// The window that a row holds.
+pub(crate) fn window((completed, upto, start): WindowRow<'_>) -> Result<Window, String> {
+    Ok(Window {
+        completed: index(completed)?,
+        upto: index(upto)?,
+        start: match start {
+            [] => None,
+            bytes => Some(status(bytes)?),
+        },
+    })
+}
+
+fn status(bytes: &[u8]) -> Result<Status, String> {
+    let frame = <&[u8; PACKET_LEN]>::try_from(bytes)
+        .ok()
+        .and_then(Frame::from_bytes)
+        .ok_or("the start of a window is no packet")?;
+    Status::parse(&frame).map_err(|error| format!("the start of a window: {error}"))
+}
+
+fn index(number: u64) -> Result<usize, String> {
+    usize::try_from(number).map_err(|_| format!("command {number} of a job"))
+}

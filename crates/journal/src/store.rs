@@ -1,0 +1,267 @@
+//! The file below the journal: opened, made, locked, and opened again after a failure.
+
+use std::fmt;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+use redb::backends::{FileBackend, InMemoryBackend};
+use redb::{
+    Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, StorageBackend,
+    StorageError, TableDefinition, TableError, WriteTransaction,
+};
+
+use crate::JournalError;
+
+/// A database that opens itself again after a failure, and knows its name for errors.
+pub(crate) struct Store {
+    /// `None` while the storage fails.
+    database: Option<Database>,
+    open_again: OpenAgain,
+    file: String,
+}
+
+type OpenAgain = Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>;
+
+impl Store {
+    /// Opens the file, or makes it where there is none. What lies there is never overwritten.
+    pub(crate) fn open(path: &Path) -> Result<Self, JournalError> {
+        let file = path.display().to_string();
+        let database = match builder().open(path) {
+            Err(DatabaseError::Storage(StorageError::Io(error)))
+                if error.kind() == ErrorKind::NotFound =>
+            {
+                create(path)
+            }
+            other => other,
+        };
+        let again = path.to_owned();
+        Ok(Self {
+            database: Some(database.map_err(|error| failed(&file, error.into()))?),
+            open_again: Box::new(move || builder().open(&again)),
+            file,
+        })
+    }
+
+    /// Opens storage that is not a file; `storage` hands it out, again after a failure.
+    pub(crate) fn with_backend<B: StorageBackend>(
+        storage: impl Fn() -> B + Send + Sync + 'static,
+    ) -> Result<Self, JournalError> {
+        let file = "in memory".to_owned();
+        let open = move || builder().create_with_backend(storage());
+        let database = open().map_err(|error| failed(&file, error.into()))?;
+        initialise(&database).map_err(|error| failed(&file, error))?;
+        Ok(Self {
+            database: Some(database),
+            open_again: Box::new(open),
+            file,
+        })
+    }
+
+    /// Opens memory that nobody else knows.
+    pub(crate) fn in_memory() -> Result<Self, JournalError> {
+        Self::with_backend(InMemoryBackend::new)
+    }
+
+    /// Looks something up.
+    pub(crate) fn read<T>(
+        &mut self,
+        look_up: impl FnOnce(&ReadTransaction) -> Result<T, redb::Error>,
+    ) -> Result<T, JournalError> {
+        let found = self.database()?.begin_read().map_err(redb::Error::from);
+        let found = found.and_then(|transaction| look_up(&transaction));
+        found.map_err(|error| self.recover(error))
+    }
+
+    /// Changes something: all of it, for good, or nothing.
+    pub(crate) fn write(
+        &mut self,
+        change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
+    ) -> Result<(), JournalError> {
+        let changed = commit(self.database()?, change);
+        changed.map_err(|error| self.recover(error))
+    }
+
+    /// What to say where the content makes no sense.
+    pub(crate) fn damaged(&self, found: String) -> JournalError {
+        let file = self.file.clone();
+        JournalError::Damaged { file, found }
+    }
+
+    /// Which file it is, for errors.
+    pub(crate) fn file(&self) -> String {
+        self.file.clone()
+    }
+
+    fn database(&mut self) -> Result<&Database, JournalError> {
+        let database = match self.database.take() {
+            Some(database) => database,
+            None => (self.open_again)().map_err(|error| failed(&self.file, error.into()))?,
+        };
+        Ok(self.database.insert(database))
+    }
+
+    /// After a failure nothing in memory is trusted: the file tells what was committed.
+    fn recover(&mut self, error: redb::Error) -> JournalError {
+        self.database = None;
+        self.database = (self.open_again)().ok();
+        failed(&self.file, error)
+    }
+}
+
+impl fmt::Debug for Store {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Store")
+            .field("file", &self.file)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Every page is checked when it is opened: a journal is small, and damage is to be told.
+fn builder() -> Builder {
+    let mut builder = Builder::new();
+    builder
+        .set_cache_size(CACHE_BYTES)
+        .set_check_integrity_on_open(true);
+    builder
+}
+
+/// Makes the file under another name and renames it, so that it is there as a whole or not at all.
+fn create(path: &Path) -> Result<Database, DatabaseError> {
+    let draft = draft(path);
+    let database = match open_draft(&draft) {
+        // Nothing in a draft was ever promised to anybody.
+        Err(DatabaseError::Storage(_)) => {
+            fs::remove_file(&draft)?;
+            open_draft(&draft)?
+        }
+        other => other?,
+    };
+    // The draft is locked now: whoever was faster has finished.
+    if path.try_exists()? {
+        drop(database);
+        let _ = fs::remove_file(&draft); // The other one may have renamed it.
+        return builder().open(path);
+    }
+    initialise(&database).map_err(|error| match error {
+        redb::Error::Io(error) => DatabaseError::Storage(StorageError::Io(error)),
+        other => DatabaseError::Storage(StorageError::Corrupted(other.to_string())),
+    })?;
+    fs::rename(&draft, path)?;
+    sync_folder(path)?;
+    Ok(database)
+}
+
+fn draft(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".new");
+    name.into()
+}
+
+fn open_draft(draft: &Path) -> Result<Database, DatabaseError> {
+    let file = File::options()
+        .read(true)
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(draft)?;
+    builder().create_with_backend(FileBackend::new(file)?)
+}
+
+/// A new name is lost in a power cut until its folder is on the disk.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    if cfg!(unix) {
+        File::open(folder)?.sync_all()?;
+    }
+    Ok(())
+}
+
+/// Writes what makes a database a journal, unless it is there.
+fn initialise(database: &Database) -> Result<(), redb::Error> {
+    match database.begin_read()?.open_table(FACTS) {
+        Err(TableError::TableDoesNotExist(_)) => {}
+        other => return other.map(|_| ()).map_err(Into::into),
+    }
+    commit(database, |transaction| {
+        let mut facts = transaction.open_table(FACTS)?;
+        facts.insert(FORMAT_FACT, FORMAT)?;
+        facts.insert(CLEAN_FACT, 1)?;
+        facts.insert(NEXT_JOB_FACT, 1)?;
+        transaction.open_table(JOBS)?;
+        transaction.open_table(COMMANDS)?;
+        transaction.open_table(WINDOWS)?;
+        Ok(())
+    })
+}
+
+fn commit(
+    database: &Database,
+    change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
+) -> Result<(), redb::Error> {
+    let transaction = database.begin_write()?;
+    change(&transaction)?;
+    transaction.commit()?;
+    Ok(())
+}
+
+/// Puts the words of the database into those of the journal.
+fn failed(file: &str, error: redb::Error) -> JournalError {
+    let file = file.to_owned();
+    match error {
+        redb::Error::Io(source) if is_full(&source) => JournalError::Full { file, source },
+        redb::Error::Io(source) if source.kind() == ErrorKind::InvalidData => {
+            let found = source.to_string();
+            JournalError::Foreign { file, found }
+        }
+        redb::Error::Io(source) if source.kind() == ErrorKind::UnexpectedEof => {
+            let found = "it ends too early".to_owned();
+            JournalError::Damaged { file, found }
+        }
+        redb::Error::Io(source) => JournalError::Io { file, source },
+        error @ (redb::Error::PreviousIo | redb::Error::DatabaseClosed) => {
+            let source = io::Error::other(error);
+            JournalError::Io { file, source }
+        }
+        redb::Error::DatabaseAlreadyOpen | redb::Error::LockProtocolMismatch => {
+            JournalError::InUse { file }
+        }
+        error @ (redb::Error::TableDoesNotExist(_) | redb::Error::UpgradeRequired(_)) => {
+            let found = error.to_string();
+            JournalError::Foreign { file, found }
+        }
+        other => {
+            let found = other.to_string();
+            JournalError::Damaged { file, found }
+        }
+    }
+}
+
+fn is_full(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge
+    )
+}
+
+/// The format that this version writes.
+pub(crate) const FORMAT: u64 = 1;
+/// Which format the tables have.
+pub(crate) const FORMAT_FACT: &str = "format";
+/// Whether the program said good-bye.
+pub(crate) const CLEAN_FACT: &str = "clean";
+/// The number of the next job.
+pub(crate) const NEXT_JOB_FACT: &str = "next job";
+/// Facts about the journal itself.
+pub(crate) const FACTS: TableDefinition<'_, &str, u64> = TableDefinition::new("dobot journal");
+/// Jobs without their commands, as JSON.
+pub(crate) const JOBS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("jobs");
+/// The packets of jobs.
+pub(crate) const COMMANDS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("commands");
+/// How far jobs have come: completed, upto, and the packet of the status at `completed`.
+pub(crate) const WINDOWS: TableDefinition<'_, u64, (u64, u64, &[u8])> =
+    TableDefinition::new("windows");
+const CACHE_BYTES: usize = 8 << 20;

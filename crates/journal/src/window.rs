@@ -1,0 +1,22 @@
+//! Which commands of a job the arm may have done.
+
+use dobot_wire::Status;
+
+/// Which commands of a job the arm may have done: those before `completed` for sure, those in
+/// `completed..upto` perhaps, those from `upto` on for sure not.
+///
+/// ```text
+///   0          completed            upto           commands
+///   |-- done ------|-- perhaps done --|-- not given --|
+///                  ^ start
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Window {
+    /// How many commands are known to be done.
+    pub completed: usize,
+    /// No command from here on has been given to the arm.
+    pub upto: usize,
+    /// The arm as command `completed` finds it; `None` where nobody knew, as before the first
+    /// command.
+    pub start: Option<Status>,
+}
