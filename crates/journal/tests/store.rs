@@ -1,4 +1,5 @@
 //! What the journal promises on a disk that works.
+#![allow(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod lab;
 
