@@ -1,7 +1,8 @@
 //! Virtual Dobot Arms: in this process, on a virtual serial port and on TCP.
 //!
 //! [`VirtualArm`] is a controller at the end of a serial line, an engine without a clock.
-//! [`InProcess`] runs it as fast as it is waited for; [`Server`] in real time.
+//! [`InProcess`] runs it as fast as it is waited for; [`Server`] in real time, for programs and, by a
+//! [`Connector`], for clients in this process.
 //!
 //! ```
 //! use dobot_client::Connection;
@@ -18,6 +19,7 @@
 //! # }
 //! ```
 
+mod connector;
 mod faults;
 mod in_process;
 mod line;
@@ -33,6 +35,7 @@ mod trace;
 mod virtual_arm;
 pub mod world;
 
+pub use connector::{ConnectError, Connector};
 pub use faults::{Fault, FaultError, Struck, What};
 pub use in_process::InProcess;
 pub use line::Line;

@@ -1,16 +1,20 @@
-//! A virtual arm on TCP and on a virtual serial port, in real time or faster.
+//! A virtual arm on TCP, on a virtual serial port and in this process, in real time or faster.
 
 use std::future::pending;
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use dobot_controller::Refused;
-use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::net::{TcpListener, TcpStream};
+use tokio::task::unconstrained;
 use tokio::time::{Instant, sleep_until, timeout};
 
+use crate::connector::{Ask, ConnectError, Connector, Socket};
 #[cfg(unix)]
 use crate::pty::{Pty, PtyClient};
 use crate::world::{Happened, World};
@@ -18,8 +22,8 @@ use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
-/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP; on the
-/// virtual serial port, which cannot turn anybody away, he meets a line where nobody speaks or
+/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP and in this
+/// process; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody speaks or
 /// listens until the arm is free.
 ///
 /// Nothing that the arm sent before a client came is kept for him. The virtual serial port keeps
@@ -33,6 +37,8 @@ pub struct Server {
     world: Option<TcpListener>,
     #[cfg(unix)]
     pty: Option<Pty>,
+    /// Where clients in this process come.
+    socket: Option<Socket>,
     speed: Speed,
     client: Option<Client>,
     /// What the client sent.
@@ -58,6 +64,10 @@ pub enum ServerEvent {
     PtyMoved(PathBuf),
     /// A client was turned away, because a fault has closed the port.
     PortClosed(SocketAddr),
+    /// A client in this process came.
+    InProcessConnected,
+    /// A client in this process was turned away.
+    InProcessRefused(ConnectError),
     /// The client left.
     Disconnected,
     /// The client sends faster than the line carries, so that bytes are lost; told once a client.
@@ -76,6 +86,7 @@ enum Client {
     Tcp(TcpStream),
     #[cfg(unix)]
     Pty(PtyClient),
+    InProcess(DuplexStream),
 }
 
 /// What the server waits for.
@@ -83,6 +94,7 @@ enum Happening {
     Time,
     Connect(io::Result<(TcpStream, SocketAddr)>),
     Curious(io::Result<(TcpStream, SocketAddr)>),
+    Ask(Ask),
     Bytes(io::Result<usize>),
 }
 
@@ -96,6 +108,7 @@ impl Server {
             world: None,
             #[cfg(unix)]
             pty: None,
+            socket: None,
             speed: Speed::REAL,
             client: None,
             incoming: Vec::new(),
@@ -125,6 +138,11 @@ impl Server {
     pub fn on_pty(mut self, pty: Pty) -> Self {
         self.pty = Some(pty);
         self
+    }
+
+    /// Lets clients in this process come, as often as they like.
+    pub fn connector(&mut self) -> Connector {
+        self.socket.get_or_insert_with(Socket::new).connector()
     }
 
     /// Lets time pass at another speed.
@@ -213,6 +231,7 @@ impl Server {
             () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
             connection = accept(self.world.as_ref()) => Happening::Curious(connection),
+            Some(ask) = ask(self.socket.as_mut()) => Happening::Ask(ask),
             count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
         }
     }
@@ -226,6 +245,7 @@ impl Server {
             Happening::Time => Ok(()),
             Happening::Connect(connection) => self.admit(connection, tell),
             Happening::Curious(connection) => self.show_world(connection),
+            Happening::Ask(ask) => self.admit_in_process(ask, tell),
             Happening::Bytes(Ok(1..)) => {
                 self.download(tell);
                 Ok(())
@@ -268,6 +288,38 @@ impl Server {
             let _ = stream.set_nodelay(true);
             self.welcome(Client::Tcp(stream));
             tell(ServerEvent::TcpConnected(from));
+        }
+        Ok(())
+    }
+
+    fn admit_in_process(&mut self, ask: Ask, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+        self.hear_client_out(tell)?;
+        let refused = if !self.arm.has_port() {
+            ConnectError::PortClosed
+        } else if self.client.is_some() {
+            ConnectError::InUse
+        } else {
+            if let Some(stream) = ask.grant() {
+                self.welcome(Client::InProcess(stream));
+                tell(ServerEvent::InProcessConnected);
+            }
+            return Ok(());
+        };
+        ask.refuse(refused);
+        tell(ServerEvent::InProcessRefused(refused));
+        Ok(())
+    }
+
+    /// A client in this process may come again before it was seen to leave: what it has sent is
+    /// taken, and so its leaving is met.
+    fn hear_client_out(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+        while let Some(Client::InProcess(_)) = self.client {
+            self.incoming.clear();
+            match at_once(read(self.client.as_mut(), &mut self.incoming)) {
+                Some(Ok(1..)) => self.download(tell),
+                Some(_) => self.dismiss(tell)?,
+                None => break,
+            }
         }
         Ok(())
     }
@@ -326,11 +378,14 @@ impl Server {
     /// serial line, unless time waits for it; nobody listening loses all.
     fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         self.arm.poll_bytes(&mut self.outgoing);
-        let sent = match &self.client {
+        let sent = match &mut self.client {
             _ if self.outgoing.is_empty() => Ok(0),
             Some(Client::Tcp(stream)) => stream.try_write(&self.outgoing),
             #[cfg(unix)]
             Some(Client::Pty(client)) => Ok(client.write(&self.outgoing)),
+            Some(Client::InProcess(stream)) => {
+                at_once(stream.write(&self.outgoing)).unwrap_or(Ok(0))
+            }
             None => Ok(self.outgoing.len()),
         };
         match sent {
@@ -375,7 +430,7 @@ impl Server {
                     tell(ServerEvent::PtyOpened);
                 }
             }
-            Some(Client::Tcp(_)) => pty.ignore_client(),
+            Some(Client::Tcp(_) | Client::InProcess(_)) => pty.ignore_client(),
             Some(Client::Pty(_)) => {}
         }
         Ok(())
@@ -386,6 +441,26 @@ async fn accept(listener: Option<&TcpListener>) -> io::Result<(TcpStream, Socket
     match listener {
         Some(listener) => listener.accept().await,
         None => pending().await,
+    }
+}
+
+async fn ask(socket: Option<&mut Socket>) -> Option<Ask> {
+    match socket {
+        Some(socket) => socket.ask().await,
+        None => pending().await,
+    }
+}
+
+/// What a future has ready, if it has; whoever else is interested in it has to ask again.
+fn at_once<F: Future>(future: F) -> Option<F::Output> {
+    // Without regard to what the task has done so far: "not now" would be taken for "never".
+    let mut future = pin!(unconstrained(future));
+    match future
+        .as_mut()
+        .poll(&mut Context::from_waker(Waker::noop()))
+    {
+        Poll::Ready(output) => Some(output),
+        Poll::Pending => None,
     }
 }
 
@@ -401,6 +476,7 @@ async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<u
             buffer.extend_from_slice(&bytes[..count]);
             Ok(count)
         }
+        Some(Client::InProcess(stream)) => stream.read_buf(buffer).await,
         None => pending().await,
     }
 }
