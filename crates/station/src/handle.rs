@@ -7,6 +7,7 @@ use axum::extract::ws::Utf8Bytes;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
+use crate::keeper::Begun;
 use crate::words::{ClientId, JobView, Notice, Refusal, Reply, Request, Role, State};
 
 /// How the rest of the station talks to the [`Owner`](crate::Owner) of the arm; clones share it.
@@ -117,6 +118,12 @@ pub(crate) enum Message {
         client: ClientId,
         packet: Packet,
         reply: oneshot::Sender<Result<(), Refusal>>,
+    },
+    /// A job that a client wants to start has been planned.
+    Planned {
+        client: ClientId,
+        begun: Box<Begun>,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
     /// Somebody wants to know all jobs, the oldest first.
     Jobs(oneshot::Sender<Vec<JobView>>),

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use dobot_course::Model;
+use dobot_arm::{Joints, Tool};
+use dobot_course::{Model, Place};
 use dobot_journal::{Job, JobId, JobState, Journal, JournalError, Window};
 use dobot_safety::Policy;
 use tokio::sync::{mpsc, oneshot};
@@ -58,17 +59,9 @@ impl Jobs {
 
     /// Looks at a job again, and gives what the keeper needs of it.
     pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
-        let commands = self.journal.commands(job.id).map_err(journal_refusal)?;
-        let lift_mm = job.lift_mm.unwrap_or(0.0);
-        let plan = JobPlan::new(&self.policy, model, commands, lift_mm)?;
-        self.note_planned(job.id.0, plan.planned_s());
-        Ok(Begun {
-            job: job.id.0,
-            title: job.title.clone(),
-            kind: of_journal(job.kind),
-            plan,
-            completed: job.window.completed,
-        })
+        let begun = look_again(&self.journal, &self.policy, job, model)?;
+        self.note_planned(begun.job, begun.plan.planned_s());
+        Ok(begun)
     }
 
     /// Plans and keeps a new job.
@@ -154,21 +147,8 @@ impl Jobs {
     }
 
     fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<JobView, Refusal> {
-        check_new(&job)?;
-        let dialect = model.dialect;
-        let plan = JobPlan::new(&self.policy, model, job.commands, job.lift_mm)?;
-        let id = self
-            .journal
-            .submit(&dobot_journal::NewJob {
-                title: job.title,
-                kind: to_journal(job.kind),
-                dialect,
-                lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
-                created_ms: now_ms,
-                commands: plan.commands().to_vec(),
-            })
-            .map_err(journal_refusal)?;
-        self.note_planned(id.0, plan.planned_s());
+        let (id, planned_s) = submit(&self.journal, &self.policy, job, model, now_ms)?;
+        self.note_planned(id.0, planned_s);
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
         let job = self.journal.job(id).map_err(journal_refusal)?;
@@ -214,7 +194,7 @@ impl Jobs {
 
     fn find(&self, job: u64) -> Result<Job, Refusal> {
         match self.journal.job(JobId(job)) {
-            Err(JournalError::NoSuchJob { .. }) => Err(Refusal::NoSuchJob(job)),
+            Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
             found => found.map_err(journal_refusal),
         }
     }
@@ -241,6 +221,56 @@ impl Jobs {
         let mut planned = planned.unwrap_or_else(PoisonError::into_inner);
         planned.insert(job, planned_s);
     }
+}
+
+/// Plans a new job from its first command to its last, and keeps it; gives its number and how long
+/// it takes, in seconds.
+pub(crate) fn submit(
+    journal: &Journal,
+    policy: &Policy,
+    job: NewJob,
+    model: Model,
+    now_ms: i64,
+) -> Result<(JobId, f64), Refusal> {
+    check_new(&job)?;
+    let dialect = model.dialect;
+    let plan = JobPlan::new(policy, model, job.commands, job.lift_mm)?;
+    let id = journal
+        .submit(&dobot_journal::NewJob {
+            title: job.title,
+            kind: to_journal(job.kind),
+            dialect,
+            lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+            created_ms: now_ms,
+            commands: plan.commands().to_vec(),
+        })
+        .map_err(journal_refusal)?;
+    Ok((id, plan.planned_s()))
+}
+
+/// Looks at a job again: what the keeper needs of it.
+pub(crate) fn look_again(
+    journal: &Journal,
+    policy: &Policy,
+    job: &Job,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let commands = journal.commands(job.id).map_err(journal_refusal)?;
+    let lift_mm = job.lift_mm.unwrap_or(0.0);
+    Ok(Begun {
+        job: job.id.0,
+        title: job.title.clone(),
+        kind: of_journal(job.kind),
+        plan: JobPlan::new(policy, model, commands, lift_mm)?,
+        completed: job.window.completed,
+    })
+}
+
+/// The model from which an interrupted job is looked at again: its first target says where it
+/// begins, so any place does.
+pub(crate) fn recovery_model(job: &Job) -> Model {
+    let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
+    Model::standing(job.dialect, Place::at_joints(somewhere, Tool::SuctionCup))
 }
 
 fn check_new(job: &NewJob) -> Result<(), Refusal> {
@@ -286,7 +316,8 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     }
 }
 
-fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
+/// Writes what the keeper wants to be kept.
+pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
     match effect {
         Effect::Give {
             job,
@@ -325,7 +356,7 @@ const fn given(effect: &Effect) -> Option<Written> {
     }
 }
 
-fn journal_refusal(error: JournalError) -> Refusal {
+pub(crate) fn journal_refusal(error: JournalError) -> Refusal {
     Refusal::Journal(error.to_string())
 }
 

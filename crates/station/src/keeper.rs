@@ -15,7 +15,8 @@ mod view;
 use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
 
-use dobot_client::{CommandId, Event, Session};
+use dobot_client::{CommandId, Event, SendError, Session};
+use dobot_course::Model;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
 
@@ -59,6 +60,8 @@ pub struct Keeper {
     effects: VecDeque<Effect>,
     notices: VecDeque<Notice>,
     told: u64,
+    /// Statuses for raw programs, to which each one is a permit.
+    statuses: VecDeque<Status>,
     answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
     /// How many statuses in a row told the same place.
     still: u32,
@@ -114,6 +117,7 @@ impl Keeper {
             effects: VecDeque::new(),
             notices: VecDeque::new(),
             told: 0,
+            statuses: VecDeque::new(),
             answers: VecDeque::new(),
             still: 0,
             last: None,
@@ -154,6 +158,30 @@ impl Keeper {
         self.pump();
     }
 
+    /// Takes that something of the station goes wrong, in one line.
+    pub fn handle_trouble(&mut self, now: Duration, text: String) {
+        self.handle_time(now);
+        self.tell(News::Trouble, text);
+    }
+
+    /// Takes which dialect the arm is known to speak, unless somebody has said it already.
+    pub fn handle_known_dialect(&mut self, dialect: Dialect) {
+        if self.session.dialect().is_none() {
+            self.session.set_dialect(dialect);
+            self.changed = true;
+        }
+    }
+
+    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
+    pub fn handle_end(&mut self, now: Duration) {
+        self.handle_time(now);
+        self.halt_now();
+        self.held = None;
+        self.drop_waiting("the station ended");
+        self.interrupt_run("the station ended");
+        self.end_detection("the station ended");
+    }
+
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = self.now.max(now);
@@ -175,6 +203,11 @@ impl Keeper {
     /// The next thing that happened, for all who watch.
     pub fn poll_notice(&mut self) -> Option<Notice> {
         self.notices.pop_front()
+    }
+
+    /// The next status of the arm, as it came.
+    pub fn poll_status(&mut self) -> Option<Status> {
+        self.statuses.pop_front()
     }
 
     /// The answer to a request that took its time.
@@ -265,6 +298,7 @@ impl Keeper {
             self.link.greeted = true;
             self.part_from_laser();
         }
+        self.statuses.push_back(status);
         self.still = if self.last == Some(status) { self.still + 1 } else { 0 };
         self.last = Some(status);
         self.watch_jog();
@@ -366,6 +400,29 @@ impl Keeper {
             news,
             text,
         });
+    }
+
+    /// The model from which a job is planned: the arm as it will be after all that it was given.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoLink`] while no arm has told anything, [`Refusal::Send`] while nobody knows its
+    /// dialect.
+    pub fn planning_model(&self) -> Result<Model, Refusal> {
+        let Some(&dialect) = self.session.dialect() else {
+            let field = "a job";
+            return Err(Refusal::Send(SendError::Undecided { field }));
+        };
+        match self.session.model() {
+            Some(model) => Ok(Model { dialect, ..*model }),
+            None => Err(Refusal::NoLink("no arm has told where it stands yet".into())),
+        }
+    }
+
+    /// What a client calls itself.
+    #[must_use]
+    pub fn client_name(&self, client: ClientId) -> String {
+        self.name(client)
     }
 
     fn name(&self, client: ClientId) -> String {

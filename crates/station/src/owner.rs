@@ -1,7 +1,6 @@
 //! The task that owns the arm's port: the keeper, its clock, its link, its journal, its recording.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_client::Link;
@@ -10,19 +9,18 @@ use tokio::sync::{mpsc, oneshot};
 use tokio::time::Instant;
 
 use crate::connect::{Connecting, Source};
-use crate::handle::{Ears, Message};
+use crate::handle::{Ends, Message};
 use crate::jobs::Jobs;
 use crate::keeper::{Effect, Keeper};
 use crate::recording::Recording;
 use crate::words::{ClientId, LinkPhase, Refusal, Reply, Request};
-use crate::{Handle, Snapshot};
 
 /// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
 #[derive(Debug)]
 pub(crate) struct Owner {
     keeper: Keeper,
     started: Instant,
-    ears: Ears,
+    ends: Ends,
     source: Source,
     link: Option<Link>,
     /// What the connecting task tells, while there is no link.
@@ -34,9 +32,14 @@ pub(crate) struct Owner {
     to_journal: mpsc::UnboundedSender<Written>,
     recording: Recording,
     /// Answers that take their time.
-    waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
+    waiting: HashMap<ClientId, Asked>,
+    /// For tasks that tell the owner something.
+    own: mpsc::Sender<Message>,
     ending: Option<Instant>,
 }
+
+/// Where an answer goes.
+type Asked = oneshot::Sender<Result<Reply, Refusal>>;
 
 /// What came back from the disk.
 #[derive(Debug)]
@@ -57,17 +60,18 @@ enum Happening {
 impl Owner {
     pub(crate) fn new(
         keeper: Keeper,
-        ears: Ears,
+        ends: Ends,
         source: Source,
         jobs: Jobs,
         recording: Recording,
+        own: mpsc::Sender<Message>,
         started: Instant,
     ) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
             keeper,
             started,
-            ears,
+            ends,
             source,
             link: None,
             connecting: None,
@@ -77,6 +81,7 @@ impl Owner {
             to_journal,
             recording,
             waiting: HashMap::new(),
+            own,
             ending: None,
         }
     }
@@ -113,7 +118,7 @@ impl Owner {
         let link = self.link.as_mut();
         tokio::select! {
             biased;
-            message = self.ears.messages.recv() => Happening::Message(message),
+            message = self.ends.messages.recv() => Happening::Message(message),
             written = self.written.recv() => Happening::Written(written),
             heard = receive(link, &mut self.incoming) => Happening::Link(heard),
             news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
@@ -141,11 +146,8 @@ impl Owner {
             }
         }
         while let Some(notice) = self.keeper.poll_notice() {
-            let notice = Arc::new(notice);
             self.recording.notice(self.now(), &notice);
-            self.jobs.note(&notice);
-            // Nobody may be watching.
-            let _ = self.ears.notices.send(notice);
+            self.ends.announce(notice);
         }
         if self.keeper.poll_changed() {
             self.publish();
@@ -166,8 +168,7 @@ impl Owner {
     fn relay(&mut self) {
         while let Some(status) = self.keeper.poll_status() {
             if self.keeper.permits_raw() {
-                // There may be no raw program.
-                let _ = self.ears.packets.send(Packet::from(status.emit()).to_bytes());
+                self.ends.pass_on(Packet::from(status.emit()).to_bytes());
             }
         }
     }
@@ -175,12 +176,7 @@ impl Owner {
     fn publish(&mut self) {
         let state = self.keeper.state();
         self.recording.state(self.now(), &state);
-        if let Ok(json) = serde_json::to_string(&state) {
-            self.ears.publish(Arc::new(Snapshot {
-                state,
-                json: json.into(),
-            }));
-        }
+        self.ends.tell(state);
     }
 
     fn handle(&mut self, message: Message) {
@@ -218,34 +214,49 @@ impl Owner {
                 let started = self.keeper.handle_start(now, client, *begun);
                 let _ = reply.send(started);
             }
+            Message::Jobs(reply) => self.jobs.clone().list(self.keeper.job(), reply),
+            Message::Trouble(text) => self.keeper.handle_trouble(now, text),
             Message::End => self.end(),
         }
     }
 
-    fn ask(
+    fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
+        let now = self.now();
+        if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
+            match self.keeper.handle_request(now, client, job) {
+                // Whoever asked may have left.
+                Some(answer) => drop(reply.send(answer)),
+                None => drop(self.waiting.insert(client, reply)),
+            }
+        }
+    }
+
+    /// Passes on what is about jobs that the arm is not at; gives back all else.
+    fn ask_jobs(
         &mut self,
         client: ClientId,
         request: Request,
-        reply: oneshot::Sender<Result<Reply, Refusal>>,
-    ) {
-        let now = self.now();
-        match request {
-            Request::SubmitJob { .. } | Request::StartJob { .. } | Request::CancelJob { .. }
-                if self.keeper.check_request(client, &request).is_ok()
-                    && !self.keeper.is_at_work(&request) =>
-            {
-                let model = self.keeper.planning_model();
-                self.jobs
-                    .handle(request, client, model, self.ears.own.clone(), reply);
-            }
-            request => match self.keeper.handle_request(now, client, request) {
-                // Whoever asked may have left.
-                Some(answer) => drop(reply.send(answer)),
-                None => {
-                    self.waiting.insert(client, reply);
-                }
-            },
+        reply: Asked,
+    ) -> Option<(Request, Asked)> {
+        if self.keeper.check_request(client, &request).is_err() {
+            return Some((request, reply));
         }
+        let jobs = self.jobs.clone();
+        match request {
+            Request::SubmitJob { job } => match self.keeper.planning_model() {
+                Ok(model) => jobs.submit(job, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::StartJob { job } => match self.keeper.planning_model() {
+                Ok(model) => jobs.plan(job, model, client, self.own.clone(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
+                jobs.cancel(job, self.keeper.client_name(client), reply);
+            }
+            request => return Some((request, reply)),
+        }
+        None
     }
 
     fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
@@ -355,6 +366,11 @@ async fn listen(connecting: Option<&mut mpsc::Receiver<Connecting>>) -> Option<C
         Some(connecting) => connecting.recv().await,
         None => std::future::pending().await,
     }
+}
+
+/// Milliseconds since 1970-01-01T00:00:00Z.
+fn now_ms() -> i64 {
+    jiff::Timestamp::now().as_millisecond()
 }
 
 /// Without anything to do the keeper is still looked at so often.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_arm::Position;
-use dobot_course::Model;
+use dobot_course::{Model, Place};
 use dobot_safety::{Policy, burns};
 use dobot_wire::{Command, Configuration};
 
@@ -21,8 +21,8 @@ pub struct JobPlan {
 /// One command of a job.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// Where the tool is when it is over.
-    end: Position,
+    /// Where the arm is when it is over.
+    end: Place,
     moves: bool,
     /// How long it and all before it take, in seconds.
     until_s: f64,
@@ -54,7 +54,7 @@ impl JobPlan {
             model = model.after(command, &course);
             until_s += takes_s;
             steps.push(Step {
-                end: model.place.pose.position,
+                end: model.place,
                 moves: course.moves(),
                 until_s,
             });
@@ -97,12 +97,25 @@ impl JobPlan {
         self.lift_mm
     }
 
-    /// Where the tool is when all before a command is over; `None` before the first motion.
+    /// Where the arm is when all before a command is over; `None` before the first motion, which
+    /// begins wherever the arm is.
     #[must_use]
-    pub fn start(&self, index: usize) -> Option<Position> {
-        let before = &self.steps[..index.min(self.steps.len())];
-        let moved = before.iter().any(|it| it.moves);
-        before.last().filter(|_| moved).map(|it| it.end)
+    pub fn start(&self, index: usize) -> Option<Place> {
+        let before = index.min(self.steps.len());
+        let moved = before > self.first_motion();
+        let last = before.checked_sub(1).filter(|_| moved)?;
+        self.steps.get(last).map(|it| it.end)
+    }
+
+    /// Where the tool is then.
+    #[must_use]
+    pub fn start_position(&self, index: usize) -> Option<Position> {
+        self.start(index).map(|it| it.pose.position)
+    }
+
+    fn first_motion(&self) -> usize {
+        let first = self.steps.iter().position(|it| it.moves);
+        first.unwrap_or(self.steps.len())
     }
 
     /// How long all of it takes, in seconds.

@@ -19,7 +19,7 @@ impl Keeper {
         request: Request,
     ) -> Option<Result<Reply, Refusal>> {
         self.handle_time(now);
-        let answer = match self.check_role(client, &request) {
+        let answer = match self.check_request(client, &request) {
             Err(refusal) => Some(Err(refusal)),
             Ok(()) if matches!(request, Request::Detect) => self.detect(client),
             Ok(()) => Some(self.obey(client, request)),
@@ -36,7 +36,12 @@ impl Keeper {
         answer
     }
 
-    fn check_role(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
+    /// Whether a client may ask for this at all.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`].
+    pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
         let known = self.clients.get(&client);
         let found = known.map_or(crate::words::Role::Watch, |it| it.role);
         let needed = request.role();

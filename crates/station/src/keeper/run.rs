@@ -23,6 +23,8 @@ pub enum Effect {
         completed: usize,
         /// Commands below this one may be sent.
         upto: usize,
+        /// The arm as command `completed` finds it.
+        start: Option<Status>,
     },
     /// The job is in another phase.
     Phase {
@@ -32,8 +34,8 @@ pub enum Effect {
         phase: JobPhase,
         /// Why.
         reason: Option<String>,
-        /// So many commands are over.
-        completed: usize,
+        /// How far the job is for certain, where that is news.
+        window: Option<Window>,
     },
 }
 
@@ -125,6 +127,22 @@ impl Run {
         }
     }
 
+    /// How far it is when nothing is under way.
+    fn certain(&self) -> Window {
+        let completed = self.begun.completed;
+        Window {
+            completed,
+            upto: completed,
+            start: self.start(),
+        }
+    }
+
+    /// The arm as the first command that is not over finds it.
+    fn start(&self) -> Option<Status> {
+        let place = self.begun.plan.start(self.begun.completed)?;
+        Some(place.status())
+    }
+
     pub(super) fn view(&self) -> JobView {
         let Begun {
             job,
@@ -141,8 +159,8 @@ impl Run {
             reason: self.reason(),
             commands: plan.len(),
             completed: *completed,
-            planned_s: plan.planned_s(),
-            left_s: plan.left_s(*completed),
+            planned_s: Some(plan.planned_s()),
+            left_s: Some(plan.left_s(*completed)),
         }
     }
 }
@@ -212,11 +230,6 @@ impl Keeper {
 
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
-        if let Some(run) = &self.run
-            && run.job() != begun.job
-        {
-            return Err(Refusal::JobRunning(run.job()));
-        }
         if self.session.under_way() > 0 || self.session.waiting() > 0 {
             return Err(Refusal::StillMoving {
                 within_s: self.session.rests_within().as_secs_f64(),
@@ -245,16 +258,23 @@ impl Keeper {
             asked: completed,
             given: VecDeque::new(),
         });
-        self.note_phase(JobPhase::Running, None, text);
-        let job = self.job().expect("it was begun just now");
-        Ok(Reply::Job { job })
+        let phase = JobPhase::Running;
+        self.effects.push_back(Effect::Phase {
+            job,
+            phase,
+            reason: None,
+            window: None,
+        });
+        self.tell(News::Job { job, phase }, text);
+        Ok(self.job_reply())
     }
 
     /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
     /// and the way there.
     fn approach(&self, begun: &Begun) -> Result<Vec<Command>, Refusal> {
         let mut approach = prelude(begun.plan.commands(), begun.completed);
-        let (Some(start), Some(status)) = (begun.plan.start(begun.completed), self.last) else {
+        let start = begun.plan.start_position(begun.completed);
+        let (Some(start), Some(status)) = (start, self.last) else {
             return Ok(approach);
         };
         let here = position(&status);
@@ -334,8 +354,10 @@ impl Keeper {
             reason: reason.to_owned(),
             lift,
         };
+        // The journal keeps it as running until nothing is under way: a crash until then has to find
+        // out how far the job got.
         let text = format!("job {job} is {}: {reason}", word(then));
-        self.note_phase(then, Some(reason.to_owned()), text);
+        self.tell(News::Job { job, phase: then }, text);
     }
 
     /// Forgets what the session has of the job and has not sent.
@@ -428,17 +450,17 @@ impl Keeper {
         let Some(run) = &mut self.run else {
             return;
         };
-        let (job, completed) = (run.job(), run.begun.completed);
-        run.next = completed;
+        run.next = run.begun.completed;
         run.phase = Phase::Paused {
             reason: reason.clone(),
         };
-        self.effects.push_back(Effect::Phase {
-            job,
+        let effect = Effect::Phase {
+            job: run.job(),
             phase: then,
             reason: Some(reason),
-            completed,
-        });
+            window: Some(run.certain()),
+        };
+        self.effects.push_back(effect);
         if then.is_over() {
             self.run = None;
         }
@@ -450,12 +472,12 @@ impl Keeper {
             return;
         };
         self.part_from_laser();
-        let (job, completed) = (run.job(), run.begun.completed);
+        let job = run.job();
         self.effects.push_back(Effect::Phase {
             job,
             phase: JobPhase::Done,
             reason: None,
-            completed,
+            window: Some(run.certain()),
         });
         let text = format!("job {job} ({}) is done", run.begun.title);
         let phase = JobPhase::Done;
@@ -533,31 +555,17 @@ impl Keeper {
         if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
             return;
         }
-        let plan = &run.begun.plan;
-        let completed = run.begun.completed;
-        let upto = window_end(plan.len(), |index| plan.start(index), plan.lift_mm(), completed, WINDOW);
+        let upto = run.window_end();
         if upto > run.asked {
             run.asked = upto;
-            self.effects.push_back(Effect::Give {
+            let effect = Effect::Give {
                 job: run.job(),
-                completed,
+                completed: run.begun.completed,
                 upto,
-            });
+                start: run.start(),
+            };
+            self.effects.push_back(effect);
         }
-    }
-
-    fn note_phase(&mut self, phase: JobPhase, reason: Option<String>, text: String) {
-        let Some(run) = &self.run else {
-            return;
-        };
-        let (job, completed) = (run.job(), run.begun.completed);
-        self.effects.push_back(Effect::Phase {
-            job,
-            phase,
-            reason,
-            completed,
-        });
-        self.tell(News::Job { job, phase }, text);
     }
 
     fn job_reply(&self) -> Reply {

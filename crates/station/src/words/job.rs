@@ -75,8 +75,8 @@ pub struct JobView {
     pub commands: usize,
     /// How many of them are over.
     pub completed: usize,
-    /// How long all of it takes, in seconds, by the motion model.
-    pub planned_s: f64,
-    /// How long the rest takes, in seconds, by the motion model.
-    pub left_s: f64,
+    /// How long all of it takes, in seconds, by the motion model, where that has been looked at.
+    pub planned_s: Option<f64>,
+    /// How long the rest takes, in seconds, by the motion model, where that has been looked at.
+    pub left_s: Option<f64>,
 }

@@ -1,0 +1,125 @@
+//! What is known of each arm that was met: which dialect it speaks, and how that was found.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use dobot_client::Finding;
+use dobot_wire::Dialect;
+use serde::{Deserialize, Serialize};
+
+/// What is known of each arm, in a file that a person can read and change.
+#[derive(Debug)]
+pub(crate) struct Arms {
+    file: PathBuf,
+    known: BTreeMap<String, Arm>,
+}
+
+/// What is known of one arm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Arm {
+    pub(crate) dialect: Dialect,
+    /// How that was found, in words; empty where a person has said it.
+    #[serde(default)]
+    pub(crate) evidence: Vec<String>,
+}
+
+/// Why the file of the arms is of no use.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ArmsError {
+    /// It cannot be read.
+    #[error("cannot read {file}")]
+    Read {
+        /// The file.
+        file: String,
+        /// Why.
+        #[source]
+        source: io::Error,
+    },
+    /// It does not say what it should.
+    #[error("{file} is not what is known of arms: {why}")]
+    Content {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        why: String,
+    },
+}
+
+impl Arms {
+    pub(crate) fn read(file: &Path) -> Result<Self, ArmsError> {
+        let known = match fs::read_to_string(file) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => BTreeMap::new(),
+            Err(source) => {
+                return Err(ArmsError::Read {
+                    file: file.display().to_string(),
+                    source,
+                });
+            }
+            Ok(text) => toml::from_str(&text).map_err(|error| ArmsError::Content {
+                file: file.display().to_string(),
+                why: error.to_string(),
+            })?,
+        };
+        Ok(Self {
+            file: file.to_owned(),
+            known,
+        })
+    }
+
+    /// The dialect of the arm at an address, if that is known.
+    pub(crate) fn dialect(&self, address: &str) -> Option<Dialect> {
+        self.known.get(address).map(|it| it.dialect)
+    }
+
+    /// Keeps what an arm speaks, and how that was found, if it was.
+    pub(crate) fn keep(
+        &mut self,
+        address: &str,
+        dialect: Dialect,
+        finding: Option<&Finding>,
+    ) -> io::Result<()> {
+        let evidence = finding.map(Finding::lines).unwrap_or_default();
+        let arm = Arm { dialect, evidence };
+        if self.known.get(address) == Some(&arm) {
+            return Ok(());
+        }
+        self.known.insert(address.to_owned(), arm);
+        let text = toml::to_string(&self.known).map_err(io::Error::other)?;
+        // First beside it, so that a crash leaves one of the two whole.
+        let beside = self.file.with_extension("new");
+        fs::write(&beside, text)?;
+        fs::rename(&beside, &self.file)
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_found_of_an_arm_is_known_the_next_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("arms.toml");
+        let mut arms = Arms::read(&file).unwrap();
+        assert_eq!(arms.dialect("serial:/dev/ttyUSB0@9600"), None);
+        arms.keep("serial:/dev/ttyUSB0@9600", Dialect::FIRMWARE_1_1, None)
+            .unwrap();
+        let again = Arms::read(&file).unwrap();
+        let known = again.dialect("serial:/dev/ttyUSB0@9600");
+        assert_eq!(known, Some(Dialect::FIRMWARE_1_1));
+        assert_eq!(again.dialect("serial:/dev/ttyUSB1@9600"), None);
+    }
+
+    #[test]
+    fn a_file_that_was_spoiled_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("arms.toml");
+        fs::write(&file, "[arm]\ndialect = \"klingon\"").unwrap();
+        let error = Arms::read(&file).unwrap_err().to_string();
+        assert!(error.contains("arms.toml"), "{error}");
+    }
+}

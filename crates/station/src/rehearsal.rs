@@ -1,0 +1,287 @@
+//! A keeper and a virtual arm, in virtual time: what would happen.
+
+use std::time::Duration;
+
+use dobot_controller::{Controller, PowerUp};
+use dobot_journal::{JobId, JobState, Journal, JournalError};
+use dobot_safety::Policy;
+use dobot_sim::{Line, VirtualArm};
+
+use crate::jobs;
+use crate::keeper::{Begun, Effect, Keeper};
+use crate::words::{ClientId, LinkPhase, NewJob, Notice, Refusal, Reply, Request, Role};
+
+/// A keeper and a virtual arm, in virtual time, with a real journal: for tests of everything that
+/// can go wrong, thousands of times faster than it would.
+///
+/// The arm goes on whatever becomes of the keeper: [`Rehearsal::crash`] takes the keeper away in the
+/// middle of whatever it does, and puts a new one in its place, as after a SIGKILL.
+#[derive(Debug)]
+pub struct Rehearsal {
+    keeper: Keeper,
+    arm: VirtualArm,
+    journal: Journal,
+    policy: Policy,
+    power_up: PowerUp,
+    plugged: bool,
+    now: Duration,
+    /// When the keeper that is there now was started.
+    started: Duration,
+    /// When the journal has written what it was asked for.
+    disk: Vec<(Duration, Effect)>,
+    /// How long the journal takes to write.
+    disk_takes: Duration,
+    notices: Vec<Notice>,
+    packets: Vec<(Duration, [u8; 42])>,
+}
+
+impl Rehearsal {
+    /// A station that has just been started, with an arm that has just been switched on.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn new(power_up: PowerUp, policy: Policy) -> Self {
+        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        Self::with_arm(arm, power_up, policy)
+    }
+
+    /// The same with an arm of one's own: with faults, or in a world.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn with_arm(arm: VirtualArm, power_up: PowerUp, policy: Policy) -> Self {
+        let journal = Journal::in_memory().expect("there is memory");
+        let mut rehearsal = Self {
+            keeper: Keeper::new(policy.clone(), Some(power_up.personality.dialect())),
+            arm,
+            journal,
+            policy,
+            power_up,
+            plugged: false,
+            now: Duration::ZERO,
+            started: Duration::ZERO,
+            disk: Vec::new(),
+            disk_takes: Duration::from_millis(3),
+            notices: Vec::new(),
+            packets: Vec::new(),
+        };
+        rehearsal.plug();
+        rehearsal
+    }
+
+    /// Lets time pass.
+    pub fn run_for(&mut self, time: Duration) {
+        self.run_until(self.now + time, |_| false);
+    }
+
+    /// Lets time pass until something is so, or until `latest`; says whether it is.
+    pub fn run_until(&mut self, latest: Duration, mut is_so: impl FnMut(&Self) -> bool) -> bool {
+        self.settle();
+        while !is_so(self) {
+            if self.now >= latest {
+                return false;
+            }
+            self.step(latest);
+        }
+        true
+    }
+
+    /// One moment further, at the most to `latest`.
+    pub fn step(&mut self, latest: Duration) {
+        let keeper = self.started.saturating_add(self.keeper.poll_wakeup());
+        let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
+        let soon = self.now + Duration::from_nanos(1);
+        let next = self.arm.poll_wakeup().min(keeper).min(disk).max(soon);
+        self.now = next.min(latest);
+        self.arm.handle_time(self.now);
+        self.settle();
+    }
+
+    /// Pulls the cable.
+    pub fn unplug(&mut self) {
+        self.plugged = false;
+        let why = Some("the cable was pulled".to_owned());
+        let now = self.keeper_now();
+        self.keeper.handle_link_down(now, LinkPhase::Lost, why);
+        self.settle();
+    }
+
+    /// Puts the cable back.
+    pub fn plug(&mut self) {
+        self.plugged = true;
+        // What the arm said meanwhile nobody heard.
+        self.arm.poll_bytes(&mut Vec::new());
+        self.arm.handle_open(self.now);
+        let now = self.keeper_now();
+        self.keeper.handle_link_up(now, "virtual:");
+        self.settle();
+    }
+
+    /// The station is killed in this very moment, and started again after a while; the arm goes on.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`] where the interrupted job cannot be read again.
+    pub fn crash(&mut self, away: Duration) -> Result<(), Refusal> {
+        self.disk.clear();
+        self.now += away;
+        self.arm.handle_time(self.now);
+        let dialect = Some(self.power_up.personality.dialect());
+        self.keeper = Keeper::new(self.policy.clone(), dialect);
+        self.started = self.now;
+        self.recover()?;
+        self.plug();
+        Ok(())
+    }
+
+    /// A client that may do everything.
+    pub fn client(&mut self, name: &str) -> ClientId {
+        let now = self.keeper_now();
+        self.keeper.handle_client(now, name, Role::Admin)
+    }
+
+    /// A client asks for something; what takes its time is waited for.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    pub fn ask(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
+        let now = self.keeper_now();
+        let answer = self.keeper.handle_request(now, client, request);
+        self.settle();
+        answer.unwrap_or(Ok(Reply::Done))
+    }
+
+    /// Puts a job into the journal.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    pub fn submit(&mut self, job: &NewJob) -> Result<u64, Refusal> {
+        let model = self.keeper.planning_model()?;
+        let (id, _) = jobs::submit(&self.journal, &self.policy, job.clone(), model, 0)?;
+        Ok(id.0)
+    }
+
+    /// Starts a job, or goes on with it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        let model = self.keeper.planning_model()?;
+        let begun = self.begun(job, model)?;
+        let now = self.keeper_now();
+        let reply = self.keeper.handle_start(now, client, begun);
+        self.settle();
+        reply
+    }
+
+    /// What became of a job, by the journal.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError`].
+    pub fn job(&self, job: u64) -> Result<dobot_journal::Job, JournalError> {
+        self.journal.job(JobId(job))
+    }
+
+    /// The keeper, to look at.
+    #[must_use]
+    pub const fn keeper(&self) -> &Keeper {
+        &self.keeper
+    }
+
+    /// The arm, to look at.
+    #[must_use]
+    pub const fn arm(&self) -> &VirtualArm {
+        &self.arm
+    }
+
+    /// The arm, to do something to it.
+    pub const fn arm_mut(&mut self) -> &mut VirtualArm {
+        &mut self.arm
+    }
+
+    /// The time since the arm was switched on.
+    #[must_use]
+    pub const fn now(&self) -> Duration {
+        self.now
+    }
+
+    /// What all watchers were told.
+    #[must_use]
+    pub fn notices(&self) -> &[Notice] {
+        &self.notices
+    }
+
+    /// Every packet that was put on the wire, and when.
+    #[must_use]
+    pub fn packets(&self) -> &[(Duration, [u8; 42])] {
+        &self.packets
+    }
+
+    fn keeper_now(&self) -> Duration {
+        self.now - self.started
+    }
+
+    fn recover(&mut self) -> Result<(), Refusal> {
+        let jobs = self.journal.jobs().map_err(jobs::journal_refusal)?;
+        let Some(job) = jobs.into_iter().find(|it| it.state == JobState::Running) else {
+            return Ok(());
+        };
+        let model = jobs::recovery_model(&job);
+        let begun = self.begun(job.id.0, model)?;
+        let now = self.keeper_now();
+        self.keeper.handle_recovered(now, begun, job.window);
+        Ok(())
+    }
+
+    fn begun(&self, job: u64, model: dobot_course::Model) -> Result<Begun, Refusal> {
+        let job = self.journal.job(JobId(job)).map_err(jobs::journal_refusal)?;
+        jobs::look_again(&self.journal, &self.policy, &job, model)
+    }
+
+    /// Carries bytes and writes to the disk until nobody wants anything more in this moment.
+    fn settle(&mut self) {
+        let mut bytes = Vec::new();
+        self.arm.poll_bytes(&mut bytes);
+        let now = self.keeper_now();
+        if self.plugged && !bytes.is_empty() {
+            self.keeper.handle_bytes(now, &bytes);
+        }
+        self.keeper.handle_time(now);
+        self.write();
+        while let Some(packet) = self.keeper.poll_bytes() {
+            if self.plugged {
+                let packet = packet.to_bytes();
+                self.packets.push((self.now, packet));
+                self.arm.handle_bytes(self.now, &packet);
+            }
+        }
+        while let Some(effect) = self.keeper.poll_effect() {
+            self.disk.push((self.now + self.disk_takes, effect));
+        }
+        while let Some(notice) = self.keeper.poll_notice() {
+            self.notices.push(notice);
+        }
+    }
+
+    fn write(&mut self) {
+        let now = self.keeper_now();
+        while self.disk.first().is_some_and(|it| it.0 <= self.now) {
+            let (_, effect) = self.disk.remove(0);
+            match (jobs::write(&self.journal, &effect), effect) {
+                (Err(error), _) => self.keeper.handle_journal_failed(now, &error.to_string()),
+                (Ok(()), Effect::Give { job, upto, .. }) => {
+                    self.keeper.handle_given(now, job, upto);
+                }
+                (Ok(()), Effect::Phase { .. }) => {}
+            }
+        }
+    }
+}
