@@ -1,10 +1,8 @@
 //! What a controller does not do.
 
 use dobot_arm::Unreachable;
-use dobot_motion::PlanError;
+use dobot_course::CourseError;
 use dobot_wire::ParseError;
-
-use crate::specification::LONGEST_S;
 
 /// Why the controller did not do what a packet says, or stopped.
 ///
@@ -21,20 +19,9 @@ pub enum Refused {
         "a packet was refused: all {QUEUE_LEN} places of the queue are taken; one packet per status is allowed"
     )]
     QueueFull,
-    /// The way of a command leaves the limits (note N30); it was not begun.
-    #[error("a command was refused before it moved: on its way {0}")]
-    Unreachable(Unreachable),
-    /// A command cannot be planned.
+    /// A command leads nowhere, or its way leaves the limits (note N30); it was not begun.
     #[error("a command was refused before it moved: {0}")]
-    Unplannable(PlanError),
-    /// A command asks for speeds so low that it would take hours.
-    #[error(
-        "a command was refused before it moved: it takes {found} s; a motion is allowed {LONGEST_S} s"
-    )]
-    TooSlow {
-        /// How long it would take, in seconds.
-        found: f64,
-    },
+    Course(CourseError),
     /// No word of a voice command is known.
     #[error(
         "a voice command was refused: it is none of ahead, back, left, right, up and down with a number word, catch and release"
@@ -75,6 +62,15 @@ pub enum Refused {
         "the controller has lost the arm's pose, which is not a number any more; reset it, and send no line without length, no acceleration of 0 and no straight way out of reach"
     )]
     PoseLost,
+}
+
+impl From<CourseError> for Refused {
+    fn from(error: CourseError) -> Self {
+        match error {
+            CourseError::NotUnderstood => Self::NotUnderstood,
+            error => Self::Course(error),
+        }
+    }
 }
 
 /// What makes the stock controller hang (note N51).

@@ -3,38 +3,30 @@
 //! Its motions are functions of time: the next one begins in the very instant in which the last one
 //! ends, and where the arm is can be asked for any time between.
 
-mod jog;
 mod motion;
-mod plan;
-mod settings;
-mod state;
+mod told;
 
 use core::time::Duration;
 
 use dobot_arm::{Degrees, Joints, Pose, Tool, Unreachable};
-use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet};
+use dobot_course::{Button, Course, JogAxis, JogCourse, Model, Place};
+use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder};
 use heapless::Deque;
 
-use self::jog::{Button, Jog};
-use self::motion::{Motion, Running, Then};
-use self::plan::{Plan, check_way, plan};
-use self::settings::Settings;
-use self::state::{Place, State};
+use self::motion::{Motion, Running};
 use crate::controller::TICK;
 use crate::log::Log;
 use crate::outputs::{Hands, servo_value};
 use crate::refused::QUEUE_LEN;
 use crate::{PowerUp, Refused};
 
-pub(crate) use self::plan::LONGEST_S;
-
 /// What the controller does by the document.
 #[derive(Debug)]
 pub(crate) struct Specification {
     decoder: Decoder<Commands>,
     queue: Deque<Command, QUEUE_LEN>,
-    state: State,
-    settings: Settings,
+    /// What the arm is; for a controller belief is truth.
+    model: Model,
     running: Option<Running>,
     /// Where the motors were told to go by the tick before.
     stepped_to: Joints,
@@ -42,19 +34,14 @@ pub(crate) struct Specification {
 
 impl Specification {
     pub(crate) fn power_up(power_up: &PowerUp) -> Self {
-        let tool = Tool::SuctionCup;
         let joints = Joints::new(0.0, power_up.rear_deg, power_up.fore_deg, 0.0);
         Self {
             decoder: Decoder::commands(),
             queue: Deque::new(),
-            state: State {
-                place: Place::at_joints(joints, tool),
-                tool,
-                suction: false,
-                laser: false,
-                gripper_deg: 0.0,
-            },
-            settings: Settings::new(),
+            model: Model::standing(
+                Dialect::SPECIFICATION,
+                Place::at_joints(joints, Tool::SuctionCup),
+            ),
             running: None,
             stepped_to: joints,
         }
@@ -102,12 +89,12 @@ impl Specification {
     }
 
     pub(crate) fn status(&self) -> Frame {
-        self.state.status().emit()
+        told::status(&self.model).emit()
     }
 
     /// How far the joints went since this was asked last, in degrees: base, rear, fore.
     pub(crate) fn take_way_deg(&mut self) -> [f32; 3] {
-        let to = self.state.place.joints;
+        let to = self.model.place.joints;
         let from = core::mem::replace(&mut self.stepped_to, to);
         [
             to.base - from.base,
@@ -127,20 +114,20 @@ impl Specification {
 
     pub(crate) fn hands(&self) -> Hands {
         Hands {
-            head_servo: servo_value(single(self.state.place.joints.servo)),
-            gripper_servo: servo_value(single(Degrees(self.state.gripper_deg))),
-            pump: self.state.suction,
-            valve: self.state.suction,
-            laser: self.state.laser,
+            head_servo: servo_value(single(self.model.place.joints.servo)),
+            gripper_servo: servo_value(single(Degrees(self.model.gripper_deg))),
+            pump: self.model.suction,
+            valve: self.model.suction,
+            laser: self.model.laser,
         }
     }
 
     fn place_at(&self, at: Duration) -> Place {
         self.running
             .as_ref()
-            .and_then(|it| it.place_at(at, self.state.tool))
+            .and_then(|it| it.place_at(at))
             .and_then(Result::ok)
-            .unwrap_or(self.state.place)
+            .unwrap_or(self.model.place)
     }
 
     fn handle_packet(&mut self, packet: &Packet, log: &mut Log) {
@@ -156,8 +143,8 @@ impl Specification {
     }
 
     /// New angles without a motion are nothing for the motors.
-    fn forget_way(&mut self, state: &State) {
-        let (now, then) = (self.state.place.joints, state.place.joints);
+    fn forget_way(&mut self, then: &Joints) {
+        let now = &self.model.place.joints;
         self.stepped_to.base += then.base - now.base;
         self.stepped_to.rear += then.rear - now.rear;
         self.stepped_to.fore += then.fore - now.fore;
@@ -165,14 +152,14 @@ impl Specification {
 
     /// Brings the state to where the motion has come.
     fn settle(&mut self, at: Duration) {
-        self.state.place = self.place_at(at);
+        self.model.place = self.place_at(at);
         if let Some(Running {
             motion: Motion::Jog(jog),
             began,
             ..
         }) = &self.running
         {
-            self.state.gripper_deg = jog.gripper_deg_at(at.saturating_sub(*began).as_secs_f64());
+            self.model.gripper_deg = jog.gripper_deg_at(at.saturating_sub(*began).as_secs_f64());
         }
     }
 
@@ -182,24 +169,23 @@ impl Specification {
         let Some(running) = self.running.take() else {
             return;
         };
-        match running.then {
-            Then::Nothing => {}
-            Then::EndStroke => {
-                if !matches!(self.queue.front(), Some(Command::WriteVector(_))) {
-                    self.state.laser = false;
-                }
+        if let Motion::Course(command, course) = running.motion {
+            self.arrive(&command, &course);
+            let pause = Duration::try_from_secs_f64(course.pause_s()).unwrap_or_default();
+            if pause > Duration::ZERO {
+                self.run(Motion::Pause, at, pause);
             }
-            Then::SetTool {
-                suction,
-                gripper_deg,
-                pause,
-            } => {
-                self.state.suction = suction;
-                self.state.gripper_deg = gripper_deg;
-                if pause > Duration::ZERO {
-                    self.run(Motion::Pause, at, pause, Then::Nothing);
-                }
-            }
+        }
+    }
+
+    /// The motion of a command is over: set the tool, and end the stroke (note N36).
+    fn arrive(&mut self, command: &Command, course: &Course) {
+        let laser = self.model.laser;
+        self.model = self.model.after(command, course);
+        if matches!(command, Command::WriteVector(_))
+            && matches!(self.queue.front(), Some(Command::WriteVector(_)))
+        {
+            self.model.laser = laser;
         }
     }
 
@@ -209,46 +195,37 @@ impl Specification {
             && let Some(command) = self.queue.pop_front()
         {
             if let Err(refused) = self.begin(&command, at, log) {
-                self.state.laser = false;
+                self.model.laser = false;
                 log.refuse(refused);
             }
         }
     }
 
     fn begin(&mut self, command: &Command, at: Duration, log: &mut Log) -> Result<(), Refused> {
-        match plan(command, &self.state, &self.settings)? {
-            Plan::Settings(settings) => self.settings = settings,
-            Plan::State(state) => {
-                self.forget_way(&state);
-                self.state = state;
-            }
-            Plan::Move {
-                motion,
-                then,
-                suction,
-                laser,
-            } => {
-                let duration_s = motion.duration_s();
-                if let Some(duration_s) = duration_s {
-                    check_way(&motion, duration_s, &self.state)?;
-                }
-                self.state.suction = suction.unwrap_or(self.state.suction);
-                self.state.laser = laser.unwrap_or(self.state.laser);
-                let duration = duration_s.and_then(|it| Duration::try_from_secs_f64(it).ok());
-                self.run(motion, at, duration.unwrap_or(Duration::MAX), then);
-            }
+        let course = self.model.course(command)?;
+        course.check()?;
+        if let Some(jog) = course.jog() {
+            self.run(Motion::Jog(jog), at, Duration::MAX);
+        } else if is_motion(command) {
+            self.model = self.model.begun(command);
+            let lasts = course.motion_s().map(Duration::try_from_secs_f64);
+            let lasts = lasts.and_then(Result::ok).unwrap_or(Duration::MAX);
+            self.run(Motion::Course(*command, course), at, lasts);
+        } else {
+            let after = self.model.after(command, &course);
+            self.forget_way(&after.place.joints);
+            self.model = after;
         }
         log.begun();
         self.guard(at, log);
         Ok(())
     }
 
-    fn run(&mut self, motion: Motion, began: Duration, lasts: Duration, then: Then) {
+    fn run(&mut self, motion: Motion, began: Duration, lasts: Duration) {
         self.running = Some(Running {
             motion,
             began,
             ends: began.saturating_add(lasts),
-            then,
             ahead: None,
         });
     }
@@ -264,25 +241,24 @@ impl Specification {
             && let Some(command) = self.queue.front()
         {
             let t_s = at.saturating_sub(began).as_secs_f64();
-            let next = match button(command) {
+            let next = match Button::of(command) {
                 Some(Button::Suction(on)) => {
-                    self.state.suction = on;
+                    self.model.suction = on;
                     Next::Go
                 }
                 Some(Button::Laser(on)) => {
-                    self.state.laser = on;
+                    self.model.laser = on;
                     Next::Go
                 }
-                Some(Button::Held { axis, share }) if axis == jog.axis => {
-                    let speed = jog.ramp.speed_at(t_s);
-                    Jog::start(&self.state, &self.settings, axis, share, speed)
+                Some(Button::Held { axis, share }) if axis == jog.axis() => {
+                    JogCourse::start(&self.model, axis, share, jog.speed_at(t_s))
                         .map_or(Next::Go, |jog| Next::Jog(jog, Duration::MAX))
                 }
                 Some(Button::Released) => self.released(&jog, t_s),
                 // Anything else stays in the queue until the jog has run down.
                 _ if ends == Duration::MAX => {
                     if let Next::Jog(jog, lasts) = self.released(&jog, t_s) {
-                        self.run(Motion::Jog(jog), at, lasts, Then::Nothing);
+                        self.run(Motion::Jog(jog), at, lasts);
                     }
                     return;
                 }
@@ -291,14 +267,14 @@ impl Specification {
             self.queue.pop_front();
             log.begun();
             if let Next::Jog(jog, lasts) = next {
-                self.run(Motion::Jog(jog), at, lasts, Then::Nothing);
+                self.run(Motion::Jog(jog), at, lasts);
             }
         }
     }
 
-    fn released(&self, jog: &Jog, t_s: f64) -> Next {
-        jog.release(&self.state, t_s).map_or(Next::Go, |jog| {
-            let lasts = Duration::try_from_secs_f64(jog.ramp.change_s());
+    fn released(&self, jog: &JogCourse, t_s: f64) -> Next {
+        jog.release(&self.model, t_s).map_or(Next::Go, |jog| {
+            let lasts = Duration::try_from_secs_f64(jog.change_s());
             Next::Jog(jog, lasts.unwrap_or_default())
         })
     }
@@ -326,20 +302,21 @@ impl Specification {
     }
 
     /// Where a jog leads, if it moves the arm, and the arm may go there.
-    fn look_ahead(&self, jog: &Jog, time: Duration) -> Result<Option<Place>, Refused> {
+    fn look_ahead(&self, jog: &JogCourse, time: Duration) -> Result<Option<Place>, Refused> {
         let t_s = time.as_secs_f64();
         let gripper_deg = jog.gripper_deg_at(t_s);
-        if gripper_deg.abs() > GRIPPER_DEG && gripper_deg.abs() > self.state.gripper_deg.abs() {
+        if gripper_deg.abs() > GRIPPER_DEG && gripper_deg.abs() > self.model.gripper_deg.abs() {
             return Err(Refused::GripperAtLimit { found: gripper_deg });
         }
-        let Some(ahead) = jog.place_at(t_s, self.state.tool) else {
+        if jog.axis() == JogAxis::Gripper {
             return Ok(None);
-        };
+        }
+        let ahead = jog.place_at(t_s);
         let Err(error) = ahead.and_then(|place| place.check()) else {
             return Ok(ahead.ok());
         };
         let returning = |now: Unreachable| error.excess() < now.excess();
-        if self.state.place.check().is_err_and(returning) {
+        if self.model.place.check().is_err_and(returning) {
             return Ok(ahead.ok());
         }
         Err(Refused::AtLimit(error))
@@ -351,14 +328,19 @@ enum Next {
     /// The jog goes on.
     Go,
     /// Another one, for so long.
-    Jog(Jog, Duration),
+    Jog(JogCourse, Duration),
 }
 
-fn button(command: &Command) -> Option<Button> {
+/// Whether a command takes its time; all others act at once.
+fn is_motion(command: &Command) -> bool {
     match command {
-        Command::JointJog(jog) => Some(Button::of_joint(*jog)),
-        Command::LinearJog(jog) => Some(Button::of_linear(*jog)),
-        _ => None,
+        Command::MoveTo(_)
+        | Command::MoveJoints(_)
+        | Command::MouseMove(_)
+        | Command::Gesture(_) => true,
+        Command::WriteVector(vector) => !vector.stop,
+        Command::Voice(voice) => matches!(VoiceOrder::parse(voice), Some(VoiceOrder::Move { .. })),
+        _ => false,
     }
 }
 

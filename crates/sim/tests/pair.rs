@@ -11,6 +11,7 @@ use common::{
 use dobot_arm::Position;
 use dobot_client::{CommandId, Connection, Event, Peer};
 use dobot_controller::Refused;
+use dobot_course::CourseError;
 use dobot_sim::{InProcess, Sample};
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, JointJogAxis, LinearJog, LinearJogAxis,
@@ -123,7 +124,10 @@ async fn a_target_out_of_reach_is_told_with_the_place_where_the_arm_rests() {
     assert_eq!(*command, CommandId(0));
     assert_at(*expected, 400.0, 0.0, 0.0, 0.0);
     assert_at(*found, POWER_UP_X_MM, 0.0, -17.677_669_5, 1e-3);
-    assert!(matches!(refusals(&peer)[..], [Refused::Unreachable(_)]));
+    assert!(matches!(
+        refusals(&peer)[..],
+        [Refused::Course(CourseError::Unreachable(_))]
+    ));
 }
 
 #[tokio::test]

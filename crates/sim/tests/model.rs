@@ -1,0 +1,154 @@
+//! The motion model against the controllers: where does a chain of commands end, and when?
+
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_course::Model;
+use dobot_wire::{
+    Command, Configuration, EndEffector, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode,
+    WriteVector,
+};
+use proptest::prelude::*;
+
+/// What a chain of commands comes to on an arm: where it rests, and when its last motion began to
+/// rest.
+struct Lab {
+    controller: Controller,
+    now: Duration,
+}
+
+impl Lab {
+    fn power_up(personality: Personality) -> Self {
+        let power_up = PowerUp {
+            personality,
+            ..PowerUp::default()
+        };
+        Self {
+            controller: Controller::power_up(power_up),
+            now: Duration::ZERO,
+        }
+    }
+
+    fn wait(&mut self, until: Duration) -> Option<Status> {
+        let mut last = None;
+        while self.now < until {
+            self.now = (self.now + TICK).min(until);
+            self.controller.handle_time(self.now);
+            while let Some(upload) = self.controller.poll_bytes() {
+                last = dobot_wire::Frame::from_bytes(&upload.bytes)
+                    .and_then(|frame| Status::parse(&frame).ok())
+                    .or(last);
+            }
+        }
+        last
+    }
+
+    /// Gives a command, and returns how long the arm moved for it.
+    fn obey(&mut self, command: &Command, personality: Personality) -> Duration {
+        let from = self.now;
+        let packet = command.emit(&personality.dialect());
+        self.controller.handle_bytes(self.now, &packet.to_bytes());
+        let mut moved = from;
+        let mut at = self.controller.pose_at(self.now).position;
+        for _ in 0..MOST_TICKS {
+            self.wait(self.now + TICK);
+            let found = self.controller.pose_at(self.now).position;
+            if found.distance(at).0 > 1e-4 {
+                moved = self.now;
+            } else if self.now > moved + Duration::from_millis(300) {
+                break;
+            }
+            at = found;
+        }
+        moved - from
+    }
+}
+
+fn command() -> impl Strategy<Value = Command> {
+    let mode = prop_oneof![
+        Just(MovingMode::Jump),
+        Just(MovingMode::MovL),
+        Just(MovingMode::MovJ)
+    ];
+    let point = [200.0..260.0_f32, -60.0..60.0_f32, -20.0..60.0_f32];
+    let target = (mode, point, -20.0..20.0_f32).prop_map(|(mode, [x_mm, y_mm, z_mm], turn)| {
+        Command::from(MoveTo {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg: turn,
+            suction: false,
+            mode,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        })
+    });
+    let vector = (-20.0..20.0_f32, 5.0..20.0_f32, 20.0..60.0_f32).prop_map(|(x_mm, y_mm, max)| {
+        Command::from(WriteVector {
+            mode: WriteMode::Writing,
+            x_mm,
+            y_mm,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: max,
+            stop: false,
+        })
+    });
+    let percent = (30.0..100.0_f32, 30.0..100.0_f32).prop_map(|(speed, acceleration)| {
+        Command::from(PlaybackAdjustment {
+            speed_percent: speed,
+            acceleration_percent: acceleration,
+            teach_speed_percent: 50.0,
+        })
+    });
+    let tool = prop_oneof![Just(EndEffector::SuctionCup), Just(EndEffector::Laser)]
+        .prop_map(|tool| Command::from(Configuration::EndEffector { tool }));
+    prop_oneof![4 => target, 3 => vector, 1 => percent, 1 => tool]
+}
+
+fn apart_mm(a: Position, b: Position) -> f64 {
+    a.distance(b).0
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Both controllers end where the model says, in the time that it says: the stock one to a few
+    /// ticks for the motions that it rounds, and to its single precision.
+    #[test]
+    fn a_chain_of_commands_ends_where_and_when_the_model_says(
+        stock in any::<bool>(),
+        commands in prop::collection::vec(command(), 1..8),
+    ) {
+        let personality = if stock { Personality::Firmware11 } else { Personality::Specification };
+        let mut lab = Lab::power_up(personality);
+        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let mut model = Model::new(personality.dialect(), &status);
+        for command in commands {
+            let Ok(course) = model.course(&command) else { continue };
+            if course.check().is_err() {
+                continue;
+            }
+            let expected_s = course.motion_s().expect("it ends");
+            let took_s = lab.obey(&command, personality).as_secs_f64();
+            let late_s = took_s - expected_s;
+            prop_assert!(
+                (-0.05..=LATE_S).contains(&late_s),
+                "{command:?} took {took_s} s; {expected_s} s were expected"
+            );
+            model = model.after(&command, &course);
+            let found = lab.controller.pose_at(lab.now).position;
+            let off_mm = apart_mm(found, model.place.pose.position);
+            prop_assert!(off_mm < 0.05, "{command:?} ended {off_mm} mm off at {found:?}");
+        }
+    }
+}
+
+const TICK: Duration = Duration::from_millis(20);
+/// A minute and more.
+const MOST_TICKS: u32 = 5000;
+/// Until it is taken, and a tick for each of the three parts of a JUMP and for its rounding.
+const LATE_S: f64 = 0.12;
