@@ -38,7 +38,7 @@ readonly CI_STEPS=(
   "lint         clippy over everything, warnings are errors"
   "test         all tests, those in the documentation included"
   "doc          the documentation, warnings are errors"
-  "no-std       do wire, arm, motion and controller link without the standard library?"
+  "no-std       do wire, arm, motion, course and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target"

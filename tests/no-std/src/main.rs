@@ -1,6 +1,6 @@
-//! Proof that `wire`, `arm`, `motion` and `controller` need neither the standard library nor a heap.
+//! Proof that `wire`, `arm`, `motion`, `course` and `controller` need neither the standard library nor a heap.
 //!
-//! This program has no `std`, no allocator and a panic handler of its own. Were one of the four
+//! This program has no `std`, no allocator and a panic handler of its own. Were one of the five
 //! rooms, or anything below them, to ask for `std`, there would be two panic handlers; were one to
 //! ask for a heap, there would be no allocator: in both cases it does not link.
 //!
@@ -15,6 +15,7 @@ use core::time::Duration;
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
 use dobot_controller::{Controller, PowerUp};
+use dobot_course::{Model, Place};
 use dobot_motion::{LineMove, Speeds};
 use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet, Status};
 
@@ -66,6 +67,14 @@ fn motion() -> Option<()> {
     (ends && half_way != from && half_way != to).then_some(())
 }
 
+/// A command leads to its target.
+fn course() -> Option<()> {
+    let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+    let course = Model::standing(DIALECT, here).course(&TARGET.into()).ok()?;
+    let off_mm = course.end()?.pose.position.x.0 - f64::from(TARGET.x_mm);
+    (off_mm.abs() < 1e-9).then_some(())
+}
+
 /// A controller goes to a point and tells so.
 fn controller() -> Option<()> {
     let mut controller = Controller::power_up(PowerUp::default());
@@ -85,7 +94,7 @@ fn packet() -> Packet {
     Command::from(TARGET).emit(&DIALECT)
 }
 
-const CHECKS: [fn() -> Option<()>; 4] = [wire, arm, motion, controller];
+const CHECKS: [fn() -> Option<()>; 5] = [wire, arm, motion, course, controller];
 const DIALECT: Dialect = Dialect::SPECIFICATION;
 const TARGET: MoveTo = MoveTo {
     x_mm: 220.0,
