@@ -7,6 +7,7 @@ use crate::{Dialect, Frame, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct PlaybackAdjustment {
     /// The speed of targets in percent of the configured one, above 0 to 100.
     pub speed_percent: f32,

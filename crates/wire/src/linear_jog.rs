@@ -10,6 +10,7 @@ use crate::{Dialect, Frame, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct LinearJog {
     /// What the button moves or switches.
     pub axis: LinearJogAxis,

@@ -11,6 +11,7 @@ use crate::{Dialect, Frame, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct MouseMove {
     /// How far along Y; on a stock arm the base swings by -0.225 degrees for each unit.
     pub y: f32,

@@ -7,6 +7,7 @@ use crate::{Dialect, Frame, MovingMode, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct MoveTo {
     /// Forward of the base's axis, in millimetres.
     pub x_mm: f32,

@@ -8,11 +8,15 @@ use crate::{PACKET_LEN, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 #[repr(align(4))] // As a frame: then both lie at one place in a packet, and reading is one copy.
 pub struct Voice {
     /// The text, filled up with zeros.
     #[cfg_attr(feature = "serde", serde(with = "as_text"))]
-    #[cfg_attr(feature = "schema", schemars(with = "alloc::string::String", length(max = 40)))]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "alloc::string::String", length(max = 40))
+    )]
     text: [u8; TEXT_LEN],
 }
 

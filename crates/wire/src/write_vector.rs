@@ -7,6 +7,7 @@ use crate::{Dialect, Frame, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct WriteVector {
     /// Pen or laser.
     pub mode: WriteMode,
