@@ -42,7 +42,7 @@ pub use line::Line;
 pub use mechanics::{Joint, Mechanics};
 pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
-pub use pty::Pty;
+pub use pty::{Pty, PtyClient};
 pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
 pub use serve::{DEFAULT_TCP, DEFAULT_WORLD, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};

@@ -1,5 +1,7 @@
 //! A virtual serial port: any program that speaks serial can open it.
 
+mod client;
+
 use std::ffi::OsString;
 use std::fs::{File, OpenOptions};
 use std::io;
@@ -10,10 +12,12 @@ use std::path::{Path, PathBuf};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::OFlags;
-use rustix::io::{Errno, ioctl_fionbio, retry_on_intr};
+use rustix::io::{ioctl_fionbio, retry_on_intr};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{OptionalActions, QueueSelector, speed, tcflush, tcgetattr, tcsetattr};
 use tokio::io::unix::AsyncFd;
+
+pub use client::PtyClient;
 
 /// A pseudo-terminal: this program holds one end, a client opens the other as its serial port.
 ///
@@ -23,12 +27,6 @@ pub struct Pty {
     master: OwnedFd,
     path: PathBuf,
     link: Option<PathBuf>,
-}
-
-/// The client that has a virtual serial port open.
-#[derive(Debug)]
-pub(crate) struct PtyClient {
-    master: AsyncFd<OwnedFd>,
 }
 
 impl Pty {
@@ -64,7 +62,17 @@ impl Pty {
     }
 
     /// The client, if there is one: it has the port open, or left it with bytes still to be read.
-    pub(crate) fn client(&self) -> io::Result<Option<PtyClient>> {
+    ///
+    /// Nothing tells when a client comes: somebody has to look again and again.
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub fn client(&self) -> io::Result<Option<PtyClient>> {
         let flags = self.flags()?;
         if flags.contains(PollFlags::HUP) && !flags.contains(PollFlags::IN) {
             return Ok(None);
@@ -76,7 +84,7 @@ impl Pty {
             reason = "its successor is unsafe; an `OwnedFd` keeps its descriptor, which is all that is asked"
         )]
         let master = AsyncFd::new(self.master.try_clone()?)?;
-        Ok(Some(PtyClient { master }))
+        Ok(Some(PtyClient::new(master)))
     }
 
     /// Throws away bytes of a client that does not have the arm.
@@ -88,7 +96,11 @@ impl Pty {
     ///
     /// A client that was killed can leave the port locked for its own use, and nothing unlocks it:
     /// then another port takes its place, and its new name is returned.
-    pub(crate) fn renew(&mut self) -> io::Result<Option<&Path>> {
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    pub fn renew(&mut self) -> io::Result<Option<&Path>> {
         match client_end(&self.path) {
             Ok(end) => {
                 tcflush(end, QueueSelector::IFlush)?;
@@ -140,34 +152,6 @@ impl Drop for Pty {
     }
 }
 
-impl PtyClient {
-    /// Waits for bytes; none means that the client closed the port. Safe to cancel.
-    ///
-    /// # Errors
-    ///
-    /// What the operating system says.
-    pub(crate) async fn read(&self, buffer: &mut [u8]) -> io::Result<usize> {
-        loop {
-            let mut guard = self.master.readable().await?;
-            let left = guard.ready().is_read_closed();
-            match rustix::io::read(self.master.get_ref(), &mut *buffer) {
-                Ok(count) => return Ok(count),
-                Err(Errno::IO) => return Ok(0),
-                // It closed the port, and somebody has opened it since.
-                Err(Errno::AGAIN) if left => return Ok(0),
-                Err(Errno::AGAIN) => guard.clear_ready(),
-                Err(Errno::INTR) => {}
-                Err(error) => return Err(error.into()),
-            }
-        }
-    }
-
-    /// Writes what fits, and says how much that is.
-    pub(crate) fn write(&self, bytes: &[u8]) -> usize {
-        rustix::io::write(self.master.get_ref(), bytes).unwrap_or(0)
-    }
-}
-
 /// Both ends of a new virtual serial port: the one to hold, and the name of the other.
 fn pair() -> io::Result<(OwnedFd, PathBuf)> {
     let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
@@ -212,7 +196,9 @@ mod tests {
     use std::sync::atomic::{AtomicBool, Ordering};
     use std::task::{Context, Wake, Waker};
 
+    use rustix::io::Errno;
     use rustix::termios::ioctl_tiocexcl;
+    use tokio::io::AsyncReadExt as _;
     use tokio_serial::{ClearBuffer, SerialPort, SerialPortBuilderExt};
 
     use super::*;
@@ -233,7 +219,7 @@ mod tests {
         tokio_serial::new(path, 9600).open_native_async().unwrap()
     }
 
-    async fn read(client: &PtyClient, count: usize) -> Vec<u8> {
+    async fn read(client: &mut PtyClient, count: usize) -> Vec<u8> {
         let mut bytes = Vec::new();
         while bytes.len() < count {
             let mut some = [0; 64];
@@ -250,27 +236,27 @@ mod tests {
 
         let pty = Pty::open(None).unwrap();
         let mut program = open(&pty);
-        let client = pty.client().unwrap().unwrap();
+        let mut client = pty.client().unwrap().unwrap();
         let all: Vec<u8> = (0..=255).collect();
-        client.write(&all);
+        client.try_write(&all);
         let mut received = vec![0; 256];
         AsyncReadExt::read_exact(&mut program, &mut received)
             .await
             .unwrap();
         assert_eq!(received, all);
         AsyncWriteExt::write_all(&mut program, &all).await.unwrap();
-        assert_eq!(read(&client, 256).await, all);
+        assert_eq!(read(&mut client, 256).await, all);
     }
 
     #[tokio::test]
     async fn a_program_that_sets_nothing_gets_a_plain_byte_stream() {
         let pty = Pty::open(None).unwrap();
         let mut program = client_end(pty.path()).unwrap();
-        let client = pty.client().unwrap().unwrap();
+        let mut client = pty.client().unwrap().unwrap();
         let all: Vec<u8> = (0..=255).collect();
         program.write_all(&all).unwrap();
-        assert_eq!(read(&client, 256).await, all);
-        client.write(&all);
+        assert_eq!(read(&mut client, 256).await, all);
+        client.try_write(&all);
         let mut received = Vec::new();
         while received.len() < 256 {
             let mut some = [0; 256];
@@ -289,7 +275,7 @@ mod tests {
         assert!(pty.client().unwrap().is_none());
         for _ in 0..3 {
             let program = open(&pty);
-            let client = pty.client().unwrap().unwrap();
+            let mut client = pty.client().unwrap().unwrap();
             drop(program);
             assert_eq!(client.read(&mut [0; 64]).await.unwrap(), 0);
             assert!(pty.client().unwrap().is_none());
@@ -300,8 +286,8 @@ mod tests {
     async fn what_a_program_wrote_before_it_left_is_still_read() {
         let pty = Pty::open(None).unwrap();
         client_end(pty.path()).unwrap().write_all(&[7; 42]).unwrap();
-        let client = pty.client().unwrap().unwrap();
-        assert_eq!(read(&client, 42).await, [7; 42]);
+        let mut client = pty.client().unwrap().unwrap();
+        assert_eq!(read(&mut client, 42).await, [7; 42]);
         assert_eq!(client.read(&mut [0; 64]).await.unwrap(), 0);
     }
 
@@ -310,7 +296,7 @@ mod tests {
         let pty = Pty::open(None).unwrap();
         drop(open(&pty));
         let _program = open(&pty);
-        let client = pty.client().unwrap().unwrap();
+        let mut client = pty.client().unwrap().unwrap();
         // One poll finds nothing and does not spin: a spinning one wakes itself at once.
         let woken = Arc::new(Woken::default());
         let waker = Waker::from(Arc::clone(&woken));
@@ -330,7 +316,7 @@ mod tests {
         let mut program = client_end(pty.path()).unwrap();
         let client = pty.client().unwrap().unwrap();
         for _ in 0..1000 {
-            client.write(&[5; 4096]);
+            client.try_write(&[5; 4096]);
         }
         let mut some = [0; 42];
         program.read_exact(&mut some).unwrap();
@@ -341,7 +327,7 @@ mod tests {
     async fn what_the_last_client_did_not_read_is_not_for_the_next() {
         let mut pty = Pty::open(None).unwrap();
         let program = open(&pty);
-        pty.client().unwrap().unwrap().write(&[1; 420]);
+        pty.client().unwrap().unwrap().try_write(&[1; 420]);
         // It has arrived: it is not on its way any more when the port is emptied.
         while program.bytes_to_read().unwrap() < 420 {
             tokio::task::yield_now().await;
@@ -352,7 +338,7 @@ mod tests {
         let error = program.read(&mut [0; 64]).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::WouldBlock);
         // What comes later does arrive.
-        pty.client().unwrap().unwrap().write(&[2]);
+        pty.client().unwrap().unwrap().try_write(&[2]);
         let mut one = [0];
         while program.read(&mut one).is_err() {
             tokio::task::yield_now().await;

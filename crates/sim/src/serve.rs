@@ -382,7 +382,7 @@ impl Server {
             _ if self.outgoing.is_empty() => Ok(0),
             Some(Client::Tcp(stream)) => stream.try_write(&self.outgoing),
             #[cfg(unix)]
-            Some(Client::Pty(client)) => Ok(client.write(&self.outgoing)),
+            Some(Client::Pty(client)) => Ok(client.try_write(&self.outgoing)),
             Some(Client::InProcess(stream)) => {
                 at_once(stream.write(&self.outgoing)).unwrap_or(Ok(0))
             }
@@ -470,12 +470,7 @@ async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<u
     match client {
         Some(Client::Tcp(stream)) => stream.read_buf(buffer).await,
         #[cfg(unix)]
-        Some(Client::Pty(client)) => {
-            let mut bytes = [0; READ_LEN];
-            let count = client.read(&mut bytes).await?;
-            buffer.extend_from_slice(&bytes[..count]);
-            Ok(count)
-        }
+        Some(Client::Pty(client)) => client.read_buf(buffer).await,
         Some(Client::InProcess(stream)) => stream.read_buf(buffer).await,
         None => pending().await,
     }
