@@ -41,7 +41,7 @@ pub use connection::{Connection, LinkError};
 pub use link::Link;
 pub use open::OpenError;
 pub use peer::Peer;
-pub use ports::{Port, ports};
+pub use ports::{Port, Usb, ports};
 pub use session::{CommandId, Event, SendError, Session, plausible};
 
 /// Which dialect an arm speaks, and by which evidence.
