@@ -2,12 +2,12 @@
 
 use dobot_client::Finding;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{JobView, LeaseView};
 
 /// The answer to a request that was granted.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Reply {
     /// It is done.
@@ -35,6 +35,7 @@ pub enum Reply {
         job: JobView,
     },
     /// Which dialect the arm speaks.
+    #[serde(skip_deserializing)]
     Found {
         /// What was found, and by which evidence.
         #[schemars(with = "serde_json::Value")]

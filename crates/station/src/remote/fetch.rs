@@ -1,0 +1,92 @@
+//! A single question over HTTP, for what is not asked over the WebSocket.
+
+use serde::de::DeserializeOwned;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+
+use super::stream::{open, soon};
+use super::{ConnectError, StationAddress};
+use crate::Problem;
+
+/// Asks for a document of the API, such as `/api/v1/jobs`.
+///
+/// # Errors
+///
+/// [`ConnectError`] where the station cannot be reached or refuses.
+pub async fn fetch<T: DeserializeOwned>(
+    address: &StationAddress,
+    path: &str,
+) -> Result<T, ConnectError> {
+    let answer = soon(address, ask(address, path)).await?;
+    let (status, body) = split(&answer).ok_or_else(|| ConnectError::no_station(address, SPEECH))?;
+    if status == 200 {
+        return serde_json::from_slice(body).map_err(|it| ConnectError::no_station(address, it));
+    }
+    Err(refused(address, status, body))
+}
+
+/// What an answer that is no success means.
+pub(super) fn refused(address: &StationAddress, status: u16, body: &[u8]) -> ConnectError {
+    match serde_json::from_slice::<Problem>(body) {
+        Ok(problem) => ConnectError::Refused(Box::new(problem)),
+        Err(_) => ConnectError::no_station(address, format!("it answers with status {status}")),
+    }
+}
+
+/// One question on a connection of its own; in HTTP 1.0, the answer ends with the connection.
+async fn ask(address: &StationAddress, path: &str) -> Result<Vec<u8>, ConnectError> {
+    let broken = |it| ConnectError::no_station(address, it);
+    let mut stream = open(address).await?;
+    let question = question(address, path);
+    stream
+        .write_all(question.as_bytes())
+        .await
+        .map_err(broken)?;
+    let mut answer = Vec::new();
+    let mut most = stream.take(MOST_BYTES);
+    most.read_to_end(&mut answer).await.map_err(broken)?;
+    Ok(answer)
+}
+
+fn question(address: &StationAddress, path: &str) -> String {
+    let host = address.authority();
+    let authorization = match &address.token {
+        Some(token) => format!("Authorization: Bearer {token}\r\n"),
+        None => String::new(),
+    };
+    format!(
+        "GET {path} HTTP/1.0\r\nHost: {host}\r\nAccept: application/json\r\n{authorization}\r\n"
+    )
+}
+
+/// Status and body of an answer.
+fn split(answer: &[u8]) -> Option<(u16, &[u8])> {
+    let end = answer.windows(4).position(|it| it == b"\r\n\r\n")?;
+    let head = std::str::from_utf8(&answer[..end]).ok()?;
+    let status = head.strip_prefix("HTTP/1.")?.get(2..5)?.parse().ok()?;
+    Some((status, &answer[end + 4..]))
+}
+
+const SPEECH: &str = "it does not speak HTTP";
+const MOST_BYTES: u64 = 16 << 20;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn status_and_body_are_told_apart() {
+        let answer = b"HTTP/1.1 404 Not Found\r\nContent-Length: 2\r\n\r\n{}";
+        assert_eq!(split(answer), Some((404, &b"{}"[..])));
+        assert_eq!(split(b"SSH-2.0-OpenSSH\r\n\r\n"), None);
+    }
+
+    proptest! {
+        #[test]
+        fn no_answer_makes_it_panic(answer: Vec<u8>, tail in "HTTP/1.1 [0-9]{0,4}.{0,4}\r\n\r\n") {
+            let _ = split(&answer);
+            let _ = split(tail.as_bytes());
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! TLS with a station whose certificate no public authority knows.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use rustls::client::danger::{HandshakeSignatureValid, ServerCertVerified, ServerCertVerifier};
+use rustls::crypto::{CryptoProvider, ring, verify_tls12_signature, verify_tls13_signature};
+use rustls::pki_types::pem::PemObject;
+use rustls::pki_types::{CertificateDer, ServerName, UnixTime};
+use rustls::{
+    CertificateError, ClientConfig, DigitallySignedStruct, Error, RootCertStore, SignatureScheme,
+};
+use sha2::{Digest, Sha256};
+
+use super::Trust;
+
+/// How to speak TLS with a station that is trusted for this reason.
+pub(super) fn client_config(trust: &Trust) -> Result<ClientConfig, TrustError> {
+    let provider = Arc::new(ring::default_provider());
+    let builder = ClientConfig::builder_with_provider(provider.clone())
+        .with_safe_default_protocol_versions()
+        .expect("the provider speaks the versions that it is built with");
+    let builder = match trust {
+        Trust::Fingerprint(digest) => {
+            builder
+                .dangerous()
+                .with_custom_certificate_verifier(Arc::new(Pinned {
+                    digest: *digest,
+                    provider,
+                }))
+        }
+        Trust::Authority(file) => builder.with_root_certificates(authorities(file)?),
+    };
+    Ok(builder.with_no_client_auth())
+}
+
+/// Why a file of certificates is of no use.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TrustError {
+    /// It cannot be read.
+    #[error("cannot read certificates from {file}: {why}")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// Why not.
+        why: String,
+    },
+    /// There is none in it.
+    #[error("there is no certificate in {file}; allowed is a PEM file with one at least")]
+    Empty {
+        /// The file.
+        file: String,
+    },
+}
+
+fn authorities(file: &Path) -> Result<RootCertStore, TrustError> {
+    let unreadable = |why: String| TrustError::Unreadable {
+        file: file.display().to_string(),
+        why,
+    };
+    let certificates =
+        CertificateDer::pem_file_iter(file).map_err(|it| unreadable(it.to_string()))?;
+    let mut store = RootCertStore::empty();
+    for certificate in certificates {
+        let certificate = certificate.map_err(|it| unreadable(it.to_string()))?;
+        let added = store.add(certificate);
+        added.map_err(|it| unreadable(it.to_string()))?;
+    }
+    if store.is_empty() {
+        return Err(TrustError::Empty {
+            file: file.display().to_string(),
+        });
+    }
+    Ok(store)
+}
+
+/// Trusts one certificate, whoever issued it and whatever it is called.
+#[derive(Debug)]
+struct Pinned {
+    digest: [u8; 32],
+    provider: Arc<CryptoProvider>,
+}
+
+impl ServerCertVerifier for Pinned {
+    fn verify_server_cert(
+        &self,
+        end_entity: &CertificateDer<'_>,
+        _: &[CertificateDer<'_>],
+        _: &ServerName<'_>,
+        _: &[u8],
+        _: UnixTime,
+    ) -> Result<ServerCertVerified, Error> {
+        if Sha256::digest(end_entity)[..] == self.digest {
+            Ok(ServerCertVerified::assertion())
+        } else {
+            Err(CertificateError::ApplicationVerificationFailure.into())
+        }
+    }
+
+    fn verify_tls12_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        let algorithms = &self.provider.signature_verification_algorithms;
+        verify_tls12_signature(message, certificate, signed, algorithms)
+    }
+
+    fn verify_tls13_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        let algorithms = &self.provider.signature_verification_algorithms;
+        verify_tls13_signature(message, certificate, signed, algorithms)
+    }
+
+    fn supported_verify_schemes(&self) -> Vec<SignatureScheme> {
+        self.provider
+            .signature_verification_algorithms
+            .supported_schemes()
+    }
+}
