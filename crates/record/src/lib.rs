@@ -1,1 +1,54 @@
 //! Recordings of everything on the wire, as MCAP files, and their replay.
+//!
+//! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off;
+//! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
+//! Foxglove, with the tool's pose in its 3D panel and everything else to plot.
+//!
+//! ```
+//! use std::time::Duration;
+//!
+//! use dobot_record::{About, Entry, Limits, Record, Recorder, Recording, recordings};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let folder = tempfile::tempdir()?;
+//! let start = "2026-11-21T12:30:00Z".parse()?;
+//! let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start)?;
+//! recorder.record(Duration::from_secs(1), Record::ToArm(vec![0xA5, 0x5A]));
+//! assert_eq!(recorder.finish().lost, 0);
+//!
+//! let file = &recordings(folder.path())?[0].path;
+//! assert!(file.ends_with("dobot-2026-11-21T12-30-01Z.mcap"));
+//! let told: Vec<_> = Recording::open(file)?.collect();
+//! assert_eq!(told[0].at, Duration::from_secs(1));
+//! assert_eq!(told[0].entry, Entry::ToArm(vec![0xA5, 0x5A]));
+//! # Ok(())
+//! # }
+//! ```
+
+mod about;
+mod chapter;
+mod chunk;
+mod fields;
+mod folder;
+mod hex;
+mod keeper;
+mod limits;
+mod playback;
+mod record;
+mod recorder;
+mod recording;
+mod replay;
+mod schema;
+mod scribe;
+mod shelf;
+mod topic;
+
+pub use about::About;
+pub use folder::default_folder;
+pub use limits::{Limits, StartError};
+pub use record::Record;
+pub use recorder::{Health, Recorder};
+pub use recording::{Damage, Entry, Moment, OpenError, Recording};
+pub use replay::{Difference, Replay, Report};
+pub use shelf::{Shelved, recordings};
+pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};

@@ -1,0 +1,100 @@
+//! What a recording is of: who recorded it, which arm, which dialect.
+
+use std::collections::BTreeMap;
+
+use dobot_wire::Dialect;
+use jiff::Timestamp;
+
+/// What a recording is of; every file tells it, as MCAP metadata named `dobot`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct About {
+    /// The program that recorded, with its version, as in `dobot 0.1.0`.
+    pub program: String,
+    /// The arm's address, as in `serial:/dev/ttyUSB0`.
+    pub address: String,
+    /// What the arm understands; `None` while nobody knows.
+    pub dialect: Option<Dialect>,
+    /// How a virtual arm behaves, as in `firmware-1.1`; `None` for a real one.
+    pub personality: Option<String>,
+}
+
+impl About {
+    /// The metadata of a file whose times count from `start`.
+    pub(crate) fn metadata(&self, start: Timestamp) -> mcap::records::Metadata {
+        let mut metadata = BTreeMap::from([
+            (PROGRAM.to_owned(), self.program.clone()),
+            (START.to_owned(), start.to_string()),
+            (ADDRESS.to_owned(), self.address.clone()),
+        ]);
+        if let Some(dialect) = self.dialect {
+            metadata.insert(DIALECT.to_owned(), dialect.to_string());
+        }
+        if let Some(personality) = &self.personality {
+            metadata.insert(PERSONALITY.to_owned(), personality.clone());
+        }
+        mcap::records::Metadata {
+            name: NAME.to_owned(),
+            metadata,
+        }
+    }
+
+    /// Reads the metadata of a file, and from when on its times count; `None` for metadata of
+    /// another kind. A dialect that this program does not know is undecided.
+    pub(crate) fn of_metadata(record: &mcap::records::Metadata) -> Option<(Self, Timestamp)> {
+        let field = |name| record.metadata.get(name).cloned();
+        let start = field(START)?.parse().ok()?;
+        let about = Self {
+            program: field(PROGRAM).unwrap_or_default(),
+            address: field(ADDRESS).unwrap_or_default(),
+            dialect: field(DIALECT).and_then(|name| name.parse().ok()),
+            personality: field(PERSONALITY),
+        };
+        (record.name == NAME).then_some((about, start))
+    }
+}
+
+const NAME: &str = "dobot";
+const PROGRAM: &str = "program";
+const START: &str = "start";
+const ADDRESS: &str = "address";
+const DIALECT: &str = "dialect";
+const PERSONALITY: &str = "personality";
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_recording_is_of_survives_the_file() {
+        let start: Timestamp = "2026-11-21T12:30:00.25Z".parse().unwrap();
+        let real = About {
+            program: "dobot 0.1.0".to_owned(),
+            address: "serial:/dev/ttyUSB0".to_owned(),
+            dialect: None,
+            personality: None,
+        };
+        let virtual_arm = About {
+            dialect: Some(Dialect::FIRMWARE_1_1),
+            personality: Some("firmware-1.1".to_owned()),
+            ..real.clone()
+        };
+        for about in [real, virtual_arm] {
+            let read = About::of_metadata(&about.metadata(start)).unwrap();
+            assert_eq!(read, (about, start));
+        }
+    }
+
+    #[test]
+    fn metadata_of_another_kind_is_not_taken_for_it() {
+        let start = Timestamp::UNIX_EPOCH;
+        let mut metadata = About::default().metadata(start);
+        metadata.name = "camera".to_owned();
+        assert_eq!(About::of_metadata(&metadata), None);
+        let mut metadata = About::default().metadata(start);
+        metadata
+            .metadata
+            .insert(START.to_owned(), "noon".to_owned());
+        assert_eq!(About::of_metadata(&metadata), None);
+    }
+}

@@ -1,0 +1,302 @@
+//! One MCAP file while it is written.
+
+use std::collections::{BTreeMap, HashMap};
+use std::io::{self, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use jiff::Timestamp;
+use mcap::records::MessageHeader;
+use mcap::write::NoSeek;
+use mcap::{Compression, McapResult, WriteOptions, Writer};
+
+use crate::scribe::Message;
+use crate::{About, Topic};
+
+/// One MCAP file while it is written: small chunks, each written as a whole, so that what was
+/// flushed can be read whatever happens next.
+pub(crate) struct Chapter<W: Write> {
+    writer: Writer<NoSeek<Counted<W>>>,
+    /// Bytes that the file has been given.
+    written: Arc<AtomicU64>,
+    channels: HashMap<String, Channel>,
+    /// How long the index at the end of the file will be, in bytes, at the most.
+    index_len: u64,
+    chunk: Option<Chunk>,
+}
+
+/// A topic in the file.
+#[derive(Clone, Copy)]
+struct Channel {
+    id: u16,
+    messages: u32,
+}
+
+/// The chunk that is not flushed yet.
+#[derive(Clone, Copy)]
+struct Chunk {
+    begin_ns: u64,
+    /// How long it will be in the file, in bytes, at the most.
+    len: u64,
+}
+
+impl<W: Write> Chapter<W> {
+    /// Begins a file.
+    pub(crate) fn begin(file: W, about: &About, start: Timestamp) -> McapResult<Self> {
+        let written = Arc::new(AtomicU64::new(0));
+        let counted = Counted {
+            inner: file,
+            count: Arc::clone(&written),
+        };
+        let options = WriteOptions::new()
+            .library(concat!("dobot ", env!("CARGO_PKG_VERSION")))
+            .compression(Some(Compression::Zstd))
+            .compression_threads(0)
+            // A chunk is whole in memory before any of it is written.
+            .disable_seeking(true)
+            .chunk_size(Some(MOST_CHUNK_LEN));
+        let mut chapter = Self {
+            writer: options.create(NoSeek::new(counted))?,
+            written,
+            channels: HashMap::new(),
+            index_len: FRAME_LEN,
+            chunk: None,
+        };
+        chapter.tell(about, start)?;
+        Ok(chapter)
+    }
+
+    /// Writes what the recording is of.
+    pub(crate) fn tell(&mut self, about: &About, start: Timestamp) -> McapResult<()> {
+        self.flush()?;
+        self.index_len += RECORD_LEN;
+        self.writer.write_metadata(&about.metadata(start))?;
+        self.writer.flush()
+    }
+
+    /// Writes a message; it is safe from the next [`Chapter::flush`] on.
+    pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
+        let len = self.cost(message);
+        let header = MessageHeader {
+            channel_id: self.channel(message.topic)?,
+            sequence: self.count(message.topic),
+            log_time: message.at_ns,
+            publish_time: message.at_ns,
+        };
+        self.writer.write_to_known_channel(&header, &message.json)?;
+        let chunk = self.chunk.get_or_insert(Chunk {
+            begin_ns: message.at_ns,
+            len: 0,
+        });
+        chunk.len += len;
+        Ok(())
+    }
+
+    /// Whether a message would make the file longer than `limit`, in bytes.
+    pub(crate) fn is_full_for(&self, message: &Message<'_>, limit: u64) -> bool {
+        self.len_when_finished() + self.cost(message) > limit
+    }
+
+    /// Whether it has room for that topic.
+    pub(crate) fn has_room_for(&self, topic: &Topic) -> bool {
+        self.channels.len() < TOPICS || self.channels.contains_key(topic.name())
+    }
+
+    /// Whether what is not flushed is worth a chunk of its own by now.
+    pub(crate) fn wants_flush(&self, now_ns: u64) -> bool {
+        self.chunk.is_some_and(|chunk| {
+            chunk.len >= CHUNK_LEN || now_ns.abs_diff(chunk.begin_ns) >= CHUNK_NS
+        })
+    }
+
+    /// Hands all that was written to the file.
+    pub(crate) fn flush(&mut self) -> McapResult<()> {
+        if self.chunk.take().is_some() {
+            self.index_len += RECORD_LEN + PER_CHANNEL_LEN * self.channels.len() as u64;
+        }
+        self.writer.flush()
+    }
+
+    /// Writes index and end mark, and gives the file back.
+    pub(crate) fn finish(mut self) -> McapResult<W> {
+        self.writer.finish()?;
+        let mut file = self.writer.into_inner().into_inner().inner;
+        file.flush()?;
+        Ok(file)
+    }
+
+    /// How long the file is if it is finished now, in bytes, at the most.
+    fn len_when_finished(&self) -> u64 {
+        let chunk_len = self.chunk.map_or(0, |chunk| chunk.len);
+        self.written.load(Ordering::Relaxed) + chunk_len + self.index_len
+    }
+
+    /// How much longer the file gets by a message, in bytes, at the most.
+    fn cost(&self, message: &Message<'_>) -> u64 {
+        let topic = message.topic;
+        let own = message.json.len() as u64 + RECORD_LEN;
+        let names = 2 * (topic.name().len() + topic.schema_name().len()) as u64;
+        let channel = match self.channels.contains_key(topic.name()) {
+            true => 0,
+            false => 2 * (topic.schema().len() as u64 + names + RECORD_LEN),
+        };
+        let chunk = match self.chunk {
+            Some(_) => 0,
+            None => 2 * (RECORD_LEN + PER_CHANNEL_LEN * (self.channels.len() as u64 + 1)),
+        };
+        // What cannot be compressed gets a little longer.
+        (own + channel) / 64 + own + channel + chunk
+    }
+
+    fn channel(&mut self, topic: &Topic) -> McapResult<u16> {
+        if let Some(channel) = self.channels.get(topic.name()) {
+            return Ok(channel.id);
+        }
+        let schema = topic.schema().as_bytes();
+        let schema_id = self
+            .writer
+            .add_schema(topic.schema_name(), "jsonschema", schema)?;
+        let id = self
+            .writer
+            .add_channel(schema_id, topic.name(), "json", &BTreeMap::new())?;
+        let channel = Channel { id, messages: 0 };
+        self.channels.insert(topic.name().to_owned(), channel);
+        let names = 2 * (topic.name().len() + topic.schema_name().len()) as u64;
+        self.index_len += topic.schema().len() as u64 + names + RECORD_LEN;
+        Ok(id)
+    }
+
+    /// The number of the next message of a topic.
+    fn count(&mut self, topic: &Topic) -> u32 {
+        let Some(channel) = self.channels.get_mut(topic.name()) else {
+            return 0;
+        };
+        channel.messages = channel.messages.wrapping_add(1);
+        channel.messages
+    }
+}
+
+impl<W: Write> std::fmt::Debug for Chapter<W> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Chapter")
+            .field("len_when_finished", &self.len_when_finished())
+            .finish_non_exhaustive()
+    }
+}
+
+/// Counts the bytes that something is given.
+struct Counted<W> {
+    inner: W,
+    count: Arc<AtomicU64>,
+}
+
+impl<W: Write> Write for Counted<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.inner.write(bytes)?;
+        self.count.fetch_add(count as u64, Ordering::Relaxed);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
+/// How many topics a file has room for.
+const TOPICS: usize = 64;
+
+/// A chunk is flushed when it holds so many bytes ...
+const CHUNK_LEN: u64 = 64 << 10;
+/// ... or so much time, in nanoseconds.
+const CHUNK_NS: u64 = 1_000_000_000;
+/// No chunk gets longer than this before it is flushed: a single message may be long.
+const MOST_CHUNK_LEN: u64 = 1 << 20;
+
+/// Magic, header, statistics, footer.
+const FRAME_LEN: u64 = 2048;
+/// A record's numbers and its entries in indexes.
+const RECORD_LEN: u64 = 160;
+/// Each channel's part in the indexes of a chunk.
+const PER_CHANNEL_LEN: u64 = 32;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+    use serde_json::json;
+
+    use super::*;
+
+    /// A disk that takes so many bytes and no more.
+    struct Disk(usize);
+
+    impl Write for Disk {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            if self.0 == 0 {
+                return Err(io::ErrorKind::StorageFull.into());
+            }
+            let count = bytes.len().min(self.0);
+            self.0 -= count;
+            Ok(count)
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    fn topic(number: usize) -> Topic {
+        let schema = json!({ "type": "object", "title": number });
+        Topic::new(&format!("/{number}"), "x.X", &schema).unwrap()
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error_wherever_it_strikes() {
+        let topic = topic(1);
+        for room in 0..2000 {
+            let written = || -> McapResult<()> {
+                let (about, start) = (About::default(), Timestamp::UNIX_EPOCH);
+                let mut chapter = Chapter::begin(Disk(room), &about, start)?;
+                for at_ns in 0..100 {
+                    let json = at_ns.to_string().into_bytes();
+                    let topic = &topic;
+                    chapter.write(&Message { topic, at_ns, json })?;
+                    chapter.flush()?;
+                }
+                chapter.finish().map(drop)
+            };
+            assert!(written().is_err(), "{room} bytes are not enough");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_file_gets_longer_than_was_foreseen(
+            messages in proptest::collection::vec((0..20_usize, 0..3000_usize, any::<bool>()), 1..200),
+        ) {
+            let topics: Vec<_> = (0..20).map(topic).collect();
+            let (about, start) = (About::default(), Timestamp::UNIX_EPOCH);
+            let mut chapter = Chapter::begin(Vec::new(), &about, start).unwrap();
+            let mut noise = 1_u64;
+            for (number, len, flush) in messages {
+                let mut random = || {
+                    noise = noise.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    (noise >> 56) as u8
+                };
+                let json = (0..len).map(|_| random()).collect();
+                let message = Message { topic: &topics[number], at_ns: 0, json };
+                let foreseen = chapter.len_when_finished() + chapter.cost(&message);
+                chapter.write(&message).unwrap();
+                prop_assert!(chapter.len_when_finished() <= foreseen);
+                if flush {
+                    let foreseen = chapter.len_when_finished();
+                    chapter.flush().unwrap();
+                    prop_assert!(chapter.len_when_finished() <= foreseen);
+                }
+            }
+            let foreseen = chapter.len_when_finished();
+            let file = chapter.finish().unwrap();
+            prop_assert!(file.len() as u64 <= foreseen, "{} > {foreseen}", file.len());
+        }
+    }
+}

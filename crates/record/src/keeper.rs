@@ -1,0 +1,274 @@
+//! Keeps recordings in a folder: begins files, ends them, deletes the oldest.
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use jiff::{SignedDuration, Timestamp};
+use mcap::McapError;
+
+use crate::chapter::Chapter;
+use crate::scribe::{Message, Scribe};
+use crate::{About, Health, Limits, Record, shelf};
+
+/// Keeps recordings in a folder. It has no clock: time comes with the records.
+#[derive(Debug)]
+pub(crate) struct Keeper {
+    folder: PathBuf,
+    limits: Limits,
+    start: Timestamp,
+    about: About,
+    scribe: Scribe,
+    open: Option<Open>,
+    trouble: Option<Trouble>,
+    /// The time of the latest record.
+    now: Duration,
+    /// Records lost for good.
+    lost: u64,
+    /// Records lost that no file tells of yet.
+    untold: u64,
+    why_untold: String,
+}
+
+/// The file that is written.
+#[derive(Debug)]
+struct Open {
+    path: PathBuf,
+    chapter: Chapter<BufWriter<File>>,
+    /// The same file, to make it safe from a power cut.
+    file: File,
+    synced: Duration,
+    /// Records that are not flushed yet.
+    unsafe_records: u64,
+}
+
+/// Why nothing can be recorded now.
+#[derive(Debug)]
+struct Trouble {
+    reason: String,
+    retry: Duration,
+}
+
+impl Keeper {
+    /// A keeper of recordings whose times count from `start`.
+    pub(crate) fn new(
+        folder: PathBuf,
+        limits: Limits,
+        start: Timestamp,
+        about: About,
+        mut scribe: Scribe,
+    ) -> Self {
+        scribe.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
+        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Trouble {
+            reason: format!("cannot make the folder {}: {error}", folder.display()),
+            retry: Duration::ZERO,
+        });
+        Self {
+            folder,
+            limits,
+            start,
+            about,
+            scribe,
+            open: None,
+            trouble,
+            now: Duration::ZERO,
+            lost: 0,
+            untold: 0,
+            why_untold: String::new(),
+        }
+    }
+
+    /// Records something.
+    pub(crate) fn handle_record(&mut self, at: Duration, record: &Record) {
+        self.now = self.now.max(at);
+        if let Record::About(about) = record {
+            self.about = (**about).clone();
+            let told = self.tell();
+            self.judge(told);
+        }
+        let Some(messages) = self.scribe.write(at, record) else {
+            return self.handle_lost(1, "a time lies centuries ahead");
+        };
+        if messages.is_empty() {
+            return;
+        }
+        if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
+            let reason = trouble.reason.clone();
+            return self.handle_lost(1, &reason);
+        }
+        let written = self.write(at, &messages);
+        let failed = written.is_err();
+        self.judge(written);
+        if failed {
+            let reason = self.health().trouble.unwrap_or_default();
+            self.handle_lost(1, &reason);
+        }
+    }
+
+    /// Takes note of records that were lost.
+    pub(crate) fn handle_lost(&mut self, count: u64, reason: &str) {
+        if count > 0 {
+            self.lost += count;
+            self.untold += count;
+            reason.clone_into(&mut self.why_untold);
+        }
+    }
+
+    /// Nothing came for a while: what came before is made safe.
+    pub(crate) fn handle_idle(&mut self) {
+        let flushed = match &mut self.open {
+            Some(open) if open.unsafe_records > 0 => open.flush(),
+            _ => return,
+        };
+        self.judge(flushed);
+    }
+
+    /// Ends the file that is written.
+    pub(crate) fn finish(&mut self) {
+        if self.open.is_some() {
+            let closed = self.close();
+            self.judge(closed);
+        }
+    }
+
+    /// How it goes.
+    pub(crate) fn health(&self) -> Health {
+        Health {
+            file: self.open.as_ref().map(|open| open.path.clone()),
+            trouble: self.trouble.as_ref().map(|it| it.reason.clone()),
+            lost: self.lost,
+        }
+    }
+
+    /// Writes the messages that tell a record.
+    fn write(&mut self, at: Duration, messages: &[Message<'_>]) -> Result<(), McapError> {
+        for message in messages {
+            self.turn_page(at, message)?;
+            let Some(open) = &mut self.open else { break };
+            if self.untold > 0
+                && let Some(lost) = self.scribe.write_lost(at, self.untold, &self.why_untold)
+            {
+                open.chapter.write(&lost)?;
+                self.untold = 0;
+            }
+            open.chapter.write(message)?;
+        }
+        let (Some(open), Some(last)) = (&mut self.open, messages.last()) else {
+            return Ok(());
+        };
+        open.unsafe_records += 1;
+        if open.chapter.wants_flush(last.at_ns) {
+            open.flush()?;
+        }
+        if at.saturating_sub(open.synced) >= SYNC_PERIOD {
+            open.synced = at;
+            open.file.sync_data()?;
+        }
+        Ok(())
+    }
+
+    /// Sees to it that a file is open that has room for a message.
+    fn turn_page(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
+        // What was lost may have to be told first.
+        let limit = self.limits.file_bytes.saturating_sub(LOST_LEN);
+        let has_room = |open: &Open| {
+            !open.chapter.is_full_for(message, limit) && open.chapter.has_room_for(message.topic)
+        };
+        if self.open.as_ref().is_some_and(has_room) {
+            return Ok(());
+        }
+        self.close()?;
+        let Limits {
+            file_bytes,
+            total_bytes,
+        } = self.limits;
+        shelf::make_room(&self.folder, file_bytes, total_bytes)?;
+        self.open = Some(self.begin(at)?);
+        Ok(())
+    }
+
+    fn close(&mut self) -> Result<(), McapError> {
+        let Some(open) = self.open.take() else {
+            return Ok(());
+        };
+        let count = open.unsafe_records;
+        open.finish().inspect_err(|error| {
+            let reason = self.text(error);
+            self.handle_lost(count, &reason);
+        })
+    }
+
+    fn begin(&self, at: Duration) -> Result<Open, McapError> {
+        let since = SignedDuration::try_from(at).unwrap_or(SignedDuration::ZERO);
+        let begin = self.start.checked_add(since).unwrap_or(self.start);
+        let (path, file) = shelf::create(&self.folder, begin)?;
+        let writer = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
+        Ok(Open {
+            path,
+            chapter: Chapter::begin(writer, &self.about, self.start)?,
+            file,
+            synced: at,
+            unsafe_records: 0,
+        })
+    }
+
+    /// Tells the open file what the recording is of from here on.
+    fn tell(&mut self) -> Result<(), McapError> {
+        let Some(open) = &mut self.open else {
+            return Ok(());
+        };
+        open.chapter.tell(&self.about, self.start)?;
+        open.unsafe_records = 0;
+        Ok(())
+    }
+
+    /// After a failure the file is given up, with what was not flushed, and another one is tried
+    /// later.
+    fn judge(&mut self, done: Result<(), McapError>) {
+        self.trouble = done.err().map(|error| Trouble {
+            reason: self.text(&error),
+            retry: self.now + RETRY,
+        });
+        if let Some(reason) = self.health().trouble
+            && let Some(open) = self.open.take()
+        {
+            self.handle_lost(open.unsafe_records, &reason);
+        }
+    }
+
+    fn text(&self, error: &McapError) -> String {
+        let folder = self.folder.display();
+        match error {
+            McapError::Io(error) => format!("cannot record in {folder}: {error}"),
+            error => format!("cannot record in {folder}: {error}"),
+        }
+    }
+}
+
+impl Open {
+    /// Hands all records to the file.
+    fn flush(&mut self) -> Result<(), McapError> {
+        self.chapter.flush()?;
+        self.unsafe_records = 0;
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(), McapError> {
+        self.chapter.finish()?;
+        self.file.sync_all()?;
+        Ok(())
+    }
+}
+
+/// After a failure another file is tried so much later.
+const RETRY: Duration = Duration::from_secs(10);
+
+/// A power cut costs no more than this and what was not flushed.
+const SYNC_PERIOD: Duration = Duration::from_secs(5);
+
+/// A chunk, mostly.
+const BUFFER_LEN: usize = 64 << 10;
+
+/// Room for the message that records were lost.
+const LOST_LEN: u64 = 8 << 10;

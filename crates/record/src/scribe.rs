@@ -1,0 +1,402 @@
+//! From what happened to the messages that tell it.
+
+use std::time::Duration;
+
+use dobot_wire::{Command, Commands, Decoder, Dialect, Packet, Status, Statuses};
+use jiff::Timestamp;
+use serde::Serialize;
+use serde_json::json;
+
+use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
+use crate::{Record, Topic, hex, schema};
+
+/// Writes down what happened: an engine, records in, messages out.
+///
+/// It follows the bytes of each direction, so that a message holds one packet at most, however the
+/// bytes came in pieces, and tells what the packet means.
+#[derive(Debug)]
+pub(crate) struct Scribe {
+    /// Nanoseconds since 1970 when the times of the records begin.
+    start_ns: u64,
+    dialect: Option<Dialect>,
+    commands: Decoder<Commands>,
+    statuses: Decoder<Statuses>,
+}
+
+/// A message, ready to be written.
+#[derive(Debug)]
+pub(crate) struct Message<'t> {
+    pub(crate) topic: &'t Topic,
+    /// Nanoseconds since 1970.
+    pub(crate) at_ns: u64,
+    pub(crate) json: Vec<u8>,
+}
+
+/// When something happened, in each of the ways in which messages tell it.
+#[derive(Clone, Copy)]
+struct When {
+    at_s: f64,
+    at_ns: u64,
+}
+
+impl Scribe {
+    /// A scribe for records whose times count from `start`; `None` before 1970 or after 2500, which
+    /// recordings have no numbers for.
+    pub(crate) fn new(start: Timestamp) -> Option<Self> {
+        let start_ns = u64::try_from(start.as_nanosecond()).ok()?;
+        (start_ns < LATEST_NS).then(|| Self {
+            start_ns,
+            dialect: None,
+            commands: Decoder::commands(),
+            statuses: Decoder::statuses(dobot_client::plausible),
+        })
+    }
+
+    /// The messages that tell a record; `None` where its time lies centuries ahead.
+    pub(crate) fn write<'t>(
+        &mut self,
+        at: Duration,
+        record: &'t Record,
+    ) -> Option<Vec<Message<'t>>> {
+        let when = self.when(at)?;
+        Some(match record {
+            Record::About(about) => {
+                self.dialect = about.dialect;
+                Vec::new()
+            }
+            Record::ToArm(bytes) => self.to_arm(when, bytes),
+            Record::FromArm(bytes) => self.from_arm(when, bytes),
+            Record::Json { topic, value } => vec![when.message(topic, value)],
+        })
+    }
+
+    /// The message that tells that records were lost.
+    pub(crate) fn write_lost(
+        &self,
+        at: Duration,
+        lost: u64,
+        reason: &str,
+    ) -> Option<Message<'static>> {
+        let when = self.when(at)?;
+        let value = json!({ "at_s": when.at_s, "lost": lost, "reason": reason });
+        Some(when.own(RECORDER, &value))
+    }
+
+    fn when(&self, at: Duration) -> Option<When> {
+        let nanos = u64::try_from(at.as_nanos()).ok()?;
+        let at_ns = self
+            .start_ns
+            .checked_add(nanos)
+            .filter(|it| *it < LATEST_NS)?;
+        Some(When {
+            at_s: at.as_secs_f64(),
+            at_ns,
+        })
+    }
+
+    fn to_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+        let mut messages = Vec::new();
+        for (piece, packet) in pieces(&mut self.commands, bytes) {
+            let mut message = ToArm {
+                at_s: when.at_s,
+                bytes: hex::digits(piece),
+                ..ToArm::default()
+            };
+            match packet.and_then(|packet| meaning(&packet, self.dialect)) {
+                Some(Ok(command)) => message.command = Some(command),
+                Some(Err(error)) => message.error = Some(error),
+                None => {}
+            }
+            messages.push(when.own(TO_ARM, &message));
+        }
+        messages
+    }
+
+    fn from_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+        let mut messages = Vec::new();
+        for (piece, frame) in pieces(&mut self.statuses, bytes) {
+            let status = frame.and_then(|frame| Status::parse(&frame).ok());
+            let message = FromArm {
+                at_s: when.at_s,
+                bytes: hex::digits(piece),
+                status,
+            };
+            messages.push(when.own(FROM_ARM, &message));
+            if let Some(status) = status {
+                messages.extend(when.views(&status));
+            }
+        }
+        messages
+    }
+}
+
+impl When {
+    fn own(self, topic: &str, value: &impl Serialize) -> Message<'static> {
+        let topic = schema::own(topic).expect("it is one of the recorder's own topics");
+        self.message(topic, value)
+    }
+
+    fn message<'t>(self, topic: &'t Topic, value: &impl Serialize) -> Message<'t> {
+        Message {
+            topic,
+            at_ns: self.at_ns,
+            json: serde_json::to_vec(value).expect("all maps have names that are text"),
+        }
+    }
+
+    /// A status as Foxglove's panels want to see it.
+    fn views(self, status: &Status) -> [Message<'static>; 3] {
+        let (position, orientation) = (position_m(status), quaternion(status));
+        let timestamp = json!({
+            "sec": self.at_ns / NANOS_PER_S,
+            "nsec": self.at_ns % NANOS_PER_S,
+        });
+        let pose = json!({
+            "timestamp": &timestamp,
+            "frame_id": BASE,
+            "pose": { "position": &position, "orientation": &orientation },
+        });
+        let transform = json!({
+            "timestamp": timestamp,
+            "parent_frame_id": BASE,
+            "child_frame_id": "tool",
+            "translation": position,
+            "rotation": orientation,
+        });
+        let joints = Joints {
+            at_s: self.at_s,
+            base_deg: status.base_deg,
+            rear_deg: status.rear_deg,
+            fore_deg: status.fore_deg,
+            servo_deg: status.servo_deg,
+            suction: status.suction,
+            gripper_deg: status.gripper_deg,
+        };
+        [
+            self.own(POSE, &pose),
+            self.own(TRANSFORM, &transform),
+            self.own(JOINTS, &joints),
+        ]
+    }
+}
+
+/// A message of [`TO_ARM`].
+#[derive(Debug, Default, Serialize)]
+struct ToArm {
+    at_s: f64,
+    bytes: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    command: Option<Command>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+}
+
+/// A message of [`FROM_ARM`].
+#[derive(Debug, Serialize)]
+struct FromArm {
+    at_s: f64,
+    bytes: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    status: Option<Status>,
+}
+
+/// A message of [`JOINTS`].
+#[derive(Debug, Serialize)]
+struct Joints {
+    at_s: f64,
+    base_deg: f32,
+    rear_deg: f32,
+    fore_deg: f32,
+    servo_deg: f32,
+    suction: bool,
+    gripper_deg: f32,
+}
+
+/// Cuts bytes behind each packet that they complete.
+fn pieces<'b, D: dobot_wire::Direction>(
+    decoder: &mut Decoder<D>,
+    bytes: &'b [u8],
+) -> Vec<(&'b [u8], Option<D::Item>)> {
+    let (mut pieces, mut begin) = (Vec::new(), 0);
+    for (end, byte) in (1..).zip(bytes.chunks(1)) {
+        if let Some(packet) = decoder.feed(byte).last() {
+            pieces.push((&bytes[begin..end], Some(packet)));
+            begin = end;
+        }
+    }
+    if begin < bytes.len() {
+        pieces.push((&bytes[begin..], None));
+    }
+    pieces
+}
+
+/// What a packet says; `None` where nobody knows the dialect and it matters.
+fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, String>> {
+    let read = |dialect: Dialect| Command::parse(packet, &dialect).map_err(|it| it.to_string());
+    if let Some(dialect) = dialect {
+        return Some(read(dialect));
+    }
+    let [one, other] = Dialect::ALL.map(read);
+    (one == other).then_some(one)
+}
+
+fn position_m(status: &Status) -> serde_json::Value {
+    let metres = |millimetres: f32| f64::from(millimetres) / 1000.0;
+    json!({
+        "x": metres(status.x_mm),
+        "y": metres(status.y_mm),
+        "z": metres(status.z_mm),
+    })
+}
+
+/// The tool turns about the vertical only.
+fn quaternion(status: &Status) -> serde_json::Value {
+    let (sine, cosine) = (f64::from(status.rotation_deg).to_radians() / 2.0).sin_cos();
+    json!({ "x": 0.0, "y": 0.0, "z": sine, "w": cosine })
+}
+
+/// The frame of all poses: its origin is the rear arm's pivot.
+const BASE: &str = "base";
+
+const NANOS_PER_S: u64 = 1_000_000_000;
+
+/// Some centuries from now, with room for all that is added to it.
+const LATEST_NS: u64 = u64::MAX / 10 * 9;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::sync::Arc;
+
+    use dobot_wire::{MoveTo, MovingMode};
+    use serde_json::Value;
+
+    use super::*;
+    use crate::About;
+
+    fn scribe() -> Scribe {
+        Scribe::new("2026-11-21T12:30:00Z".parse().unwrap()).unwrap()
+    }
+
+    fn value(message: &Message<'_>) -> Value {
+        serde_json::from_slice(&message.json).unwrap()
+    }
+
+    fn target(mode: MovingMode) -> [u8; 42] {
+        let target = MoveTo {
+            x_mm: 200.0,
+            y_mm: 0.0,
+            z_mm: 20.0,
+            rotation_deg: 0.0,
+            suction: false,
+            mode,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        };
+        target.emit(&Dialect::SPECIFICATION).to_bytes()
+    }
+
+    /// Rear arm upright, forearm level, base and tool turned by 90 degrees.
+    fn status() -> Status {
+        Status {
+            x_mm: 0.0,
+            y_mm: 215.07,
+            z_mm: 135.0,
+            rotation_deg: 90.0,
+            base_deg: 90.0,
+            rear_deg: 0.0,
+            fore_deg: 0.0,
+            servo_deg: 0.0,
+            suction: true,
+            gripper_deg: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_message_holds_one_packet_however_the_bytes_came() {
+        let mut scribe = scribe();
+        let two = [target(MovingMode::Jump), target(MovingMode::Jump)].concat();
+        let first = Record::ToArm(two[..50].to_vec());
+        let messages = scribe.write(Duration::ZERO, &first).unwrap();
+        assert_eq!(messages.len(), 2);
+        assert_eq!(value(&messages[0])["command"]["x_mm"], 200.0);
+        assert_eq!(value(&messages[1]).get("command"), None);
+        let second = Record::ToArm(two[50..].to_vec());
+        let messages = scribe.write(Duration::ZERO, &second).unwrap();
+        assert_eq!(messages.len(), 1);
+        assert_eq!(value(&messages[0])["command"]["type"], "move_to");
+    }
+
+    #[test]
+    fn what_the_dialects_read_differently_is_told_only_when_the_dialect_is_known() {
+        let mut scribe = scribe();
+        let record = Record::ToArm(target(MovingMode::Linear).to_vec());
+        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        assert_eq!(value(&messages[0]).get("command"), None);
+        let about = About {
+            dialect: Some(Dialect::FIRMWARE_1_1),
+            ..About::default()
+        };
+        scribe
+            .write(Duration::ZERO, &Record::About(Box::new(about)))
+            .unwrap();
+        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        assert_eq!(value(&messages[0])["command"]["mode"], "movj");
+    }
+
+    #[test]
+    fn a_packet_that_is_no_command_says_why() {
+        let mut scribe = scribe();
+        let mut packet = target(MovingMode::Jump);
+        packet[29..33].copy_from_slice(&7.0_f32.to_le_bytes());
+        let record = Record::ToArm(packet.to_vec());
+        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        let error = value(&messages[0])["error"].as_str().unwrap().to_owned();
+        assert!(error.contains("float 8"), "{error}");
+    }
+
+    #[test]
+    fn a_status_shows_in_foxglove_in_metres_turned_about_the_vertical() {
+        let mut scribe = scribe();
+        let record = Record::FromArm(status().emit().to_bytes().to_vec());
+        let messages = scribe.write(Duration::from_millis(1500), &record).unwrap();
+        let topics: Vec<_> = messages.iter().map(|it| it.topic.name()).collect();
+        assert_eq!(topics, [FROM_ARM, POSE, TRANSFORM, JOINTS]);
+        let pose = value(&messages[1]);
+        assert_eq!(pose["timestamp"]["nsec"], 500_000_000);
+        let y_m = pose["pose"]["position"]["y"].as_f64().unwrap();
+        assert!((y_m - 0.21507).abs() < 1e-6, "{y_m}, not 0.21507");
+        // A quarter turn: w = z = cos 45°.
+        for part in ["z", "w"] {
+            let found = pose["pose"]["orientation"][part].as_f64().unwrap();
+            let expected = 0.5_f64.sqrt();
+            assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
+        }
+        assert_eq!(value(&messages[3])["base_deg"], 90.0);
+    }
+
+    #[test]
+    fn times_count_from_the_start() {
+        let mut scribe = scribe();
+        let topic = Topic::new("/events", "dobot.Event", &json!({ "type": "object" })).unwrap();
+        let record = Record::Json {
+            topic: Arc::new(topic),
+            value: json!({ "type": "stopped" }),
+        };
+        let messages = scribe.write(Duration::from_secs(60), &record).unwrap();
+        let expected: Timestamp = "2026-11-21T12:31:00Z".parse().unwrap();
+        assert_eq!(i128::from(messages[0].at_ns), expected.as_nanosecond());
+        assert_eq!(value(&messages[0])["type"], "stopped");
+    }
+
+    #[test]
+    fn times_that_have_no_number_are_refused() {
+        assert!(Scribe::new("1969-07-20T20:17:00Z".parse().unwrap()).is_none());
+        assert!(Scribe::new("9000-01-01T00:00:00Z".parse().unwrap()).is_none());
+        assert!(
+            scribe()
+                .write(Duration::MAX, &Record::ToArm(vec![1]))
+                .is_none()
+        );
+    }
+}

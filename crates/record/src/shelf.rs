@@ -1,0 +1,176 @@
+//! The folder in which recordings stand.
+
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use jiff::Timestamp;
+
+/// A recording in a folder.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shelved {
+    /// The file.
+    pub path: PathBuf,
+    /// How long it is, in bytes.
+    pub bytes: u64,
+    /// When it was begun.
+    pub begin: Timestamp,
+    /// Which it is of those that were begun in the same second, from 1.
+    number: u32,
+}
+
+/// The recordings in a folder, oldest first; files with other names are none. A folder that does not
+/// exist holds none.
+///
+/// # Errors
+///
+/// What the operating system says.
+pub fn recordings(folder: &Path) -> io::Result<Vec<Shelved>> {
+    let files = match folder.read_dir() {
+        Ok(files) => files,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => return Err(error),
+    };
+    let mut entries = Vec::new();
+    for file in files {
+        let file = file?;
+        let name = file.file_name();
+        let Some((begin, number)) = name.to_str().and_then(parse) else {
+            continue;
+        };
+        match file.metadata() {
+            Ok(metadata) if metadata.is_file() => entries.push(Shelved {
+                path: file.path(),
+                bytes: metadata.len(),
+                begin,
+                number,
+            }),
+            // Another program may delete it meanwhile.
+            Ok(_) => {}
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => return Err(error),
+        }
+    }
+    entries.sort_by_key(|it| (it.begin, it.number));
+    Ok(entries)
+}
+
+/// Makes a new file for a recording that begins then; the folder is made if it is missing.
+pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, File)> {
+    std::fs::create_dir_all(folder)?;
+    for number in 1..=MOST_PER_SECOND {
+        let path = folder.join(name(begin, number));
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Ok(file) => {
+                sync_folder(folder);
+                return Ok((path, file));
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::ErrorKind::AlreadyExists.into())
+}
+
+/// Deletes the oldest recordings until `bytes` more fit into `total`.
+pub(crate) fn make_room(folder: &Path, bytes: u64, total: u64) -> io::Result<()> {
+    let entries = recordings(folder)?;
+    let mut kept: u64 = entries.iter().map(|it| it.bytes).sum();
+    for entry in entries {
+        if kept + bytes <= total {
+            break;
+        }
+        match std::fs::remove_file(&entry.path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => kept -= entry.bytes,
+        }
+    }
+    Ok(())
+}
+
+/// `dobot-2026-11-21T12-30-00Z.mcap`: a name that every system takes, in the order of time.
+fn name(begin: Timestamp, number: u32) -> String {
+    let begin = begin.strftime("%Y-%m-%dT%H-%M-%SZ");
+    match number {
+        1 => format!("dobot-{begin}.mcap"),
+        _ => format!("dobot-{begin}-{number}.mcap"),
+    }
+}
+
+fn parse(file: &str) -> Option<(Timestamp, u32)> {
+    let middle = file.strip_prefix("dobot-")?.strip_suffix(".mcap")?;
+    let (begin, number) = middle.split_once('Z')?;
+    let number = match number {
+        "" => 1,
+        number => number.strip_prefix('-')?.parse().ok()?,
+    };
+    let (date, time) = begin.split_once('T')?;
+    let begin: Timestamp = format!("{date}T{}Z", time.replace('-', ":")).parse().ok()?;
+    // Only the very names that are given are taken for recordings: others are not deleted.
+    (name(begin, number) == file).then_some((begin, number))
+}
+
+/// After a power cut a file is there only if its folder was written too. Not every system can do
+/// that, and none has to.
+fn sync_folder(folder: &Path) {
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+/// More files than anybody begins in a second.
+const MOST_PER_SECOND: u32 = 1000;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn noon() -> Timestamp {
+        "2026-11-21T12:30:00Z".parse().unwrap()
+    }
+
+    #[test]
+    fn a_name_that_is_taken_gets_a_number() {
+        let folder = tempfile::tempdir().unwrap();
+        let names: Vec<_> = (0..11)
+            .map(|_| create(folder.path(), noon()).unwrap().0)
+            .collect();
+        assert!(names[0].ends_with("dobot-2026-11-21T12-30-00Z.mcap"));
+        assert!(names[10].ends_with("dobot-2026-11-21T12-30-00Z-11.mcap"));
+        let listed = recordings(folder.path()).unwrap();
+        assert_eq!(
+            names,
+            listed.into_iter().map(|it| it.path).collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn the_oldest_make_room_and_nothing_else_is_touched() {
+        let folder = tempfile::tempdir().unwrap();
+        let strangers = [
+            "dobot-holiday.mcap",
+            "dobot-2026-11-21T12-30-00Z-1.mcap",
+            "notes.txt",
+        ];
+        for stranger in strangers {
+            std::fs::write(folder.path().join(stranger), [0; 1000]).unwrap();
+        }
+        for day in [3, 1, 2] {
+            let name = format!("dobot-2026-11-0{day}T00-00-00Z.mcap");
+            std::fs::write(folder.path().join(name), [0; 100]).unwrap();
+        }
+        make_room(folder.path(), 50, 200).unwrap();
+        let left = recordings(folder.path()).unwrap();
+        assert_eq!(left.len(), 1);
+        assert!(left[0].path.ends_with("dobot-2026-11-03T00-00-00Z.mcap"));
+        for stranger in strangers {
+            assert!(folder.path().join(stranger).exists(), "{stranger}");
+        }
+    }
+
+    #[test]
+    fn a_folder_that_is_not_there_holds_nothing() {
+        assert_eq!(recordings(Path::new("/no/such/folder")).unwrap(), []);
+    }
+}

@@ -1,0 +1,157 @@
+//! Topics: what messages of one kind are called, and what they look like.
+
+use serde_json::Value;
+
+use crate::schema;
+
+/// Where bytes to the arm are recorded.
+pub const TO_ARM: &str = "/wire/to_arm";
+
+/// Where bytes from the arm are recorded.
+pub const FROM_ARM: &str = "/wire/from_arm";
+
+/// Where the tool is, as `foxglove.PoseInFrame`: metres, in the frame `base`.
+pub const POSE: &str = "/arm/pose";
+
+/// The joint angles, in degrees.
+pub const JOINTS: &str = "/arm/joints";
+
+/// Where the tool is, as `foxglove.FrameTransform` from `base` to `tool`.
+pub const TRANSFORM: &str = "/tf";
+
+/// What the recorder has to say about itself: records that it lost, and why.
+pub const RECORDER: &str = "/recorder";
+
+/// A topic: messages of one kind, JSON objects with a JSON Schema.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Topic {
+    name: String,
+    schema_name: String,
+    schema: String,
+}
+
+impl Topic {
+    /// A topic with a name as in `/events`, a name for its schema as in `dobot.Event`, and the JSON
+    /// Schema of its messages.
+    ///
+    /// Foxglove wants the schema of an object, and plots what it finds in its `properties`; it does
+    /// not follow references: let `schemars` inline the schemas within.
+    ///
+    /// # Errors
+    ///
+    /// [`TopicError`] for a name that is none or that is the recorder's own, and for a schema of
+    /// anything but an object.
+    pub fn new(name: &str, schema_name: &str, schema: &Value) -> Result<Self, TopicError> {
+        let found = || name.to_owned();
+        if !name.starts_with('/') || name.len() > NAME_LEN || schema_name.len() > NAME_LEN {
+            return Err(TopicError::Name { found: found() });
+        }
+        if schema::own(name).is_some() {
+            return Err(TopicError::Taken { found: found() });
+        }
+        if schema.get("type").and_then(Value::as_str) != Some("object") {
+            return Err(TopicError::Schema { name: found() });
+        }
+        let schema = schema.to_string();
+        if schema.len() > SCHEMA_LEN {
+            return Err(TopicError::LongSchema {
+                name: found(),
+                found: schema.len(),
+            });
+        }
+        Ok(Self {
+            name: found(),
+            schema_name: schema_name.to_owned(),
+            schema,
+        })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The name of its schema.
+    #[must_use]
+    pub fn schema_name(&self) -> &str {
+        &self.schema_name
+    }
+
+    /// The schema, as text.
+    pub(crate) fn schema(&self) -> &str {
+        &self.schema
+    }
+
+    /// One of the recorder's own.
+    pub(crate) fn own(name: &str, schema_name: &str, schema: &Value) -> Self {
+        Self {
+            name: name.to_owned(),
+            schema_name: schema_name.to_owned(),
+            schema: schema.to_string(),
+        }
+    }
+}
+
+/// Why something is no topic.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TopicError {
+    /// The name is none.
+    #[error(
+        "topic is `{found}`; a name begins with / and it and its schema's have 256 bytes at most"
+    )]
+    Name {
+        /// The name.
+        found: String,
+    },
+    /// The recorder writes this topic itself.
+    #[error("topic is `{found}`; the recorder writes that itself: choose another name")]
+    Taken {
+        /// The name.
+        found: String,
+    },
+    /// The schema is not that of an object.
+    #[error("the schema of {name} has another type than `object`, the only one that is allowed")]
+    Schema {
+        /// The topic's name.
+        name: String,
+    },
+    /// The schema is too long.
+    #[error("the schema of {name} has {found} bytes; allowed are 65536")]
+    LongSchema {
+        /// The topic's name.
+        name: String,
+        /// Its length in bytes.
+        found: usize,
+    },
+}
+
+/// The longest name, in bytes.
+pub(crate) const NAME_LEN: usize = 256;
+
+/// The longest schema, in bytes.
+const SCHEMA_LEN: usize = 64 << 10;
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_topic_that_makes_no_sense_is_refused() {
+        let object = json!({ "type": "object" });
+        let refused = |name: &str, schema: &Value| {
+            Topic::new(name, "x.X", schema)
+                .expect_err("it makes no sense")
+                .to_string()
+        };
+        assert!(refused("events", &object).contains("begins with /"));
+        assert!(refused(TO_ARM, &object).contains("the recorder writes that itself"));
+        assert!(refused("/events", &json!({ "type": "string" })).contains("`object`"));
+        let long = json!({ "type": "object", "description": "x".repeat(SCHEMA_LEN) });
+        assert!(refused("/events", &long).contains("allowed are 65536"));
+        assert!(Topic::new("/events", "dobot.Event", &object).is_ok());
+    }
+}
