@@ -95,6 +95,13 @@ impl Jump {
         self.up.duration_s() + self.across.duration_s() + self.down.duration_s()
     }
 
+    /// When the way across begins and when it ends, in seconds since the start.
+    #[must_use]
+    pub const fn corners_s(&self) -> [f64; 2] {
+        let across_from_s = self.up.duration_s();
+        [across_from_s, across_from_s + self.across.duration_s()]
+    }
+
     /// Where it ends.
     #[must_use]
     pub const fn target(&self) -> Pose {
