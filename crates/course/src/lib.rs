@@ -43,6 +43,7 @@ mod model;
 mod place;
 mod plan;
 mod settings;
+mod stretch;
 mod way;
 
 pub use button::{Button, JogAxis};
@@ -52,3 +53,4 @@ pub use jog::JogCourse;
 pub use model::Model;
 pub use place::Place;
 pub use settings::Settings;
+pub use stretch::{Bend, Stretch};

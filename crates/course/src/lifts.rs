@@ -53,6 +53,14 @@ impl Lifts {
         }
     }
 
+    /// When each of the three ways ends, in seconds since the start of the first.
+    pub(crate) const fn ends_s(&self) -> [f64; 3] {
+        let [up, across, down] = &self.ways;
+        let above_s = up.duration_s();
+        let across_s = above_s + across.duration_s();
+        [above_s, across_s, across_s + down.duration_s()]
+    }
+
     pub(crate) const fn duration_s(&self) -> f64 {
         let [up, across, down] = &self.ways;
         up.duration_s() + across.duration_s() + down.duration_s()
