@@ -1,0 +1,120 @@
+//! Where the parts of the arm are at one place, and what the rules measure there.
+
+use dobot_arm::{Joints, REAR_ARM, Tool};
+use dobot_course::Place;
+
+use crate::zone::{Point, distance};
+
+/// The arm at one place, as lines through its links.
+///
+/// ```text
+///       elbow          All lie in one upright plane through the axis of the base.
+///        /\
+///       /  \ forearm
+///      /    \  wrist____ tool
+/// pivot               |
+///                     | tip
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Body {
+    pub(crate) elbow: Point,
+    pub(crate) wrist: Point,
+    pub(crate) tool: Point,
+    pub(crate) tip: Point,
+}
+
+/// What the rules measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Measure {
+    Base,
+    Rear,
+    Fore,
+    Servo,
+    Opening,
+    X,
+    Y,
+    Z,
+    Reach,
+}
+
+/// The number of [`Measure`]s.
+pub(crate) const MEASURES: usize = 9;
+
+impl Body {
+    pub(crate) fn new(place: &Place, tool: Tool, tip_mm: f64) -> Self {
+        let position = place.pose.position;
+        let reach = position.reach().0;
+        let (cos_base, sin_base) = if reach > 0.0 {
+            (position.x.0 / reach, position.y.0 / reach)
+        } else {
+            (1.0, 0.0)
+        };
+        let (sin_rear, cos_rear) = place.joints.rear.0.to_radians().sin_cos();
+        let at = |out: f64, z: f64| [out * cos_base, out * sin_base, z];
+        let z = position.z.0;
+        Self {
+            elbow: at(REAR_ARM.0 * sin_rear, REAR_ARM.0 * cos_rear),
+            wrist: at(reach - tool.reach().0, z),
+            tool: at(reach, z),
+            tip: at(reach, z - tip_mm),
+        }
+    }
+
+    /// Rear arm, forearm, hand and tool.
+    pub(crate) const fn lines(&self) -> [[Point; 2]; 4] {
+        [
+            [PIVOT, self.elbow],
+            [self.elbow, self.wrist],
+            [self.wrist, self.tool],
+            [self.tool, self.tip],
+        ]
+    }
+
+    /// How far the part that moves most is from its place in another body, in a straight line.
+    pub(crate) fn apart(&self, other: &Self) -> f64 {
+        distance(self.elbow, other.elbow)
+            .max(distance(self.wrist, other.wrist))
+            .max(distance(self.tool, other.tool))
+    }
+}
+
+impl Measure {
+    /// Name, unit.
+    pub(crate) const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Base => ("base angle", "°"),
+            Self::Rear => ("rear arm angle", "°"),
+            Self::Fore => ("forearm angle", "°"),
+            Self::Servo => ("servo angle", "°"),
+            Self::Opening => ("rear arm minus forearm angle", "°"),
+            Self::X => ("x", " mm"),
+            Self::Y => ("y", " mm"),
+            Self::Z => ("z", " mm"),
+            Self::Reach => ("reach", " mm"),
+        }
+    }
+}
+
+/// All measures at a place, in the order of [`Measure`].
+pub(crate) fn measures(place: &Place) -> [f64; MEASURES] {
+    let Joints {
+        base,
+        rear,
+        fore,
+        servo,
+    } = place.joints;
+    let position = place.pose.position;
+    [
+        base.0,
+        rear.0,
+        fore.0,
+        servo.0,
+        rear.0 - fore.0,
+        position.x.0,
+        position.y.0,
+        position.z.0,
+        position.reach().0,
+    ]
+}
+
+const PIVOT: Point = [0.0; 3];

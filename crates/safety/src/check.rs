@@ -1,0 +1,115 @@
+//! The check of a command over its whole way.
+
+use dobot_course::{Button, Course, Model, Place};
+use dobot_wire::{Command, Configuration};
+
+use crate::body::measures;
+use crate::fence::Fence;
+use crate::limits::{LASER_AREA, Limit};
+use crate::path::Path;
+use crate::walk::Walk;
+use crate::{Policy, Violation, burns};
+
+impl Policy {
+    /// Checks a command over its whole way from where the model says that the arm will be when it
+    /// begins.
+    ///
+    /// Of a jog it checks the way that can be covered until a client that falls silent is noticed
+    /// and the release is in force. What only stops something (a release, laser off, a stop) is
+    /// always allowed.
+    ///
+    /// # Errors
+    ///
+    /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
+    pub fn check(&self, model: &Model, command: &Command) -> Result<Course, Violation> {
+        let course = model.course(command).map_err(|error| Violation::of_course(&error))?;
+        if stops(command) {
+            return Ok(course);
+        }
+        self.check_settings(model, command, &course)?;
+        self.check_laser(model, command, &course)?;
+        if course.jog().is_some() {
+            let within_s = self.jog.dead_man_s + self.jog.reaction_s;
+            self.check_jog(model, command, within_s)?;
+        } else if course.moves() {
+            self.check_way(model, command, &course)?;
+        } else {
+            self.check_standing(model, command, &course)?;
+        }
+        Ok(course)
+    }
+
+    fn check_way(&self, model: &Model, command: &Command, course: &Course) -> Result<(), Violation> {
+        let burning = course.laser() || burns(command);
+        let paths = paths(course);
+        let mut walk = Walk::begin(Fence::new(self, model.tool, burning), &paths[0])
+            .map_err(|error| Violation::of_arm(&error))?;
+        let duration_s = course.motion_s().unwrap_or_default();
+        let place = |share: f64| course.place_at(share * duration_s).ok();
+        paths
+            .iter()
+            .filter(|path| path.time_at(0.0) < path.time_at(1.0))
+            .try_for_each(|path| walk.along(path))
+            .map_err(|breach| Violation::of_breach(&breach, |limit| worst(limit, place)))
+    }
+
+    /// Where nothing moves: the place that the arm is told to believe in, with the tool that it is
+    /// told to have, and where a standing laser would burn.
+    fn check_standing(
+        &self,
+        model: &Model,
+        command: &Command,
+        course: &Course,
+    ) -> Result<(), Violation> {
+        let after = model.after(command, course);
+        let applies = |rule: &str| match command {
+            Command::Configuration(Configuration::InitialAngles { .. }) => {
+                rule.starts_with("joints.")
+            }
+            Command::Configuration(Configuration::EndEffector { .. }) => true,
+            _ => burns(command) && rule == LASER_AREA,
+        };
+        let fence = Fence::new(self, after.tool, burns(command));
+        let stop = fence.stop(0.0, after.place);
+        fence
+            .broken_at(&stop)
+            .map(|broken| Violation::of_place(&broken, &stop))
+            .find(|violation| applies(&violation.rule))
+            .map_or(Ok(()), Err)
+    }
+}
+
+/// The value of a limit's measure farthest from what it allows, on a way given by shares of it.
+pub(crate) fn worst(limit: &Limit, place: impl Fn(f64) -> Option<Place>) -> f64 {
+    let excess = |value: f64| (value - limit.bounds.nearest(value)).abs();
+    (0..=LOOKS)
+        .filter_map(|look| place(f64::from(look) / f64::from(LOOKS)))
+        .map(|place| measures(&place)[limit.measure as usize])
+        .max_by(|a, b| excess(*a).total_cmp(&excess(*b)))
+        .unwrap_or(f64::NAN)
+}
+
+/// Whether a command does nothing but stop something.
+fn stops(command: &Command) -> bool {
+    match command {
+        Command::WriteVector(vector) => vector.stop && !vector.laser,
+        _ => matches!(
+            Button::of(command),
+            Some(Button::Released | Button::Laser(false) | Button::Suction(false))
+        ),
+    }
+}
+
+fn paths(course: &Course) -> [Path<'_>; 3] {
+    let stretches = course.stretches();
+    let ends_s = stretches.map(|it| it.until_s);
+    [0, 1, 2].map(|index| Path::Course {
+        course,
+        from_s: if index == 0 { 0.0 } else { ends_s[index - 1] },
+        to_s: ends_s[index],
+        bend: stretches[index].bend,
+    })
+}
+
+/// How often a forbidden way is looked at to tell how far out it leads.
+const LOOKS: u32 = 256;

@@ -1,0 +1,103 @@
+//! The way that a jog can cover until a release is in force.
+
+use dobot_arm::{Degrees, Joints, Millimeters, Position};
+use dobot_course::{JogAxis, JogCourse, Model, Place};
+use dobot_wire::Command;
+
+use crate::fence::Fence;
+use crate::path::Path;
+use crate::walk::Walk;
+use crate::{Policy, Violation};
+
+impl Policy {
+    /// Checks the way that a jog can cover within a time and the run-down behind it; all other
+    /// commands are allowed here.
+    ///
+    /// To be asked at every status while a jog is held, with the model at that status and the
+    /// [`reaction_s`](crate::JogRules::reaction_s) of the policy: at the first violation the jog has
+    /// to be released. The jog counts as being at its full speed already. `within_s` is 0 or more.
+    ///
+    /// # Errors
+    ///
+    /// [`Violation`] with the rule that the jog would break.
+    pub fn check_jog(&self, model: &Model, command: &Command, within_s: f64) -> Result<(), Violation> {
+        let course = model.course(command).map_err(|error| Violation::of_course(&error))?;
+        let Some(jog) = course.jog() else {
+            return Ok(());
+        };
+        let speed = jog.target_speed();
+        self.check_jog_way(model, &jog, run_out(&jog, speed, within_s), course.laser())?;
+        let now = jog.speed_at(0.0);
+        if now * speed < 0.0 {
+            // It still runs the other way, and turns round first.
+            return self.check_jog_way(model, &jog, run_out(&jog, now, 0.0), course.laser());
+        }
+        Ok(())
+    }
+
+    fn check_jog_way(
+        &self,
+        model: &Model,
+        jog: &JogCourse,
+        by: f64,
+        burning: bool,
+    ) -> Result<(), Violation> {
+        let Some(path) = path(model, jog.axis(), by) else {
+            return Ok(());
+        };
+        let fence = Fence::new(self, model.tool, burning);
+        Walk::begin(fence, &path)
+            .map_err(|error| Violation::of_arm(&error))?
+            .along(&path)
+            .map_err(|breach| Violation::of_breach(&breach, |limit| path_worst(&path, limit)))
+    }
+}
+
+/// How far a jog goes within a time and until it stands, with the sign of its speed. A stock arm may
+/// be faster by one tick's acceleration.
+fn run_out(jog: &JogCourse, speed: f64, within_s: f64) -> f64 {
+    let acceleration = jog.acceleration();
+    let fastest = speed.abs() + acceleration * TICK_S;
+    (fastest * within_s + fastest * fastest / (2.0 * acceleration)).copysign(speed)
+}
+
+/// The way of an axis by so much, in degrees or mm; `None` where nothing else moves with it.
+fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
+    let Place { joints, pose } = model.place;
+    let tool = model.tool;
+    let turned = |change: fn(&mut Joints) -> &mut Degrees| {
+        let mut to = joints;
+        *change(&mut to) += Degrees(by);
+        Some(Path::Joints {
+            from: joints,
+            to,
+            tool,
+        })
+    };
+    let shifted = |change: fn(&mut Position) -> &mut Millimeters| {
+        let mut to = pose;
+        *change(&mut to.position) += Millimeters(by);
+        Some(Path::Line {
+            from: pose,
+            to,
+            tool,
+        })
+    };
+    match axis {
+        JogAxis::Base => turned(|it| &mut it.base),
+        JogAxis::Rear => turned(|it| &mut it.rear),
+        JogAxis::Fore => turned(|it| &mut it.fore),
+        JogAxis::Servo => turned(|it| &mut it.servo),
+        JogAxis::X => shifted(|it| &mut it.x),
+        JogAxis::Y => shifted(|it| &mut it.y),
+        JogAxis::Z => shifted(|it| &mut it.z),
+        JogAxis::Gripper => None,
+    }
+}
+
+fn path_worst(path: &Path, limit: &crate::limits::Limit) -> f64 {
+    crate::check::worst(limit, |share| path.place_at(share).ok())
+}
+
+/// A control tick.
+const TICK_S: f64 = 0.02;

@@ -1,0 +1,56 @@
+//! The rules that bound a measure, as the policy says them.
+
+use dobot_arm::Tool;
+
+use crate::body::Measure;
+use crate::{Area, Bounds, Policy};
+
+/// A rule that bounds a measure.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limit {
+    /// The policy's key.
+    pub(crate) key: &'static str,
+    pub(crate) measure: Measure,
+    pub(crate) bounds: Bounds,
+}
+
+impl Policy {
+    /// The rules for an arm with this tool, those of a burning laser included or not.
+    pub(crate) fn limits(&self, tool: Tool, burning: bool) -> Vec<Limit> {
+        let (joints, space) = (&self.joints, &self.workspace);
+        let lowest_mm = self.table.z_mm + self.tool_length.of(tool);
+        let mut limits = Vec::with_capacity(13);
+        limits.extend([
+            limit("joints.base", Measure::Base, joints.base_deg),
+            limit("joints.rear", Measure::Rear, joints.rear_deg),
+            limit("joints.fore", Measure::Fore, joints.fore_deg),
+            limit("joints.servo", Measure::Servo, joints.servo_deg),
+            limit("joints.opening", Measure::Opening, joints.opening_deg),
+            limit("workspace.x", Measure::X, space.x_mm),
+            limit("workspace.y", Measure::Y, space.y_mm),
+            limit("table", Measure::Z, Bounds::new(lowest_mm, f64::INFINITY)),
+            limit("workspace.z", Measure::Z, space.z_mm),
+            limit("workspace.reach", Measure::Reach, space.reach_mm),
+        ]);
+        if burning {
+            limits.extend(burning_limits(&self.laser.area));
+        }
+        limits
+    }
+}
+
+fn burning_limits(area: &Area) -> [Limit; 3] {
+    let measures = [Measure::X, Measure::Y, Measure::Z];
+    [0, 1, 2].map(|axis| limit(LASER_AREA, measures[axis], area.axes()[axis]))
+}
+
+const fn limit(key: &'static str, measure: Measure, bounds: Bounds) -> Limit {
+    Limit {
+        key,
+        measure,
+        bounds,
+    }
+}
+
+/// The only rule from outside of which a burning laser may not come back in.
+pub(crate) const LASER_AREA: &str = "laser.area";

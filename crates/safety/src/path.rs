@@ -1,0 +1,68 @@
+//! A stretch of a way on which the same things change evenly.
+
+use dobot_arm::{Joints, Pose, Tool, Unreachable};
+use dobot_course::{Bend, Course, Place};
+
+/// A stretch of a way; where on it is told by a share, 0 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Path<'a> {
+    /// A part of a course, between two times in seconds.
+    Course {
+        course: &'a Course,
+        from_s: f64,
+        to_s: f64,
+        bend: Bend,
+    },
+    /// All joints evenly.
+    Joints {
+        from: Joints,
+        to: Joints,
+        tool: Tool,
+    },
+    /// The tool in a straight line.
+    Line { from: Pose, to: Pose, tool: Tool },
+}
+
+impl Path<'_> {
+    pub(crate) fn place_at(&self, share: f64) -> Result<Place, Unreachable> {
+        match self {
+            Self::Course { course, .. } => course.place_at(self.time_at(share).unwrap_or_default()),
+            Self::Joints { from, to, tool } => {
+                Ok(Place::at_joints(joints_between(from, to, share), *tool))
+            }
+            Self::Line { from, to, tool } => {
+                let pose = Pose {
+                    position: from.position + (to.position - from.position) * share,
+                    rotation: from.rotation + (to.rotation - from.rotation) * share,
+                };
+                Place::at_pose(pose, *tool)
+            }
+        }
+    }
+
+    /// The time since the command began, in seconds, where it is known.
+    pub(crate) fn time_at(&self, share: f64) -> Option<f64> {
+        match *self {
+            Self::Course { to_s, .. } if share >= 1.0 => Some(to_s),
+            Self::Course { from_s, to_s, .. } => Some(from_s + (to_s - from_s) * share),
+            _ => None,
+        }
+    }
+
+    pub(crate) const fn bend(&self) -> Bend {
+        match self {
+            Self::Course { bend, .. } => *bend,
+            Self::Joints { .. } => Bend::Joints,
+            Self::Line { .. } => Bend::Line,
+        }
+    }
+}
+
+fn joints_between(from: &Joints, to: &Joints, share: f64) -> Joints {
+    Joints {
+        base: from.base + (to.base - from.base) * share,
+        rear: from.rear + (to.rear - from.rear) * share,
+        fore: from.fore + (to.fore - from.fore) * share,
+        servo: from.servo + (to.servo - from.servo) * share,
+    }
+}

@@ -1,0 +1,53 @@
+//! Why a text is no policy.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::validate::Problem;
+
+/// Why a text is no policy: the line, what was found, what is allowed.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{}{reason}", At(*.line))]
+pub struct PolicyError {
+    /// The line of the file, counted from 1; `None` where there is no file or no line.
+    pub line: Option<usize>,
+    /// What is wrong, and what is allowed.
+    pub reason: String,
+}
+
+impl PolicyError {
+    /// What the TOML reader found.
+    pub(crate) fn toml(text: &str, error: &toml::de::Error) -> Self {
+        let line = error.span().map(|span| line_at(text, span.start));
+        let reason = error.message().trim().replace('\n', ", ");
+        Self { line, reason }
+    }
+
+    /// A value that is not allowed.
+    pub(crate) fn value(line: Option<usize>, problem: Problem) -> Self {
+        let Problem {
+            key,
+            found,
+            allowed,
+        } = problem;
+        Self {
+            line,
+            reason: format!("{key} is {found}; a policy allows {allowed}"),
+        }
+    }
+}
+
+/// The line of a place in a text, counted from 1.
+pub(crate) fn line_at(text: &str, offset: usize) -> usize {
+    let before = &text.as_bytes()[..offset.min(text.len())];
+    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+}
+
+struct At(Option<usize>);
+
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |line| write!(f, "line {line}: "))
+    }
+}

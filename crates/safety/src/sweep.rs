@@ -1,0 +1,208 @@
+//! What the arm sweeps between two places of its way: bounds that hold for every place between.
+//!
+//! Let something change from `a` to `b` while a share `u` goes evenly from 0 to 1. Where its second
+//! derivative by `u` is at most `m`, it strays from the straight way between `a` and `b` by at most
+//! `m / 8`; and where the way is long enough, `|b - a| >= m / 2`, it does not turn back on it at all.
+//! So all that is needed are bounds of second derivatives, and they follow from the kinematics:
+//! `docs/safety.md` derives them.
+
+use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM};
+use dobot_course::{Bend, Place};
+
+use crate::Bounds;
+use crate::body::{MEASURES, Measure};
+
+/// Bounds of second derivatives by the share of the way between two places.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sweep {
+    /// Of each measure, in its unit.
+    measures: [f64; MEASURES],
+    elbow_mm: f64,
+    wrist_mm: f64,
+    tool_mm: f64,
+}
+
+impl Sweep {
+    /// The bounds between two places; `None` where they are too far apart to tell.
+    pub(crate) fn between(bend: Bend, a: &Place, b: &Place, tool_reach_mm: f64) -> Option<Self> {
+        match bend {
+            Bend::Joints => Some(Self::of_joints(&a.joints, &b.joints)),
+            Bend::Line => Flat::line(&a.pose, &b.pose)?.sweep(bend, a, b, tool_reach_mm),
+            Bend::Around => Flat::around(a, b).sweep(bend, a, b, tool_reach_mm),
+        }
+    }
+
+    /// All that a measure can be between two places where it is `a` and `b`.
+    pub(crate) fn span(&self, measure: Measure, a: f64, b: f64) -> Bounds {
+        let stray = self.measures[measure as usize] / 8.0;
+        let ends = Bounds::new(a.min(b), a.max(b));
+        if ends.max - ends.min >= 4.0 * stray {
+            return ends;
+        }
+        ends.grown(stray)
+    }
+
+    /// How far the ends of rear arm, forearm, hand and tool stray from their straight ways, in mm.
+    pub(crate) const fn strays_mm(&self) -> [f64; 4] {
+        let [elbow, wrist, tool] = [self.elbow_mm, self.wrist_mm, self.tool_mm];
+        [
+            elbow / 8.0,
+            elbow.max(wrist) / 8.0,
+            wrist.max(tool) / 8.0,
+            tool / 8.0,
+        ]
+    }
+
+    /// All joints change evenly.
+    fn of_joints(a: &Joints, b: &Joints) -> Self {
+        let way = |from: f64, to: f64| (to - from).abs().to_radians();
+        let base = way(a.base.0, b.base.0);
+        let rear = way(a.rear.0, b.rear.0);
+        let fore = way(a.fore.0, b.fore.0);
+        let [rear_mm, fore_mm] = [REAR_ARM.0 * rear, FOREARM.0 * fore];
+        let flat_v2 = rear_mm * rear + fore_mm * fore;
+        let tool_mm = turned(FARTHEST_MM, rear_mm + fore_mm, flat_v2, base, 0.0);
+        let mut measures = [0.0; MEASURES];
+        measures[Measure::X as usize] = tool_mm;
+        measures[Measure::Y as usize] = tool_mm;
+        measures[Measure::Z as usize] = flat_v2;
+        measures[Measure::Reach as usize] = flat_v2;
+        Self {
+            measures,
+            elbow_mm: turned(REAR_ARM.0, rear_mm, rear_mm * rear, base, 0.0),
+            wrist_mm: tool_mm,
+            tool_mm,
+        }
+    }
+}
+
+/// How the tool moves in the upright plane of the arm, and how that plane turns: bounds of first and
+/// second derivatives.
+struct Flat {
+    /// Of the way in the plane, in mm.
+    way_mm: f64,
+    /// Second derivative of the reach, in mm.
+    reach_mm: f64,
+    /// Of the base angle, in radians.
+    base: f64,
+    base_2: f64,
+}
+
+impl Flat {
+    /// A straight line in space; `None` where it may pass too near to the axis.
+    fn line(a: &Pose, b: &Pose) -> Option<Self> {
+        let (from, to) = (a.position, b.position);
+        let [x, y] = [to.x.0 - from.x.0, to.y.0 - from.y.0];
+        let level_mm = x.hypot(y);
+        let way_mm = level_mm.hypot(to.z.0 - from.z.0);
+        if level_mm < LEVEL_MM {
+            return Some(Self {
+                way_mm,
+                reach_mm: 0.0,
+                base: 0.0,
+                base_2: 0.0,
+            });
+        }
+        // How far from the axis the endless line passes, and the way itself.
+        let off_mm = (from.x.0 * to.y.0 - to.x.0 * from.y.0).abs() / level_mm;
+        let ends_mm = from.reach().0.min(to.reach().0);
+        let nearest_mm = off_mm.max(ends_mm - 0.5 * level_mm);
+        if nearest_mm < NEAREST_MM {
+            return None;
+        }
+        let base = off_mm * level_mm / (nearest_mm * nearest_mm);
+        Some(Self {
+            way_mm,
+            reach_mm: nearest_mm * base * base,
+            base,
+            base_2: 2.0 * level_mm / nearest_mm * base,
+        })
+    }
+
+    /// Reach, base angle and height change evenly.
+    fn around(a: &Place, b: &Place) -> Self {
+        let (from, to) = (a.pose.position, b.pose.position);
+        let reach_mm = to.reach().0 - from.reach().0;
+        Self {
+            way_mm: reach_mm.hypot(to.z.0 - from.z.0),
+            reach_mm: 0.0,
+            base: (b.joints.base.0 - a.joints.base.0).abs().to_radians(),
+            base_2: 0.0,
+        }
+    }
+
+    fn sweep(&self, bend: Bend, a: &Place, b: &Place, tool_reach_mm: f64) -> Option<Sweep> {
+        let fold = least_fold(a, b, tool_reach_mm, self.way_mm)?;
+        // The links' ways, and their second derivatives, of which the rest follows.
+        let link_mm = self.way_mm / fold;
+        let [rear, fore] = [link_mm / REAR_ARM.0, link_mm / FOREARM.0];
+        let link_2_mm = (self.reach_mm + link_mm * (rear + fore)) / fold;
+        let [rear_2, fore_2] = [link_2_mm / REAR_ARM.0, link_2_mm / FOREARM.0];
+        let degrees = f64::to_degrees;
+        let around = bend == Bend::Around;
+        let tool_mm = if around {
+            turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
+        } else {
+            0.0
+        };
+        let elbow_2_mm = link_2_mm + link_mm * rear;
+        Some(Sweep {
+            measures: [
+                degrees(self.base_2),
+                degrees(rear_2),
+                degrees(fore_2),
+                degrees(self.base_2),
+                degrees(rear_2 + fore_2),
+                tool_mm,
+                tool_mm,
+                0.0,
+                self.reach_mm,
+            ],
+            elbow_mm: turned(REAR_ARM.0, link_mm, elbow_2_mm, self.base, self.base_2),
+            wrist_mm: turned(FARTHEST_MM, self.way_mm, self.reach_mm, self.base, self.base_2),
+            tool_mm,
+        })
+    }
+}
+
+/// The second derivative of a point at most `radius_mm` from the axis: it moves in the upright plane
+/// with `way_mm` and `way_2_mm`, and the plane turns with `base` and `base_2`.
+fn turned(radius_mm: f64, way_mm: f64, way_2_mm: f64, base: f64, base_2: f64) -> f64 {
+    way_2_mm + radius_mm * (base * base + base_2) + 2.0 * way_mm * base
+}
+
+/// The least cosine of rear minus forearm angle between two places whose way in the plane is this
+/// long; `None` where the arm may be stretched or folded so far that its joints turn at any speed.
+///
+/// The distance from pivot to wrist tells it: `d * d = 135 * 135 + 160 * 160 + 2 * 135 * 160 *
+/// sin(rear - fore)`.
+fn least_fold(a: &Place, b: &Place, tool_reach_mm: f64, way_mm: f64) -> Option<f64> {
+    let stretch_mm = |place: &Place| {
+        let position = place.pose.position;
+        (position.reach().0 - tool_reach_mm).hypot(position.z.0)
+    };
+    let [a_mm, b_mm] = [stretch_mm(a), stretch_mm(b)];
+    let least_mm = a_mm.min(b_mm) - 0.5 * way_mm;
+    let most_mm = a_mm.max(b_mm) + 0.5 * way_mm;
+    let cos = |d_mm: f64| {
+        let sin = (d_mm * d_mm - LINKS_V2) / (2.0 * REAR_ARM.0 * FOREARM.0);
+        (1.0 - sin * sin).max(0.0).sqrt()
+    };
+    let fold = cos(least_mm).min(cos(most_mm));
+    (least_mm > FOREARM.0 - REAR_ARM.0 && fold > LEAST_FOLD).then_some(fold)
+}
+
+/// The difference of the squared stretches tells the fold; this is the stretch of a right angle.
+const LINKS_V2: f64 = REAR_ARM.0 * REAR_ARM.0 + FOREARM.0 * FOREARM.0;
+
+/// Nothing of the arm is farther from the axis than its links and the longest tool.
+const FARTHEST_MM: f64 = REAR_ARM.0 + FOREARM.0 + 55.07;
+
+/// A line that passes the axis nearer than this is looked at in shorter pieces.
+const NEAREST_MM: f64 = 1.0;
+
+/// A line that goes less than this sideways is upright.
+const LEVEL_MM: f64 = 1e-9;
+
+/// A stock arm within its limits never has less than 0.46.
+const LEAST_FOLD: f64 = 0.1;

@@ -1,0 +1,155 @@
+//! Whether the values of a policy are in their ranges, and where in the file one is that is not.
+
+use toml::de::{DeTable, DeValue};
+
+use crate::policy_error::line_at;
+use crate::{Area, Bounds, KeepOut, Policy};
+
+/// A value that is not allowed.
+pub(crate) struct Problem {
+    /// Its key, with dots.
+    pub(crate) key: String,
+    /// The value.
+    pub(crate) found: String,
+    /// What is allowed.
+    pub(crate) allowed: String,
+}
+
+/// The first value that is not allowed.
+pub(crate) fn problem(policy: &Policy) -> Option<Problem> {
+    spans(policy)
+        .into_iter()
+        .find_map(|(key, found, widest)| span(key, found, widest))
+        .or_else(|| {
+            numbers(policy)
+                .into_iter()
+                .find_map(|(key, found, allowed)| number(key, found, allowed))
+        })
+        .or_else(|| area("laser.area", &policy.laser.area))
+        .or_else(|| {
+            let mut keep_outs = policy.keep_out.iter();
+            keep_outs.find_map(|(name, zone)| keep_out(name, zone))
+        })
+}
+
+/// The line of a key in a file; where the key itself is not written, the nearest table that is.
+pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
+    let document = DeTable::parse(text).ok()?;
+    let mut table = document.get_ref();
+    let mut offset = None;
+    for part in key.split('.') {
+        let Some((name, value)) = table.iter().find(|(name, _)| *name.get_ref() == part) else {
+            break;
+        };
+        offset = Some(name.span().start);
+        match value.get_ref() {
+            DeValue::Table(inner) => table = inner,
+            _ => break,
+        }
+    }
+    offset.map(|offset| line_at(text, offset))
+}
+
+/// Ranges, and the widest that each may be: what the arm itself can do.
+fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
+    let (joints, space) = (&policy.joints, &policy.workspace);
+    [
+        ("joints.base_deg", joints.base_deg, Bounds::new(-180.0, 180.0)),
+        ("joints.rear_deg", joints.rear_deg, Bounds::new(-5.0, 85.0)),
+        ("joints.fore_deg", joints.fore_deg, Bounds::new(-10.0, 95.0)),
+        ("joints.servo_deg", joints.servo_deg, Bounds::new(-90.0, 90.0)),
+        ("joints.opening_deg", joints.opening_deg, Bounds::new(-105.0, 35.0)),
+        ("workspace.x_mm", space.x_mm, Bounds::new(-321.0, 321.0)),
+        ("workspace.y_mm", space.y_mm, Bounds::new(-321.0, 321.0)),
+        ("workspace.z_mm", space.z_mm, Bounds::new(-300.0, 136.0)),
+        ("workspace.reach_mm", space.reach_mm, Bounds::new(129.0, 321.0)),
+    ]
+}
+
+/// Numbers and their ranges.
+fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
+    let Policy { speed, acceleration, jog, tool_length, .. } = policy;
+    let fastest = Bounds::new(0.001, 1000.0);
+    let steepest = Bounds::new(0.001, 10_000.0);
+    let length = Bounds::new(0.0, 200.0);
+    [
+        ("table.z_mm", policy.table.z_mm, Bounds::new(-300.0, 136.0)),
+        ("tool_length.suction_cup_mm", tool_length.suction_cup_mm, length),
+        ("tool_length.gripper_mm", tool_length.gripper_mm, length),
+        ("tool_length.laser_mm", tool_length.laser_mm, length),
+        ("arm.radius_mm", policy.arm.radius_mm, Bounds::new(0.0, 100.0)),
+        ("speed.joint_deg_s", speed.joint_deg_s, fastest),
+        ("speed.servo_deg_s", speed.servo_deg_s, fastest),
+        ("speed.line_mm_s", speed.line_mm_s, fastest),
+        ("speed.writing_mm_s", speed.writing_mm_s, fastest),
+        ("speed.jog_percent", speed.jog_percent, Bounds::new(1.0, 100.0)),
+        ("acceleration.joint_deg_s2", acceleration.joint_deg_s2, steepest),
+        ("acceleration.servo_deg_s2", acceleration.servo_deg_s2, steepest),
+        ("acceleration.line_mm_s2", acceleration.line_mm_s2, steepest),
+        ("acceleration.writing_mm_s2", acceleration.writing_mm_s2, steepest),
+        ("jump.height_mm", policy.jump.height_mm, Bounds::new(0.0, 300.0)),
+        ("laser.arm_for_s", policy.laser.arm_for_s, Bounds::new(1.0, 3600.0)),
+        ("laser.least_speed_mm_s", policy.laser.least_speed_mm_s, Bounds::new(0.0, 1000.0)),
+        ("jog.dead_man_s", jog.dead_man_s, Bounds::new(0.05, 2.0)),
+        ("jog.raw_dead_man_s", jog.raw_dead_man_s, Bounds::new(0.05, 5.0)),
+        ("jog.reaction_s", jog.reaction_s, Bounds::new(0.05, 2.0)),
+        ("queue.ahead_s", policy.queue.ahead_s, Bounds::new(0.0, 60.0)),
+    ]
+}
+
+fn keep_out(name: &str, zone: &KeepOut) -> Option<Problem> {
+    let plain = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
+    if name.is_empty() || !name.chars().all(plain) {
+        return Some(Problem {
+            key: format!("keep_out.{name}"),
+            found: format!("called {name:?}"),
+            allowed: "names of letters, digits, - and _".to_owned(),
+        });
+    }
+    match zone {
+        KeepOut::Box(it) => area(&format!("keep_out.{name}.box"), it),
+        KeepOut::Cylinder(it) => {
+            let key = |field: &str| format!("keep_out.{name}.cylinder.{field}");
+            number(key("x_mm"), it.x_mm, ANYWHERE)
+                .or_else(|| number(key("y_mm"), it.y_mm, ANYWHERE))
+                .or_else(|| number(key("radius_mm"), it.radius_mm, Bounds::new(0.0, 1000.0)))
+                .or_else(|| span(key("z_mm"), it.z_mm, ANYWHERE))
+        }
+    }
+}
+
+fn area(key: &str, area: &Area) -> Option<Problem> {
+    let fields = [
+        ("x_mm", area.x_mm),
+        ("y_mm", area.y_mm),
+        ("z_mm", area.z_mm),
+    ];
+    fields
+        .into_iter()
+        .find_map(|(field, found)| span(format!("{key}.{field}"), found, ANYWHERE))
+}
+
+fn span(key: impl Into<String>, found: Bounds, widest: Bounds) -> Option<Problem> {
+    let Bounds { min, max } = found;
+    if min <= max && widest.contains(min) && widest.contains(max) {
+        return None;
+    }
+    Some(Problem {
+        key: key.into(),
+        found: format!("[{min}, {max}]"),
+        allowed: format!("[min, max] with min <= max within {widest}"),
+    })
+}
+
+fn number(key: impl Into<String>, found: f64, allowed: Bounds) -> Option<Problem> {
+    if allowed.contains(found) {
+        return None;
+    }
+    Some(Problem {
+        key: key.into(),
+        found: found.to_string(),
+        allowed: allowed.to_string(),
+    })
+}
+
+const ANYWHERE: Bounds = Bounds::new(-1000.0, 1000.0);

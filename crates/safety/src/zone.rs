@@ -1,0 +1,183 @@
+//! Boxes and vertical cylinders, and whether a part of the arm touches them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::Bounds;
+
+/// What no part of the arm may touch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum KeepOut {
+    /// A box along the axes.
+    Box(Area),
+    /// An upright cylinder.
+    Cylinder(Cylinder),
+}
+
+/// A box along the axes of the base frame, in mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Area {
+    /// From back to front.
+    pub x_mm: Bounds,
+    /// From right to left.
+    pub y_mm: Bounds,
+    /// From bottom to top.
+    pub z_mm: Bounds,
+}
+
+/// An upright cylinder, in mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Its axis: forward.
+    pub x_mm: f64,
+    /// Its axis: to the left.
+    pub y_mm: f64,
+    /// Its radius, 0 or more.
+    pub radius_mm: f64,
+    /// From bottom to top.
+    pub z_mm: Bounds,
+}
+
+/// A point in the base frame, in mm.
+pub(crate) type Point = [f64; 3];
+
+/// A part of the arm at the two ends of a stretch of its way: its line, then its line.
+pub(crate) type Swept = [[Point; 2]; 2];
+
+impl KeepOut {
+    /// Whether a straight line touches it when it is made larger on all sides.
+    ///
+    /// A box grows to a box and a cylinder to a cylinder, so corners grow a little more; one that
+    /// shrinks (`grown` below 0) to nothing is touched by nothing.
+    pub(crate) fn touches(&self, line: &[Point; 2], grown: f64) -> bool {
+        match self {
+            Self::Box(area) => {
+                let spans = area.axes().map(|span| span.grown(grown));
+                (0..3)
+                    .try_fold(WHOLE, |part, axis| within(part, line, axis, spans[axis]))
+                    .is_some()
+            }
+            Self::Cylinder(it) => {
+                let radius = it.radius_mm + grown;
+                let part = within(WHOLE, line, 2, it.z_mm.grown(grown));
+                radius >= 0.0
+                    && part.is_some_and(|part| it.axis_distance(line, part) <= radius)
+            }
+        }
+    }
+
+    /// Whether the whole way of a part of the arm is clear of it, by `room` on all sides.
+    ///
+    /// Each point of the part goes from its place at one end to its place at the other, and strays
+    /// from the straight way by less than `room`. A clear way may be found not to be; never the
+    /// other way round.
+    pub(crate) fn is_clear_of(&self, swept: &Swept, room: f64) -> bool {
+        self.has_face_between(swept, room) || {
+            let [a, b] = swept;
+            let middle = [mean(a[0], b[0]), mean(a[1], b[1])];
+            let stray = 0.5 * distance(a[0], b[0]).max(distance(a[1], b[1]));
+            !self.touches(&middle, room + stray)
+        }
+    }
+
+    /// How much it may grow until it touches one of these lines; negative where it does already.
+    pub(crate) fn room(&self, lines: &[[Point; 2]], most: f64) -> f64 {
+        let touched = |grown| lines.iter().any(|line| self.touches(line, grown));
+        let (mut clear, mut touching) = (-THICKEST_MM, most);
+        if !touched(most) {
+            return most;
+        }
+        for _ in 0..48 {
+            let middle = 0.5 * (clear + touching);
+            if touched(middle) {
+                touching = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        clear
+    }
+
+    /// Whether one flat face has the zone on one side and all four corners on the other.
+    fn has_face_between(&self, [a, b]: &Swept, room: f64) -> bool {
+        let corners = [a[0], a[1], b[0], b[1]];
+        let beyond = |axis: usize, span: Bounds| {
+            let Bounds { min, max } = span.grown(room);
+            corners.iter().all(|it| it[axis] > max) || corners.iter().all(|it| it[axis] < min)
+        };
+        match self {
+            Self::Box(area) => {
+                let spans = area.axes();
+                (0..3).any(|axis| beyond(axis, spans[axis]))
+            }
+            Self::Cylinder(it) => beyond(2, it.z_mm) || it.tangent_between(&corners, room),
+        }
+    }
+}
+
+impl Area {
+    pub(crate) const fn axes(&self) -> [Bounds; 3] {
+        [self.x_mm, self.y_mm, self.z_mm]
+    }
+}
+
+impl Cylinder {
+    /// The horizontal distance from the axis to a part of a line, given in shares of it.
+    fn axis_distance(&self, [from, to]: &[Point; 2], [start, end]: [f64; 2]) -> f64 {
+        let [way_x, way_y] = [to[0] - from[0], to[1] - from[1]];
+        let [x, y] = [self.x_mm - from[0], self.y_mm - from[1]];
+        let length_v2 = way_x * way_x + way_y * way_y;
+        let foot = if length_v2 > 0.0 {
+            ((way_x * x + way_y * y) / length_v2).clamp(start, end)
+        } else {
+            start
+        };
+        (way_x * foot - x).hypot(way_y * foot - y)
+    }
+
+    /// Whether the upright plane that faces the middle of the corners keeps all of them off.
+    fn tangent_between(&self, corners: &[Point; 4], room: f64) -> bool {
+        let from_axis = |point: &Point| [point[0] - self.x_mm, point[1] - self.y_mm];
+        let [x, y] = corners.iter().map(from_axis).fold([0.0, 0.0], |sum, it| {
+            [sum[0] + it[0], sum[1] + it[1]]
+        });
+        let length = x.hypot(y);
+        let off = |point: &Point| {
+            let [from_x, from_y] = from_axis(point);
+            from_x * x + from_y * y > (self.radius_mm + room) * length
+        };
+        length > 0.0 && corners.iter().all(off)
+    }
+}
+
+/// The part of a line, in shares of it, that lies within `span` of an axis.
+fn within([start, end]: [f64; 2], [from, to]: &[Point; 2], axis: usize, span: Bounds) -> Option<[f64; 2]> {
+    let (at, way) = (from[axis], to[axis] - from[axis]);
+    if span.min > span.max {
+        return None;
+    }
+    if way == 0.0 {
+        return span.contains(at).then_some([start, end]);
+    }
+    let (enters, leaves) = ((span.min - at) / way, (span.max - at) / way);
+    let part = [start.max(enters.min(leaves)), end.min(enters.max(leaves))];
+    (part[0] <= part[1]).then_some(part)
+}
+
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
+    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    (x * x + y * y + z * z).sqrt()
+}
+
+fn mean(a: Point, b: Point) -> Point {
+    [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]))
+}
+
+/// A line from its beginning to its end.
+const WHOLE: [f64; 2] = [0.0, 1.0];
+
+/// No zone is thicker than this from its middle: a policy has none larger than 2000 mm.
+const THICKEST_MM: f64 = 1100.0;

@@ -1,0 +1,147 @@
+//! An arm before a policy, and short words for commands.
+
+use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
+use dobot_course::{Course, Model, Place};
+use dobot_safety::{Policy, Violation};
+use dobot_wire::{
+    Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
+    MovingMode, WriteMode, WriteVector,
+};
+
+/// An arm that stands at a point, and the policy that watches over it.
+#[derive(Clone, Debug)]
+pub(crate) struct Desk {
+    pub(crate) policy: Policy,
+    pub(crate) model: Model,
+}
+
+impl Desk {
+    /// The arm stands at x, y, z in mm, the tool turned to 0 degrees.
+    #[track_caller]
+    pub(crate) fn at(x: f64, y: f64, z: f64) -> Self {
+        let pose = Pose {
+            position: Position::new(x, y, z),
+            rotation: Degrees(y.atan2(x).to_degrees()),
+        };
+        let place = Place::at_pose(pose, Tool::SuctionCup).expect("the arm can be there");
+        Self::standing(place)
+    }
+
+    /// The arm stands with these joint angles in degrees, the servo at 0.
+    pub(crate) fn with_joints(base: f64, rear: f64, fore: f64) -> Self {
+        Self::standing(Place::at_joints(
+            Joints::new(base, rear, fore, 0.0),
+            Tool::SuctionCup,
+        ))
+    }
+
+    fn standing(place: Place) -> Self {
+        Self {
+            policy: Policy::default(),
+            model: Model::standing(Dialect::SPECIFICATION, place),
+        }
+    }
+
+    /// The same with a policy that says this much more than the default.
+    #[track_caller]
+    pub(crate) fn under(mut self, policy: &str) -> Self {
+        self.policy = Policy::from_toml(policy).expect("it is a policy");
+        self
+    }
+
+    pub(crate) fn speaking(mut self, dialect: Dialect) -> Self {
+        self.model = Model::standing(dialect, self.model.place);
+        self
+    }
+
+    pub(crate) fn check(&self, command: impl Into<Command>) -> Result<Course, Violation> {
+        self.policy.check(&self.model, &command.into())
+    }
+
+    #[track_caller]
+    pub(crate) fn allows(&self, command: impl Into<Command>) -> Course {
+        match self.check(command) {
+            Ok(course) => course,
+            Err(violation) => panic!("refused: {violation}"),
+        }
+    }
+
+    /// Refuses by this rule.
+    #[track_caller]
+    pub(crate) fn refuses(&self, rule: &str, command: impl Into<Command>) -> Violation {
+        let violation = self.check(command).expect_err("it must not be allowed");
+        assert_eq!(violation.rule, rule, "{violation}");
+        violation
+    }
+}
+
+pub(crate) fn go(mode: MovingMode, x: f32, y: f32, z: f32) -> MoveTo {
+    MoveTo {
+        x_mm: x,
+        y_mm: y,
+        z_mm: z,
+        rotation_deg: y.atan2(x).to_degrees(),
+        suction: false,
+        mode,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+pub(crate) fn turn(mode: MovingMode, base: f32, rear: f32, fore: f32) -> MoveJoints {
+    MoveJoints {
+        base_deg: base,
+        rear_deg: rear,
+        fore_deg: fore,
+        servo_deg: 0.0,
+        suction: false,
+        mode,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+pub(crate) fn vector(x: f32, y: f32, z: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm: x,
+        y_mm: y,
+        z_mm: z,
+        laser: false,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 40.0,
+        stop: false,
+    }
+}
+
+pub(crate) fn burning(x: f32, y: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Laser,
+        laser: true,
+        ..vector(x, y, 0.0)
+    }
+}
+
+pub(crate) fn jog(axis: JointJogAxis, speed_percent: f32) -> JointJog {
+    JointJog {
+        axis,
+        speed_percent,
+    }
+}
+
+pub(crate) fn slide(axis: LinearJogAxis, speed_percent: f32) -> LinearJog {
+    LinearJog {
+        axis,
+        speed_percent,
+    }
+}
+
+/// Fails unless two numbers are as near as `tolerance`.
+#[track_caller]
+pub(crate) fn assert_near(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "found {found}, expected {expected}, tolerance {tolerance}"
+    );
+}

@@ -1,0 +1,10 @@
+//! The policy: its file, and what it lets through.
+
+mod desk;
+mod file;
+mod jogs;
+mod laser;
+mod properties;
+mod settings;
+mod truth;
+mod ways;

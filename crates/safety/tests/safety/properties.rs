@@ -1,0 +1,241 @@
+//! What holds for every policy, place and command.
+
+use dobot_arm::{Joints, Limits, Tool};
+use dobot_course::{Model, Place};
+use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
+use dobot_wire::{
+    Command, Dialect, JointJogAxis, LinearJogAxis,
+    MovingMode::{self, Jump, MovJ, MovL},
+};
+use proptest::prelude::*;
+
+use crate::desk::{go, jog, slide, turn, vector};
+use crate::truth::broken;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn no_place_on_a_way_that_is_allowed_breaks_a_rule(
+        policy in policies(),
+        from in places(),
+        command in commands(),
+        stock in any::<bool>(),
+    ) {
+        let model = Model::standing(dialect(stock), from);
+        prop_assume!(broken(&policy, &from, 0.0).is_none());
+        let Ok(course) = policy.check(&model, &command) else {
+            return Ok(());
+        };
+        let duration_s = course.motion_s().expect("no jog");
+        for index in 0..=1000 {
+            let t_s = duration_s * f64::from(index) / 1000.0;
+            let place = course.place_at(t_s).expect("an allowed place is reachable");
+            prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
+        }
+    }
+
+    #[test]
+    fn the_way_to_where_it_is_refused_is_free_and_its_nearest_place_is_allowed(
+        policy in policies(),
+        from in places(),
+        command in commands(),
+        stock in any::<bool>(),
+    ) {
+        let model = Model::standing(dialect(stock), from);
+        prop_assume!(broken(&policy, &from, 0.0).is_none());
+        let Err(violation) = policy.check(&model, &command) else {
+            return Ok(());
+        };
+        prop_assert_eq!(violation.to_string().lines().count(), 1);
+        let (Some(at), Some([x, y, z])) = (violation.at, violation.nearest) else {
+            return Ok(());
+        };
+        // The place that is told is on the way, right behind the nearest that is allowed.
+        let course = model.course(&command).expect("it has a way");
+        let place = course.place_at(at.after_s.expect("no jog")).expect("it is reachable");
+        let told = place.pose.position;
+        let [at_x, at_y, at_z] = at.position_mm;
+        let apart = (told.x.0 - at_x).hypot(told.y.0 - at_y).hypot(told.z.0 - at_z);
+        prop_assert!(apart < 1e-6, "{} mm off its way", apart);
+        let step = (at_x - x).hypot(at_y - y).hypot(at_z - z);
+        prop_assert!(step <= 0.021, "{} mm from the nearest", step);
+        // And it breaks the rule, or comes nearer than the resolution to doing so.
+        let tight = shrunk(&policy, 0.25);
+        prop_assert!(broken(&tight, &place, 0.0).is_some(), "{}", violation);
+        // All before it is free.
+        for index in 0..200 {
+            let t_s = at.after_s.expect("no jog") * f64::from(index) / 200.0 * 0.999;
+            let place = course.place_at(t_s).expect("it is reachable");
+            prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
+        }
+    }
+
+    #[test]
+    fn no_place_that_a_jog_can_cover_breaks_a_rule(
+        policy in policies(),
+        from in places(),
+        command in jogs(),
+        within_s in 0.0..2.0,
+    ) {
+        let model = Model::standing(Dialect::FIRMWARE_1_1, from);
+        prop_assume!(broken(&policy, &from, 0.0).is_none());
+        if policy.check_jog(&model, &command, within_s).is_err() {
+            return Ok(());
+        }
+        // At full speed for that long, and then the run-down, a little at a time.
+        let course = model.course(&command).expect("a jog").jog().expect("a jog");
+        let full_s = course.change_s() + within_s;
+        let (speed, acceleration) = (course.target_speed().abs(), course.acceleration());
+        let covered = speed * within_s + speed * speed / (2.0 * acceleration);
+        // The same way from rest takes longer: until then no farther than it.
+        for index in 0..=300 {
+            let t_s = full_s * f64::from(index) / 300.0;
+            let ramp_s = t_s.min(course.change_s());
+            let gone = 0.5 * acceleration * ramp_s * ramp_s + speed * (t_s - ramp_s);
+            if gone > covered {
+                break;
+            }
+            let place = course.place_at(t_s).expect("an allowed place is reachable");
+            prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
+        }
+    }
+
+    #[test]
+    fn an_arm_outside_never_ends_up_farther_outside(
+        from in places(),
+        command in commands(),
+        rear_max in 20.0..60.0,
+        lowest in -60.0..20.0,
+    ) {
+        let mut policy = Policy::default();
+        policy.joints.rear_deg.max = rear_max;
+        policy.workspace.z_mm.min = lowest;
+        let model = Model::standing(Dialect::SPECIFICATION, from);
+        let Ok(course) = policy.check(&model, &command) else {
+            return Ok(());
+        };
+        let outside = |place: &Place| {
+            let rear = (place.joints.rear.0 - rear_max).max(0.0);
+            [rear, (lowest - place.pose.position.z.0).max(0.0)]
+        };
+        let mut last = outside(&from);
+        for index in 0..=300 {
+            let t_s = course.motion_s().expect("no jog") * f64::from(index) / 300.0;
+            let now = outside(&course.place_at(t_s).expect("reachable"));
+            for (now, last) in now.iter().zip(last) {
+                // Between two looks of the check it may come in and go out again.
+                prop_assert!(*now <= last + 2e-6 || *now <= outside(&from)[0].max(outside(&from)[1]) + 2e-6);
+            }
+            prop_assert!(now[0] <= outside(&from)[0] + 2e-6, "{:?} {:?}", now, from);
+            prop_assert!(now[1] <= outside(&from)[1] + 2e-6, "{:?} {:?}", now, from);
+            last = now;
+        }
+    }
+}
+
+fn dialect(stock: bool) -> Dialect {
+    Dialect::ALL[usize::from(stock)]
+}
+
+/// Places within the limits of the arm.
+fn places() -> impl Strategy<Value = Place> {
+    let joints = (-135.0..135.0, -5.0..85.0, -10.0..95.0, -45.0..45.0);
+    joints.prop_filter_map("beyond the limits", |(base, rear, fore, servo)| {
+        let place = Place::at_joints(Joints::new(base, rear, fore, servo), Tool::SuctionCup);
+        let within = Limits::STOCK.check_at(&place.joints, place.pose.position).is_ok();
+        within.then_some(place)
+    })
+}
+
+fn commands() -> impl Strategy<Value = Command> {
+    let modes = || prop_oneof![Just(Jump), Just(MovL), Just(MovJ)];
+    let targets = (modes(), places()).prop_map(|(mode, place): (MovingMode, Place)| {
+        let position = place.pose.position;
+        let [x, y, z] = [position.x.0, position.y.0, position.z.0].map(single);
+        Command::from(go(mode, x, y, z))
+    });
+    let joints = (modes(), places()).prop_map(|(mode, place): (MovingMode, Place)| {
+        let it = place.joints;
+        let [base, rear, fore] = [it.base.0, it.rear.0, it.fore.0].map(single);
+        Command::from(turn(mode, base, rear, fore))
+    });
+    let vectors = (-100.0..100.0_f32, -100.0..100.0_f32, -60.0..60.0_f32)
+        .prop_map(|(x, y, z)| Command::from(vector(x, y, z)));
+    prop_oneof![targets, joints, vectors]
+}
+
+fn jogs() -> impl Strategy<Value = Command> {
+    (1..=8_usize, 1.0..100.0_f32, any::<bool>()).prop_map(|(axis, percent, linear)| {
+        if linear {
+            slide(LinearJogAxis::ALL[axis], percent).into()
+        } else {
+            jog(JointJogAxis::ALL[axis], percent).into()
+        }
+    })
+}
+
+/// Policies with keep-outs, some of them thin.
+fn policies() -> impl Strategy<Value = Policy> {
+    let size = || prop_oneof![Just(0.0), 0.0..5.0, 5.0..100.0];
+    let corner = || (60.0..320.0, -250.0..250.0, -100.0..130.0);
+    let blocks = (corner(), size(), size(), size()).prop_map(|((x, y, z), a, b, c)| {
+        KeepOut::Box(Area {
+            x_mm: Bounds::new(x, x + a),
+            y_mm: Bounds::new(y, y + b),
+            z_mm: Bounds::new(z, z + c),
+        })
+    });
+    let cylinders = (corner(), size(), size()).prop_map(|((x_mm, y_mm, z), radius_mm, height)| {
+        KeepOut::Cylinder(Cylinder {
+            x_mm,
+            y_mm,
+            radius_mm,
+            z_mm: Bounds::new(z, z + height),
+        })
+    });
+    let keep_out = prop::collection::btree_map("[a-c]", prop_oneof![blocks, cylinders], 0..3);
+    let radius = prop_oneof![Just(0.0), 0.0..30.0];
+    (keep_out, radius, -150.0..-40.0, 30.0..90.0, 60.0..136.0).prop_map(
+        |(keep_out, radius_mm, table_mm, fore_max, z_max)| {
+            let mut policy = Policy {
+                keep_out,
+                ..Policy::default()
+            };
+            policy.arm.radius_mm = radius_mm;
+            policy.table.z_mm = table_mm;
+            policy.joints.fore_deg.max = fore_max;
+            policy.workspace.z_mm.max = z_max;
+            policy
+        },
+    )
+}
+
+/// The same with all rules tighter by so much.
+fn shrunk(policy: &Policy, by: f64) -> Policy {
+    let mut tight = policy.clone();
+    let joints = &mut tight.joints;
+    let space = &mut tight.workspace;
+    for bounds in [
+        &mut joints.base_deg,
+        &mut joints.rear_deg,
+        &mut joints.fore_deg,
+        &mut joints.servo_deg,
+        &mut joints.opening_deg,
+        &mut space.x_mm,
+        &mut space.y_mm,
+        &mut space.z_mm,
+        &mut space.reach_mm,
+    ] {
+        *bounds = Bounds::new(bounds.min + by, bounds.max - by);
+    }
+    tight.table.z_mm += by;
+    // The points of the truth lie apart.
+    tight.arm.radius_mm += by + 6.0;
+    tight
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as a client would send it")]
+const fn single(value: f64) -> f32 {
+    value as f32
+}

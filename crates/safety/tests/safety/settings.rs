@@ -1,0 +1,121 @@
+//! Speeds, accelerations and heights against their ceilings.
+
+use dobot_wire::{
+    Configuration, Dialect, Gesture, JointJogAxis, LinearJogAxis, MouseMove,
+    MovingMode::{Jump, MovJ, MovL},
+    PlaybackAdjustment, WriteVector,
+};
+
+use crate::desk::{Desk, assert_near, go, jog, slide, turn, vector};
+
+fn playback(speed: f32, jump_height_mm: f32) -> Configuration {
+    Configuration::Playback {
+        joint_speed_deg_s: speed,
+        joint_acceleration_deg_s2: 200.0,
+        servo_speed_deg_s: 200.0,
+        servo_acceleration_deg_s2: 200.0,
+        linear_speed_mm_s: 100.0,
+        linear_acceleration_mm_s2: 200.0,
+        default_pause_s: 0.0,
+        jump_height_mm,
+    }
+}
+
+#[test]
+fn what_is_configured_counts_with_its_percentage() {
+    let mut desk = Desk::at(200.0, 0.0, 0.0);
+    // At the 50 % of power-up.
+    desk.allows(playback(400.0, 20.0));
+    let violation = desk.refuses("speed.joint", playback(500.0, 20.0));
+    assert_near(violation.found.expect("a value"), 250.0, 1e-9);
+    assert_near(violation.nearest_value.expect("a value"), 200.0, 1e-9);
+    desk.model.settings.playback.joint_deg_s = 400.0;
+    let percent = |speed_percent| PlaybackAdjustment {
+        speed_percent,
+        acceleration_percent: 50.0,
+        teach_speed_percent: 100.0,
+    };
+    desk.allows(percent(50.0));
+    desk.refuses("speed.joint", percent(60.0));
+}
+
+#[test]
+fn the_height_of_a_jump_has_a_ceiling() {
+    let desk = Desk::at(200.0, 0.0, 0.0);
+    desk.allows(playback(200.0, 150.0));
+    desk.refuses("jump.height", playback(200.0, 151.0));
+}
+
+#[test]
+fn a_move_uses_no_speed_above_its_ceiling_however_it_was_set() {
+    let mut desk = Desk::at(200.0, 0.0, 0.0).under("[speed]\nline_mm_s = 40");
+    // 50 mm/s after power-up.
+    desk.refuses("speed.line", go(MovL, 200.0, 50.0, 0.0));
+    desk.refuses("speed.line", go(Jump, 200.0, 50.0, 0.0));
+    desk.allows(go(MovJ, 200.0, 50.0, 0.0));
+    desk.model.settings.playback.joint_deg_s2 = 5000.0;
+    desk.refuses("acceleration.joint", turn(MovJ, 10.0, 45.0, 45.0));
+}
+
+#[test]
+fn write_vectors_have_ceilings_of_their_own() {
+    let mut desk = Desk::at(200.0, 0.0, 0.0);
+    let fast = |max_speed_mm_s| WriteVector {
+        max_speed_mm_s,
+        ..vector(20.0, 0.0, 0.0)
+    };
+    desk.allows(fast(200.0));
+    desk.refuses("speed.writing", fast(201.0));
+    let writing = |acceleration_mm_s2| Configuration::Writing { acceleration_mm_s2 };
+    desk.allows(writing(500.0));
+    desk.refuses("acceleration.writing", writing(501.0));
+    desk.model.settings.write_acceleration_mm_s2 = 600.0;
+    desk.refuses("acceleration.writing", fast(100.0));
+}
+
+#[test]
+fn jogs_have_a_largest_percentage_and_the_speeds_of_their_axes() {
+    let desk = Desk::at(200.0, 0.0, 30.0).under("[speed]\njog_percent = 60\nline_mm_s = 30");
+    desk.allows(jog(JointJogAxis::BasePlus, 60.0));
+    desk.refuses("speed.jog", jog(JointJogAxis::BasePlus, 61.0));
+    // 60 mm/s at 100 %.
+    desk.allows(slide(LinearJogAxis::YPlus, 50.0));
+    desk.refuses("speed.line", slide(LinearJogAxis::YPlus, 55.0));
+}
+
+#[test]
+fn teaching_speeds_count_with_the_largest_percentage_of_a_jog() {
+    let teach = |joint_speed_deg_s| Configuration::Teach {
+        joint_speed_deg_s,
+        joint_acceleration_deg_s2: 50.0,
+        servo_speed_deg_s: 30.0,
+        servo_acceleration_deg_s2: 50.0,
+        linear_speed_mm_s: 60.0,
+        linear_acceleration_mm_s2: 60.0,
+    };
+    let desk = Desk::at(200.0, 0.0, 30.0);
+    desk.allows(teach(200.0));
+    desk.refuses("speed.joint", teach(220.0));
+    desk.under("[speed]\njog_percent = 50").allows(teach(390.0));
+}
+
+#[test]
+fn a_stock_arm_follows_mouse_and_hand_no_faster_than_its_joints_may() {
+    let desk = Desk::at(230.0, 0.0, 0.0).speaking(Dialect::FIRMWARE_1_1);
+    // A swing of 0.225 degrees a unit, in a tenth of a second.
+    let swing = |y| MouseMove {
+        y,
+        x: 0.0,
+        z: 0.0,
+        rotation_deg: 0.0,
+        suction: false,
+    };
+    desk.allows(swing(80.0));
+    desk.refuses("speed.joint", swing(100.0));
+    desk.allows(Gesture {
+        x: 0.0,
+        y: 15.0,
+        z: 200.0,
+        grab: false,
+    });
+}

@@ -1,0 +1,210 @@
+//! What the whole way of a command may and may not do.
+
+use dobot_wire::{
+    Configuration, Dialect, EndEffector, Gesture, MouseMove,
+    MovingMode::{Jump, MovJ, MovL},
+    Voice,
+};
+
+use crate::desk::{Desk, assert_near, go, turn, vector};
+
+#[test]
+fn ordinary_drawing_at_40_mm_below_the_pivot_is_allowed() {
+    let desk = Desk::at(180.0, -60.0, -30.0);
+    desk.allows(vector(0.0, 0.0, -10.0));
+    let down = Desk::at(180.0, -60.0, -40.0);
+    down.allows(vector(80.0, 120.0, 0.0));
+    down.allows(go(Jump, 240.0, 60.0, -40.0));
+}
+
+#[test]
+fn a_tool_stays_out_of_the_table_by_its_own_length() {
+    let policy = "[table]\nz_mm = -103\n[tool_length]\nsuction_cup_mm = 60";
+    let desk = Desk::at(200.0, 0.0, 0.0).under(policy);
+    desk.allows(vector(0.0, 0.0, -43.0));
+    let violation = desk.refuses("table", vector(0.0, 0.0, -80.0));
+    assert_near(violation.found.expect("a value"), -80.0, 1e-6);
+    assert_near(violation.nearest_value.expect("a value"), -43.0, 1e-9);
+    assert_near(violation.nearest.expect("a place")[2], -43.0, 0.03);
+    let at = violation.at.expect("a place on the way");
+    assert_near(at.position_mm[2], -43.0, 0.03);
+    assert_near(at.along_mm, 43.0, 0.03);
+    // From rest at 100 mm/s2 up to 40 mm/s: 8 mm in 0.4 s, and 35 mm more at 40 mm/s.
+    assert_near(at.after_s.expect("a time"), 0.4 + 35.0 / 40.0, 0.01);
+    for part in ["z would be -80 mm", "table allows -43 mm and more", "43"] {
+        assert!(violation.to_string().contains(part), "{part}: {violation}");
+    }
+}
+
+#[test]
+fn the_cables_want_the_base_within_135_degrees() {
+    let desk = Desk::with_joints(130.0, 20.0, 30.0);
+    desk.allows(turn(MovJ, 135.0, 20.0, 30.0));
+    let violation = desk.refuses("joints.base", turn(MovJ, 150.0, 20.0, 30.0));
+    let at = violation.at.expect("a place on the way");
+    assert_near(at.joints_deg[0], 135.0, 0.03);
+    assert_near(violation.found.expect("a value"), 150.0, 1e-9);
+}
+
+#[test]
+fn a_line_whose_ends_are_allowed_may_not_cut_through_the_space_near_the_base() {
+    let desk = Desk::at(60.0, -160.0, 40.0);
+    let violation = desk.refuses("workspace.reach", go(MovL, 60.0, 160.0, 40.0));
+    // The reach is 129 mm where y is -sqrt(129^2 - 60^2).
+    let y = violation.at.expect("a place on the way").position_mm[1];
+    assert_near(y, -(129.0_f64.powi(2) - 60.0_f64.powi(2)).sqrt(), 0.05);
+    desk.allows(go(Jump, 60.0, 160.0, 40.0));
+}
+
+#[test]
+fn a_joint_move_that_sinks_half_way_is_seen() {
+    // Rear arm down and forearm down sink; both ends are high enough, the way between is not.
+    let desk = Desk::with_joints(0.0, 70.0, 20.0).under("[table]\nz_mm = -90");
+    let low = Desk::with_joints(0.0, 70.0, 20.0).model.place.pose.position.z.0;
+    assert!(low > -50.0, "{low}");
+    desk.allows(turn(MovJ, 40.0, 70.0, 20.0));
+    desk.refuses("table", turn(MovJ, 0.0, 70.0, 60.0));
+}
+
+#[test]
+fn a_keep_out_stops_forearm_and_hand_not_only_the_tool() {
+    let post = "[keep_out.post]\ncylinder = { x_mm = 150, y_mm = 0, radius_mm = 5, z_mm = [-103, 60] }";
+    // The tool stays beyond the post at all times; the arm sweeps over it.
+    let desk = Desk::at(200.0, -200.0, 30.0).under(post);
+    let violation = desk.refuses("keep_out.post", go(Jump, 200.0, 200.0, 30.0));
+    assert!(violation.to_string().contains("would touch keep_out.post"), "{violation}");
+    let short = post.replace("60]", "-60]");
+    desk.under(&short).allows(go(Jump, 200.0, 200.0, 30.0));
+}
+
+#[test]
+fn nothing_is_too_thin_for_a_keep_out() {
+    let wall = "[arm]\nradius_mm = 0\n[keep_out.wall]\nbox = { x_mm = [100, 300], y_mm = [0, 0], z_mm = [-103, 136] }";
+    let desk = Desk::at(200.0, -100.0, 30.0).under(wall);
+    let violation = desk.refuses("keep_out.wall", go(MovL, 200.0, 100.0, 30.0));
+    let y = violation.nearest.expect("a place")[1];
+    assert!((-0.2..0.0).contains(&y), "{y}");
+}
+
+#[test]
+fn an_arm_right_at_a_keep_out_gets_away_from_it() {
+    let crate_ = "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
+    let desk = Desk::at(200.0, -100.0, 30.0).under(crate_);
+    let stop = desk.refuses("keep_out.crate", go(MovL, 200.0, 100.0, 30.0));
+    let [x, y, z] = stop.nearest.expect("a place");
+    let near = Desk::at(x, y, z).under(crate_);
+    near.refuses("keep_out.crate", vector(0.0, 5.0, 0.0));
+    near.allows(vector(0.0, -5.0, 0.0));
+    near.allows(vector(0.0, 0.0, 100.0));
+}
+
+#[test]
+fn an_arm_that_stands_outside_may_come_back_in_but_not_go_deeper() {
+    let desk = Desk::with_joints(150.0, 20.0, 30.0);
+    desk.allows(turn(MovJ, 145.0, 20.0, 30.0));
+    desk.allows(turn(MovJ, 100.0, 20.0, 30.0));
+    desk.refuses("joints.base", turn(MovJ, 151.0, 20.0, 30.0));
+    // What is not broken holds all the same.
+    desk.refuses("joints.rear", turn(MovJ, 145.0, 86.0, 60.0));
+    let low = Desk::at(200.0, 0.0, -80.0);
+    low.allows(vector(0.0, 0.0, 30.0));
+    low.allows(vector(10.0, 0.0, 0.0));
+    low.refuses("table", vector(0.0, 0.0, -1.0));
+}
+
+#[test]
+fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_way() {
+    // In by the straight line from the right behind to the left behind: the base goes from -150
+    // degrees through... it would leave on the other side.
+    let desk = Desk::at(-60.0, -160.0, 40.0).under("[joints]\nbase_deg = [-105, 105]");
+    assert!(desk.model.place.joints.base.0 < -105.0);
+    let violation = desk.refuses("joints.base", go(Jump, -60.0, 160.0, 40.0));
+    let at = violation.at.expect("a place on the way");
+    assert_near(at.joints_deg[0], 105.0, 0.03);
+}
+
+#[test]
+fn an_arm_inside_a_keep_out_may_leave_it_not_go_deeper() {
+    let crate_ = "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
+    let inside = Desk::at(220.0, 40.0, 30.0).under(crate_);
+    inside.allows(vector(0.0, -30.0, 0.0));
+    inside.refuses("keep_out.crate", vector(0.0, 10.0, 0.0));
+    inside.refuses("keep_out.crate", go(Jump, 220.0, 100.0, 0.0));
+}
+
+#[test]
+fn all_three_phases_of_a_jump_are_looked_at() {
+    for dialect in Dialect::ALL {
+        let desk = Desk::at(200.0, -60.0, 0.0).speaking(dialect);
+        // Up into a shelf, across into a post, down into a box.
+        let shelf = "[keep_out.it]\nbox = { x_mm = [200, 300], y_mm = [-80, -40], z_mm = [25, 60] }\n[arm]\nradius_mm = 0";
+        let post = "[keep_out.it]\nbox = { x_mm = [150, 300], y_mm = [-5, 5], z_mm = [-103, 15] }";
+        let below = "[keep_out.it]\nbox = { x_mm = [220, 300], y_mm = [40, 80], z_mm = [-103, -39] }\n[arm]\nradius_mm = 0";
+        let mut lifted = desk.clone();
+        lifted.model.settings.jump_height = dobot_arm::Millimeters(30.0);
+        lifted.allows(go(Jump, 200.0, 60.0, 0.0));
+        for policy in [shelf, post, below] {
+            lifted
+                .clone()
+                .under(policy)
+                .refuses("keep_out.it", go(Jump, 200.0, 60.0, 0.0));
+        }
+    }
+}
+
+#[test]
+fn targets_out_of_reach_name_the_rule_and_the_nearest_value() {
+    let violation = Desk::at(200.0, 0.0, 0.0).refuses("workspace.reach", go(MovL, 340.0, 0.0, 0.0));
+    assert_near(violation.nearest_value.expect("a value"), 321.0, 1e-9);
+}
+
+#[test]
+fn mouse_gesture_and_voice_are_looked_at_in_both_dialects() {
+    let wall = "[keep_out.wall]\nbox = { x_mm = [240, 321], y_mm = [-200, 200], z_mm = [-103, 136] }\n[arm]\nradius_mm = 0";
+    let desk = Desk::at(200.0, 0.0, 0.0).under(wall);
+    let mouse = |x| MouseMove {
+        y: 0.0,
+        x,
+        z: 0.0,
+        rotation_deg: 0.0,
+        suction: false,
+    };
+    desk.allows(mouse(30.0));
+    desk.refuses("keep_out.wall", mouse(60.0));
+    let voice = |text| Voice::new(text).expect("it is printable");
+    desk.allows(voice("ahead thirty"));
+    desk.refuses("keep_out.wall", voice("ahead fifty"));
+    let hand = |x| Gesture {
+        x,
+        y: 0.0,
+        z: 200.0,
+        grab: false,
+    };
+    desk.refuses("workspace.reach", Gesture { x: 100.0, ..hand(0.0) });
+    let stock = desk.speaking(Dialect::FIRMWARE_1_1);
+    stock.allows(mouse(20.0));
+    stock.refuses("keep_out.wall", mouse(150.0));
+    stock.refuses("keep_out.wall", hand(60.0));
+}
+
+#[test]
+fn a_tool_that_would_stand_in_the_table_may_not_be_set() {
+    let policy = "[tool_length]\nlaser_mm = 100";
+    let tool = Configuration::EndEffector {
+        tool: EndEffector::Laser,
+    };
+    Desk::at(200.0, 0.0, 20.0).under(policy).allows(tool);
+    let violation = Desk::at(200.0, 0.0, -20.0).under(policy).refuses("table", tool);
+    assert_near(violation.nearest_value.expect("a value"), -3.0, 1e-9);
+}
+
+#[test]
+fn initial_angles_beyond_the_joint_limits_are_refused() {
+    let desk = Desk::at(200.0, 0.0, 0.0).under("[joints]\nrear_deg = [0, 60]");
+    let angles = |rear_deg| Configuration::InitialAngles {
+        rear_deg,
+        fore_deg: 45.0,
+    };
+    desk.allows(angles(45.0));
+    desk.refuses("joints.rear", angles(70.0));
+}
