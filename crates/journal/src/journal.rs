@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use dobot_wire::Command;
 use redb::{ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
 
-use crate::rows::{self, JobRow, WindowRow};
+use crate::rows::{self, JobRow};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
 };
@@ -280,7 +280,7 @@ impl Store {
     }
 }
 
-fn read_job(id: JobId, row: &[u8], window: Option<WindowRow<'_>>) -> Result<Job, String> {
+fn read_job(id: JobId, row: &[u8], window: Option<(u64, u64, &[u8])>) -> Result<Job, String> {
     let window = window.map(rows::window).transpose()?.unwrap_or_default();
     JobRow::from_bytes(row)?.job(id, window)
 }

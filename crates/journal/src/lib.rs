@@ -3,7 +3,9 @@
 //! A job is a drawing or a program: commands for the arm, with what becomes of them. The protocol
 //! has no acknowledgement, so the journal writes down what *may* have been done before it is done:
 //! no command may be sent before [`Journal::give`] has put it into the job's [`Window`] for good.
-//! After a crash the commands of the window are the doubtful ones.
+//! After a crash the commands of the window are the doubtful ones, and [`locate`] tells by where the
+//! arm rests which of them were done. That it can is cared for by [`window_end`]: no two commands of
+//! a window end at one place.
 //!
 //! ```
 //! use dobot_journal::{JobKind, JobState, Journal, NewJob, Window};
@@ -27,17 +29,23 @@
 //! # Ok::<(), dobot_journal::JournalError>(())
 //! ```
 
+mod ends;
 mod error;
 mod job;
 mod journal;
+mod prelude;
+mod recovery;
 mod rows;
 mod state;
 mod store;
 mod window;
 
+pub use ends::{End, Located, SPACING_MM};
 pub use error::JournalError;
 pub use job::{Job, JobId, JobKind, NewJob};
 pub use journal::Journal;
+pub use prelude::{model_at, prelude};
+pub use recovery::{NEAR_MM, Unclear, locate, window_end};
 pub use redb::StorageBackend;
 pub use state::JobState;
 pub use window::Window;

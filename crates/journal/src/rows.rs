@@ -100,9 +100,6 @@ pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, Strin
     packets.iter().enumerate().map(command).collect()
 }
 
-/// What the table of windows holds: where it begins, where it ends, and the packet of a status.
-pub(crate) type WindowRow<'a> = (u64, u64, &'a [u8]);
-
 /// The place at which a window begins as bytes; empty where there is none.
 pub(crate) fn start_bytes(job: JobId, start: Option<&Status>) -> Result<Vec<u8>, JournalError> {
     let Some(status) = start else {
@@ -113,8 +110,8 @@ pub(crate) fn start_bytes(job: JobId, start: Option<&Status>) -> Result<Vec<u8>,
     Ok(frame.to_bytes().to_vec())
 }
 
-/// The window that a row holds.
-pub(crate) fn window((completed, upto, start): WindowRow<'_>) -> Result<Window, String> {
+/// The window that a row holds: where it begins, where it ends, and the packet of a status.
+pub(crate) fn window((completed, upto, start): (u64, u64, &[u8])) -> Result<Window, String> {
     Ok(Window {
         completed: index(completed)?,
         upto: index(upto)?,

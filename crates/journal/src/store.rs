@@ -17,11 +17,9 @@ use crate::JournalError;
 pub(crate) struct Store {
     /// `None` while the storage fails.
     database: Option<Database>,
-    open_again: OpenAgain,
+    open_again: Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>,
     file: String,
 }
-
-type OpenAgain = Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>;
 
 impl Store {
     /// Opens the file, or makes it where there is none. What lies there is never overwritten.

@@ -1,5 +1,6 @@
 //! Which commands of a job the arm may have done.
 
+use dobot_course::Model;
 use dobot_wire::Status;
 
 /// Which commands of a job the arm may have done: those before `completed` for sure, those in
@@ -19,4 +20,39 @@ pub struct Window {
     /// The arm as command `completed` finds it; `None` where nobody knew, as before the first
     /// command.
     pub start: Option<Status>,
+}
+
+impl Window {
+    /// The window `completed..upto` of a job whose command `completed` finds the arm as `model`
+    /// says.
+    #[must_use]
+    pub fn at(completed: usize, upto: usize, model: &Model) -> Self {
+        Self {
+            completed,
+            upto,
+            start: model.knows_place().then(|| status(model)),
+        }
+    }
+}
+
+/// The status of an arm that stands as the model says.
+fn status(model: &Model) -> Status {
+    let (joints, pose) = (model.place.joints, model.place.pose);
+    Status {
+        x_mm: single(pose.position.x.0),
+        y_mm: single(pose.position.y.0),
+        z_mm: single(pose.position.z.0),
+        rotation_deg: single(pose.rotation.0),
+        base_deg: single(joints.base.0),
+        rear_deg: single(joints.rear.0),
+        fore_deg: single(joints.fore.0),
+        servo_deg: single(joints.servo.0),
+        suction: model.suction,
+        gripper_deg: single(model.gripper_deg),
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
 }

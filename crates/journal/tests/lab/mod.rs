@@ -1,10 +1,13 @@
 //! What the tests share: jobs, and a disk that can be cut off and can be full.
 
 #![allow(
+    clippy::unwrap_used,
     dead_code,
     unreachable_pub,
     reason = "each test program uses its own part"
 )]
+
+pub mod program;
 
 use std::io::{self, ErrorKind};
 use std::sync::{Arc, Mutex};

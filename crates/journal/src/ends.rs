@@ -1,0 +1,162 @@
+//! Where an arm may rest that was given commands nobody saw the end of.
+
+use std::fmt;
+
+use dobot_arm::Position;
+use dobot_course::Model;
+use dobot_wire::{Command, WriteVector};
+
+use crate::prelude::is_setting;
+
+/// How far an arm has come in a job.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Located {
+    /// The command to go on with, counted from 0: all before it are done, or are to be sent again
+    /// without a motion.
+    pub next: usize,
+    /// Whether the pen was lifted behind the last command: it has to be lowered first.
+    pub lifted: bool,
+}
+
+impl fmt::Display for Located {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} commands done", self.next)?;
+        f.write_str(if self.lifted { ", pen lifted" } else { "" })
+    }
+}
+
+/// A place where the arm may rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// How far the arm has come when it rests there.
+    pub located: Located,
+    /// The place.
+    pub position: Position,
+}
+
+impl End {
+    /// Whether both can be told from each other by where the arm rests, or need not.
+    pub(crate) fn is_told_from(&self, other: &Self, commands: &[Command]) -> bool {
+        self.located == other.located
+            || self.distance_mm(other.position) >= SPACING_MM
+            || self.is_the_same_as(other, commands)
+    }
+
+    /// Whether it makes no difference which of both it is: a pen that was lifted from the lower end
+    /// of a lift (or of a lowering) rests at its upper end, and may go on from there.
+    pub(crate) fn is_the_same_as(&self, other: &Self, commands: &[Command]) -> bool {
+        let [first, last] = order(self.located.next, other.located.next);
+        let mut way = commands[first..last].iter().filter(|it| !is_setting(it));
+        self.located.lifted != other.located.lifted
+            && self.distance_mm(other.position) < SPACING_MM
+            && way.next().is_some_and(is_pen_vector)
+            && way.next().is_none()
+    }
+
+    pub(crate) fn distance_mm(&self, position: Position) -> f64 {
+        self.position.distance(position).0
+    }
+
+    fn lifted_by(self, lift_mm: f64) -> Self {
+        let located = Located {
+            lifted: true,
+            ..self.located
+        };
+        Self {
+            located,
+            position: self.position + Position::new(0.0, 0.0, lift_mm),
+        }
+    }
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = [self.position.x, self.position.y, self.position.z].map(|it| it.0);
+        write!(f, "x {x:.3} y {y:.3} z {z:.3} mm ({})", self.located)
+    }
+}
+
+/// Follows commands from end to end.
+pub(crate) struct Walk<'a> {
+    commands: &'a [Command],
+    lift_mm: Option<f64>,
+    model: Model,
+    /// The next command to look at.
+    index: usize,
+    /// The last end at which the arm is told from the ends before it.
+    last: End,
+}
+
+impl<'a> Walk<'a> {
+    /// Begins where command `completed` begins.
+    pub(crate) fn new(
+        commands: &'a [Command],
+        completed: usize,
+        model: &Model,
+        lift_mm: Option<f32>,
+    ) -> Self {
+        let located = Located {
+            next: completed,
+            lifted: false,
+        };
+        Self {
+            commands,
+            lift_mm: lift_mm.map(f64::from),
+            model: *model,
+            index: completed,
+            last: End {
+                located,
+                position: model.place.pose.position,
+            },
+        }
+    }
+
+    /// The place at which the first command begins, and the same with the pen lifted.
+    pub(crate) fn start(&self) -> impl Iterator<Item = End> + use<> {
+        self.with_lifted(self.last)
+    }
+
+    /// Where the next command ends, and the same with the pen lifted; `None` behind the last
+    /// command whose end can be told.
+    pub(crate) fn step(&mut self) -> Option<impl Iterator<Item = End> + use<>> {
+        let command = self.commands.get(self.index)?;
+        let course = self.model.course(command).ok()?;
+        let position = course.end()?.pose.position;
+        self.model = self.model.after(command, &course);
+        self.index += 1;
+        let stays = !course.moves() || is_target(command) && self.is_here(position);
+        if !stays {
+            self.last.located.next = self.index;
+            self.last.position = position;
+        }
+        // Another tool is another place, even where nothing moves.
+        let located = self.last.located;
+        Some(self.with_lifted(End { located, position }))
+    }
+
+    fn is_here(&self, position: Position) -> bool {
+        self.last.distance_mm(position) < SPACING_MM
+    }
+
+    fn with_lifted(&self, end: End) -> impl Iterator<Item = End> + use<> {
+        let lifted = self.lift_mm.map(|lift_mm| end.lifted_by(lift_mm));
+        std::iter::once(end).chain(lifted)
+    }
+}
+
+/// A target is a place: to go there again is to stay there.
+const fn is_target(command: &Command) -> bool {
+    matches!(command, Command::MoveTo(_) | Command::MoveJoints(_))
+}
+
+const fn is_pen_vector(command: &Command) -> bool {
+    matches!(command, Command::WriteVector(WriteVector { laser, .. }) if !*laser)
+}
+
+const fn order(a: usize, b: usize) -> [usize; 2] {
+    if a < b { [a, b] } else { [b, a] }
+}
+
+/// Ends nearer to each other than this are not told apart, in millimetres. The status of an arm at
+/// rest repeats to a ten-thousandth; the rest is for what the model leaves out.
+pub const SPACING_MM: f64 = 0.02;

@@ -1,0 +1,160 @@
+//! Which command was the last one done, told by where the arm rests.
+
+use dobot_arm::Position;
+use dobot_course::Model;
+use dobot_wire::Command;
+
+use crate::Window;
+use crate::ends::{End, Located, SPACING_MM, Walk};
+
+/// Tells how far an arm has come that rests at `rest`, once all that it had been given is over.
+///
+/// `model` is the arm as command `window.completed` finds it ([`model_at`](crate::model_at)), and
+/// `lift_mm` how far the pen may have been lifted behind the last command. The arm may rest where
+/// the window begins, or where one of its commands ends; the nearest of these places counts if it is
+/// within [`NEAR_MM`] and three times nearer than the next one.
+///
+/// Commands without a motion leave no trace and are to be sent again; that changes nothing.
+///
+/// # Errors
+///
+/// [`Unclear`] where no place is near enough, or two are. A window that [`window_end`] made is
+/// clear wherever it has more than one command.
+pub fn locate(
+    commands: &[Command],
+    window: &Window,
+    model: &Model,
+    lift_mm: Option<f32>,
+    rest: Position,
+) -> Result<Located, Unclear> {
+    let commands = &commands[..window.upto.min(commands.len())];
+    let mut walk = Walk::new(commands, window.completed, model, lift_mm);
+    let mut ends: Vec<End> = walk.start().collect();
+    while let Some(more) = walk.step() {
+        ends.extend(more);
+    }
+    let nearest = plainest(&ends, nearest(ends.iter(), rest), commands);
+    let others = ends
+        .iter()
+        .filter(|it| it.located != nearest.located && !it.is_the_same_as(&nearest, commands));
+    judge(rest, nearest, others.copied().min_by(by_distance(rest)))
+}
+
+/// How far a window may reach that begins at `completed`, and holds `most` commands at most: up to
+/// the command before the first one that ends where another one may have ended too, or whose end
+/// cannot be told. One command is always allowed.
+///
+/// `model` is the arm as command `completed` finds it. What was given before stays given, even where
+/// this reaches less far.
+///
+/// ```text
+///    .--- 3 ---.
+///    4         2     a closed path: ends 0 and 4 are one place, so a window that begins
+///    |         |     at 0 reaches up to 4 and does not hold the command that closes it
+///   0,4 -- 1 --'
+/// ```
+#[must_use]
+pub fn window_end(
+    commands: &[Command],
+    completed: usize,
+    model: &Model,
+    lift_mm: Option<f32>,
+    most: usize,
+) -> usize {
+    let last = completed.saturating_add(most).min(commands.len());
+    let mut walk = Walk::new(&commands[..last], completed, model, lift_mm);
+    let mut ends: Vec<End> = walk.start().collect();
+    let mut upto = completed;
+    while let Some(more) = walk.step() {
+        let before = ends.len();
+        ends.extend(more);
+        let (before, more) = ends.split_at(before);
+        let is_clear = |end: &End| before.iter().all(|it| it.is_told_from(end, commands));
+        if !more.iter().all(is_clear) {
+            break;
+        }
+        upto += 1;
+    }
+    upto.max((completed + 1).min(last))
+}
+
+/// Why nobody can tell how far an arm has come.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unclear {
+    /// It rests where no command ends.
+    #[error(
+        "the arm rests {distance_mm:.3} mm from the nearest place where it may have stopped, \
+         {nearest}; up to {NEAR_MM} mm is near enough: bring it there, or say how far it came"
+    )]
+    Nowhere {
+        /// The nearest place.
+        nearest: End,
+        /// How far away it is.
+        distance_mm: f64,
+    },
+
+    /// It rests where two of them may have ended.
+    #[error(
+        "the arm rests {nearest_mm:.3} mm from {nearest} and {second_mm:.3} mm from {second}, too \
+         near to both to tell which: say which it is"
+    )]
+    Between {
+        /// The nearest place.
+        nearest: End,
+        /// How far away it is.
+        nearest_mm: f64,
+        /// The next one.
+        second: End,
+        /// How far away it is.
+        second_mm: f64,
+    },
+}
+
+fn judge(rest: Position, nearest: End, second: Option<End>) -> Result<Located, Unclear> {
+    let nearest_mm = nearest.distance_mm(rest);
+    // A place that is no number is near to nothing.
+    if nearest_mm.is_nan() || nearest_mm > NEAR_MM {
+        return Err(Unclear::Nowhere {
+            nearest,
+            distance_mm: nearest_mm,
+        });
+    }
+    let Some(second) = second else {
+        return Ok(nearest.located);
+    };
+    let second_mm = second.distance_mm(rest);
+    if second_mm >= CLEARLY * nearest_mm && second_mm - nearest_mm >= SPACING_MM / 2.0 {
+        return Ok(nearest.located);
+    }
+    Err(Unclear::Between {
+        nearest,
+        nearest_mm,
+        second,
+        second_mm,
+    })
+}
+
+fn nearest<'a>(ends: impl Iterator<Item = &'a End>, rest: Position) -> End {
+    let ends = ends.copied();
+    ends.min_by(by_distance(rest))
+        .expect("a walk has a start at least")
+}
+
+/// Of two readings between which there is no difference, the one that lowers no pen.
+fn plainest(ends: &[End], nearest: End, commands: &[Command]) -> End {
+    let same = ends
+        .iter()
+        .filter(|it| it.is_the_same_as(&nearest, commands));
+    let plain = same.filter(|it| !it.located.lifted).copied().next();
+    plain.unwrap_or(nearest)
+}
+
+fn by_distance(rest: Position) -> impl Fn(&End, &End) -> std::cmp::Ordering {
+    move |a, b| a.distance_mm(rest).total_cmp(&b.distance_mm(rest))
+}
+
+/// How near a place must be to the one at which the arm rests, in millimetres.
+pub const NEAR_MM: f64 = 0.5;
+/// How many times farther away the second nearest place must be.
+const CLEARLY: f64 = 3.0;
