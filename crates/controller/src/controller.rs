@@ -35,10 +35,6 @@ pub struct Controller {
 
 /// What the two personalities do differently.
 #[derive(Debug)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a controller is one of them for as long as it is switched on"
-)]
 enum Program {
     Specification(Specification),
     Firmware(Firmware),

@@ -173,7 +173,7 @@ impl Specification {
             self.arrive(&command, &course);
             let pause = Duration::try_from_secs_f64(course.pause_s()).unwrap_or_default();
             if pause > Duration::ZERO {
-                self.run(Motion::Pause, at, pause);
+                self.run(&Motion::Pause, at, pause);
             }
         }
     }
@@ -205,12 +205,12 @@ impl Specification {
         let course = self.model.course(command)?;
         course.check()?;
         if let Some(jog) = course.jog() {
-            self.run(Motion::Jog(jog), at, Duration::MAX);
+            self.run(&Motion::Jog(jog), at, Duration::MAX);
         } else if is_motion(command) {
             self.model = self.model.begun(command);
             let lasts = course.motion_s().map(Duration::try_from_secs_f64);
             let lasts = lasts.and_then(Result::ok).unwrap_or(Duration::MAX);
-            self.run(Motion::Course(*command, course), at, lasts);
+            self.run(&Motion::Course(*command, course), at, lasts);
         } else {
             let after = self.model.after(command, &course);
             self.forget_way(&after.place.joints);
@@ -221,9 +221,9 @@ impl Specification {
         Ok(())
     }
 
-    fn run(&mut self, motion: Motion, began: Duration, lasts: Duration) {
+    fn run(&mut self, motion: &Motion, began: Duration, lasts: Duration) {
         self.running = Some(Running {
-            motion,
+            motion: *motion,
             began,
             ends: began.saturating_add(lasts),
             ahead: None,
@@ -258,7 +258,7 @@ impl Specification {
                 // Anything else stays in the queue until the jog has run down.
                 _ if ends == Duration::MAX => {
                     if let Next::Jog(jog, lasts) = self.released(&jog, t_s) {
-                        self.run(Motion::Jog(jog), at, lasts);
+                        self.run(&Motion::Jog(jog), at, lasts);
                     }
                     return;
                 }
@@ -267,7 +267,7 @@ impl Specification {
             self.queue.pop_front();
             log.begun();
             if let Next::Jog(jog, lasts) = next {
-                self.run(Motion::Jog(jog), at, lasts);
+                self.run(&Motion::Jog(jog), at, lasts);
             }
         }
     }

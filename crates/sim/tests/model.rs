@@ -61,7 +61,7 @@ impl Lab {
             }
             at = found;
         }
-        moved - from
+        moved.saturating_sub(from)
     }
 }
 
