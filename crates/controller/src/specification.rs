@@ -4,7 +4,6 @@
 //! ends, and where the arm is can be asked for any time between.
 
 mod motion;
-mod told;
 
 use core::time::Duration;
 
@@ -89,7 +88,7 @@ impl Specification {
     }
 
     pub(crate) fn status(&self) -> Frame {
-        told::status(&self.model).emit()
+        self.model.status().emit()
     }
 
     /// How far the joints went since this was asked last, in degrees: base, rear, fore.

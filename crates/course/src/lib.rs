@@ -43,6 +43,7 @@ mod model;
 mod place;
 mod plan;
 mod settings;
+mod status;
 mod stretch;
 mod way;
 

@@ -35,6 +35,7 @@ mod jog;
 mod laser;
 mod limits;
 mod path;
+mod place;
 mod policy;
 mod policy_error;
 mod sections;

@@ -64,6 +64,13 @@ impl Jobs {
         Ok(begun)
     }
 
+    /// Gives up a job that cannot even be looked at again.
+    pub(crate) fn give_up(&self, job: &Job, why: &str) {
+        let reason = why.to_owned();
+        // If the journal cannot be written either, the next start tries again.
+        let _ = self.journal.set_state(job.id, &JobState::Failed { reason });
+    }
+
     /// Plans and keeps a new job.
     pub(crate) fn submit(
         self,
@@ -234,7 +241,7 @@ pub(crate) fn submit(
 ) -> Result<(JobId, f64), Refusal> {
     check_new(&job)?;
     let dialect = model.dialect;
-    let plan = JobPlan::new(policy, model, job.commands, job.lift_mm)?;
+    let plan = JobPlan::new(policy, model, job.commands, job.lift_mm, 0)?;
     let id = journal
         .submit(&dobot_journal::NewJob {
             title: job.title,
@@ -261,7 +268,8 @@ pub(crate) fn look_again(
         job: job.id.0,
         title: job.title.clone(),
         kind: of_journal(job.kind),
-        plan: JobPlan::new(policy, model, commands, lift_mm)?,
+        dialect: job.dialect,
+        plan: JobPlan::new(policy, model, commands, lift_mm, job.window.completed)?,
         completed: job.window.completed,
     })
 }

@@ -2,7 +2,11 @@
 
 mod config;
 mod folders;
+mod arms;
 mod handle;
+pub mod keeper;
+mod jobs;
+mod rehearsal;
 mod remote;
 mod running;
 mod words;

@@ -1,6 +1,8 @@
 //! Finding out which dialect the arm speaks, while nobody else moves it.
 
-use dobot_client::Detection;
+use dobot_arm::{Joints, Tool};
+use dobot_client::{Detection, SendError};
+use dobot_course::Place;
 use dobot_wire::Status;
 
 use super::Keeper;
@@ -29,13 +31,17 @@ impl Keeper {
     fn begin_detection(&self, client: ClientId) -> Result<Detecting, Refusal> {
         self.check_may_move(client)?;
         if !self.session.is_trusted() {
-            return Err(Refusal::Send(dobot_client::SendError::Untrusted));
+            return Err(Refusal::Send(SendError::Untrusted));
         }
         let within_s = self.session.rests_within().as_secs_f64();
         let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
             return Err(Refusal::StillMoving { within_s });
         };
-        let allowed = |joints: &dobot_arm::Joints| self.policy.allows(joints);
+        let tool = self.session.model().map_or(Tool::SuctionCup, |it| it.tool);
+        let allowed = |joints: &Joints| {
+            let place = Place::at_joints(*joints, tool);
+            self.policy.allows(&place, tool)
+        };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;
         Ok(Detecting { client, detection })

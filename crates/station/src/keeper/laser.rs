@@ -30,7 +30,7 @@ impl Keeper {
     pub(super) fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.check_lease(client)?;
         self.check_stop()?;
-        let most_s = self.policy.laser.armed_at_most_s;
+        let most_s = self.policy.laser.arm_for_s;
         if !self.policy.laser.allowed {
             return Err(Refusal::OutOfRange {
                 name: "for_s",
@@ -42,7 +42,7 @@ impl Keeper {
             return Err(Refusal::OutOfRange {
                 name: "for_s",
                 found: for_s,
-                allowed: format!("more than 0 and at most {most_s} s (laser.armed_at_most_s of the policy)"),
+                allowed: format!("more than 0 and at most {most_s} s (laser.arm_for_s of the policy)"),
             });
         }
         self.laser.armed_until = Some(self.now + seconds(for_s));

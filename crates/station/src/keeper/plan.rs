@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use dobot_arm::Position;
-use dobot_course::{Model, Place};
+use dobot_client::position;
+use dobot_course::Model;
 use dobot_safety::{Policy, burns};
-use dobot_wire::{Command, Configuration};
+use dobot_wire::{Command, Configuration, Status};
 
 use crate::words::Refusal;
 
@@ -21,15 +22,16 @@ pub struct JobPlan {
 /// One command of a job.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// Where the arm is when it is over.
-    end: Place,
+    /// The arm when it is over.
+    end: Status,
     moves: bool,
     /// How long it and all before it take, in seconds.
     until_s: f64,
 }
 
 impl JobPlan {
-    /// Looks at every command of a job, from where the arm is.
+    /// Looks at every command of a job, from where the arm is. The way to its first target is not
+    /// judged where the job has gone on from there already.
     ///
     /// # Errors
     ///
@@ -39,22 +41,26 @@ impl JobPlan {
         mut model: Model,
         commands: Vec<Command>,
         lift_mm: f32,
+        completed: usize,
     ) -> Result<Self, Refusal> {
-        check_beginning(&commands)?;
+        let first = check_beginning(&commands)?;
         let mut steps = Vec::with_capacity(commands.len());
         let mut until_s = 0.0;
         for (index, command) in commands.iter().enumerate() {
             let bad = |why: String| Refusal::BadJob { index, why };
-            let course = policy
-                .check(&model, command)
-                .map_err(|violation| bad(violation.to_string()))?;
+            let course = if index == first && completed > first {
+                model.course(command).map_err(|error| bad(error.to_string()))?
+            } else {
+                let checked = policy.check(&model, command);
+                checked.map_err(|violation| bad(violation.to_string()))?
+            };
             let takes_s = course
                 .duration_s()
                 .ok_or_else(|| bad("a jog goes on until it is released; a job may not hold one".into()))?;
             model = model.after(command, &course);
             until_s += takes_s;
             steps.push(Step {
-                end: model.place,
+                end: model.status(),
                 moves: course.moves(),
                 until_s,
             });
@@ -97,10 +103,16 @@ impl JobPlan {
         self.lift_mm
     }
 
-    /// Where the arm is when all before a command is over; `None` before the first motion, which
-    /// begins wherever the arm is.
+    /// The same, where it is lifted at all.
     #[must_use]
-    pub fn start(&self, index: usize) -> Option<Place> {
+    pub fn lift(&self) -> Option<f32> {
+        Some(self.lift_mm).filter(|it| *it > 0.0)
+    }
+
+    /// The arm when all before a command is over; `None` before the first motion, which begins
+    /// wherever the arm is.
+    #[must_use]
+    pub fn start(&self, index: usize) -> Option<Status> {
         let before = index.min(self.steps.len());
         let moved = before > self.first_motion();
         let last = before.checked_sub(1).filter(|_| moved)?;
@@ -110,7 +122,7 @@ impl JobPlan {
     /// Where the tool is then.
     #[must_use]
     pub fn start_position(&self, index: usize) -> Option<Position> {
-        self.start(index).map(|it| it.pose.position)
+        self.start(index).as_ref().map(position)
     }
 
     fn first_motion(&self) -> usize {
@@ -132,8 +144,9 @@ impl JobPlan {
     }
 }
 
-/// What is relative needs to know where it begins, wherever the arm was before.
-fn check_beginning(commands: &[Command]) -> Result<(), Refusal> {
+/// What is relative needs to know where it begins, wherever the arm was before: the first command
+/// that moves has to say it. Gives its index.
+fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
     let calm = |it: &Command| {
         matches!(
             it,
@@ -149,7 +162,9 @@ fn check_beginning(commands: &[Command]) -> Result<(), Refusal> {
     };
     match first.map(|index| (index, &commands[index])) {
         None => bad(0, "nothing in it moves the arm"),
-        Some((_, Command::MoveTo(_) | Command::MoveJoints(_))) => no_references(commands),
+        Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
+            no_references(commands).map(|()| index)
+        }
         Some((index, _)) => bad(
             index,
             "the first motion has to be a target (state 3 or 6), which says where the job begins",

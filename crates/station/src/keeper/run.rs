@@ -5,8 +5,9 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_client::{CommandId, position};
-use dobot_journal::{Located, Window, locate, prelude, window_end};
-use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
+use dobot_course::Model;
+use dobot_journal::{Located, Window, locate, model_at, prelude, window_end};
+use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
 use super::{Keeper, JobPlan};
 use crate::words::{ClientId, JobKind, JobPhase, JobView, News, Refusal, Reply};
@@ -48,6 +49,8 @@ pub struct Begun {
     pub title: String,
     /// What kind of job.
     pub kind: JobKind,
+    /// What the arm has to speak.
+    pub dialect: Dialect,
     /// Its commands.
     pub plan: JobPlan,
     /// So many of them are over.
@@ -137,10 +140,17 @@ impl Run {
         }
     }
 
+    /// How far the journal may be asked to let the job go on.
+    fn window_end(&self, status: &Status) -> usize {
+        let Begun { plan, dialect, completed, .. } = &self.begun;
+        let model = model_at(*dialect, plan.commands(), &self.certain())
+            .unwrap_or_else(|| Model::new(*dialect, status));
+        window_end(plan.commands(), *completed, &model, plan.lift(), WINDOW)
+    }
+
     /// The arm as the first command that is not over finds it.
     fn start(&self) -> Option<Status> {
-        let place = self.begun.plan.start(self.begun.completed)?;
-        Some(place.status())
+        self.begun.plan.start(self.begun.completed)
     }
 
     pub(super) fn view(&self) -> JobView {
@@ -150,6 +160,7 @@ impl Run {
             kind,
             plan,
             completed,
+            ..
         } = &self.begun;
         JobView {
             job: *job,
@@ -489,9 +500,12 @@ impl Keeper {
         let (Some(run), Some(status)) = (&mut self.run, self.last) else {
             return;
         };
-        let plan = &run.begun.plan;
-        let found = locate(window, plan.commands(), |index| plan.start(index), plan.lift_mm(), position(&status));
-        let reason = match found {
+        let commands = run.begun.plan.commands();
+        let dialect = run.begun.dialect;
+        let model = model_at(dialect, commands, window)
+            .unwrap_or_else(|| Model::new(dialect, &status));
+        let lift_mm = run.begun.plan.lift();
+        let reason = match locate(commands, window, &model, lift_mm, position(&status)) {
             Ok(Located { next, .. }) => {
                 run.begun.completed = next;
                 format!("{RESTARTED}; the arm rests where command {next} begins")
@@ -555,7 +569,9 @@ impl Keeper {
         if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
             return;
         }
-        let upto = run.window_end();
+        let Some(upto) = self.last.map(|status| run.window_end(&status)) else {
+            return;
+        };
         if upto > run.asked {
             run.asked = upto;
             let effect = Effect::Give {

@@ -56,10 +56,7 @@ impl From<&Refusal> for Problem {
         if let Refusal::Policy(violation) = refusal {
             problem.rule = Some(violation.rule.clone());
             problem.nearest_mm = violation.nearest;
-            problem.at_mm = violation.at.map(|it| {
-                let position = it.pose.position;
-                [position.x.0, position.y.0, position.z.0]
-            });
+            problem.at_mm = violation.at.as_ref().map(|it| it.position_mm);
         }
         problem
     }
