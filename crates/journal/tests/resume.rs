@@ -101,7 +101,7 @@ fn live(journal: &Journal, id: JobId, arm: &mut Arm, life: &Life) {
         match rounds.next() {
             Some(&count) => arm.work(&commands[..window.upto], count),
             None if life.done_behind == usize::MAX => {
-                arm.work(&commands[..window.upto], usize::MAX)
+                arm.work(&commands[..window.upto], usize::MAX);
             }
             None => break,
         }
