@@ -144,6 +144,19 @@ impl Rehearsal {
         self.keeper.handle_client(now, name, Role::Admin)
     }
 
+    /// A client that may only watch.
+    pub fn watcher(&mut self, name: &str) -> ClientId {
+        let now = self.keeper_now();
+        self.keeper.handle_client(now, name, Role::Watch)
+    }
+
+    /// A client leaves, or is lost.
+    pub fn leave(&mut self, client: ClientId) {
+        let now = self.keeper_now();
+        self.keeper.handle_left(now, client);
+        self.settle();
+    }
+
     /// A client asks for something; what takes its time is waited for.
     ///
     /// # Errors

@@ -1,0 +1,120 @@
+//! Drawings, and what became of them on the paper.
+
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_controller::{Personality, PowerUp};
+use dobot_safety::Policy;
+use dobot_sim::RECORDING_PERIOD;
+use dobot_station::{JobKind, NewJob, Rehearsal};
+use dobot_wire::{
+    Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector,
+};
+
+/// Where the pen draws.
+pub(crate) const DOWN_MM: f32 = -30.0;
+const UP_MM: f32 = -20.0;
+
+pub(crate) fn rehearsal(personality: Personality) -> Rehearsal {
+    let mut rehearsal = Rehearsal::new(PowerUp::new(personality), Policy::default());
+    rehearsal.arm_mut().record(RECORDING_PERIOD);
+    rehearsal.run_for(Duration::from_secs(1));
+    rehearsal
+}
+
+/// A spiral of straight lines: no two of its points are near each other.
+pub(crate) fn spiral(lines: u16) -> NewJob {
+    job("a spiral", &spiral_vectors(lines), WriteMode::Writing)
+}
+
+/// The same, burnt.
+pub(crate) fn burnt_spiral(lines: u16) -> NewJob {
+    job("a burnt spiral", &spiral_vectors(lines), WriteMode::Laser)
+}
+
+fn spiral_vectors(lines: u16) -> Vec<[f32; 2]> {
+    let side = |line: u16| 4.0 + f32::from(line / 2) * 2.0;
+    (0..lines)
+        .map(|line| match line % 4 {
+            0 => [side(line), 0.0],
+            1 => [0.0, side(line)],
+            2 => [-side(line), 0.0],
+            _ => [0.0, -side(line)],
+        })
+        .collect()
+}
+
+fn job(title: &str, vectors: &[[f32; 2]], mode: WriteMode) -> NewJob {
+    let burns = mode == WriteMode::Laser;
+    let tool = if burns {
+        EndEffector::Laser
+    } else {
+        EndEffector::SuctionCup
+    };
+    let mut commands: Vec<Command> = vec![
+        Configuration::EndEffector { tool }.into(),
+        Configuration::Writing {
+            acceleration_mm_s2: 100.0,
+        }
+        .into(),
+        start(UP_MM).into(),
+        write([0.0, 0.0, DOWN_MM - UP_MM], WriteMode::Writing, false).into(),
+    ];
+    let drawn = |&[x, y]: &[f32; 2]| write([x, y, 0.0], mode, burns).into();
+    commands.extend(vectors.iter().map(drawn));
+    commands.push(write([0.0, 0.0, UP_MM - DOWN_MM], WriteMode::Writing, false).into());
+    NewJob {
+        title: title.into(),
+        kind: JobKind::Drawing,
+        commands,
+        lift_mm: if burns { 0.0 } else { 5.0 },
+    }
+}
+
+fn start(z_mm: f32) -> MoveTo {
+    MoveTo {
+        x_mm: 220.0,
+        y_mm: 0.0,
+        z_mm,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::Jump,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+/// A vector that begins and ends at rest, as stock arms make them exactly.
+fn write([x_mm, y_mm, z_mm]: [f32; 3], mode: WriteMode, laser: bool) -> WriteVector {
+    WriteVector {
+        mode,
+        x_mm,
+        y_mm,
+        z_mm,
+        laser,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 40.0,
+        stop: false,
+    }
+}
+
+/// How long a line was drawn on the paper, every stroke over another one counted again.
+pub(crate) fn drawn_mm(rehearsal: &Rehearsal) -> f64 {
+    let samples = rehearsal.arm().samples();
+    let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
+    samples
+        .windows(2)
+        .filter(|pair| down(pair[0].position) && down(pair[1].position))
+        .map(|pair| pair[0].position.distance(pair[1].position).0)
+        .sum()
+}
+
+/// How long a line a job is to draw.
+pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
+    let flat = |it: &Command| match it {
+        Command::WriteVector(it) if it.z_mm == 0.0 => f64::from(it.x_mm.hypot(it.y_mm)),
+        _ => 0.0,
+    };
+    job.commands.iter().map(flat).sum()
+}

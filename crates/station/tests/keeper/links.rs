@@ -1,0 +1,102 @@
+//! The cable is pulled, the arm is reset, bytes are lost.
+
+use std::time::Duration;
+
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_safety::Policy;
+use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};
+use dobot_station::{LinkPhase, Rehearsal, Request};
+use proptest::prelude::*;
+
+use crate::drawing::{drawn_mm, rehearsal, spiral, wanted_mm};
+
+fn paused(it: &Rehearsal, job: u64) -> bool {
+    it.job(job).unwrap().state.to_string().starts_with("paused")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_cable_that_was_pulled_and_put_back_costs_no_vector(
+        after_ms in 0_u64..25_000,
+        away_ms in 1_u64..10_000,
+        twin in any::<bool>(),
+    ) {
+        let mut it = rehearsal(Personality::ALL[usize::from(twin)]);
+        let drawing = spiral(12);
+        let job = it.submit(&drawing).unwrap();
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(after_ms));
+        it.unplug();
+        it.run_for(Duration::from_millis(away_ms));
+        it.plug();
+        let minute = it.now() + Duration::from_secs(60);
+        let settled = |it: &Rehearsal| paused(it, job) || it.job(job).unwrap().state.is_over();
+        prop_assert!(it.run_until(minute, settled));
+        if paused(&it, job) {
+            it.start(anna, job).unwrap();
+        }
+        let minutes = it.now() + Duration::from_secs(180);
+        prop_assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+        let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+        prop_assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
+    }
+}
+
+/// An arm on which something goes wrong.
+fn faulty(fault: &str) -> Rehearsal {
+    let power_up = PowerUp::new(Personality::Firmware11);
+    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let faults: Vec<Fault> = fault.split(' ').map(|it| it.parse().unwrap()).collect();
+    let mut arm = arm.with_faults(power_up, &faults, 7);
+    arm.record(RECORDING_PERIOD);
+    let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+    it.run_for(Duration::from_secs(1));
+    it
+}
+
+#[test]
+fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
+    let mut it = faulty("reset@10s");
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&spiral(12)).unwrap();
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(20));
+    let state = it.keeper().state();
+    assert!(!state.trust.trusted, "{:?}", state.trust);
+    assert!(paused(&it, job));
+    let refused = it.start(anna, job).unwrap_err();
+    assert!(refused.hint().is_some_and(|it| it.contains("confirm")), "{refused}");
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    assert!(it.keeper().state().trust.trusted);
+}
+
+#[test]
+fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
+    let mut it = faulty("withhold@5s..12s");
+    it.run_for(Duration::from_secs(7));
+    let link = it.keeper().state().link;
+    assert_eq!(link.phase, LinkPhase::Lost);
+    assert!(link.problem.is_some_and(|it| it.contains("cable")));
+    it.run_for(Duration::from_secs(10));
+    assert_eq!(it.keeper().state().link.phase, LinkPhase::Up);
+}
+
+#[test]
+fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
+    let mut it = faulty("flip=0.05%:from");
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let drawing = spiral(12);
+    let job = it.submit(&drawing).unwrap();
+    it.start(anna, job).unwrap();
+    let minutes = it.now() + Duration::from_secs(300);
+    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
+    assert!(it.keeper().state().link.damaged_bytes > 0);
+}
