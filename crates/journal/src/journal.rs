@@ -145,7 +145,7 @@ impl Journal {
     }
 
     /// Allows commands to be given to the arm: **only after this returned `Ok` may a command
-    /// before `window.upto` be sent.**
+    /// before `window.upto` be sent.** The job must be [`JobState::Running`].
     ///
     /// # Errors
     ///

@@ -113,6 +113,11 @@ impl Disk {
         self.lock().seen.len() as u64
     }
 
+    /// All that it holds.
+    pub fn content(&self) -> Vec<u8> {
+        self.lock().seen.clone()
+    }
+
     /// Changes a byte behind everybody's back.
     pub fn flip(&self, offset: usize) {
         self.lock().seen[offset] ^= 0x10;
