@@ -22,7 +22,9 @@ impl Policy {
     ///
     /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
     pub fn check(&self, model: &Model, command: &Command) -> Result<Course, Violation> {
-        let course = model.course(command).map_err(|error| Violation::of_course(&error))?;
+        let course = model
+            .course(command)
+            .map_err(|error| Violation::of_course(&error))?;
         if stops(command) {
             return Ok(course);
         }
@@ -39,7 +41,12 @@ impl Policy {
         Ok(course)
     }
 
-    fn check_way(&self, model: &Model, command: &Command, course: &Course) -> Result<(), Violation> {
+    fn check_way(
+        &self,
+        model: &Model,
+        command: &Command,
+        course: &Course,
+    ) -> Result<(), Violation> {
         let burning = course.laser() || burns(command);
         let paths = paths(course);
         let mut walk = Walk::begin(Fence::new(self, model.tool, burning), &paths[0])

@@ -20,8 +20,15 @@ impl Policy {
     /// # Errors
     ///
     /// [`Violation`] with the rule that the jog would break.
-    pub fn check_jog(&self, model: &Model, command: &Command, within_s: f64) -> Result<(), Violation> {
-        let course = model.course(command).map_err(|error| Violation::of_course(&error))?;
+    pub fn check_jog(
+        &self,
+        model: &Model,
+        command: &Command,
+        within_s: f64,
+    ) -> Result<(), Violation> {
+        let course = model
+            .course(command)
+            .map_err(|error| Violation::of_course(&error))?;
         let Some(jog) = course.jog() else {
             return Ok(());
         };

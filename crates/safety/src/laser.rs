@@ -57,6 +57,12 @@ impl Policy {
             return Ok(());
         }
         let name = "the largest speed of a burning vector";
-        Err(Violation::of_value("laser.least_speed", name, found, allowed, " mm/s"))
+        Err(Violation::of_value(
+            "laser.least_speed",
+            name,
+            found,
+            allowed,
+            " mm/s",
+        ))
     }
 }

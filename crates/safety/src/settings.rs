@@ -66,7 +66,13 @@ impl Policy {
 
     fn check_vector(&self, vector: &WriteVector, settings: &Settings) -> Result<(), Violation> {
         let speed_mm_s = vector.max_speed_mm_s.into();
-        at_most("speed.writing", "the largest speed", speed_mm_s, self.speed.writing_mm_s, " mm/s")?;
+        at_most(
+            "speed.writing",
+            "the largest speed",
+            speed_mm_s,
+            self.speed.writing_mm_s,
+            " mm/s",
+        )?;
         self.check_writing(settings)
     }
 
@@ -75,7 +81,13 @@ impl Policy {
             return Ok(());
         };
         let (speed, most) = (&self.speed, &self.acceleration);
-        at_most("speed.jog", "the speed of the jog", percent.into(), speed.jog_percent, " %")?;
+        at_most(
+            "speed.jog",
+            "the speed of the jog",
+            percent.into(),
+            speed.jog_percent,
+            " %",
+        )?;
         let [key, acceleration_key, unit, unit_2] = match jog.axis() {
             JogAxis::Base | JogAxis::Rear | JogAxis::Fore => {
                 ["speed.joint", "acceleration.joint", "°/s", "°/s²"]
@@ -88,13 +100,17 @@ impl Policy {
             }
         };
         let (fastest, steepest) = match jog.axis() {
-            JogAxis::Base | JogAxis::Rear | JogAxis::Fore => {
-                (speed.joint_deg_s, most.joint_deg_s2)
-            }
+            JogAxis::Base | JogAxis::Rear | JogAxis::Fore => (speed.joint_deg_s, most.joint_deg_s2),
             JogAxis::Servo | JogAxis::Gripper => (speed.servo_deg_s, most.servo_deg_s2),
             JogAxis::X | JogAxis::Y | JogAxis::Z => (speed.line_mm_s, most.line_mm_s2),
         };
-        at_most(key, "the speed of the jog", jog.target_speed().abs(), fastest, unit)?;
+        at_most(
+            key,
+            "the speed of the jog",
+            jog.target_speed().abs(),
+            fastest,
+            unit,
+        )?;
         let name = "the acceleration of the jog";
         at_most(acceleration_key, name, jog.acceleration(), steepest, unit_2)
     }
@@ -106,13 +122,23 @@ impl Policy {
         let [Ok(from), Ok(to)] = ends.map(|it| it.map(|place| place.joints)) else {
             return Ok(()); // The way is checked besides.
         };
-        let ways = [to.base - from.base, to.rear - from.rear, to.fore - from.fore];
+        let ways = [
+            to.base - from.base,
+            to.rear - from.rear,
+            to.fore - from.fore,
+        ];
         let longest_deg = ways.iter().fold(0.0, |most, way| way.abs().0.max(most));
         if longest_deg == 0.0 {
             return Ok(());
         }
         let found = longest_deg / duration_s;
-        at_most("speed.joint", "the joint speed", found, self.speed.joint_deg_s, "°/s")
+        at_most(
+            "speed.joint",
+            "the joint speed",
+            found,
+            self.speed.joint_deg_s,
+            "°/s",
+        )
     }
 
     fn check_speeds(&self, speeds: &Speeds) -> Result<(), Violation> {
@@ -122,36 +148,84 @@ impl Policy {
 
     fn check_joints(&self, found: &Speeds) -> Result<(), Violation> {
         let (speed, most) = (&self.speed, &self.acceleration);
-        at_most("speed.joint", "the joint speed", found.joint_deg_s, speed.joint_deg_s, "°/s")?;
+        at_most(
+            "speed.joint",
+            "the joint speed",
+            found.joint_deg_s,
+            speed.joint_deg_s,
+            "°/s",
+        )?;
         let name = "the joint acceleration";
-        at_most("acceleration.joint", name, found.joint_deg_s2, most.joint_deg_s2, "°/s²")?;
+        at_most(
+            "acceleration.joint",
+            name,
+            found.joint_deg_s2,
+            most.joint_deg_s2,
+            "°/s²",
+        )?;
         self.check_servo(found)
     }
 
     fn check_servo(&self, found: &Speeds) -> Result<(), Violation> {
         let (speed, most) = (&self.speed, &self.acceleration);
-        at_most("speed.servo", "the servo speed", found.servo_deg_s, speed.servo_deg_s, "°/s")?;
+        at_most(
+            "speed.servo",
+            "the servo speed",
+            found.servo_deg_s,
+            speed.servo_deg_s,
+            "°/s",
+        )?;
         let name = "the servo acceleration";
-        at_most("acceleration.servo", name, found.servo_deg_s2, most.servo_deg_s2, "°/s²")
+        at_most(
+            "acceleration.servo",
+            name,
+            found.servo_deg_s2,
+            most.servo_deg_s2,
+            "°/s²",
+        )
     }
 
     fn check_line(&self, found: &Speeds) -> Result<(), Violation> {
         let (speed, most) = (&self.speed, &self.acceleration);
-        at_most("speed.line", "the line speed", found.line_mm_s, speed.line_mm_s, " mm/s")?;
+        at_most(
+            "speed.line",
+            "the line speed",
+            found.line_mm_s,
+            speed.line_mm_s,
+            " mm/s",
+        )?;
         let name = "the line acceleration";
-        at_most("acceleration.line", name, found.line_mm_s2, most.line_mm_s2, " mm/s²")?;
+        at_most(
+            "acceleration.line",
+            name,
+            found.line_mm_s2,
+            most.line_mm_s2,
+            " mm/s²",
+        )?;
         self.check_servo(found)
     }
 
     fn check_writing(&self, settings: &Settings) -> Result<(), Violation> {
         let found = settings.write_acceleration_mm_s2;
         let most = self.acceleration.writing_mm_s2;
-        at_most("acceleration.writing", "the writing acceleration", found, most, " mm/s²")
+        at_most(
+            "acceleration.writing",
+            "the writing acceleration",
+            found,
+            most,
+            " mm/s²",
+        )
     }
 
     fn check_jump(&self, settings: &Settings) -> Result<(), Violation> {
         let found = settings.jump_height.0;
-        at_most("jump.height", "the height of a jump", found, self.jump.height_mm, " mm")
+        at_most(
+            "jump.height",
+            "the height of a jump",
+            found,
+            self.jump.height_mm,
+            " mm",
+        )
     }
 }
 

@@ -159,7 +159,13 @@ impl Flat {
                 self.reach_mm,
             ],
             elbow_mm: turned(REAR_ARM.0, link_mm, elbow_2_mm, self.base, self.base_2),
-            wrist_mm: turned(FARTHEST_MM, self.way_mm, self.reach_mm, self.base, self.base_2),
+            wrist_mm: turned(
+                FARTHEST_MM,
+                self.way_mm,
+                self.reach_mm,
+                self.base,
+                self.base_2,
+            ),
             tool_mm,
         })
     }

@@ -54,46 +54,112 @@ pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
 fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
     let (joints, space) = (&policy.joints, &policy.workspace);
     [
-        ("joints.base_deg", joints.base_deg, Bounds::new(-180.0, 180.0)),
+        (
+            "joints.base_deg",
+            joints.base_deg,
+            Bounds::new(-180.0, 180.0),
+        ),
         ("joints.rear_deg", joints.rear_deg, Bounds::new(-5.0, 85.0)),
         ("joints.fore_deg", joints.fore_deg, Bounds::new(-10.0, 95.0)),
-        ("joints.servo_deg", joints.servo_deg, Bounds::new(-90.0, 90.0)),
-        ("joints.opening_deg", joints.opening_deg, Bounds::new(-105.0, 35.0)),
+        (
+            "joints.servo_deg",
+            joints.servo_deg,
+            Bounds::new(-90.0, 90.0),
+        ),
+        (
+            "joints.opening_deg",
+            joints.opening_deg,
+            Bounds::new(-105.0, 35.0),
+        ),
         ("workspace.x_mm", space.x_mm, Bounds::new(-321.0, 321.0)),
         ("workspace.y_mm", space.y_mm, Bounds::new(-321.0, 321.0)),
         ("workspace.z_mm", space.z_mm, Bounds::new(-300.0, 136.0)),
-        ("workspace.reach_mm", space.reach_mm, Bounds::new(129.0, 321.0)),
+        (
+            "workspace.reach_mm",
+            space.reach_mm,
+            Bounds::new(129.0, 321.0),
+        ),
     ]
 }
 
 /// Numbers and their ranges.
 fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
-    let Policy { speed, acceleration, jog, tool_length, .. } = policy;
+    let Policy {
+        speed,
+        acceleration,
+        jog,
+        tool_length,
+        ..
+    } = policy;
     let fastest = Bounds::new(0.001, 1000.0);
     let steepest = Bounds::new(0.001, 10_000.0);
     let length = Bounds::new(0.0, 200.0);
     [
         ("table.z_mm", policy.table.z_mm, Bounds::new(-300.0, 136.0)),
-        ("tool_length.suction_cup_mm", tool_length.suction_cup_mm, length),
+        (
+            "tool_length.suction_cup_mm",
+            tool_length.suction_cup_mm,
+            length,
+        ),
         ("tool_length.gripper_mm", tool_length.gripper_mm, length),
         ("tool_length.laser_mm", tool_length.laser_mm, length),
-        ("arm.radius_mm", policy.arm.radius_mm, Bounds::new(0.0, 100.0)),
+        (
+            "arm.radius_mm",
+            policy.arm.radius_mm,
+            Bounds::new(0.0, 100.0),
+        ),
         ("speed.joint_deg_s", speed.joint_deg_s, fastest),
         ("speed.servo_deg_s", speed.servo_deg_s, fastest),
         ("speed.line_mm_s", speed.line_mm_s, fastest),
         ("speed.writing_mm_s", speed.writing_mm_s, fastest),
-        ("speed.jog_percent", speed.jog_percent, Bounds::new(1.0, 100.0)),
-        ("acceleration.joint_deg_s2", acceleration.joint_deg_s2, steepest),
-        ("acceleration.servo_deg_s2", acceleration.servo_deg_s2, steepest),
+        (
+            "speed.jog_percent",
+            speed.jog_percent,
+            Bounds::new(1.0, 100.0),
+        ),
+        (
+            "acceleration.joint_deg_s2",
+            acceleration.joint_deg_s2,
+            steepest,
+        ),
+        (
+            "acceleration.servo_deg_s2",
+            acceleration.servo_deg_s2,
+            steepest,
+        ),
         ("acceleration.line_mm_s2", acceleration.line_mm_s2, steepest),
-        ("acceleration.writing_mm_s2", acceleration.writing_mm_s2, steepest),
-        ("jump.height_mm", policy.jump.height_mm, Bounds::new(0.0, 300.0)),
-        ("laser.arm_for_s", policy.laser.arm_for_s, Bounds::new(1.0, 3600.0)),
-        ("laser.least_speed_mm_s", policy.laser.least_speed_mm_s, Bounds::new(0.0, 1000.0)),
+        (
+            "acceleration.writing_mm_s2",
+            acceleration.writing_mm_s2,
+            steepest,
+        ),
+        (
+            "jump.height_mm",
+            policy.jump.height_mm,
+            Bounds::new(0.0, 300.0),
+        ),
+        (
+            "laser.arm_for_s",
+            policy.laser.arm_for_s,
+            Bounds::new(1.0, 3600.0),
+        ),
+        (
+            "laser.least_speed_mm_s",
+            policy.laser.least_speed_mm_s,
+            Bounds::new(0.0, 1000.0),
+        ),
         ("jog.dead_man_s", jog.dead_man_s, Bounds::new(0.05, 2.0)),
-        ("jog.raw_dead_man_s", jog.raw_dead_man_s, Bounds::new(0.05, 5.0)),
+        (
+            "jog.raw_dead_man_s",
+            jog.raw_dead_man_s,
+            Bounds::new(0.05, 5.0),
+        ),
         ("jog.reaction_s", jog.reaction_s, Bounds::new(0.05, 2.0)),
-        ("queue.ahead_s", policy.queue.ahead_s, Bounds::new(0.0, 60.0)),
+        (
+            "queue.ahead_s",
+            policy.queue.ahead_s,
+            Bounds::new(0.0, 60.0),
+        ),
     ]
 }
 

@@ -51,7 +51,13 @@ pub struct Spot {
 
 impl Violation {
     /// A value that is not allowed, at no place on a way.
-    pub(crate) fn of_value(rule: &str, name: &str, found: f64, allowed: Bounds, unit: &str) -> Self {
+    pub(crate) fn of_value(
+        rule: &str,
+        name: &str,
+        found: f64,
+        allowed: Bounds,
+        unit: &str,
+    ) -> Self {
         let message = format!(
             "{name} would be {}{unit}; {rule} allows {}",
             Told(found),

@@ -73,7 +73,11 @@ impl<'a> Walk<'a> {
                 return Ok(());
             }
             (Some(broken), Ok(stop)) if is_leaf(&stop) => {
-                return Err(Box::new(self.breach(broken, Some(stop), path.time_at(share))));
+                return Err(Box::new(self.breach(
+                    broken,
+                    Some(stop),
+                    path.time_at(share),
+                )));
             }
             (Some(broken), Err(_)) if depth == DEEPEST => {
                 return Err(Box::new(self.breach(broken, None, path.time_at(share))));

@@ -63,8 +63,7 @@ impl KeepOut {
             Self::Cylinder(it) => {
                 let radius = it.radius_mm + grown;
                 let part = within(WHOLE, line, 2, it.z_mm.grown(grown));
-                radius >= 0.0
-                    && part.is_some_and(|part| it.axis_distance(line, part) <= radius)
+                radius >= 0.0 && part.is_some_and(|part| it.axis_distance(line, part) <= radius)
             }
         }
     }
@@ -141,9 +140,10 @@ impl Cylinder {
     /// Whether the upright plane that faces the middle of the corners keeps all of them off.
     fn tangent_between(&self, corners: &[Point; 4], room: f64) -> bool {
         let from_axis = |point: &Point| [point[0] - self.x_mm, point[1] - self.y_mm];
-        let [x, y] = corners.iter().map(from_axis).fold([0.0, 0.0], |sum, it| {
-            [sum[0] + it[0], sum[1] + it[1]]
-        });
+        let [x, y] = corners
+            .iter()
+            .map(from_axis)
+            .fold([0.0, 0.0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
         let length = x.hypot(y);
         let off = |point: &Point| {
             let [from_x, from_y] = from_axis(point);
@@ -154,7 +154,12 @@ impl Cylinder {
 }
 
 /// The part of a line, in shares of it, that lies within `span` of an axis.
-fn within([start, end]: [f64; 2], [from, to]: &[Point; 2], axis: usize, span: Bounds) -> Option<[f64; 2]> {
+fn within(
+    [start, end]: [f64; 2],
+    [from, to]: &[Point; 2],
+    axis: usize,
+    span: Bounds,
+) -> Option<[f64; 2]> {
     let (at, way) = (from[axis], to[axis] - from[axis]);
     if span.min > span.max {
         return None;

@@ -11,7 +11,6 @@ use tokio::sync::{mpsc, oneshot};
 
 use crate::handle::Message;
 use crate::keeper::{Begun, Effect, JobPlan};
-use crate::owner::Written;
 use crate::words::{ClientId, JobKind, JobPhase, JobView, NewJob, Refusal, Reply};
 
 /// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
@@ -23,6 +22,13 @@ pub(crate) struct Jobs {
     /// Planned times, in seconds, of the jobs that were looked at since the start.
     planned_s: Arc<Mutex<HashMap<u64, f64>>>,
     orders: mpsc::UnboundedSender<Order>,
+}
+
+/// What came back from the disk.
+#[derive(Debug)]
+pub(crate) enum Written {
+    Given { job: u64, upto: usize },
+    Failed(String),
 }
 
 /// What is written in its turn.

@@ -5,9 +5,9 @@ mod halt;
 mod jog;
 mod laser;
 mod lease;
+mod plan;
 mod raw;
 mod request;
-mod plan;
 mod run;
 mod stop;
 mod view;
@@ -20,13 +20,13 @@ use dobot_course::Model;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
 
+use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::Held;
 use self::laser::Interlock;
 use self::lease::Lease;
 use self::run::Run;
 use self::stop::Stop;
-use self::detecting::Detecting;
 use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Role};
 
 pub use self::plan::JobPlan;
@@ -276,12 +276,11 @@ impl Keeper {
             match event {
                 Event::Status(status) => self.see(status),
                 Event::Completed(id) => self.command_over(id, None),
-                Event::NotReached(it) => {
-                    let why = it.to_string();
-                    self.command_over(it.command, Some(why));
+                Event::NotReached { command, .. } => {
+                    self.command_over(command, Some(failure(event)));
                 }
-                Event::LinkLost { .. } => self.fall_silent(&event),
-                Event::Reset(reset) => self.notice_reset(&reset.to_string()),
+                Event::LinkLost { .. } => self.fall_silent(event),
+                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 _ => {}
             }
         }
@@ -299,7 +298,11 @@ impl Keeper {
             self.part_from_laser();
         }
         self.statuses.push_back(status);
-        self.still = if self.last == Some(status) { self.still + 1 } else { 0 };
+        self.still = if self.last == Some(status) {
+            self.still + 1
+        } else {
+            0
+        };
         self.last = Some(status);
         self.watch_jog();
         self.watch_halt();
@@ -308,11 +311,8 @@ impl Keeper {
         self.watch_detection(&status);
     }
 
-    fn fall_silent(&mut self, event: &Event) {
-        let why = event
-            .or_failed()
-            .err()
-            .map_or_else(String::new, |error| error.to_string());
+    fn fall_silent(&mut self, event: Event) {
+        let why = failure(event);
         self.link.phase = LinkPhase::Lost;
         self.link.greeted = false;
         self.link.problem = Some(format!(
@@ -340,7 +340,10 @@ impl Keeper {
     fn notice_reset(&mut self, evidence: &str) {
         self.held = None;
         self.part_from_laser();
-        self.drop_waiting("the arm was reset");
+        // The session has forgotten what was under way, too.
+        for id in self.under_way() {
+            self.command_over(id, Some("the arm was reset".into()));
+        }
         self.interrupt_run("the arm was reset");
         self.end_detection("the arm was reset");
         self.tell(
@@ -370,9 +373,32 @@ impl Keeper {
         }
     }
 
+    /// The commands that are not over, of clients and of the job.
+    fn under_way(&self) -> Vec<CommandId> {
+        let of_clients = self.pending.keys().copied();
+        let of_run = self.run.iter().flat_map(Run::under_way);
+        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        ids.sort_unstable();
+        ids
+    }
+
+    /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
+    fn rests_within(&self) -> Duration {
+        let within = self.session.rests_within();
+        if within < Duration::MAX {
+            return within;
+        }
+        let run_down_s = self.session.model().map_or(0.0, |it| {
+            let teach = it.settings.teach;
+            let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
+            joint_s.max(teach.line_mm_s / teach.line_mm_s2)
+        });
+        seconds(run_down_s) + HEARD_WITHIN
+    }
+
     /// Forgets the commands that have not been sent.
     fn drop_waiting(&mut self, why: &str) {
-        for id in self.session.forget_waiting() {
+        for id in self.session.forget_waiting_ids() {
             self.run_command_forgotten(id);
             if self.pending.remove(&id).is_some() {
                 let command = id.0;
@@ -409,13 +435,15 @@ impl Keeper {
     /// [`Refusal::NoLink`] while no arm has told anything, [`Refusal::Send`] while nobody knows its
     /// dialect.
     pub fn planning_model(&self) -> Result<Model, Refusal> {
-        let Some(&dialect) = self.session.dialect() else {
+        if self.session.dialect().is_none() {
             let field = "a job";
             return Err(Refusal::Send(SendError::Undecided { field }));
-        };
+        }
         match self.session.model() {
-            Some(model) => Ok(Model { dialect, ..*model }),
-            None => Err(Refusal::NoLink("no arm has told where it stands yet".into())),
+            Some(model) => Ok(*model),
+            None => Err(Refusal::NoLink(
+                "no arm has told where it stands yet".into(),
+            )),
         }
     }
 
@@ -432,6 +460,14 @@ impl Keeper {
     }
 }
 
+/// What a failed event says.
+fn failure(event: Event) -> String {
+    event
+        .or_failed()
+        .err()
+        .map_or_else(String::new, |error| error.to_string())
+}
+
 /// A number of seconds that the policy has checked.
 fn seconds(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds).unwrap_or_default()
@@ -439,5 +475,7 @@ fn seconds(seconds: f64) -> Duration {
 
 /// So many statuses in a row that tell the same: the arm is at rest.
 const AT_REST: u32 = 3;
+/// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
+const HEARD_WITHIN: Duration = Duration::from_millis(700);
 /// More of a raw program's packets do not wait here: it gets no permit.
 const RAW_WAITING: usize = 2;

@@ -1,11 +1,11 @@
 //! The daemon that owns an arm's port and keeps people and arm safe.
 
+mod arms;
 mod config;
 mod folders;
-mod arms;
 mod handle;
-pub mod keeper;
 mod jobs;
+mod keeper;
 mod rehearsal;
 mod remote;
 mod running;
@@ -14,6 +14,8 @@ mod words;
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use folders::Folders;
 pub use handle::{Client, Handle, Snapshot};
+pub use keeper::{Begun, Effect, JobPlan, Keeper};
+pub use rehearsal::Rehearsal;
 pub use remote::{
     ConnectError, Heard, Hello, Remote, RemoteError, StationAddress, StationAddressError, Trust,
     TrustError, fetch, fingerprint,

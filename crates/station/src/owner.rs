@@ -10,7 +10,7 @@ use tokio::time::Instant;
 
 use crate::connect::{Connecting, Source};
 use crate::handle::{Ends, Message};
-use crate::jobs::Jobs;
+use crate::jobs::{Jobs, Written};
 use crate::keeper::{Effect, Keeper};
 use crate::recording::Recording;
 use crate::words::{ClientId, LinkPhase, Refusal, Reply, Request};
@@ -40,13 +40,6 @@ pub(crate) struct Owner {
 
 /// Where an answer goes.
 type Asked = oneshot::Sender<Result<Reply, Refusal>>;
-
-/// What came back from the disk.
-#[derive(Debug)]
-pub(crate) enum Written {
-    Given { job: u64, upto: usize },
-    Failed(String),
-}
 
 /// What the owner waits for.
 enum Happening {

@@ -255,7 +255,10 @@ impl Rehearsal {
     }
 
     fn begun(&self, job: u64, model: dobot_course::Model) -> Result<Begun, Refusal> {
-        let job = self.journal.job(JobId(job)).map_err(jobs::journal_refusal)?;
+        let job = self
+            .journal
+            .job(JobId(job))
+            .map_err(jobs::journal_refusal)?;
         jobs::look_again(&self.journal, &self.policy, &job, model)
     }
 

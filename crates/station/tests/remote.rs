@@ -290,11 +290,10 @@ async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_one_is() {
     let digest: [u8; 32] = Sha256::digest(made.cert.der()).into();
     let pinned = |digest| Some(Trust::Fingerprint(digest));
     over_tls(acceptor.clone(), pinned(digest)).await.unwrap();
-    let error = over_tls(acceptor.clone(), pinned([7; 32])).await.unwrap_err();
-    assert!(
-        matches!(error, ConnectError::Untrusted { .. }),
-        "{error:?}"
-    );
+    let error = over_tls(acceptor.clone(), pinned([7; 32]))
+        .await
+        .unwrap_err();
+    assert!(matches!(error, ConnectError::Untrusted { .. }), "{error:?}");
     let error = over_tls(acceptor, None).await.unwrap_err();
     assert!(error.hint().unwrap().contains("--fingerprint"), "{error:?}");
 }
@@ -309,10 +308,7 @@ async fn a_certificate_is_trusted_by_who_issued_it() {
     over_tls(acceptor, authority()).await.unwrap();
     let (_, other) = certificate();
     let error = over_tls(other.clone(), authority()).await.unwrap_err();
-    assert!(
-        matches!(error, ConnectError::Untrusted { .. }),
-        "{error:?}"
-    );
+    assert!(matches!(error, ConnectError::Untrusted { .. }), "{error:?}");
     std::fs::write(&file, "").unwrap();
     let error = over_tls(other, authority()).await.unwrap_err().to_string();
     assert!(error.contains("no certificate in"), "{error}");

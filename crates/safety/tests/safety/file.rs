@@ -41,15 +41,26 @@ fn what_a_file_does_not_say_is_as_in_the_default() {
     let mut expected = Policy::default();
     expected.jog.reaction_s = 0.3;
     assert_eq!(policy, expected);
-    assert_eq!(Policy::from_toml("").expect("it is a policy"), Policy::default());
+    assert_eq!(
+        Policy::from_toml("").expect("it is a policy"),
+        Policy::default()
+    );
 }
 
 #[test]
 fn unknown_keys_and_wrong_units_are_told_with_line_and_what_is_allowed() {
-    refused("[joints]\n\nbase_rad = [-2, 2]", 3, &["base_rad", "base_deg"]);
+    refused(
+        "[joints]\n\nbase_rad = [-2, 2]",
+        3,
+        &["base_rad", "base_deg"],
+    );
     refused("[table]\nz_cm = -10", 2, &["z_cm", "z_mm"]);
     refused("[tabel]\nz_mm = -10", 1, &["tabel", "table"]);
-    refused("[keep_out]\nx = { ball = { x_mm = 1 } }", 2, &["ball", "box", "cylinder"]);
+    refused(
+        "[keep_out]\nx = { ball = { x_mm = 1 } }",
+        2,
+        &["ball", "box", "cylinder"],
+    );
     refused(
         "[keep_out.x]\nbox = { x_mm = [0, 1], y_mm = [0, 1] }",
         2,
@@ -74,7 +85,11 @@ fn values_out_of_range_are_told_with_key_line_and_range() {
         3,
         &["jog.dead_man_s is 150", "0.05 to 2"],
     );
-    refused("[table]\nz_mm = nan", 2, &["table.z_mm is NaN", "-300 to 136"]);
+    refused(
+        "[table]\nz_mm = nan",
+        2,
+        &["table.z_mm is NaN", "-300 to 136"],
+    );
     refused("[speed]\nline_mm_s = inf", 2, &["speed.line_mm_s is inf"]);
     refused("[speed]\nline_mm_s = 0", 2, &["speed.line_mm_s is 0"]);
     refused(
@@ -115,7 +130,10 @@ fn a_policy_that_came_from_no_file_is_judged_without_a_line() {
     policy.queue.ahead_s = f64::NAN;
     let error = policy.validate().expect_err("not a number");
     assert_eq!(error.line, None);
-    assert_eq!(error.to_string(), "queue.ahead_s is NaN; a policy allows 0 to 60");
+    assert_eq!(
+        error.to_string(),
+        "queue.ahead_s is NaN; a policy allows 0 to 60"
+    );
 }
 
 #[test]
@@ -135,7 +153,10 @@ fn the_schema_knows_every_key_of_the_default() {
             .expect("it is defined");
         assert_eq!(definition["additionalProperties"], false, "{name}");
         for field in fields.keys() {
-            assert!(definition["properties"][field].is_object(), "{name}.{field}");
+            assert!(
+                definition["properties"][field].is_object(),
+                "{name}.{field}"
+            );
         }
     }
 }
@@ -179,19 +200,21 @@ fn policies() -> impl Strategy<Value = Policy> {
         0.05..2.0,
         prop::collection::btree_map(names, keep_outs(), 0..4),
     )
-        .prop_map(|(base, reach, table_mm, length_mm, allowed, dead_man_s, keep_out)| {
-            let mut policy = Policy {
-                keep_out,
-                ..Policy::default()
-            };
-            policy.joints.base_deg = base;
-            policy.workspace.reach_mm = reach;
-            policy.table.z_mm = table_mm;
-            policy.tool_length.gripper_mm = length_mm;
-            policy.laser.allowed = allowed;
-            policy.jog.dead_man_s = dead_man_s;
-            policy
-        })
+        .prop_map(
+            |(base, reach, table_mm, length_mm, allowed, dead_man_s, keep_out)| {
+                let mut policy = Policy {
+                    keep_out,
+                    ..Policy::default()
+                };
+                policy.joints.base_deg = base;
+                policy.workspace.reach_mm = reach;
+                policy.table.z_mm = table_mm;
+                policy.tool_length.gripper_mm = length_mm;
+                policy.laser.allowed = allowed;
+                policy.jog.dead_man_s = dead_man_s;
+                policy
+            },
+        )
 }
 
 fn keep_outs() -> impl Strategy<Value = KeepOut> {

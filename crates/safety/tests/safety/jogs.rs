@@ -35,7 +35,11 @@ fn a_held_jog_is_never_found_beyond_a_limit() {
     let reaction_s = desk.policy.jog.reaction_s;
     let mut base_deg = 100.0;
     let at = |base_deg: f64| Desk::with_joints(base_deg, 20.0, 30.0).model;
-    while desk.policy.check_jog(&at(base_deg), &hold, reaction_s).is_ok() {
+    while desk
+        .policy
+        .check_jog(&at(base_deg), &hold, reaction_s)
+        .is_ok()
+    {
         base_deg += 15.0 * 0.08;
     }
     let end_deg = base_deg - 15.0 * 0.08 + 15.0 * (reaction_s) + 15.0 * 15.0 / (2.0 * 50.0);

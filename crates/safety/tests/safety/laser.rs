@@ -82,7 +82,10 @@ fn a_laser_does_not_burn_while_the_arm_stands() {
         ..burning(0.0, 0.0)
     };
     stock.refuses("laser.standing", stop);
-    stock.allows(WriteVector { laser: false, ..stop });
+    stock.allows(WriteVector {
+        laser: false,
+        ..stop
+    });
     let focusing = desk.under("[laser]\nstanding = true");
     focusing.allows(jog(JointJogAxis::LaserOn, 0.0));
     let mut high = Desk::at(200.0, 0.0, 100.0).under("[laser]\nstanding = true");

@@ -143,7 +143,9 @@ fn places() -> impl Strategy<Value = Place> {
     let joints = (-135.0..135.0, -5.0..85.0, -10.0..95.0, -45.0..45.0);
     joints.prop_filter_map("beyond the limits", |(base, rear, fore, servo)| {
         let place = Place::at_joints(Joints::new(base, rear, fore, servo), Tool::SuctionCup);
-        let within = Limits::STOCK.check_at(&place.joints, place.pose.position).is_ok();
+        let within = Limits::STOCK
+            .check_at(&place.joints, place.pose.position)
+            .is_ok();
         within.then_some(place)
     })
 }

@@ -14,13 +14,18 @@ pub(crate) fn broken(policy: &Policy, place: &Place, tolerance: f64) -> Option<S
         ("joints.rear", joints.rear.0, policy.joints.rear_deg),
         ("joints.fore", joints.fore.0, policy.joints.fore_deg),
         ("joints.servo", joints.servo.0, policy.joints.servo_deg),
-        ("joints.opening", joints.rear.0 - joints.fore.0, policy.joints.opening_deg),
+        (
+            "joints.opening",
+            joints.rear.0 - joints.fore.0,
+            policy.joints.opening_deg,
+        ),
         ("workspace.x", x, policy.workspace.x_mm),
         ("workspace.y", y, policy.workspace.y_mm),
         ("workspace.z", z, policy.workspace.z_mm),
         ("workspace.reach", x.hypot(y), policy.workspace.reach_mm),
     ];
-    let out = |value: f64, span: Bounds| value < span.min - tolerance || value > span.max + tolerance;
+    let out =
+        |value: f64, span: Bounds| value < span.min - tolerance || value > span.max + tolerance;
     for (rule, value, span) in measures {
         if out(value, span) {
             return Some(format!("{rule}: {value}"));

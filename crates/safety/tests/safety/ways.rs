@@ -60,7 +60,13 @@ fn a_line_whose_ends_are_allowed_may_not_cut_through_the_space_near_the_base() {
 fn a_joint_move_that_sinks_half_way_is_seen() {
     // Rear arm down and forearm down sink; both ends are high enough, the way between is not.
     let desk = Desk::with_joints(0.0, 70.0, 20.0).under("[table]\nz_mm = -90");
-    let low = Desk::with_joints(0.0, 70.0, 20.0).model.place.pose.position.z.0;
+    let low = Desk::with_joints(0.0, 70.0, 20.0)
+        .model
+        .place
+        .pose
+        .position
+        .z
+        .0;
     assert!(low > -50.0, "{low}");
     desk.allows(turn(MovJ, 40.0, 70.0, 20.0));
     desk.refuses("table", turn(MovJ, 0.0, 70.0, 60.0));
@@ -68,11 +74,15 @@ fn a_joint_move_that_sinks_half_way_is_seen() {
 
 #[test]
 fn a_keep_out_stops_forearm_and_hand_not_only_the_tool() {
-    let post = "[keep_out.post]\ncylinder = { x_mm = 150, y_mm = 0, radius_mm = 5, z_mm = [-103, 60] }";
+    let post =
+        "[keep_out.post]\ncylinder = { x_mm = 150, y_mm = 0, radius_mm = 5, z_mm = [-103, 60] }";
     // The tool stays beyond the post at all times; the arm sweeps over it.
     let desk = Desk::at(200.0, -200.0, 30.0).under(post);
     let violation = desk.refuses("keep_out.post", go(Jump, 200.0, 200.0, 30.0));
-    assert!(violation.to_string().contains("would touch keep_out.post"), "{violation}");
+    assert!(
+        violation.to_string().contains("would touch keep_out.post"),
+        "{violation}"
+    );
     let short = post.replace("60]", "-60]");
     desk.under(&short).allows(go(Jump, 200.0, 200.0, 30.0));
 }
@@ -88,7 +98,8 @@ fn nothing_is_too_thin_for_a_keep_out() {
 
 #[test]
 fn an_arm_right_at_a_keep_out_gets_away_from_it() {
-    let crate_ = "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
+    let crate_ =
+        "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
     let desk = Desk::at(200.0, -100.0, 30.0).under(crate_);
     let stop = desk.refuses("keep_out.crate", go(MovL, 200.0, 100.0, 30.0));
     let [x, y, z] = stop.nearest.expect("a place");
@@ -125,7 +136,8 @@ fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_way() {
 
 #[test]
 fn an_arm_inside_a_keep_out_may_leave_it_not_go_deeper() {
-    let crate_ = "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
+    let crate_ =
+        "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
     let inside = Desk::at(220.0, 40.0, 30.0).under(crate_);
     inside.allows(vector(0.0, -30.0, 0.0));
     inside.refuses("keep_out.crate", vector(0.0, 10.0, 0.0));
@@ -180,7 +192,13 @@ fn mouse_gesture_and_voice_are_looked_at_in_both_dialects() {
         z: 200.0,
         grab: false,
     };
-    desk.refuses("workspace.reach", Gesture { x: 100.0, ..hand(0.0) });
+    desk.refuses(
+        "workspace.reach",
+        Gesture {
+            x: 100.0,
+            ..hand(0.0)
+        },
+    );
     let stock = desk.speaking(Dialect::FIRMWARE_1_1);
     stock.allows(mouse(20.0));
     stock.refuses("keep_out.wall", mouse(150.0));
@@ -194,7 +212,9 @@ fn a_tool_that_would_stand_in_the_table_may_not_be_set() {
         tool: EndEffector::Laser,
     };
     Desk::at(200.0, 0.0, 20.0).under(policy).allows(tool);
-    let violation = Desk::at(200.0, 0.0, -20.0).under(policy).refuses("table", tool);
+    let violation = Desk::at(200.0, 0.0, -20.0)
+        .under(policy)
+        .refuses("table", tool);
     assert_near(violation.nearest_value.expect("a value"), -3.0, 1e-9);
 }
 

@@ -33,7 +33,7 @@ impl Keeper {
         if !self.session.is_trusted() {
             return Err(Refusal::Send(SendError::Untrusted));
         }
-        let within_s = self.session.rests_within().as_secs_f64();
+        let within_s = self.rests_within().as_secs_f64();
         let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
             return Err(Refusal::StillMoving { within_s });
         };

@@ -50,7 +50,7 @@ impl Keeper {
         }
         if self.held.is_none() && self.session.is_moving() {
             return Err(Refusal::StillMoving {
-                within_s: self.session.rests_within().as_secs_f64(),
+                within_s: self.rests_within().as_secs_f64(),
             });
         }
         self.check_way(&jog.command())?;
@@ -93,10 +93,7 @@ impl Keeper {
             return;
         };
         let within_s = held.patience.as_secs_f64().min(REACTION_S) + LINE_S;
-        if let Err(violation) = self
-            .policy
-            .check_jog(&model, &held.jog.command(), within_s)
-        {
+        if let Err(violation) = self.policy.check_jog(&model, &held.jog.command(), within_s) {
             let client = held.client;
             self.let_go();
             self.tell_refused(client, &violation.into());

@@ -42,7 +42,9 @@ impl Keeper {
             return Err(Refusal::OutOfRange {
                 name: "for_s",
                 found: for_s,
-                allowed: format!("more than 0 and at most {most_s} s (laser.arm_for_s of the policy)"),
+                allowed: format!(
+                    "more than 0 and at most {most_s} s (laser.arm_for_s of the policy)"
+                ),
             });
         }
         self.laser.armed_until = Some(self.now + seconds(for_s));

@@ -49,14 +49,16 @@ impl JobPlan {
         for (index, command) in commands.iter().enumerate() {
             let bad = |why: String| Refusal::BadJob { index, why };
             let course = if index == first && completed > first {
-                model.course(command).map_err(|error| bad(error.to_string()))?
+                model
+                    .course(command)
+                    .map_err(|error| bad(error.to_string()))?
             } else {
                 let checked = policy.check(&model, command);
                 checked.map_err(|violation| bad(violation.to_string()))?
             };
-            let takes_s = course
-                .duration_s()
-                .ok_or_else(|| bad("a jog goes on until it is released; a job may not hold one".into()))?;
+            let takes_s = course.duration_s().ok_or_else(|| {
+                bad("a jog goes on until it is released; a job may not hold one".into())
+            })?;
             model = model.after(command, &course);
             until_s += takes_s;
             steps.push(Step {
@@ -174,8 +176,12 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
 
 /// After new initial angles nobody knows where the arm is by the places before them.
 fn no_references(commands: &[Command]) -> Result<(), Refusal> {
-    let reference =
-        |it: &Command| matches!(it, Command::Configuration(Configuration::InitialAngles { .. }));
+    let reference = |it: &Command| {
+        matches!(
+            it,
+            Command::Configuration(Configuration::InitialAngles { .. })
+        )
+    };
     match commands.iter().position(reference) {
         None => Ok(()),
         Some(index) => Err(Refusal::BadJob {

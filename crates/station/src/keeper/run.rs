@@ -9,7 +9,7 @@ use dobot_course::Model;
 use dobot_journal::{Located, Window, locate, model_at, prelude, window_end};
 use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
-use super::{Keeper, JobPlan};
+use super::{JobPlan, Keeper};
 use crate::words::{ClientId, JobKind, JobPhase, JobView, News, Refusal, Reply};
 
 /// What the journal is to keep.
@@ -75,15 +75,29 @@ pub(super) struct Run {
 #[derive(Debug)]
 enum Phase {
     /// The station was started after a crash: where does the arm rest?
-    Locating { window: Window },
+    Locating {
+        window: Window,
+    },
     /// On the way to where it goes on.
-    Approaching { last: Option<CommandId> },
+    Approaching {
+        last: Option<CommandId>,
+    },
     Running,
     /// The arm does what it has got already.
-    Draining { then: JobPhase, reason: String, lift: bool },
+    Draining {
+        then: JobPhase,
+        reason: String,
+        lift: bool,
+    },
     /// The tool is lifted for a pause.
-    Lifting { last: CommandId, then: JobPhase, reason: String },
-    Paused { reason: String },
+    Lifting {
+        last: CommandId,
+        then: JobPhase,
+        reason: String,
+    },
+    Paused {
+        reason: String,
+    },
 }
 
 impl Run {
@@ -105,6 +119,11 @@ impl Run {
         )]
         let statuses = (longest_s.clamp(0.0, A_DAY_S) * STATUSES_PER_S).ceil() as u32;
         SURELY_AT_REST + statuses
+    }
+
+    /// What was given to the session and is not over.
+    pub(super) fn under_way(&self) -> impl Iterator<Item = CommandId> {
+        self.given.iter().map(|(id, _)| *id)
     }
 
     /// Whether nobody else may move the arm.
@@ -142,7 +161,12 @@ impl Run {
 
     /// How far the journal may be asked to let the job go on.
     fn window_end(&self, status: &Status) -> usize {
-        let Begun { plan, dialect, completed, .. } = &self.begun;
+        let Begun {
+            plan,
+            dialect,
+            completed,
+            ..
+        } = &self.begun;
         let model = model_at(*dialect, plan.commands(), &self.certain())
             .unwrap_or_else(|| Model::new(*dialect, status));
         window_end(plan.commands(), *completed, &model, plan.lift(), WINDOW)
@@ -243,7 +267,7 @@ impl Keeper {
         self.check_may_move(client)?;
         if self.session.under_way() > 0 || self.session.waiting() > 0 {
             return Err(Refusal::StillMoving {
-                within_s: self.session.rests_within().as_secs_f64(),
+                within_s: self.rests_within().as_secs_f64(),
             });
         }
         if begun.plan.burns() {
@@ -289,12 +313,7 @@ impl Keeper {
             return Ok(approach);
         };
         let here = position(&status);
-        let aside_mm = Position {
-            z: here.z,
-            ..start
-        }
-        .distance(here)
-        .0;
+        let aside_mm = Position { z: here.z, ..start }.distance(here).0;
         if start.distance(here).0 <= THERE_MM {
             return Ok(approach);
         }
@@ -502,8 +521,8 @@ impl Keeper {
         };
         let commands = run.begun.plan.commands();
         let dialect = run.begun.dialect;
-        let model = model_at(dialect, commands, window)
-            .unwrap_or_else(|| Model::new(dialect, &status));
+        let model =
+            model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, &status));
         let lift_mm = run.begun.plan.lift();
         let reason = match locate(commands, window, &model, lift_mm, position(&status)) {
             Ok(Located { next, .. }) => {
@@ -517,7 +536,10 @@ impl Keeper {
     }
 
     fn tell_job_paused(&mut self) {
-        if let Some(JobView { job, phase, reason, .. }) = self.job() {
+        if let Some(JobView {
+            job, phase, reason, ..
+        }) = self.job()
+        {
             let text = format!("job {job} is paused: {}", reason.unwrap_or_default());
             self.tell(News::Job { job, phase }, text);
         }
@@ -525,10 +547,20 @@ impl Keeper {
 
     /// Keeps the session and the journal supplied.
     pub(super) fn pump(&mut self) {
-        if !matches!(self.run, Some(Run { phase: Phase::Approaching { last: None } | Phase::Running, .. })) {
+        if !matches!(
+            self.run,
+            Some(Run {
+                phase: Phase::Approaching { last: None } | Phase::Running,
+                ..
+            })
+        ) {
             return;
         }
-        if let Some(Run { phase: phase @ Phase::Approaching { .. }, .. }) = &mut self.run {
+        if let Some(Run {
+            phase: phase @ Phase::Approaching { .. },
+            ..
+        }) = &mut self.run
+        {
             *phase = Phase::Running;
         }
         self.ask_journal();

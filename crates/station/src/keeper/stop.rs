@@ -21,7 +21,7 @@ impl Keeper {
     /// again.
     pub(super) fn stop(&mut self, client: ClientId, reason: Option<String>) -> Reply {
         let by = self.name(client);
-        let rests_within = self.session.rests_within();
+        let rests_within = self.rests_within();
         self.halt_now();
         self.disarm_laser("the arm was stopped");
         self.held = None;

@@ -168,7 +168,9 @@ impl Refusal {
             Self::TooMany { .. } => "wait until some are over, or send them as a job".into(),
             Self::JobRunning(_) => "pause it: `dobot jobs pause`".into(),
             Self::Detecting => "wait until it is done, or stop it: `dobot stop`".into(),
-            Self::NoJobRuns | Self::NoSuchJob(_) | Self::JobPhase { .. } => "`dobot jobs` lists the jobs".into(),
+            Self::NoJobRuns | Self::NoSuchJob(_) | Self::JobPhase { .. } => {
+                "`dobot jobs` lists the jobs".into()
+            }
             Self::Journal(_) => "make room on the disk, or check the folder's permissions".into(),
             Self::NotAsking(_)
             | Self::NotFound(_)

@@ -28,12 +28,18 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         }
         it.crash(Duration::from_millis(away_ms)).unwrap();
         let minute = it.now() + Duration::from_secs(60);
-        assert!(it.run_until(minute, |it| paused(it, job)), "it is paused, not lost");
+        assert!(
+            it.run_until(minute, |it| paused(it, job)),
+            "it is paused, not lost"
+        );
         anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         // The person looks at the arm first.
         let refused = it.start(anna, job).unwrap_err();
-        assert!(refused.hint().is_some_and(|it| it.contains("confirm")), "{refused}");
+        assert!(
+            refused.hint().is_some_and(|it| it.contains("confirm")),
+            "{refused}"
+        );
         it.ask(anna, Request::ConfirmPose).unwrap();
         it.start(anna, job).unwrap();
     }

@@ -7,9 +7,7 @@ use dobot_controller::{Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::{JobKind, NewJob, Rehearsal};
-use dobot_wire::{
-    Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector,
-};
+use dobot_wire::{Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector};
 
 /// Where the pen draws.
 pub(crate) const DOWN_MM: f32 = -30.0;
@@ -60,7 +58,7 @@ fn job(title: &str, vectors: &[[f32; 2]], mode: WriteMode) -> NewJob {
         start(UP_MM).into(),
         write([0.0, 0.0, DOWN_MM - UP_MM], WriteMode::Writing, false).into(),
     ];
-    let drawn = |&[x, y]: &[f32; 2]| write([x, y, 0.0], mode, burns).into();
+    let drawn = |&[x, y]: &[f32; 2]| Command::from(write([x, y, 0.0], mode, burns));
     commands.extend(vectors.iter().map(drawn));
     commands.push(write([0.0, 0.0, UP_MM - DOWN_MM], WriteMode::Writing, false).into());
     NewJob {

@@ -34,7 +34,10 @@ fn a_job_is_drawn_once_and_done() {
         let began = it.now();
         assert!(it.run_until(began + Duration::from_secs(120), done));
         let took_s = (it.now() - began).as_secs_f64();
-        assert!((took_s / planned_s - 1.0).abs() < 0.25, "{took_s} s, planned {planned_s} s");
+        assert!(
+            (took_s / planned_s - 1.0).abs() < 0.25,
+            "{took_s} s, planned {planned_s} s"
+        );
         assert_eq!(it.job(job).unwrap().state.to_string(), "done");
         close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
     }
@@ -53,7 +56,8 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
             it.run_for(Duration::from_secs(4));
             it.ask(anna, Request::PauseJob).unwrap();
             let minute = it.now() + Duration::from_secs(60);
-            let rests = |it: &Rehearsal| it.job(job).unwrap().state.to_string().starts_with("paused");
+            let rests =
+                |it: &Rehearsal| it.job(job).unwrap().state.to_string().starts_with("paused");
             assert!(it.run_until(minute, rests), "{personality}");
             it.run_for(Duration::from_secs(2));
             let z_mm = it.keeper().state().arm.unwrap().status.z_mm;
@@ -82,7 +86,10 @@ fn a_job_that_does_not_say_where_it_begins_is_refused() {
     let mut drawing = spiral(4);
     drawing.commands.remove(2);
     let refused = it.submit(&drawing).unwrap_err().to_string();
-    assert!(refused.contains("command 2 of the job: the first motion has to be a target"), "{refused}");
+    assert!(
+        refused.contains("command 2 of the job: the first motion has to be a target"),
+        "{refused}"
+    );
 }
 
 #[test]

@@ -68,7 +68,10 @@ fn a_client_that_falls_silent_lets_go_of_its_button_after_150_ms() {
         it.run_for(Duration::from_millis(200));
         let (at, _) = it.packets()[packets];
         let after = at - silent;
-        assert!(after <= Duration::from_millis(151), "{personality}: {after:?}");
+        assert!(
+            after <= Duration::from_millis(151),
+            "{personality}: {after:?}"
+        );
         assert!(it.notices().iter().any(|it| it.news == News::DeadMan));
         assert!(rests(&mut it), "{personality}");
     }

@@ -18,7 +18,10 @@ fn burning(personality: Personality) -> (Rehearsal, ClientId, u64) {
     it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
     it.start(anna, job).unwrap();
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, burns), "{personality}: it begins to burn");
+    assert!(
+        it.run_until(minute, burns),
+        "{personality}: it begins to burn"
+    );
     it.run_for(Duration::from_secs(1));
     (it, anna, job)
 }

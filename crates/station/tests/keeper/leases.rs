@@ -80,7 +80,10 @@ fn an_administrator_may_take_control_from_somebody() {
 fn a_watcher_may_stop_and_nothing_else() {
     let mut it = rehearsal(Personality::Specification);
     let watcher = it.watcher("the class");
-    assert_eq!(it.ask(watcher, Request::TakeLease).unwrap_err().kind(), "role");
+    assert_eq!(
+        it.ask(watcher, Request::TakeLease).unwrap_err().kind(),
+        "role"
+    );
     it.ask(watcher, Request::Stop { reason: None }).unwrap();
     assert!(it.keeper().state().stop.is_some());
 }

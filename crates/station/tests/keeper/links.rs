@@ -70,7 +70,10 @@ fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
     assert!(!state.trust.trusted, "{:?}", state.trust);
     assert!(paused(&it, job));
     let refused = it.start(anna, job).unwrap_err();
-    assert!(refused.hint().is_some_and(|it| it.contains("confirm")), "{refused}");
+    assert!(
+        refused.hint().is_some_and(|it| it.contains("confirm")),
+        "{refused}"
+    );
     it.ask(anna, Request::ConfirmPose).unwrap();
     assert!(it.keeper().state().trust.trusted);
 }
@@ -97,6 +100,9 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
     let minutes = it.now() + Duration::from_secs(300);
     assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
-    assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.3,
+        "{found_mm} mm, wanted {wanted_mm} mm"
+    );
     assert!(it.keeper().state().link.damaged_bytes > 0);
 }

@@ -77,7 +77,10 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
     it.ask(anna, target(100.0)).unwrap();
     it.run_for(Duration::from_millis(800));
     it.ask(anna, STOP).unwrap();
-    assert_eq!(it.ask(anna, Request::ResetStop).unwrap_err().kind(), "still-moving");
+    assert_eq!(
+        it.ask(anna, Request::ResetStop).unwrap_err().kind(),
+        "still-moving"
+    );
     let minute = it.now() + Duration::from_secs(60);
     let at_rest = |it: &Rehearsal| it.keeper().state().stop.is_some_and(|stop| stop.at_rest);
     assert!(it.run_until(minute, at_rest));
@@ -118,9 +121,9 @@ fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
         let stop = it.keeper().state().stop.unwrap();
         let promised = Duration::from_secs_f64(stop.rests_by_s);
         it.run_until(promised, |_| false);
-        let there = it.arm().mechanics().joints();
+        let there = it.arm().mechanics().joints_at(it.now());
         it.run_for(Duration::from_secs(30));
-        let later = it.arm().mechanics().joints();
+        let later = it.arm().mechanics().joints_at(it.now());
         assert_eq!(there, later, "stopped after {eighth} eighths of a second");
     }
 }
