@@ -8,14 +8,15 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::{Joints, Position, Tool, forward};
+use dobot_arm::{Degrees, Joints, Limits, Position, Tool, forward};
+use dobot_course::Place;
 use dobot_wire::{
     Command, Configuration, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
     MovingMode, Status,
 };
 
 use crate::pace::Pace;
-use crate::{CommandId, Event};
+use crate::{CommandId, Event, NotReached};
 
 /// The commands sent and not yet seen to be over, oldest first.
 #[derive(Debug, Default)]
@@ -24,6 +25,8 @@ pub(crate) struct Completion {
     /// How far along the first straight course the arm was seen, so that it never goes back on it.
     progress_mm: f64,
     last: Option<Seen>,
+    /// Since when the first command is the first.
+    first_since: Duration,
     tool: Tool,
     pace: Pace,
 }
@@ -48,6 +51,8 @@ struct UnderWay {
     pause: Duration,
     /// How long it may move at the most.
     longest: Duration,
+    /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
+    leaves_limits: bool,
     sent: Duration,
     /// Statuses received since it was sent.
     heard: u32,
@@ -69,26 +74,34 @@ enum Course {
 
 impl Completion {
     /// Takes a command that leaves with the status of `now`; `pauses` tells whether the arm knows
-    /// a default pause.
+    /// a default pause, `leaves_limits` whether the way of the command leaves the limits. Returns how
+    /// long it may take at the most.
     pub(crate) fn handle_sent(
         &mut self,
         now: Duration,
         id: CommandId,
         command: &Command,
         pauses: bool,
-    ) {
+        leaves_limits: bool,
+    ) -> Duration {
         let course = self.course(command);
         self.pace.note(command);
+        let (pause, longest) = (self.pause(command, pauses), self.pace.longest(command));
         self.under_way.push_back(UnderWay {
             command: id,
             course,
             absolute: is_absolute(command),
-            pause: self.pause(command, pauses),
-            longest: self.pace.longest(command),
+            pause,
+            longest,
+            leaves_limits,
             sent: now,
             heard: 0,
             statuses: 0,
         });
+        if self.under_way.len() == 1 {
+            self.first_since = now;
+        }
+        pause + longest
     }
 
     pub(crate) fn handle_status(
@@ -119,13 +132,17 @@ impl Completion {
         if over == on_course {
             self.progress_mm = progress_mm;
         }
-        if over == 0
-            && let Some((expected, first)) = self.not_reached(found)
+        if over > 0 {
+            self.first_since = now;
+        } else if let Some((expected, command, reason)) =
+            self.not_reached(status).or_else(|| self.timed_out(now))
         {
             self.finish_first();
+            self.first_since = now;
             self.forget_ends();
             report(Event::NotReached {
-                command: first,
+                command,
+                reason,
                 expected,
                 found,
             });
@@ -245,15 +262,29 @@ impl Completion {
     }
 
     /// The first command and its end, if the arm rests elsewhere for so long that it gave up.
-    fn not_reached(&self, found: Position) -> Option<(Position, CommandId)> {
+    fn not_reached(&self, status: &Status) -> Option<(Position, CommandId, NotReached)> {
         self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
         let first = self
             .under_way
             .front()
             .filter(|it| it.statuses >= GIVEN_UP)?;
         let end = first.end()?;
+        let reason = if first.leaves_limits || is_at_limit(status, self.tool) {
+            NotReached::AtLimit
+        } else {
+            NotReached::Stalled
+        };
         // Where another one ends the arm may be pausing.
-        (!self.any_ends_at(found)).then_some((end, first.command))
+        (!self.any_ends_at(position(status))).then_some((end, first.command, reason))
+    }
+
+    /// The first command and its end, if it and all behind it would be over for long: that it is
+    /// over itself need not have been seen while the arm moves on.
+    fn timed_out(&self, now: Duration) -> Option<(Position, CommandId, NotReached)> {
+        let first = self.under_way.front()?;
+        let most = self.longest_silence() * 2 + PATIENCE;
+        let waited = now.saturating_sub(self.first_since);
+        (waited > most).then_some((first.end()?, first.command, NotReached::TimedOut))
     }
 
     fn any_ends_at(&self, found: Position) -> bool {
@@ -363,6 +394,36 @@ impl UnderWay {
     }
 }
 
+/// Whether an arm stands so near to a limit that a tick's way further would be beyond it.
+fn is_at_limit(status: &Status, tool: Tool) -> bool {
+    let joints = Place::of_status(status).joints;
+    let all = [NEAR_DEG, -NEAR_DEG];
+    let turned = |by: f64| {
+        let by = Degrees(by);
+        [
+            Joints {
+                base: joints.base + by,
+                ..joints
+            },
+            Joints {
+                rear: joints.rear + by,
+                ..joints
+            },
+            Joints {
+                fore: joints.fore + by,
+                ..joints
+            },
+            Joints {
+                servo: joints.servo + by,
+                ..joints
+            },
+        ]
+    };
+    all.into_iter()
+        .flat_map(turned)
+        .any(|joints| Limits::STOCK.check(&joints, tool).is_err())
+}
+
 /// Where a command leads straight, if it says so.
 pub(crate) fn straight_target(command: &Command, tool: Tool) -> Option<Position> {
     match command {
@@ -442,6 +503,10 @@ const SEEN_AFTER: u32 = 2;
 const AT_REST: u32 = 2;
 /// That many equal statuses in a row, more than a second: the arm will not go on by itself.
 const GIVEN_UP: u32 = 15;
+/// A tick's way at the speeds of a stock arm at power-up.
+const NEAR_DEG: f64 = 2.0;
+/// Longer than the slowest motion, and not over.
+const PATIENCE: Duration = Duration::from_secs(10);
 /// By then a command has arrived that left with a status, and a status has come that left after
 /// that: each takes 43.68 ms, and a bit.
 const ARRIVED_AFTER: Duration = Duration::from_millis(120);

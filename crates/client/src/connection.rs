@@ -6,7 +6,9 @@ use std::time::Duration;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::io::{AsyncRead, AsyncWrite};
 
-use crate::{Address, CommandId, Event, Link, OpenError, Peer, SendError, Session};
+use crate::{
+    Address, CommandId, Event, Link, NotReached, OpenError, Peer, ResetEvidence, SendError, Session,
+};
 
 /// A connection with an arm: a [`Session`] and the way its bytes travel.
 ///
@@ -42,15 +44,18 @@ pub enum LinkError {
     #[error("the link broke")]
     Broken(#[source] io::Error),
     /// The arm rests elsewhere than a command leads.
-    #[error(
-        "the arm rests at {found}, not at {expected}, where the command leads: it was refused or stopped at a limit"
-    )]
+    #[error("the arm rests at {found}, not at {expected}, where the command leads: {reason}")]
     NotReached {
+        /// Why, as far as it shows.
+        reason: NotReached,
         /// Where the command leads.
         expected: String,
         /// Where the arm is.
         found: String,
     },
+    /// The arm was reset: it has forgotten what it was told, and its pose is not to be trusted.
+    #[error("the arm was reset: {0}")]
+    Reset(ResetEvidence),
     /// A command is not allowed.
     #[error(transparent)]
     Send(#[from] SendError),
@@ -127,19 +132,41 @@ impl Connection {
             if let Some(event) = self.session.poll_event() {
                 return Ok(event);
             }
-            while let Some(packet) = self.session.poll_bytes() {
-                self.link.send(&packet.to_bytes());
-            }
-            let wakeup = self.session.poll_wakeup();
-            let open = self.link.receive(wakeup, &mut self.incoming).await?;
-            let now = self.now();
-            self.session.handle_bytes(now, &self.incoming);
-            self.incoming.clear();
-            self.session.handle_time(now);
+            let open = self.step(self.session.poll_wakeup()).await?;
             if !open && !self.session.has_event() {
                 return Err(LinkError::Closed);
             }
         }
+    }
+
+    /// Lets so much time pass on the link; what happens meanwhile is told by
+    /// [`Connection::next_event`] afterwards. A stock arm wants a gap between packets that no permit
+    /// separates (note N26).
+    ///
+    /// # Errors
+    ///
+    /// As of [`Connection::next_event`].
+    pub async fn pass(&mut self, time: Duration) -> Result<(), LinkError> {
+        let until = self.now() + time;
+        while self.now() < until {
+            if !self.step(until).await? {
+                return Err(LinkError::Closed);
+            }
+        }
+        Ok(())
+    }
+
+    /// Sends what is to be sent, and takes what comes until then; tells whether the link is open.
+    async fn step(&mut self, until: Duration) -> Result<bool, LinkError> {
+        while let Some(packet) = self.session.poll_bytes() {
+            self.link.send(&packet.to_bytes());
+        }
+        let open = self.link.receive(until, &mut self.incoming).await?;
+        let now = self.now();
+        self.session.handle_bytes(now, &self.incoming);
+        self.incoming.clear();
+        self.session.handle_time(now);
+        Ok(open)
     }
 
     /// Waits for the next status.
@@ -181,31 +208,4 @@ impl Connection {
         }
         self.link.flush().await
     }
-}
-
-impl Event {
-    /// The event, or the failure that it is.
-    ///
-    /// # Errors
-    ///
-    /// [`LinkError::Silent`] for a lost link, [`LinkError::NotReached`] for a move that fell short.
-    pub fn or_failed(self) -> Result<Self, LinkError> {
-        match self {
-            Self::LinkLost { silent_for, noise } => Err(LinkError::Silent { silent_for, noise }),
-            Self::NotReached {
-                expected, found, ..
-            } => Err(LinkError::NotReached {
-                expected: point(expected),
-                found: point(found),
-            }),
-            event => Ok(event),
-        }
-    }
-}
-
-fn point(position: dobot_arm::Position) -> String {
-    format!(
-        "{:.2}, {:.2}, {:.2} mm",
-        position.x.0, position.y.0, position.z.0
-    )
 }

@@ -26,24 +26,34 @@
 //! ```
 
 mod address;
+mod arm;
+mod belief;
+pub mod blocking;
 mod completion;
 mod connection;
+mod event;
 mod link;
 mod open;
 mod pace;
 mod peer;
 mod ports;
+mod quality;
+mod queue;
+mod send_error;
 mod session;
+mod trust;
 
 pub use address::{Address, AddressError, DEFAULT_BAUD};
+pub use arm::Arm;
 pub use completion::position;
 pub use connection::{Connection, LinkError};
+pub use event::{Event, NotReached};
 pub use link::Link;
 pub use open::OpenError;
 pub use peer::Peer;
-pub use ports::{Port, Usb, ports};
-pub use session::{CommandId, Event, SendError, Session, plausible};
-
-/// Which dialect an arm speaks, and by which evidence.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Finding {}
+pub use ports::{Port, ports};
+pub use quality::LinkQuality;
+pub use queue::Queue;
+pub use send_error::SendError;
+pub use session::{CommandId, Session, plausible};
+pub use trust::ResetEvidence;

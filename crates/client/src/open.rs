@@ -59,6 +59,9 @@ pub enum OpenError {
     /// A virtual arm is not opened by this room, which does not know it.
     #[error("virtual: is no port to open; a virtual arm is connected in this process")]
     Virtual,
+    /// The system gives a program without async no more resources.
+    #[error("the system gives no resources to wait with")]
+    Runtime(#[source] io::Error),
 }
 
 impl OpenError {
@@ -79,7 +82,7 @@ impl OpenError {
                 "`fuser -v {path}` tells which program has it; close that one first"
             )),
             Self::NotASerialPort { .. } => Some("`dobot ports` lists the serial ports of this machine".into()),
-            Self::Serial { .. } | Self::Virtual => None,
+            Self::Serial { .. } | Self::Virtual | Self::Runtime(_) => None,
             Self::Tcp { source, port, .. } if source.kind() == io::ErrorKind::ConnectionRefused => Some(format!(
                 "nobody listens there; `dobot arm --tcp 127.0.0.1:{port}` starts a virtual arm that does"
             )),

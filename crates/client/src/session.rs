@@ -3,10 +3,15 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::Position;
-use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, ParseError, Status, Statuses};
+use dobot_course::{CourseError, Model};
+use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, Status, Statuses};
 
+use crate::belief::Belief;
 use crate::completion::{Completion, straight_target};
+use crate::quality::Meter;
+use crate::send_error::moves;
+use crate::trust::Trust;
+use crate::{Event, LinkQuality, Queue, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -14,7 +19,12 @@ use crate::completion::{Completion, straight_target};
 /// when it next needs the time, which counts from the connect and never goes back.
 ///
 /// Each status received is a permit to send one command (note N20): what is given to
-/// [`Session::send`] waits here for its turn.
+/// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
+/// will do: a command is sent only while those that wait in the arm, behind the one that it
+/// executes, take less than [`Session::with_ahead`] (0.5 s).
+///
+/// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
+/// angle is 0 then wherever the base stands): see [`Session::trusted`].
 ///
 /// ```
 /// use std::time::Duration;
@@ -40,7 +50,13 @@ pub struct Session {
     used: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
+    belief: Belief,
+    trust: Trust,
+    meter: Meter,
+    /// How much may wait in the arm behind the command that it executes.
+    ahead: Duration,
     status: Option<Status>,
+    now: Duration,
     /// When the last status came; at first the connect.
     heard: Duration,
     lost: bool,
@@ -53,64 +69,39 @@ pub struct Session {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CommandId(pub u64);
 
-/// What happened in a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Event {
-    /// The arm told its state.
-    Status(Status),
-    /// A command left for the arm.
-    Sent(CommandId),
-    /// A command is over: the arm was seen where it leads.
-    Completed(CommandId),
-    /// The arm came to rest elsewhere than a command leads.
-    NotReached {
-        /// The command.
-        command: CommandId,
-        /// Where it leads.
-        expected: Position,
-        /// Where the arm rests.
-        found: Position,
-    },
-    /// Bytes that belong to no status were skipped, and the stream of statuses was found again.
-    Resynced {
-        /// How many bytes since the last such event.
-        skipped: u64,
-    },
-    /// No status came for longer than any command under way explains.
-    LinkLost {
-        /// How long.
-        silent_for: Duration,
-        /// Bytes that came all the same, but in no status.
-        noise: u64,
-    },
-}
-
-/// Why a command is not sent.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SendError {
-    /// The arm's dialect is not known and the command means different things in them (note N1).
-    #[error("{field} means different things to different arms, and nobody has said which this is")]
-    Undecided {
-        /// The field in question.
-        field: &'static str,
-    },
-    /// The arm stands there already, and a straight line of no length makes it lose its pose.
-    #[error(
-        "the arm is there already, and a straight line of no length would make it lose its pose (note N34)"
-    )]
-    OnTheSpot,
-    /// The command breaks a range of its table.
-    #[error("the command is not allowed")]
-    Invalid(#[source] ParseError),
-}
-
 impl Session {
     /// A session with an arm that speaks `dialect`, if that is known.
+    ///
+    /// The pose that the arm tells first is trusted: a person who gives one command has looked where
+    /// the arm stands. What owns an arm for long begins with [`Session::untrusted`].
     #[must_use]
     pub fn new(dialect: Option<Dialect>) -> Self {
+        Self::begin(dialect, true)
+    }
+
+    /// The same, with an arm whose pose nobody has confirmed yet: opening its port resets a stock
+    /// arm (note N35).
+    #[must_use]
+    pub fn untrusted(dialect: Option<Dialect>) -> Self {
+        Self::begin(dialect, false)
+    }
+
+    /// The same, with another bound on what waits in the arm behind the command that it executes:
+    /// how much longer a stop takes than that command. 0.5 s unless told otherwise;
+    /// `Duration::MAX` fills the arm's queue.
+    #[must_use]
+    pub fn with_ahead(mut self, ahead: Duration) -> Self {
+        self.set_ahead(ahead);
+        self
+    }
+
+    fn begin(dialect: Option<Dialect>, trusted: bool) -> Self {
         Self {
+            belief: Belief::new(dialect.as_ref()),
+            trust: Trust::new(trusted),
+            meter: Meter::default(),
+            ahead: AHEAD,
+            now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
             waiting: VecDeque::new(),
@@ -133,13 +124,16 @@ impl Session {
     /// # Errors
     ///
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
-    /// [`SendError::Invalid`] where a value breaks its table. Nothing is sent then.
+    /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
+    /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
+    /// pose. Nothing is sent then.
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         self.check(&command)?;
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.waiting.push_back((id, command));
+        self.belief.handle_given(&command);
         self.dispatch();
         Ok(id)
     }
@@ -150,21 +144,28 @@ impl Session {
     ///
     /// As [`Session::send`].
     pub fn check(&self, command: &Command) -> Result<(), SendError> {
+        if !self.trusted() && moves(command) {
+            return Err(SendError::Untrusted);
+        }
         if self.is_on_the_spot(command) {
             return Err(SendError::OnTheSpot);
         }
         self.packet(command).map(|_| ())
     }
 
-    /// Sends a command at once and ahead of all others, permit or not: for parting words on a
-    /// link that is failing (laser off, pen up). Those that wait are forgotten.
+    /// Sends a command at once and ahead of all others, permit or not and trusted or not: for a stop
+    /// (the release of a jog) and for parting words on a link that is failing (laser off, pen up).
+    /// Those that wait are forgotten.
     ///
     /// # Errors
     ///
-    /// As [`Session::send`].
+    /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
     pub fn send_now(&mut self, command: impl Into<Command>) -> Result<(), SendError> {
-        let packet = self.packet(&command.into())?;
+        let command = command.into();
+        let packet = self.packet(&command)?;
         self.forget_waiting();
+        self.belief.handle_sent_now(self.now, &command);
+        self.belief.plan_anew([].iter());
         self.to_send.push_back(packet);
         Ok(())
     }
@@ -173,11 +174,24 @@ impl Session {
     pub fn forget_waiting(&mut self) -> usize {
         let count = self.waiting.len();
         self.waiting.clear();
+        self.belief.plan_anew([].iter());
         count
+    }
+
+    /// Sets the bound of [`Session::with_ahead`].
+    pub fn set_ahead(&mut self, ahead: Duration) {
+        self.ahead = ahead;
+        self.dispatch();
+    }
+
+    /// A person says that the arm stands where it tells: its pose is trusted from now on.
+    pub const fn confirm_pose(&mut self) {
+        self.trust.confirm();
     }
 
     /// Takes bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
+        self.now = now;
         // The frames borrow the decoder, so they are set aside: a read holds a few at the most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
         for frame in frames {
@@ -190,6 +204,7 @@ impl Session {
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
+        self.now = now;
         if !self.lost && now >= self.poll_wakeup() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
@@ -262,14 +277,71 @@ impl Session {
         self.decoder.counts()
     }
 
+    /// What is believed of the arm when all that was given is over, what waits included; `None`
+    /// before the first status. Settings are those of a stock arm at power-up and what this session
+    /// has sent since. An arm whose dialect nobody has told is taken for one of the document.
+    #[must_use]
+    pub const fn model(&self) -> Option<&Model> {
+        self.belief.after_given()
+    }
+
+    /// What is on its way.
+    #[must_use]
+    pub fn queue(&self) -> Queue {
+        let under_way = self.completion.len();
+        let silent_for = self.now.saturating_sub(self.heard);
+        Queue {
+            waiting: self.waiting.len(),
+            under_way,
+            ahead: self.belief.ahead(self.now),
+            is_full: under_way >= QUEUE_STALLS_AT && silent_for > OVERDUE,
+        }
+    }
+
+    /// How long it should take until all that was sent is over, in seconds from the last time that
+    /// the session was told of. A jog counts as over: it is so as soon as something follows it.
+    #[must_use]
+    pub fn ahead_s(&self) -> f64 {
+        self.belief.ahead(self.now).as_secs_f64()
+    }
+
+    /// Within what time the arm is at rest for sure if nothing more is sent, from the last time that
+    /// the session was told of; `Duration::MAX` while it jogs.
+    ///
+    /// The promise holds for an arm that nobody else configures, with stock settings when the session
+    /// began (opening the port of a stock arm resets it), on a line of 9600 baud or faster.
+    #[must_use]
+    pub fn rests_within(&self) -> Duration {
+        self.belief.rests_within(self.now)
+    }
+
+    /// Whether the pose that the arm tells can be believed: since a reset was seen it is not, until
+    /// a person [confirms](Session::confirm_pose) it or the initial angles (state 9, mode 3) were
+    /// sent and seen. An arm that is not trusted is sent nothing that moves it, but releases,
+    /// switches and configuration.
+    #[must_use]
+    pub const fn trusted(&self) -> bool {
+        self.trust.trusted()
+    }
+
+    /// How good the link is.
+    #[must_use]
+    pub fn link(&self) -> LinkQuality {
+        self.meter.quality(self.now, &self.decoder.counts())
+    }
+
     fn handle_status(&mut self, now: Duration, status: Status) {
+        let had_room = self.completion.len() < QUEUE_STALLS_AT;
         self.heard = now;
         self.lost = false;
         self.status = Some(status);
+        self.meter.handle_status(now, &status, had_room);
         self.events.push_back(Event::Status(status));
-        let events = &mut self.events;
-        self.completion
-            .handle_status(now, &status, |event| events.push_back(event));
+        if !self.note_reset(now, &status) {
+            self.note_completion(now, &status);
+        }
+        let waiting = self.waiting.iter().map(|(_, command)| command);
+        self.belief.handle_status(&status, waiting);
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used
@@ -277,8 +349,38 @@ impl Session {
         self.dispatch();
     }
 
+    /// Whether the status shows a reset; then everything that was told is forgotten.
+    fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
+        let at_rest = self.belief.is_at_rest();
+        let to_zero = self.belief.turns_to_zero();
+        let Some(evidence) = self.trust.handle_status(now, status, at_rest, to_zero) else {
+            return false;
+        };
+        let forgotten = self.waiting.len() + self.completion.len();
+        self.waiting.clear();
+        self.completion = Completion::default();
+        self.belief.handle_reset(status);
+        self.events.push_back(Event::Reset {
+            evidence,
+            forgotten,
+        });
+        true
+    }
+
+    fn note_completion(&mut self, now: Duration, status: &Status) {
+        let (events, belief) = (&mut self.events, &mut self.belief);
+        self.completion.handle_status(now, status, |event| {
+            match event {
+                Event::Completed(id) => belief.handle_over(now, id),
+                Event::NotReached { command, .. } => belief.handle_not_reached(now, command),
+                _ => {}
+            }
+            events.push_back(event);
+        });
+    }
+
     fn dispatch(&mut self) {
-        if !self.permit {
+        if !self.permit || self.belief.behind_the_first(self.now) >= self.ahead {
             return;
         }
         let Some((id, command)) = self.waiting.pop_front() else {
@@ -290,10 +392,27 @@ impl Session {
             .packet(&command)
             .expect("it was emitted once already, when it was given");
         let pauses = self.dialect.is_none_or(|it| it.uses_default_pause);
-        self.completion
-            .handle_sent(self.heard, id, &command, pauses);
+        let at_rest = self.belief.is_at_rest();
+        self.meter.handle_sent(self.heard, at_rest, moves(&command));
+        self.trust.handle_sent(&command);
+        let leaves = self.leaves_limits(&command);
+        let longest = self
+            .completion
+            .handle_sent(self.heard, id, &command, pauses, leaves);
+        self.belief.handle_sent(self.now, id, &command, longest);
         self.to_send.push_back(packet);
         self.events.push_back(Event::Sent(id));
+    }
+
+    /// Whether the way of a command, from where all that was sent leads, leaves the limits.
+    fn leaves_limits(&self, command: &Command) -> bool {
+        let Some(model) = self.belief.after_sent() else {
+            return false;
+        };
+        match model.course(command).and_then(|it| it.check()) {
+            Err(CourseError::Unreachable(_)) => true,
+            Ok(()) | Err(_) => false,
+        }
     }
 
     fn packet(&self, command: &Command) -> Result<Packet, SendError> {
@@ -347,6 +466,11 @@ const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 const SHORTEST_PERIOD: Duration = Duration::from_millis(40);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
+/// More than twice the time that passes between the end of a command and the next one's arrival: a
+/// status, and a packet each way. So an arm never waits for the link, whatever the bound is.
+const AHEAD: Duration = Duration::from_millis(500);
+/// A status that is later than that has been withheld.
+const OVERDUE: Duration = Duration::from_millis(140);
 /// A status says where the arm is to that much.
 const ON_THE_SPOT_MM: f64 = 0.001;
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).

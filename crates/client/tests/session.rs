@@ -25,6 +25,15 @@ impl Desk {
         }
     }
 
+    /// One that fills the arm's queue.
+    fn ahead(dialect: Option<Dialect>) -> Self {
+        let desk = Self::new(dialect);
+        Self {
+            session: desk.session.with_ahead(Duration::MAX),
+            ..desk
+        }
+    }
+
     /// The next status, 80 ms after the last one; returns what happened.
     fn status_at(&mut self, x_mm: f64, y_mm: f64, z_mm: f64) -> Vec<Event> {
         self.now += PERIOD;
@@ -232,7 +241,7 @@ fn a_move_is_over_when_the_arm_rests_at_its_target() {
 
 #[test]
 fn targets_passed_without_a_rest_are_over_when_the_queue_has_room_for_more() {
-    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for n in 0..8_u8 {
         let y_mm = f32::from(n) * 5.0 + 5.0;
@@ -348,6 +357,7 @@ fn an_arm_that_comes_to_rest_elsewhere_has_not_reached_its_target() {
             command,
             expected,
             found,
+            ..
         } => Some((*command, *expected, *found)),
         _ => None,
     });
@@ -394,7 +404,7 @@ fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
 
 #[test]
 fn a_full_queue_is_not_a_lost_link() {
-    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for n in 1..=5_u8 {
         let by = if n % 2 == 0 { -60.0 } else { 60.0 };

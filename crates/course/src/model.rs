@@ -97,6 +97,11 @@ impl Model {
         self.jog = None;
     }
 
+    /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
+    pub const fn lose_place(&mut self) {
+        self.knows_place = false;
+    }
+
     /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
     /// [`seen`](Model::seen) at rest.
     #[must_use]

@@ -102,7 +102,6 @@ pub async fn run(
         plan,
         pen,
         sent: 0,
-        ahead_s: 0.0,
         first: None,
         progress: Progress::default(),
         seen: Vec::new(),
@@ -132,8 +131,6 @@ struct Runner<'a, T> {
     pen: &'a Pen,
     /// Vectors given to the session.
     sent: usize,
-    /// How long those of them take that are not over, in seconds.
-    ahead_s: f64,
     /// The first of them.
     first: Option<CommandId>,
     progress: Progress,
@@ -201,27 +198,16 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         self.arm.completed(there).await
     }
 
-    /// Sends what may be sent ahead. The protocol has no stop, so what the arm has got it will do:
-    /// that is kept short, though never so short that the pen has to wait for the link.
+    /// Keeps a few waiting in the session, which sends them no further ahead than may be regretted.
     fn top_up(&mut self) -> Result<(), LinkError> {
-        while self.behind_the_first_s() < AHEAD_S
+        while self.arm.session().waiting() < FEW
             && let Some(vector) = self.plan.moves.get(self.sent)
         {
-            self.ahead_s += self.duration_s(self.sent);
             let id = self.arm.send(write(vector))?;
             self.first.get_or_insert(id);
             self.sent += 1;
         }
         Ok(())
-    }
-
-    /// How long the vectors take that wait behind the one that is drawn, in seconds.
-    fn behind_the_first_s(&self) -> f64 {
-        let drawn = self.progress.vectors;
-        if drawn == self.sent {
-            return 0.0;
-        }
-        self.ahead_s - self.duration_s(drawn)
     }
 
     fn duration_s(&self, index: usize) -> f64 {
@@ -235,7 +221,6 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         let index = usize::try_from(id.0 - first.0).expect("a plan fits into memory");
         for index in self.progress.vectors..=index {
             let duration_s = self.duration_s(index);
-            self.ahead_s -= duration_s;
             self.progress.vectors += 1;
             self.progress.strokes += usize::from(self.plan.moves[index].kind == MoveKind::Lift);
             self.progress.planned_s += duration_s;
@@ -360,8 +345,6 @@ const LASER_OFF: JointJog = JointJog {
     axis: JointJogAxis::LaserOff,
     speed_percent: 0.0,
 };
-/// More than twice the time that passes between the end of a vector and the next one's arrival: a status, and
-/// a packet each way.
-const AHEAD_S: f64 = 0.5;
+const FEW: usize = 4;
 const GAP: Duration = Duration::from_millis(60);
 const LEAST_LIFT_MM: f64 = 0.01;

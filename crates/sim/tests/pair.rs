@@ -117,6 +117,7 @@ async fn a_target_out_of_reach_is_told_with_the_place_where_the_arm_rests() {
         command,
         expected,
         found,
+        ..
     }) = events.last()
     else {
         panic!("{events:?}");

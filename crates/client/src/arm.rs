@@ -1,0 +1,175 @@
+//! An arm to work with.
+
+use std::time::Duration;
+
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveJoints, MoveTo, Status};
+
+use crate::{Address, CommandId, Connection, LinkError, OpenError};
+
+/// An arm to work with: each call returns when the arm has done it.
+///
+/// ```no_run
+/// use dobot_client::Arm;
+/// use dobot_wire::{Dialect, MoveTo, MovingMode};
+///
+/// # async fn example() -> Result<(), Box<dyn std::error::Error>> {
+/// let address = "serial:/dev/ttyUSB0".parse()?;
+/// let mut arm = Arm::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
+/// let status = arm.move_to(MoveTo {
+///     x_mm: 220.0,
+///     y_mm: 0.0,
+///     z_mm: 20.0,
+///     rotation_deg: 0.0,
+///     suction: false,
+///     mode: MovingMode::MovJ,
+///     gripper_deg: 0.0,
+///     pause_s: 0.0,
+/// }).await?;
+/// assert!((status.x_mm - 220.0).abs() < 0.05);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// A call that is cancelled has sent what it has sent: [`Arm::stop`] ends it.
+#[derive(Debug)]
+pub struct Arm {
+    connection: Connection,
+}
+
+impl Arm {
+    /// Opens a serial port or a TCP connection.
+    ///
+    /// # Errors
+    ///
+    /// [`OpenError`], with what to do about it.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
+        Ok(Self::over(Connection::open(address, dialect).await?))
+    }
+
+    /// An arm over a connection that is open.
+    #[must_use]
+    pub const fn over(connection: Connection) -> Self {
+        Self { connection }
+    }
+
+    /// Goes to a point, sets the tool, and returns what the arm tells then.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError`]: the command is not allowed, the arm came to rest elsewhere, or the link failed.
+    pub async fn move_to(&mut self, target: MoveTo) -> Result<Status, LinkError> {
+        self.perform(target).await
+    }
+
+    /// Goes to joint angles, sets the tool, and returns what the arm tells then.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Arm::move_to`].
+    pub async fn move_joints(&mut self, target: MoveJoints) -> Result<Status, LinkError> {
+        self.perform(target).await
+    }
+
+    /// Jogs one axis for a while, releases it, and returns what the arm tells when it rests. `held`
+    /// is a [`JointJog`] or a [`LinearJog`](dobot_wire::LinearJog) of an axis that moves.
+    ///
+    /// The axis moves until the release arrives: with the next status, up to 0.2 s later. If this
+    /// call is cancelled the arm jogs on, until [`Arm::stop`].
+    ///
+    /// # Errors
+    ///
+    /// As of [`Arm::move_to`].
+    pub async fn jog(
+        &mut self,
+        held: impl Into<Command>,
+        time: Duration,
+    ) -> Result<Status, LinkError> {
+        self.connection.send(held)?;
+        let until = self.connection.now() + time;
+        while self.connection.now() < until {
+            self.status().await?;
+        }
+        self.perform(RELEASED).await
+    }
+
+    /// Sends any command and returns what the arm tells when it is over.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Arm::move_to`].
+    pub async fn perform(&mut self, command: impl Into<Command>) -> Result<Status, LinkError> {
+        let id = self.connection.send(command)?;
+        self.completed(id).await
+    }
+
+    /// Stops: switches the laser off and releases a jog at once, without waiting for a permit, and
+    /// forgets what was not sent. The protocol has no stop for what the arm has got: that it
+    /// finishes, within [`Session::rests_within`](crate::Session::rests_within). Returns what the
+    /// arm tells when it rests.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError`] when the link fails.
+    pub async fn stop(&mut self) -> Result<Status, LinkError> {
+        self.connection.session_mut().forget_waiting();
+        self.connection.session_mut().send_now(LASER_OFF)?;
+        self.connection.pass(GAP).await?;
+        self.connection.session_mut().send_now(RELEASED)?;
+        let mut last = self.status().await?;
+        let mut since = self.connection.now();
+        loop {
+            let status = self.status().await?;
+            if status != last {
+                last = status;
+                since = self.connection.now();
+            } else if self.connection.now() >= since + AT_REST {
+                return Ok(status);
+            }
+        }
+    }
+
+    /// The next thing that the arm tells.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError`] when nothing comes.
+    pub async fn status(&mut self) -> Result<Status, LinkError> {
+        self.connection.next_status().await
+    }
+
+    /// The connection, for everything else.
+    #[must_use]
+    pub const fn connection(&self) -> &Connection {
+        &self.connection
+    }
+
+    /// The connection, for everything else.
+    pub const fn connection_mut(&mut self) -> &mut Connection {
+        &mut self.connection
+    }
+
+    async fn completed(&mut self, id: CommandId) -> Result<Status, LinkError> {
+        self.connection.completed(id).await?;
+        match self.connection.session().status() {
+            Some(status) => Ok(*status),
+            None => self.status().await,
+        }
+    }
+}
+
+const RELEASED: JointJog = JointJog {
+    axis: JointJogAxis::Released,
+    speed_percent: 0.0,
+};
+const LASER_OFF: JointJog = JointJog {
+    axis: JointJogAxis::LaserOff,
+    speed_percent: 0.0,
+};
+/// Longer than a packet takes on the line (note N26).
+const GAP: Duration = Duration::from_millis(60);
+/// What the two packets take on the line, and a status that left after them.
+const AT_REST: Duration = Duration::from_millis(240);

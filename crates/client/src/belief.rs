@@ -1,0 +1,236 @@
+//! What a session believes of its arm: the motion model after what was sent, and the time that this
+//! takes.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_course::Model;
+use dobot_wire::{Command, Dialect, Status};
+
+use crate::CommandId;
+
+/// The model after all that was sent, and after all that was given.
+#[derive(Debug)]
+pub(crate) struct Belief {
+    dialect: Dialect,
+    /// After all that was sent; there is none before the first status.
+    sent: Option<Model>,
+    /// After what waits, too.
+    given: Option<Model>,
+    under_way: VecDeque<Foreseen>,
+    last: Option<Status>,
+}
+
+/// When a command under way should be over.
+#[derive(Clone, Copy, Debug)]
+struct Foreseen {
+    command: CommandId,
+    duration: Duration,
+    /// Whether it goes on until told otherwise.
+    endless: bool,
+    /// Whether the base stands at 0 when it is over.
+    ends_ahead: bool,
+    /// When it should be over.
+    ends: Duration,
+    /// When it must be over.
+    bound: Duration,
+}
+
+impl Belief {
+    /// An arm whose dialect nobody has told is taken for one of the document.
+    pub(crate) fn new(dialect: Option<&Dialect>) -> Self {
+        Self {
+            dialect: dialect.copied().unwrap_or(Dialect::SPECIFICATION),
+            sent: None,
+            given: None,
+            under_way: VecDeque::new(),
+            last: None,
+        }
+    }
+
+    pub(crate) const fn after_sent(&self) -> Option<&Model> {
+        self.sent.as_ref()
+    }
+
+    pub(crate) const fn after_given(&self) -> Option<&Model> {
+        self.given.as_ref()
+    }
+
+    /// Takes a status, and what waits. An arm that rests with nothing under way is where it says.
+    pub(crate) fn handle_status<'a>(
+        &mut self,
+        status: &Status,
+        waiting: impl Iterator<Item = &'a Command>,
+    ) {
+        let rests = self.last.replace(*status) == Some(*status);
+        match &mut self.sent {
+            None => self.sent = Some(Model::new(self.dialect, status)),
+            Some(model) if self.under_way.is_empty() && rests => {
+                let before = *model;
+                model.seen(status);
+                if *model == before {
+                    return;
+                }
+            }
+            Some(_) => return,
+        }
+        self.plan_anew(waiting);
+    }
+
+    /// Begins from what was sent: what waited has changed.
+    pub(crate) fn plan_anew<'a>(&mut self, waiting: impl Iterator<Item = &'a Command>) {
+        self.given = self.sent;
+        for command in waiting {
+            self.handle_given(command);
+        }
+    }
+
+    /// Takes a command that waits behind all others.
+    pub(crate) fn handle_given(&mut self, command: &Command) {
+        self.given = self.given.map(|model| after(&model, command));
+    }
+
+    /// Takes a command that leaves now; `longest` is how long it may take if it cannot be foreseen.
+    pub(crate) fn handle_sent(
+        &mut self,
+        now: Duration,
+        id: CommandId,
+        command: &Command,
+        longest: Duration,
+    ) {
+        let Some(model) = self.sent else {
+            return;
+        };
+        let course = model.course(command).ok();
+        let endless = course.is_some_and(|it| it.duration_s().is_none());
+        let seconds = course.map_or(Some(0.0), |it| it.duration_s());
+        let pause_s = course.map_or(0.0, |it| it.pause_s());
+        let duration = seconds_of(seconds.unwrap_or(0.0));
+        let most = match course {
+            Some(_) => duration + duration / ROUNDING_SHARE + seconds_of(pause_s) + ROUNDING,
+            None => longest + ROUNDING,
+        };
+        let before = self.under_way.back();
+        let ends = before
+            .map_or(Duration::ZERO, |it| it.ends)
+            .max(now + ARRIVAL)
+            + duration;
+        let bound = before
+            .map_or(Duration::ZERO, |it| it.bound)
+            .max(now + LATEST)
+            + most;
+        self.under_way.push_back(Foreseen {
+            command: id,
+            duration,
+            endless,
+            ends_ahead: course
+                .and_then(|it| it.end())
+                .is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG),
+            ends,
+            bound,
+        });
+        self.sent = Some(after(&model, command));
+    }
+
+    /// Takes a command that left beside the queue of this session; nobody waits for its end.
+    pub(crate) fn handle_sent_now(&mut self, now: Duration, command: &Command) {
+        let id = self.under_way.back().map_or(CommandId(0), |it| it.command);
+        self.handle_sent(now, id, command, Duration::ZERO);
+    }
+
+    /// A command, and all before it, is over.
+    pub(crate) fn handle_over(&mut self, now: Duration, id: CommandId) {
+        while self.under_way.front().is_some_and(|it| it.command <= id) {
+            self.under_way.pop_front();
+        }
+        // What follows began before it was seen to, but not long before.
+        let Some(first) = self.under_way.front() else {
+            return;
+        };
+        let begun = first.ends.saturating_sub(first.duration);
+        let begins = begun.clamp(now.saturating_sub(SEEN_WITHIN), now);
+        let (early, late) = (begun.saturating_sub(begins), begins.saturating_sub(begun));
+        for foreseen in &mut self.under_way {
+            foreseen.ends = foreseen.ends.saturating_sub(early) + late;
+        }
+    }
+
+    /// A command ended elsewhere: nobody knows where the arm is, until it is seen at rest.
+    pub(crate) fn handle_not_reached(&mut self, now: Duration, id: CommandId) {
+        self.handle_over(now, id);
+        for model in [&mut self.sent, &mut self.given].into_iter().flatten() {
+            model.lose_place();
+        }
+    }
+
+    /// The arm was reset: nothing that was told to it counts any more.
+    pub(crate) fn handle_reset(&mut self, status: &Status) {
+        self.under_way.clear();
+        self.sent = Some(Model::new(self.dialect, status));
+        self.given = self.sent;
+    }
+
+    /// Whether everything that could move was seen to be over.
+    pub(crate) fn is_at_rest(&self) -> bool {
+        self.under_way.is_empty()
+    }
+
+    /// Whether something under way turns the base to 0.
+    pub(crate) fn turns_to_zero(&self) -> bool {
+        self.under_way.iter().any(|it| it.ends_ahead)
+    }
+
+    /// How long those commands take that wait in the arm behind the one that it should execute now.
+    /// That one need not have been seen to begin: of targets that are passed without a rest the
+    /// statuses say so late only.
+    pub(crate) fn behind_the_first(&self, now: Duration) -> Duration {
+        let not_over = self.under_way.iter().skip_while(|it| it.ends <= now);
+        not_over.skip(1).map(|it| it.duration).sum()
+    }
+
+    /// How long it takes until all that was sent is over; a jog counts as over.
+    pub(crate) fn ahead(&self, now: Duration) -> Duration {
+        let last = self.under_way.back();
+        last.map_or(Duration::ZERO, |it| it.ends.saturating_sub(now))
+    }
+
+    /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.
+    pub(crate) fn rests_within(&self, now: Duration) -> Duration {
+        match self.under_way.back() {
+            None if self.sent.is_some_and(|it| !it.knows_place()) => Duration::MAX,
+            None => Duration::ZERO,
+            Some(last) if last.endless => Duration::MAX,
+            Some(last) => last.bound.saturating_sub(now),
+        }
+    }
+}
+
+fn after(model: &Model, command: &Command) -> Model {
+    match model.course(command) {
+        Ok(course) => model.after(command, &course),
+        // It is refused, skipped or cut short: where the arm is then is seen when it rests.
+        Err(_) => {
+            let mut model = model.begun(command);
+            model.lose_place();
+            model
+        }
+    }
+}
+
+fn seconds_of(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or(FOR_EVER)
+}
+
+/// From the status with which a command leaves to its first motion: 43.68 ms on the line, and half a
+/// tick.
+const ARRIVAL: Duration = Duration::from_millis(55);
+/// The same at the latest, with what a computer may be late.
+const LATEST: Duration = Duration::from_millis(120);
+/// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
+const ROUNDING: Duration = Duration::from_millis(120);
+const ROUNDING_SHARE: u32 = 50;
+/// The end of a command is in a status at the latest after two ticks, a period and the line.
+const SEEN_WITHIN: Duration = Duration::from_millis(200);
+const AHEAD_DEG: f64 = 0.001;
+/// Many of them added up still are a duration.
+const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

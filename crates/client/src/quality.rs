@@ -1,0 +1,92 @@
+//! How good a link is.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_wire::{Counts, Status};
+
+/// How good a link is, as far as its statuses tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinkQuality {
+    /// Statuses per second over the last two seconds; 12.5 on a good link with room in the queue.
+    pub statuses_per_s: f64,
+    /// Statuses that did not come although they were due and the queue had room.
+    pub lost: u64,
+    /// Bytes that belong to no status.
+    pub damaged_bytes: u64,
+    /// How often the stream of statuses was lost and found again.
+    pub resyncs: u64,
+    /// From a command to the first status that shows it, smoothed; `None` until it was seen once.
+    pub latency: Option<Duration>,
+    /// How long ago the last status came.
+    pub silent_for: Duration,
+}
+
+/// Takes note of what a link does.
+#[derive(Debug, Default)]
+pub(crate) struct Meter {
+    heard: VecDeque<Duration>,
+    lost: u64,
+    latency: Option<Duration>,
+    last: Option<Status>,
+    /// When a command left for an arm at rest, and nothing has moved since.
+    waits_since: Option<Duration>,
+}
+
+impl Meter {
+    /// A motion left; it shows if nothing moved before.
+    pub(crate) fn handle_sent(&mut self, now: Duration, at_rest: bool, moves: bool) {
+        self.waits_since = (at_rest && moves).then_some(now);
+    }
+
+    pub(crate) fn handle_status(&mut self, now: Duration, status: &Status, had_room: bool) {
+        if let Some(heard) = self.heard.back()
+            && had_room
+        {
+            self.lost += missing(now.saturating_sub(*heard));
+        }
+        self.heard.push_back(now);
+        while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
+            self.heard.pop_front();
+        }
+        if self.last.replace(*status).is_some_and(|it| it != *status)
+            && let Some(since) = self.waits_since.take()
+        {
+            self.note_latency(now.saturating_sub(since));
+        }
+    }
+
+    pub(crate) fn quality(&self, now: Duration, counts: &Counts) -> LinkQuality {
+        let recent = self.heard.iter().filter(|it| **it + WINDOW >= now).count();
+        let begun = now.min(WINDOW).as_secs_f64();
+        LinkQuality {
+            statuses_per_s: if begun > 0.0 {
+                f64::from(u32::try_from(recent).unwrap_or(u32::MAX)) / begun
+            } else {
+                0.0
+            },
+            lost: self.lost,
+            damaged_bytes: counts.skipped_bytes,
+            resyncs: counts.resyncs,
+            latency: self.latency,
+            silent_for: now.saturating_sub(self.heard.back().copied().unwrap_or_default()),
+        }
+    }
+
+    fn note_latency(&mut self, found: Duration) {
+        self.latency = Some(match self.latency {
+            Some(before) => (before * 7 + found) / 8,
+            None => found,
+        });
+    }
+}
+
+/// How many statuses are missing in a gap.
+fn missing(gap: Duration) -> u64 {
+    let periods = (gap + PERIOD / 2).as_millis() / PERIOD.as_millis();
+    u64::try_from(periods).unwrap_or(u64::MAX).saturating_sub(1)
+}
+
+/// A status comes that often (note N27).
+const PERIOD: Duration = Duration::from_millis(80);
+const WINDOW: Duration = Duration::from_secs(2);

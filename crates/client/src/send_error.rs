@@ -1,0 +1,47 @@
+//! Why a command is not sent.
+
+use dobot_wire::{Command, ParseError, VoiceOrder};
+
+/// Why a command is not sent.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SendError {
+    /// The arm's dialect is not known and the command means different things in them (note N1).
+    #[error("{field} means different things to different arms, and nobody has said which this is")]
+    Undecided {
+        /// The field in question.
+        field: &'static str,
+    },
+    /// The arm stands there already, and a straight line of no length makes it lose its pose.
+    #[error(
+        "the arm is there already, and a straight line of no length would make it lose its pose (note N34)"
+    )]
+    OnTheSpot,
+    /// The arm was reset, or nobody has looked where it stands: what it says of its pose need not be
+    /// true.
+    #[error(
+        "the arm may not be where it says: it was reset; point it straight ahead and confirm the pose, or send the initial angles (state 9, mode 3), before it moves"
+    )]
+    Untrusted,
+    /// The command breaks a range of its table.
+    #[error("the command is not allowed")]
+    Invalid(#[source] ParseError),
+}
+
+/// Whether a command makes the arm move: a release, a switch and a configuration do not.
+pub(crate) fn moves(command: &Command) -> bool {
+    match command {
+        Command::MoveTo(_)
+        | Command::MoveJoints(_)
+        | Command::MouseMove(_)
+        | Command::Gesture(_) => true,
+        Command::WriteVector(vector) => !vector.stop,
+        Command::Voice(voice) => !matches!(
+            VoiceOrder::parse(voice),
+            Some(VoiceOrder::Catch | VoiceOrder::Release)
+        ),
+        Command::JointJog(jog) => jog.axis.moves(),
+        Command::LinearJog(jog) => jog.axis.moves(),
+        Command::Configuration(_) | Command::PlaybackAdjustment(_) => false,
+    }
+}

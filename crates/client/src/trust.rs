@@ -1,0 +1,142 @@
+//! Whether the pose that an arm tells can be believed: a reset makes it say 0 wherever its base
+//! stands (note N35).
+
+use std::time::Duration;
+
+use dobot_arm::Joints;
+use dobot_course::Place;
+use dobot_wire::{Command, Configuration, Status};
+
+/// What shows that an arm was reset: its base angle is 0 by order, rear arm and forearm are read anew
+/// from their sensors, and what it was told is forgotten (notes N28 and N35).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResetEvidence {
+    /// How long no status came before this one, if that was longer than a few losses explain.
+    pub silent_for: Option<Duration>,
+    /// The joint angles before.
+    pub before: Joints,
+    /// The joint angles now.
+    pub now: Joints,
+    /// Whether they changed more than any motion could have changed them in that time.
+    pub jumped: bool,
+    /// Whether the base angle is 0, as after every reset.
+    pub base_is_zero: bool,
+}
+
+impl std::fmt::Display for ResetEvidence {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let angles = |it: &Joints| [it.base.0, it.rear.0, it.fore.0];
+        let ([b, r, v], [b2, r2, v2]) = (angles(&self.before), angles(&self.now));
+        if let Some(silent_for) = self.silent_for {
+            write!(
+                f,
+                "it was silent for {:.1} s and ",
+                silent_for.as_secs_f64()
+            )?;
+        }
+        write!(
+            f,
+            "its angles went from {b:.2}, {r:.2}, {v:.2} to {b2:.2}, {r2:.2}, {v2:.2}°"
+        )?;
+        if self.jumped {
+            f.write_str(", faster than it can move")?;
+        }
+        Ok(())
+    }
+}
+
+/// Watches the statuses for a reset.
+#[derive(Debug)]
+pub(crate) struct Trust {
+    trusted: bool,
+    last: Option<(Duration, Status)>,
+    /// The initial angles that were sent, and not seen yet.
+    told: Option<[f32; 2]>,
+}
+
+impl Trust {
+    pub(crate) const fn new(trusted: bool) -> Self {
+        Self {
+            trusted,
+            last: None,
+            told: None,
+        }
+    }
+
+    pub(crate) const fn trusted(&self) -> bool {
+        self.trusted
+    }
+
+    pub(crate) const fn confirm(&mut self) {
+        self.trusted = true;
+    }
+
+    pub(crate) fn handle_sent(&mut self, command: &Command) {
+        if let Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) = command
+        {
+            self.told = Some([*rear_deg, *fore_deg]);
+        }
+    }
+
+    /// Takes a status; says what shows a reset. `at_rest` tells whether nothing is under way, and
+    /// `to_zero` whether something is that turns the base to 0.
+    pub(crate) fn handle_status(
+        &mut self,
+        now: Duration,
+        status: &Status,
+        at_rest: bool,
+        to_zero: bool,
+    ) -> Option<ResetEvidence> {
+        let (heard, before) = self.last.replace((now, *status))?;
+        if self.told.is_some_and(|told| shows(status, told)) {
+            self.told = None;
+            self.trusted = true;
+            return None;
+        }
+        let silent_for = now.saturating_sub(heard);
+        let deaf = silent_for >= DEAF;
+        let jumped = self.told.is_none() && jumped(&before, status, silent_for);
+        let base_is_zero = status.base_deg == 0.0;
+        let read_anew = before.rear_deg != status.rear_deg || before.fore_deg != status.fore_deg;
+        let turned = before.base_deg != status.base_deg;
+        let begun_anew = base_is_zero && !to_zero && (turned || at_rest && read_anew);
+        if !(jumped || deaf && begun_anew) {
+            return None;
+        }
+        self.trusted = false;
+        Some(ResetEvidence {
+            silent_for: deaf.then_some(silent_for),
+            before: Place::of_status(&before).joints,
+            now: Place::of_status(status).joints,
+            jumped,
+            base_is_zero,
+        })
+    }
+}
+
+fn shows(status: &Status, [rear_deg, fore_deg]: [f32; 2]) -> bool {
+    let near = |told: f32, found: f32| (told - found).abs() <= SAME_DEG;
+    near(rear_deg, status.rear_deg)
+        && near(fore_deg, status.fore_deg)
+        && status.base_deg.abs() <= SAME_DEG
+}
+
+/// Whether a joint changed faster than it can turn.
+fn jumped(before: &Status, now: &Status, within: Duration) -> bool {
+    let most_deg = FASTEST_DEG_S * (within.as_secs_f32() + LATE_S);
+    [
+        now.base_deg - before.base_deg,
+        now.rear_deg - before.rear_deg,
+        now.fore_deg - before.fore_deg,
+    ]
+    .iter()
+    .any(|way| way.abs() > most_deg)
+}
+
+/// Six statuses and a half.
+const DEAF: Duration = Duration::from_millis(520);
+/// Half as fast again as a stock arm ever turns on its own, 200 degrees/s.
+const FASTEST_DEG_S: f32 = 300.0;
+/// A status may be as late as this on its way, and the one before was not.
+const LATE_S: f32 = 0.04;
+const SAME_DEG: f32 = 0.01;
