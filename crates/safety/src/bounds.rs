@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// The least and the most that is allowed; both are allowed. In a file: `[min, max]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(from = "[f64; 2]", into = "[f64; 2]")]
+#[serde(try_from = "Vec<f64>", into = "[f64; 2]")]
 #[schemars(with = "[f64; 2]")]
 pub struct Bounds {
     /// The least.
@@ -35,14 +35,6 @@ impl Bounds {
         value.max(self.min).min(self.max)
     }
 
-    /// The same, made wider so that it contains `value` too.
-    pub(crate) const fn with(self, value: f64) -> Self {
-        Self {
-            min: self.min.min(value),
-            max: self.max.max(value),
-        }
-    }
-
     /// The same with so much more on either side.
     pub(crate) const fn grown(self, by: f64) -> Self {
         Self {
@@ -54,17 +46,22 @@ impl Bounds {
 
 impl fmt::Display for Bounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.min.is_finite(), self.max.is_finite()) {
-            (true, true) => write!(f, "{} to {}", self.min, self.max),
-            (true, false) => write!(f, "{} and more", self.min),
-            (false, _) => write!(f, "{} and less", self.max),
-        }
+        write!(f, "{} to {}", self.min, self.max)
     }
 }
 
-impl From<[f64; 2]> for Bounds {
-    fn from([min, max]: [f64; 2]) -> Self {
-        Self { min, max }
+/// A reader that takes arrays by their length would be content with the first two of three numbers.
+impl TryFrom<Vec<f64>> for Bounds {
+    type Error = String;
+
+    fn try_from(numbers: Vec<f64>) -> Result<Self, Self::Error> {
+        match numbers[..] {
+            [min, max] => Ok(Self { min, max }),
+            _ => Err(format!(
+                "found {} numbers in brackets, expected two, [min, max]",
+                numbers.len()
+            )),
+        }
     }
 }
 

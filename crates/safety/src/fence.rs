@@ -96,7 +96,7 @@ impl<'a> Fence<'a> {
     pub(crate) fn begin(&mut self, at: &Stop) {
         for gate in &mut self.limits {
             if gate.limit.key != LASER_AREA {
-                gate.now = gate.now.with(at.measures[gate.limit.measure as usize]);
+                gate.now = gate.wide_enough_for(at);
             }
         }
         for fenced in &mut self.zones {
@@ -107,12 +107,9 @@ impl<'a> Fence<'a> {
     /// The way came here: the rules become narrower, where they were too wide.
     pub(crate) fn advance(&mut self, to: &Stop) {
         for gate in &mut self.limits {
-            let strict = gate.limit.bounds.grown(ROUNDING);
-            if gate.now != strict {
-                let still = strict.with(to.measures[gate.limit.measure as usize]);
-                gate.now.min = gate.now.min.max(still.min);
-                gate.now.max = gate.now.max.min(still.max);
-            }
+            let still = gate.wide_enough_for(to);
+            gate.now.min = gate.now.min.max(still.min);
+            gate.now.max = gate.now.max.min(still.max);
         }
         for fenced in &mut self.zones {
             if fenced.now_mm < fenced.strict_mm {
@@ -154,6 +151,14 @@ impl<'a> Fence<'a> {
         zones
             .iter()
             .find_map(|fenced| fenced.broken_between(&sweep, &a.body, &b.body))
+    }
+}
+
+impl Gate {
+    fn wide_enough_for(&self, at: &Stop) -> Bounds {
+        let value = at.measures[self.limit.measure as usize];
+        let Bounds { min, max } = self.limit.bounds;
+        Bounds::new(min.min(value), max.max(value)).grown(ROUNDING)
     }
 }
 

@@ -52,7 +52,7 @@ impl Policy {
 
     fn check_burning_speed(&self, vector: &WriteVector) -> Result<(), Violation> {
         let found = f64::from(vector.max_speed_mm_s);
-        let allowed = Bounds::new(self.laser.least_speed_mm_s, f64::INFINITY);
+        let allowed = Bounds::new(self.laser.least_speed_mm_s, self.speed.writing_mm_s);
         if allowed.contains(found) {
             return Ok(());
         }

@@ -54,5 +54,5 @@ pub use sections::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, LaserRules, QueueRules,
     SpeedCeilings, Table, ToolLengths, Workspace,
 };
-pub use violation::{Spot, Violation};
+pub use violation::{Judged, Spot, Violation};
 pub use zone::{Area, Cylinder, KeepOut};

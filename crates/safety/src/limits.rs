@@ -28,8 +28,8 @@ impl Policy {
             limit("joints.opening", Measure::Opening, joints.opening_deg),
             limit("workspace.x", Measure::X, space.x_mm),
             limit("workspace.y", Measure::Y, space.y_mm),
-            limit("table", Measure::Z, Bounds::new(lowest_mm, f64::INFINITY)),
             limit("workspace.z", Measure::Z, space.z_mm),
+            limit(TABLE, Measure::Z, Bounds::new(lowest_mm, HIGHEST_MM)),
             limit("workspace.reach", Measure::Reach, space.reach_mm),
         ]);
         if burning {
@@ -51,6 +51,12 @@ const fn limit(key: &'static str, measure: Measure, bounds: Bounds) -> Limit {
         bounds,
     }
 }
+
+/// What is above the table: more than the arm can reach, so that no other rule is meant.
+const HIGHEST_MM: f64 = 300.0;
+
+/// The rule of the table.
+pub(crate) const TABLE: &str = "table";
 
 /// The only rule from outside of which a burning laser may not come back in.
 pub(crate) const LASER_AREA: &str = "laser.area";

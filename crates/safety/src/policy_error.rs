@@ -40,8 +40,8 @@ impl PolicyError {
 
 /// The line of a place in a text, counted from 1.
 pub(crate) fn line_at(text: &str, offset: usize) -> usize {
-    let before = &text.as_bytes()[..offset.min(text.len())];
-    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    text.get(..offset)
+        .map_or(1, |before| before.split('\n').count())
 }
 
 struct At(Option<usize>);

@@ -233,7 +233,7 @@ fn at_most(key: &str, name: &str, found: f64, most: f64, unit: &str) -> Result<(
     if found <= most * (1.0 + ROUNDING) {
         return Ok(());
     }
-    let allowed = Bounds::new(f64::NEG_INFINITY, most);
+    let allowed = Bounds::new(0.0, most);
     Err(Violation::of_value(key, name, found, allowed, unit))
 }
 

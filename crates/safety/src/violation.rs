@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::Bounds;
 use crate::fence::{Broken, Stop};
-use crate::limits::Limit;
+use crate::limits::{Limit, TABLE};
 use crate::walk::Breach;
 
 /// Which rule forbids a command, where on its way, and what would be allowed.
@@ -23,17 +23,23 @@ pub struct Violation {
     pub rule: String,
     /// What is wrong, in one line.
     pub message: String,
-    /// What the rule found, in its unit: the value farthest from what is allowed, where it is about
-    /// a value.
-    pub found: Option<f64>,
-    /// What the rule allows, in its unit.
-    pub allowed: Option<Bounds>,
-    /// The allowed value nearest to what was found.
-    pub nearest_value: Option<f64>,
+    /// What was found and what is allowed, where the rule is about a value.
+    pub value: Option<Box<Judged>>,
     /// The first place on the way that is forbidden.
-    pub at: Option<Spot>,
+    pub at: Option<Box<Spot>>,
     /// The last place on the way that is allowed: x, y and z in mm.
     pub nearest: Option<[f64; 3]>,
+}
+
+/// A value that is not allowed, in the unit of its rule.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Judged {
+    /// What was found: on a way the value farthest from what is allowed.
+    pub found: f64,
+    /// What is allowed.
+    pub allowed: Bounds,
+    /// The allowed value nearest to what was found.
+    pub nearest: f64,
 }
 
 /// A place on a way.
@@ -58,15 +64,18 @@ impl Violation {
         allowed: Bounds,
         unit: &str,
     ) -> Self {
-        let message = format!(
-            "{name} would be {}{unit}; {rule} allows {}",
-            Told(found),
-            Allowed(allowed, unit)
-        );
+        let found_here = Told(found);
+        let least = Told(allowed.min);
+        let message = if rule == TABLE {
+            format!(
+                "{name} would be {found_here}{unit}; {rule} allows {least}{unit} and more with this tool"
+            )
+        } else {
+            let most = Told(allowed.max);
+            format!("{name} would be {found_here}{unit}; {rule} allows {least} to {most}{unit}")
+        };
         Self {
-            found: Some(found),
-            allowed: Some(allowed),
-            nearest_value: Some(allowed.nearest(found)),
+            value: Some(Box::new(Judged::new(found, allowed))),
             ..Self::of_words(rule, message)
         }
     }
@@ -76,9 +85,7 @@ impl Violation {
         Self {
             rule: rule.to_owned(),
             message,
-            found: None,
-            allowed: None,
-            nearest_value: None,
+            value: None,
             at: None,
             nearest: None,
         }
@@ -95,21 +102,20 @@ impl Violation {
     /// A place where the arm cannot be; the rule is the one that says so at its widest.
     pub(crate) fn of_arm(error: &Unreachable) -> Self {
         let message = error.to_string();
-        let Unreachable::OutOfRange {
-            quantity,
-            found,
-            min,
-            max,
-        } = *error
-        else {
-            return Self::of_words(ARM, message);
-        };
-        let allowed = Bounds::new(min, max);
-        Self {
-            found: Some(found),
-            allowed: Some(allowed),
-            nearest_value: Some(allowed.nearest(found)),
-            ..Self::of_words(key_of(quantity), message)
+        match *error {
+            Unreachable::OutOfRange {
+                quantity,
+                found,
+                min,
+                max,
+            } => {
+                let allowed = Bounds::new(if min.is_finite() { min } else { LEAST }, max);
+                Self {
+                    value: Some(Box::new(Judged::new(found, allowed))),
+                    ..Self::of_words(key_of(quantity), message)
+                }
+            }
+            _ => Self::of_words(ARM, message),
         }
     }
 
@@ -124,14 +130,14 @@ impl Violation {
             Told(breach.gone_mm),
             Seconds(breach.at_s),
         );
-        let at = breach.at.map(|stop| Spot {
+        let spot = |stop: Stop| Spot {
             along_mm: breach.gone_mm,
             after_s: breach.at_s,
             ..Spot::of(&stop)
-        });
+        };
         Self {
             message,
-            at,
+            at: breach.at.map(spot).map(Box::new),
             nearest: Some(nearest),
             ..told
         }
@@ -140,7 +146,7 @@ impl Violation {
     /// A place that breaks a rule, while nothing moves.
     pub(crate) fn of_place(broken: &Broken, stop: &Stop) -> Self {
         Self {
-            at: Some(Spot::of(stop)),
+            at: Some(Box::new(Spot::of(stop))),
             ..Self::of_broken(broken, |limit| stop.measures[limit.measure as usize])
         }
     }
@@ -158,6 +164,16 @@ impl Violation {
             }
             Broken::Unreachable(error) => Self::of_arm(error),
             Broken::Unclear => Self::of_words(ARM, UNCLEAR.to_owned()),
+        }
+    }
+}
+
+impl Judged {
+    const fn new(found: f64, allowed: Bounds) -> Self {
+        Self {
+            found,
+            allowed,
+            nearest: allowed.nearest(found),
         }
     }
 }
@@ -202,19 +218,6 @@ impl fmt::Display for Told {
     }
 }
 
-struct Allowed<'a>(Bounds, &'a str);
-
-impl fmt::Display for Allowed<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(Bounds { min, max }, unit) = *self;
-        match (min.is_finite(), max.is_finite()) {
-            (true, true) => write!(f, "{} to {}{unit}", Told(min), Told(max)),
-            (true, false) => write!(f, "{}{unit} and more", Told(min)),
-            (false, _) => write!(f, "{}{unit} and less", Told(max)),
-        }
-    }
-}
-
 struct Seconds(Option<f64>);
 
 impl fmt::Display for Seconds {
@@ -226,5 +229,8 @@ impl fmt::Display for Seconds {
 
 /// The rule of what the arm itself cannot do.
 pub(crate) const ARM: &str = "arm";
+
+/// Where the arm itself has no least, in degrees or mm: less than it can ever be.
+const LEAST: f64 = -300.0;
 
 const UNCLEAR: &str = "the arm would be folded or stretched so far that a straight line turns its joints at any speed; move it by its joints (movj, joint jog)";

@@ -172,8 +172,8 @@ fn within(
     (part[0] <= part[1]).then_some(part)
 }
 
-pub(crate) fn distance(a: Point, b: Point) -> f64 {
-    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+pub(crate) fn distance(from: Point, to: Point) -> f64 {
+    let [x, y, z] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
     (x * x + y * y + z * z).sqrt()
 }
 

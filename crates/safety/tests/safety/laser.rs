@@ -51,7 +51,7 @@ fn a_laser_burns_only_within_its_area() {
     let desk = Desk::at(200.0, 0.0, 0.0).under(area);
     desk.allows(burning(50.0, 50.0));
     let violation = desk.refuses("laser.area", burning(0.0, 60.0));
-    assert_eq!(violation.nearest_value, Some(50.0));
+    assert_eq!(violation.value.map(|it| it.nearest), Some(50.0));
     desk.allows(vector(0.0, 60.0, 0.0));
     // Outside already: coming back in burns too.
     Desk::at(200.0, 60.0, 0.0)

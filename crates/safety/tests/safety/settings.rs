@@ -27,8 +27,16 @@ fn what_is_configured_counts_with_its_percentage() {
     // At the 50 % of power-up.
     desk.allows(playback(400.0, 20.0));
     let violation = desk.refuses("speed.joint", playback(500.0, 20.0));
-    assert_near(violation.found.expect("a value"), 250.0, 1e-9);
-    assert_near(violation.nearest_value.expect("a value"), 200.0, 1e-9);
+    assert_near(
+        violation.value.as_ref().expect("a value").found,
+        250.0,
+        1e-9,
+    );
+    assert_near(
+        violation.value.as_ref().expect("a value").nearest,
+        200.0,
+        1e-9,
+    );
     desk.model.settings.playback.joint_deg_s = 400.0;
     let percent = |speed_percent| PlaybackAdjustment {
         speed_percent,
