@@ -8,6 +8,7 @@ mod jobs;
 mod keeper;
 mod rehearsal;
 mod remote;
+mod http;
 mod running;
 mod words;
 
@@ -20,5 +21,6 @@ pub use remote::{
     ConnectError, Heard, Hello, Remote, RemoteError, StationAddress, StationAddressError, Trust,
     TrustError, fetch, fingerprint,
 };
+pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use running::{Running, RunningError};
 pub use words::*;

@@ -1,0 +1,34 @@
+//! The web side of the station: page, API, its document, WebSockets, and who may do what.
+//!
+//! A connection (`listen`) carries requests through the gate (`gate`: is it meant for us, where does
+//! it come from, who asks, how often) to its route (`routes`, `calls`), or becomes a WebSocket
+//! (`socket`). Whatever is not done is answered with a problem document (`kinds`).
+
+mod answer;
+mod app;
+mod bodies;
+mod calls;
+mod document;
+#[cfg(test)]
+mod double;
+mod gate;
+mod kinds;
+mod listen;
+mod messages;
+mod page;
+mod private;
+mod rate;
+mod route;
+mod routes;
+mod served;
+mod socket;
+mod strict;
+#[cfg(test)]
+mod tests;
+mod tls;
+mod tokens;
+mod visits;
+
+pub use served::{ServeError, Served, Web, serve};
+pub use tls::TlsError;
+pub use tokens::{Token, Tokens, TokensError};

@@ -1,0 +1,233 @@
+//! Answers, and what requests are read into.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Json;
+use axum::body::{Body as HttpBody, Bytes};
+use axum::extract::{FromRequest, FromRequestParts, Path, Request};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, REFERRER_POLICY, RETRY_AFTER,
+    WWW_AUTHENTICATE, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::request::Parts;
+use axum::http::{HeaderValue, StatusCode};
+use axum::response::{IntoResponse, Response};
+use futures_util::StreamExt;
+use serde::de::DeserializeOwned;
+
+use super::app::App;
+use super::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
+use super::strict;
+use crate::words::{Problem, Refusal};
+
+/// How large a body may be, unless its route takes more.
+pub(super) const BODY: usize = 64 * 1024;
+
+/// How large a job may be.
+pub(super) const JOB: usize = 64 * 1024 * 1024;
+
+/// How long a body may take to arrive.
+const BODY_WITHIN: Duration = Duration::from_secs(30);
+
+/// From which length on text is read beside everything else.
+const LONG: usize = 256 * 1024;
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        let mut response = (status, Json(self)).into_response();
+        let headers = response.headers_mut();
+        headers.insert(CONTENT_TYPE, PROBLEM_JSON);
+        match status {
+            StatusCode::UNAUTHORIZED => {
+                headers.insert(
+                    WWW_AUTHENTICATE,
+                    HeaderValue::from_static("Bearer realm=\"dobot\""),
+                );
+            }
+            StatusCode::TOO_MANY_REQUESTS => {
+                headers.insert(RETRY_AFTER, HeaderValue::from_static("1"));
+            }
+            _ => {}
+        }
+        response
+    }
+}
+
+const PROBLEM_JSON: HeaderValue = HeaderValue::from_static("application/problem+json");
+
+impl IntoResponse for Refusal {
+    fn into_response(self) -> Response {
+        Problem::from(&self).into_response()
+    }
+}
+
+impl From<Refusal> for Problem {
+    fn from(refusal: Refusal) -> Self {
+        Self::from(&refusal)
+    }
+}
+
+/// Requests come too fast; they may go on after this time.
+pub(super) struct TooSoon(pub(super) Duration);
+
+impl IntoResponse for TooSoon {
+    fn into_response(self) -> Response {
+        let wait_s = self.0.as_secs_f64().ceil().max(1.0);
+        let problem = TOO_MANY_REQUESTS.hinted(
+            "requests of this address come faster than the station takes them",
+            format!("wait for {wait_s} s"),
+        );
+        let mut response = problem.into_response();
+        let value = HeaderValue::from_str(&wait_s.to_string()).expect("a number is a header");
+        response.headers_mut().insert(RETRY_AFTER, value);
+        response
+    }
+}
+
+/// JSON that is written already.
+pub(super) fn json(text: String) -> Response {
+    ([(CONTENT_TYPE, "application/json")], text).into_response()
+}
+
+/// Adds the headers that keep browsers from doing harm.
+pub(super) fn guarded(mut response: Response) -> Response {
+    let headers = response.headers_mut();
+    for (name, value) in GUARDS {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+const GUARDS: [(HeaderName, &str); 6] = [
+    (
+        CONTENT_SECURITY_POLICY,
+        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    ),
+    (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    (REFERRER_POLICY, "no-referrer"),
+    (CACHE_CONTROL, "no-store"),
+    (
+        HeaderName::from_static("cross-origin-resource-policy"),
+        "same-origin",
+    ),
+    (
+        HeaderName::from_static("cross-origin-opener-policy"),
+        "same-origin",
+    ),
+];
+
+/// A body of JSON of up to `LIMIT` bytes.
+#[derive(Debug)]
+pub(super) struct Body<T, const LIMIT: usize = BODY>(pub(super) T);
+
+impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
+where
+    T: DeserializeOwned + Send + 'static,
+{
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, Problem> {
+        let (parts, body) = request.into_parts();
+        let bytes = collect(body, LIMIT).await?;
+        check_type(&parts)?;
+        read(bytes).await.map(Self)
+    }
+}
+
+/// A body of JSON that may be missing.
+#[derive(Debug)]
+pub(super) struct Maybe<T>(pub(super) T);
+
+impl<T> FromRequest<Arc<App>> for Maybe<T>
+where
+    T: DeserializeOwned + Default + Send + 'static,
+{
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, Problem> {
+        let (parts, body) = request.into_parts();
+        let bytes = collect(body, BODY).await?;
+        if bytes.is_empty() {
+            return Ok(Self(T::default()));
+        }
+        check_type(&parts)?;
+        read(bytes).await.map(Self)
+    }
+}
+
+async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+    let arriving = collect_slowly(body, limit);
+    let arrived = tokio::time::timeout(BODY_WITHIN, arriving).await;
+    arrived.unwrap_or_else(|_| {
+        let within_s = BODY_WITHIN.as_secs();
+        Err(TIMEOUT.problem(format!("the body was not there within {within_s} s")))
+    })
+}
+
+async fn collect_slowly(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+    let mut chunks = body.into_data_stream();
+    let mut all = Vec::new();
+    while let Some(chunk) = chunks.next().await {
+        let chunk =
+            chunk.map_err(|error| MALFORMED.problem(format!("the body breaks off: {error}")))?;
+        if all.len() + chunk.len() > limit {
+            return Err(TOO_LARGE.problem(format!(
+                "the body has more than {limit} bytes, and this takes no more"
+            )));
+        }
+        all.extend_from_slice(&chunk);
+    }
+    Ok(all.into())
+}
+
+fn check_type(parts: &Parts) -> Result<(), Problem> {
+    let found = parts.headers.get(CONTENT_TYPE).map(HeaderValue::as_bytes);
+    let essence = found.unwrap_or_default().split(|&byte| byte == b';').next();
+    if essence
+        .unwrap_or_default()
+        .trim_ascii()
+        .eq_ignore_ascii_case(b"application/json")
+    {
+        return Ok(());
+    }
+    let found = found.map_or("missing".into(), String::from_utf8_lossy);
+    Err(MEDIA_TYPE.hinted(
+        format!("the Content-Type is {found}; bodies are application/json"),
+        "send `Content-Type: application/json`",
+    ))
+}
+
+async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
+    beside(text, strict::read).await
+}
+
+/// Reads text, beside everything else if it is long.
+pub(super) async fn beside<T: Send + 'static>(text: Bytes, read: fn(&[u8]) -> T) -> T {
+    if text.len() < LONG {
+        return read(&text);
+    }
+    let reading = tokio::task::spawn_blocking(move || read(&text));
+    reading
+        .await
+        .expect("reading JSON does not panic, and nobody cancels it")
+}
+
+/// The number in a path.
+#[derive(Debug)]
+pub(super) struct Number(pub(super) u64);
+
+impl FromRequestParts<Arc<App>> for Number {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, Problem> {
+        let Path(text) = Path::<String>::from_request_parts(parts, app)
+            .await
+            .map_err(|error| MALFORMED.problem(error.body_text()))?;
+        text.parse().map(Self).map_err(|_| {
+            let text: String = text.chars().take(40).collect();
+            MALFORMED.problem(format!("{text:?} in the path is no number"))
+        })
+    }
+}

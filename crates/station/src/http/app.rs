@@ -1,0 +1,93 @@
+//! What all requests share.
+
+use std::net::SocketAddr;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use tokio::sync::{Semaphore, watch};
+use tokio::time::Instant;
+
+use super::listen::Seat;
+use super::rate::Addresses;
+use super::tokens::Tokens;
+use super::visits::Visits;
+use crate::Handle;
+use crate::words::Role;
+
+/// What all requests share.
+#[derive(Debug)]
+pub(super) struct App {
+    pub(super) handle: Handle,
+    tokens: Mutex<Tokens>,
+    /// What those may do who come without a token; nobody may where there is none.
+    pub(super) without_token: Option<Role>,
+    /// The names that the station goes by, besides its addresses.
+    pub(super) names: Vec<String>,
+    pub(super) visits: Visits,
+    pub(super) addresses: Addresses,
+    /// How many more WebSockets there may be.
+    pub(super) sockets: Arc<Semaphore>,
+    /// Turns true when the station ends.
+    pub(super) ending: watch::Receiver<bool>,
+    began: Instant,
+}
+
+impl App {
+    pub(super) fn new(
+        handle: Handle,
+        tokens: Tokens,
+        without_token: Option<Role>,
+        names: Vec<String>,
+        ending: watch::Receiver<bool>,
+    ) -> Arc<Self> {
+        Arc::new(Self {
+            handle,
+            tokens: Mutex::new(tokens),
+            without_token,
+            names,
+            visits: Visits::default(),
+            addresses: Addresses::default(),
+            sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
+            ending,
+            began: Instant::now(),
+        })
+    }
+
+    /// The time since the start.
+    pub(super) fn now(&self) -> Duration {
+        self.began.elapsed()
+    }
+
+    /// Name and role of whoever has this token.
+    pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
+        let mut tokens = self.tokens.lock().unwrap_or_else(PoisonError::into_inner);
+        tokens.holder(secret)
+    }
+}
+
+/// How many WebSockets there may be at once.
+pub(super) const MOST_SOCKETS: usize = 2000;
+
+/// The two ends of a connection.
+#[derive(Clone, Debug)]
+pub(super) struct Peer {
+    pub(super) from: SocketAddr,
+    pub(super) to: SocketAddr,
+    /// Whether it is encrypted.
+    pub(super) secure: bool,
+    /// Its place among all connections, for as long as any part of it is there.
+    pub(super) _seat: Arc<Seat>,
+}
+
+/// Who asks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Visitor {
+    /// What it is called until it says better.
+    pub(super) name: String,
+    pub(super) role: Role,
+}
+
+/// Waits until the station ends, or nobody is left who could end it.
+pub(super) async fn ended(mut ending: watch::Receiver<bool>) {
+    drop(ending.wait_for(|&ends| ends).await);
+}

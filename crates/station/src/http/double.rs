@@ -1,0 +1,193 @@
+//! A stand-in for the owner of an arm: it grants everything, and remembers what it was asked.
+
+use std::sync::{Arc, Mutex};
+
+use dobot_wire::Status;
+use tokio::sync::mpsc;
+
+use crate::Handle;
+use crate::handle::{Ends, Message, Rules};
+use crate::words::*;
+
+/// What the stand-in has been asked for so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Asked(Arc<Mutex<Vec<(ClientId, Request)>>>);
+
+impl Asked {
+    pub(super) fn requests(&self) -> Vec<Request> {
+        let asked = self.0.lock().expect("no test panics while it holds this");
+        asked.iter().map(|(_, request)| request.clone()).collect()
+    }
+
+    pub(super) fn clients(&self) -> Vec<ClientId> {
+        let asked = self.0.lock().expect("no test panics while it holds this");
+        asked.iter().map(|(client, _)| *client).collect()
+    }
+}
+
+/// A stand-in for the owner, and what tells states and notices in its name.
+pub(super) fn owner() -> (Handle, Arc<Telling>, Asked) {
+    let rules = Rules {
+        policy: serde_json::json!({"jog": {"dead_man_s": 0.15}}),
+        dead_man_s: 0.15,
+    };
+    let (handle, mut ends) = Handle::new(state(0.0), rules);
+    let (_, nothing) = mpsc::channel(1);
+    let messages = std::mem::replace(&mut ends.messages, nothing);
+    let telling = Arc::new(Telling {
+        ends,
+        gone: Mutex::default(),
+        trouble: Mutex::default(),
+    });
+    let asked = Asked::default();
+    tokio::spawn(serve(messages, telling.clone(), asked.clone()));
+    (handle, telling, asked)
+}
+
+/// What tells states and notices in the name of the owner.
+#[derive(Debug)]
+pub(super) struct Telling {
+    pub(super) ends: Ends,
+    /// Clients that left.
+    pub(super) gone: Mutex<Vec<ClientId>>,
+    /// What those who watch were to know.
+    pub(super) trouble: Mutex<Vec<String>>,
+}
+
+async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<Telling>, asked: Asked) {
+    let mut next = 1;
+    let mut refusing = std::collections::HashSet::new();
+    while let Some(message) = messages.recv().await {
+        match message {
+            Message::Came { name, role, reply } => {
+                if name == "refused" {
+                    refusing.insert(ClientId(next));
+                }
+                assert!(role >= Role::Watch);
+                // Nobody may be waiting any more, here and below.
+                let _ = reply.send(ClientId(next));
+                next += 1;
+            }
+            Message::Left(client) => telling.gone.lock().expect("as above").push(client),
+            Message::Asked {
+                client,
+                request,
+                reply,
+            } => {
+                let answer = match &request {
+                    _ if refusing.contains(&client) => Err(Refusal::LaserDisarmed),
+                    Request::StartJob { job: 404 } => Err(Refusal::NoSuchJob(404)),
+                    request => Ok(granted(client, request)),
+                };
+                asked.0.lock().expect("as above").push((client, request));
+                let _ = reply.send(answer);
+            }
+            Message::Raw { reply, .. } => {
+                let _ = reply.send(Ok(()));
+            }
+            Message::Jobs(reply) => {
+                let _ = reply.send(vec![job(7)]);
+            }
+            Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
+            Message::End => break,
+        }
+    }
+}
+
+fn granted(client: ClientId, request: &Request) -> Reply {
+    match request {
+        Request::Command { .. } => Reply::Accepted {
+            command: 12,
+            takes_s: Some(1.5),
+        },
+        Request::Stop { .. } => Reply::Stopping {
+            rests_within_s: 0.8,
+        },
+        Request::TakeLease | Request::SeizeLease => Reply::Lease {
+            lease: Some(LeaseView {
+                client,
+                name: "test".into(),
+                since_s: 3.0,
+                asked_by: Vec::new(),
+            }),
+        },
+        Request::AskLease | Request::ReleaseLease | Request::GrantLease { .. } => {
+            Reply::Lease { lease: None }
+        }
+        Request::SubmitJob { .. } | Request::StartJob { .. } | Request::PauseJob => {
+            Reply::Job { job: job(8) }
+        }
+        _ => Reply::Done,
+    }
+}
+
+pub(super) fn job(number: u64) -> JobView {
+    JobView {
+        job: number,
+        title: "a house".into(),
+        kind: JobKind::Drawing,
+        phase: JobPhase::Running,
+        reason: None,
+        commands: 1200,
+        completed: 480,
+        planned_s: 300.0,
+        left_s: 180.0,
+    }
+}
+
+pub(super) fn state(at_s: f64) -> State {
+    State {
+        at_s,
+        link: LinkView {
+            address: Some("virtual:".into()),
+            phase: LinkPhase::Up,
+            problem: None,
+            statuses_per_s: 12.5,
+            lost_statuses: 0,
+            damaged_bytes: 0,
+            latency_ms: Some(84.0),
+        },
+        arm: Some(ArmView {
+            status: Status {
+                x_mm: 200.0,
+                y_mm: -31.4,
+                z_mm: 52.0,
+                rotation_deg: 0.0,
+                base_deg: -8.9,
+                rear_deg: 31.0,
+                fore_deg: 42.5,
+                servo_deg: 8.9,
+                suction: false,
+                gripper_deg: 12.0,
+            },
+            moving: true,
+        }),
+        dialect: Some(dobot_wire::Dialect::FIRMWARE_1_1),
+        trust: TrustView {
+            trusted: true,
+            reason: None,
+        },
+        queue: QueueView {
+            waiting: 2,
+            under_way: 1,
+            ahead_s: 0.4,
+        },
+        lease: None,
+        stop: None,
+        laser: LaserView {
+            armed_for_s: 0.0,
+            on: false,
+        },
+        job: Some(job(7)),
+        clients: 1,
+    }
+}
+
+pub(super) fn notice(number: u64, news: News, text: &str) -> Notice {
+    Notice {
+        number,
+        at_s: 1.0,
+        news,
+        text: text.into(),
+    }
+}

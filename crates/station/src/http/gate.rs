@@ -1,0 +1,197 @@
+//! Who comes in: each request passes here before it reaches its route.
+
+use std::net::IpAddr;
+use std::sync::Arc;
+
+use axum::extract::{MatchedPath, Request, State};
+use axum::http::header::{AUTHORIZATION, HOST, ORIGIN, SEC_WEBSOCKET_PROTOCOL};
+use axum::http::uri::Authority;
+use axum::http::{HeaderMap, HeaderName, Method};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+
+use super::answer::{self, TooSoon};
+use super::app::{App, Peer, Visitor};
+use super::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
+use super::routes;
+use crate::words::Problem;
+
+/// The start of the subprotocol by which a browser's WebSocket says its token.
+pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";
+
+/// Lets a request in, or answers it with what is wrong with it.
+pub(super) async fn pass(
+    State(app): State<Arc<App>>,
+    mut request: Request,
+    next: Next,
+) -> Response {
+    let peer = request.extensions().get::<Peer>().cloned();
+    let peer = peer.expect("every connection comes with its ends");
+    match look(&app, &peer, &request) {
+        Ok(visitor) => {
+            request.extensions_mut().insert(visitor);
+            answer::guarded(next.run(request).await)
+        }
+        Err(refused) => answer::guarded(refused),
+    }
+}
+
+fn look(app: &App, peer: &Peer, request: &Request) -> Result<Visitor, Response> {
+    let host = host(request).map_err(IntoResponse::into_response)?;
+    check_host(app, peer, &host).map_err(IntoResponse::into_response)?;
+    check_origin(peer, &host, request.headers()).map_err(IntoResponse::into_response)?;
+    let cost = app.addresses.take(peer.from.ip(), app.now(), 1.0);
+    let visitor = match identify(app, request.headers()) {
+        Ok(Some(visitor)) => visitor,
+        Ok(None) if is_open(request) => nobody(),
+        Ok(None) => return Err(no_token().into_response()),
+        Err(problem) => {
+            // Guessing is expensive. Whether that is still allowed shows with the next request.
+            let _ = app.addresses.take(peer.from.ip(), app.now(), WRONG_TOKEN);
+            return Err(problem.into_response());
+        }
+    };
+    match cost {
+        // Whoever may stop the arm may always stop it.
+        Err(wait) if !is_stop(request) => Err(TooSoon(wait).into_response()),
+        _ => Ok(visitor),
+    }
+}
+
+/// What a wrong token costs, in requests.
+const WRONG_TOKEN: f64 = 20.0;
+
+/// By which name or address the client means to reach the station.
+fn host(request: &Request) -> Result<Authority, Problem> {
+    let mut hosts = request.headers().get_all(HOST).iter();
+    let (Some(host), None) = (hosts.next(), hosts.next()) else {
+        return Err(
+            MALFORMED.problem("a request has one Host header; this one has none or several")
+        );
+    };
+    let text = host.to_str().unwrap_or_default();
+    let parsed = text
+        .parse::<Authority>()
+        .ok()
+        .filter(|it| !it.as_str().contains('@'));
+    let Some(host) = parsed else {
+        return Err(MALFORMED.problem("the Host header is no name or address with a port"));
+    };
+    match request.uri().authority() {
+        Some(other) if *other != host => {
+            Err(MALFORMED.problem("the Host header and the address of the request differ"))
+        }
+        _ => Ok(host),
+    }
+}
+
+/// Against pages that let a name of their own lead here.
+fn check_host(app: &App, peer: &Peer, host: &Authority) -> Result<(), Problem> {
+    let default = if peer.secure { 443 } else { 80 };
+    let port = host.port_u16().unwrap_or(default);
+    if port == peer.to.port() && is_ours(app, peer, host.host()) {
+        return Ok(());
+    }
+    Err(FORBIDDEN_HOST.hinted(
+        format!("this station is not called {host}"),
+        format!("use its address, {}", peer.to),
+    ))
+}
+
+fn is_ours(app: &App, peer: &Peer, name: &str) -> bool {
+    let to = peer.to.ip().to_canonical();
+    let bare = name.trim_start_matches('[').trim_end_matches(']');
+    match bare.parse::<IpAddr>() {
+        Ok(address) => address.to_canonical() == to,
+        Err(_) if name.eq_ignore_ascii_case("localhost") => to.is_loopback(),
+        Err(_) => app.names.iter().any(|it| it.eq_ignore_ascii_case(name)),
+    }
+}
+
+/// Against pages of other sites.
+fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<(), Problem> {
+    let scheme = if peer.secure { "https" } else { "http" };
+    let own = format!("{scheme}://{host}");
+    let strange =
+        |it: &&axum::http::HeaderValue| !it.as_bytes().eq_ignore_ascii_case(own.as_bytes());
+    if headers.get_all(ORIGIN).iter().any(|it| strange(&it)) {
+        return Err(FORBIDDEN_ORIGIN.problem("this request comes from the page of another site"));
+    }
+    match headers
+        .get(FETCH_SITE)
+        .map(axum::http::HeaderValue::as_bytes)
+    {
+        Some(b"cross-site" | b"same-site")
+            if headers.get(FETCH_MODE).is_none_or(|it| it != "navigate") =>
+        {
+            Err(FORBIDDEN_ORIGIN.problem("a page of another site asks for this"))
+        }
+        _ => Ok(()),
+    }
+}
+
+const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
+const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
+
+/// Who asks; nobody known where there is no token and that does not do.
+fn identify(app: &App, headers: &HeaderMap) -> Result<Option<Visitor>, Problem> {
+    let Some(token) = presented(headers)? else {
+        let role = app.without_token;
+        return Ok(role.map(|role| Visitor {
+            name: "http".into(),
+            role,
+        }));
+    };
+    match app.holder(&token) {
+        Some((name, role)) => Ok(Some(Visitor { name, role })),
+        None => Err(UNAUTHORISED.problem("the station does not know this token")),
+    }
+}
+
+/// The token that comes with a request.
+fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> {
+    if let Some(value) = headers.get(AUTHORIZATION) {
+        let text = value.to_str().unwrap_or_default();
+        return match text.split_once(' ') {
+            Some((scheme, token)) if scheme.eq_ignore_ascii_case("bearer") => {
+                Ok(Some(token.trim().into()))
+            }
+            _ => Err(UNAUTHORISED.problem("the Authorization header is not `Bearer <token>`")),
+        };
+    }
+    Ok(protocols(headers).find_map(|it| it.strip_prefix(TOKEN_PROTOCOL).map(Into::into)))
+}
+
+/// The subprotocols that a WebSocket offers.
+pub(super) fn protocols(headers: &HeaderMap) -> impl Iterator<Item = &str> {
+    let lines = headers.get_all(SEC_WEBSOCKET_PROTOCOL).iter();
+    lines
+        .filter_map(|it| it.to_str().ok())
+        .flat_map(|it| it.split(','))
+        .map(str::trim)
+}
+
+fn no_token() -> Problem {
+    UNAUTHORISED.hinted(
+        "this takes a token, and none came with it",
+        "send it as `Authorization: Bearer <token>`",
+    )
+}
+
+/// One who may see what everybody may.
+fn nobody() -> Visitor {
+    Visitor {
+        name: "anyone".into(),
+        role: crate::words::Role::Watch,
+    }
+}
+
+/// Whether the route is for everyone.
+fn is_open(request: &Request) -> bool {
+    let path = request.extensions().get::<MatchedPath>();
+    path.is_some_and(|path| routes::is_open(request.method(), path.as_str()))
+}
+
+fn is_stop(request: &Request) -> bool {
+    request.method() == Method::POST && request.uri().path() == routes::STOP
+}

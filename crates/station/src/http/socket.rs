@@ -1,0 +1,108 @@
+//! WebSockets: from the request to upgrade to the last word.
+
+mod pace;
+mod talk;
+
+use std::sync::Arc;
+
+use axum::Extension;
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::ws::rejection::WebSocketUpgradeRejection;
+use axum::extract::{Query as UrlQuery, State};
+use axum::http::Uri;
+use axum::response::Response;
+use futures_util::StreamExt;
+use schemars::SchemaGenerator;
+use serde::Deserialize;
+
+use self::talk::Talk;
+use super::answer::{BODY, JOB};
+use super::app::{App, MOST_SOCKETS, Peer, Visitor};
+use super::calls::is_name;
+use super::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
+use super::route::Query;
+use crate::words::{Problem, Role};
+
+/// What a client chooses when it connects.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Wants {
+    states: Option<f64>,
+    notices: Option<bool>,
+    name: Option<String>,
+}
+
+/// The same for the document.
+pub(super) const QUERIES: &[Query] = &[
+    Query {
+        name: "states",
+        what: "The most states in a second, 0 to 1000; without it every one comes (12.5 in a second, and those with events)",
+        schema: SchemaGenerator::subschema_for::<f64>,
+    },
+    Query {
+        name: "notices",
+        what: "Whether notices come; true without it",
+        schema: SchemaGenerator::subschema_for::<bool>,
+    },
+    Query {
+        name: "name",
+        what: "What the client calls itself, in 1 to 60 characters",
+        schema: SchemaGenerator::subschema_for::<String>,
+    },
+];
+
+impl Wants {
+    fn of(uri: &Uri) -> Result<Self, Problem> {
+        let UrlQuery(wants) = UrlQuery::<Self>::try_from_uri(uri).map_err(|error| {
+            MALFORMED.problem(format!("the query of the address: {}", error.body_text()))
+        })?;
+        wants.check()?;
+        Ok(wants)
+    }
+
+    fn check(&self) -> Result<(), Problem> {
+        if let Some(states) = self.states.filter(|it| !(0.0..=1000.0).contains(it)) {
+            return Err(MALFORMED.problem(format!(
+                "states is {states}; allowed is 0 to 1000 in a second"
+            )));
+        }
+        if self.name.as_ref().is_some_and(|name| !is_name(name)) {
+            return Err(
+                MALFORMED.problem("name: this takes 1 to 60 characters that can be printed")
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Answers a request to speak WebSocket.
+pub(super) async fn upgrade(
+    State(app): State<Arc<App>>,
+    Extension(visitor): Extension<Visitor>,
+    Extension(peer): Extension<Peer>,
+    uri: Uri,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Result<Response, Problem> {
+    let wants = Wants::of(&uri)?;
+    let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
+    let Ok(place) = app.sockets.clone().try_acquire_owned() else {
+        return Err(TOO_MANY_CLIENTS.problem(format!("{MOST_SOCKETS} WebSockets are open already")));
+    };
+    let name = wants.name.clone().unwrap_or(visitor.name);
+    let client = app.handle.client(&name, visitor.role).await?;
+    let largest = if visitor.role >= Role::Control {
+        JOB
+    } else {
+        BODY
+    };
+    let upgrade = upgrade
+        .protocols(["dobot"])
+        .max_message_size(largest)
+        .max_frame_size(largest);
+    Ok(upgrade.on_upgrade(move |socket| async move {
+        let (mut outgoing, mut incoming) = socket.split();
+        let mut talk = Talk::new(&app, client, name, &wants);
+        talk.run(&mut incoming, &mut outgoing).await;
+        drop((place, peer));
+    }))
+}

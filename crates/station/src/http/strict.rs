@@ -1,0 +1,271 @@
+//! JSON, read strictly: what is wrong is told with its place, and nothing is dropped or guessed.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{self, DeserializeOwned, MapAccess, SeqAccess, Visitor};
+use serde_json::Value;
+
+use super::kinds::{INVALID, MALFORMED};
+use crate::words::Problem;
+
+/// Reads a body or a message.
+///
+/// # Errors
+///
+/// [`MALFORMED`] with line and column where it is no JSON, [`INVALID`] with the field where it is
+/// not what it has to be: missing, unknown, of another type, too large for the arm's numbers.
+pub(super) fn read<T: DeserializeOwned>(text: &[u8]) -> Result<T, Problem> {
+    serde_json::from_slice::<Plain>(text).map_err(|error| not_plain(&error))?;
+    let mut json = serde_json::Deserializer::from_slice(text);
+    serde_path_to_error::deserialize(&mut json).map_err(|error| {
+        let path = error.path().to_string();
+        let message = bare(error.inner());
+        let field = culprit::<T>(text, &path, &message).unwrap_or(path);
+        INVALID.problem(match &*field {
+            "." => message,
+            field => format!("{field}: {message}"),
+        })
+    })
+}
+
+fn not_plain(error: &serde_json::Error) -> Problem {
+    let place = format!("line {}, column {}", error.line(), error.column());
+    let kind = if error.is_data() { INVALID } else { MALFORMED };
+    kind.problem(format!("{place}: {}", bare(error)))
+}
+
+/// The message without the place that `serde_json` appends.
+fn bare(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    text.strip_suffix(&place).map_or(text.clone(), Into::into)
+}
+
+/// The field that is wrong inside of a value whose fields are read out of order, because its type
+/// tells how: then the path of the error ends above it.
+///
+/// Fields are looked at in their order, so the wrong one is the last one whose replacement makes a
+/// difference to the message.
+fn culprit<T: DeserializeOwned>(text: &[u8], path: &str, message: &str) -> Option<String> {
+    if text.len() > LARGEST_SEARCH || !message.starts_with("invalid ") {
+        return None;
+    }
+    let body: Value = serde_json::from_slice(text).ok()?;
+    let mut leaves = Vec::new();
+    collect(&body, String::new(), String::new(), &mut leaves);
+    let below = leaves
+        .into_iter()
+        .filter(|leaf| leaf.name.starts_with(path.trim_start_matches('.')));
+    let differs = |leaf: &Leaf| {
+        let mut other = body.clone();
+        if let Some(value) = other.pointer_mut(&leaf.pointer) {
+            *value = Value::Array(vec![Value::Null]);
+        }
+        serde_json::from_value::<T>(other).map_or_else(|error| bare(&error), |_| String::new())
+            != message
+    };
+    below.filter(differs).last().map(|leaf| leaf.name)
+}
+
+const LARGEST_SEARCH: usize = 4096;
+
+/// A value without values in it.
+struct Leaf {
+    /// Its place as a JSON pointer.
+    pointer: String,
+    /// Its place as people write it.
+    name: String,
+}
+
+fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>) {
+    match value {
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                let escaped = key.replace('~', "~0").replace('/', "~1");
+                let dot = if name.is_empty() { "" } else { "." };
+                collect(
+                    value,
+                    format!("{pointer}/{escaped}"),
+                    format!("{name}{dot}{key}"),
+                    leaves,
+                );
+            }
+        }
+        Value::Array(items) => {
+            for (index, value) in items.iter().enumerate() {
+                collect(
+                    value,
+                    format!("{pointer}/{index}"),
+                    format!("{name}[{index}]"),
+                    leaves,
+                );
+            }
+        }
+        _ => leaves.push(Leaf { pointer, name }),
+    }
+}
+
+/// Any JSON whose numbers the arm's numbers can hold.
+struct Plain;
+
+impl<'de> Deserialize<'de> for Plain {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Self)
+    }
+}
+
+impl<'de> Visitor<'de> for Plain {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_i64<E>(self, _: i64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<Self, E> {
+        if number.abs() <= f64::from(f32::MAX) {
+            return Ok(self);
+        }
+        Err(E::custom(format_args!(
+            "{number:e} is too large; numbers go from -3.4e38 to 3.4e38"
+        )))
+    }
+
+    fn visit_str<E>(self, _: &str) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_unit<E>(self) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self, A::Error> {
+        while items.next_element::<Self>()?.is_some() {}
+        Ok(self)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Self, A::Error> {
+        while fields.next_entry::<Self, Self>()?.is_some() {}
+        Ok(self)
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_wire::Command;
+
+    use super::*;
+    use crate::words::{NewJob, Request};
+
+    fn detail<T: DeserializeOwned + fmt::Debug>(text: &str) -> (u16, String) {
+        let problem = read::<T>(text.as_bytes()).unwrap_err();
+        (problem.status, problem.detail)
+    }
+
+    fn command(x_mm: &str) -> String {
+        format!(
+            r#"{{"type": "move_to", "x_mm": {x_mm}, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,
+                "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}}"#
+        )
+    }
+
+    #[test]
+    fn reads_what_is_right() {
+        assert!(matches!(
+            read(command("200").as_bytes()).unwrap(),
+            Command::MoveTo(target) if target.x_mm == 200.0
+        ));
+    }
+
+    #[test]
+    fn text_that_is_no_json_is_told_with_its_place() {
+        let (status, detail) = detail::<Command>("{\n  \"type\": oops}");
+        assert_eq!(
+            (status, &*detail),
+            (400, "line 2, column 11: expected value")
+        );
+    }
+
+    #[test]
+    fn numbers_too_large_for_the_arm_never_become_infinite() {
+        for number in ["1e999", "-1e999", "1e39", "-1e300"] {
+            let (status, detail) = detail::<Command>(&command(number));
+            assert!(matches!(status, 400 | 422), "{number}: {status} {detail}");
+            assert!(detail.contains("line 1, column"), "{detail}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_type_is_told_with_its_field() {
+        let (status, detail) = detail::<Command>(&command("\"far\""));
+        assert_eq!(status, 422);
+        assert_eq!(detail, "x_mm: invalid type: string \"far\", expected f32");
+    }
+
+    #[test]
+    fn the_wrong_one_of_two_equal_values_is_told() {
+        let text = command("200").replace("\"rotation_deg\": 0", "\"rotation_deg\": false");
+        let (_, detail) = detail::<Command>(&text);
+        assert!(
+            detail.starts_with("rotation_deg: invalid type: boolean"),
+            "{detail}"
+        );
+    }
+
+    #[test]
+    fn a_field_inside_of_a_list_is_told_with_its_number() {
+        let text = format!(
+            r#"{{"title": "a", "kind": "drawing", "commands": [{}, {}]}}"#,
+            command("200"),
+            command("null")
+        );
+        let (_, detail) = detail::<NewJob>(&text);
+        assert!(
+            detail.starts_with("commands[1].x_mm: invalid type: null"),
+            "{detail}"
+        );
+    }
+
+    #[test]
+    fn fields_that_do_not_exist_are_told_and_not_dropped() {
+        let text = command("200").replace("\"x_mm\"", "\"x\": 1, \"x_mm\"");
+        let (status, told) = detail::<Command>(&text);
+        assert_eq!(status, 422);
+        assert!(
+            told.starts_with("unknown field `x`, expected one of"),
+            "{told}"
+        );
+        let (_, told) = detail::<Request>(r#"{"type": "start_job", "job": 3, "now": true}"#);
+        assert!(told.contains("unknown field `now`"), "{told}");
+    }
+
+    #[test]
+    fn missing_fields_are_told() {
+        let (status, detail) = detail::<Command>(r#"{"type": "move_to"}"#);
+        assert_eq!((status, &*detail), (422, "missing field `x_mm`"));
+    }
+
+    #[test]
+    fn what_is_nested_without_end_is_no_json_of_ours() {
+        let deep = "[".repeat(100_000);
+        assert_eq!(detail::<Command>(&deep).0, 400);
+    }
+
+    #[test]
+    fn text_after_the_end_is_told() {
+        assert_eq!(detail::<Command>(&(command("200") + "x")).0, 400);
+    }
+}
