@@ -149,7 +149,7 @@ async fn an_arm_that_starts_anew_when_its_port_is_opened_is_silent_first() {
 async fn a_client_that_does_not_read_loses_statuses_and_does_not_stop_the_arm() {
     let served = serve(server(&[]), async |connector: Connector, _| {
         let mut stream = connector.connect().await.expect("the arm is free");
-        tokio::time::sleep(Duration::from_secs(60)).await;
+        tokio::time::sleep(Duration::from_mins(1)).await;
         let mut bytes = vec![0; 100_000];
         let mut had = 0;
         while let Ok(Ok(len)) = tokio::time::timeout(ms(1), stream.read(&mut bytes[had..])).await {

@@ -276,6 +276,11 @@ impl Handle {
         let _ = self.send(Message::End).await;
     }
 
+    /// Waits until the station has ended.
+    pub(crate) async fn ended(&self) {
+        self.messages.closed().await;
+    }
+
     async fn send(&self, message: Message) -> Result<(), Refusal> {
         let sent = self.messages.send(message).await;
         sent.map_err(|_| Refusal::Ending)

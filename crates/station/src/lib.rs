@@ -23,4 +23,21 @@ pub use remote::{
 };
 pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use running::{Running, RunningError};
+mod bridge;
+#[cfg(test)]
+mod double;
+mod finder;
+mod handle;
+mod program;
+mod raw;
+#[cfg(unix)]
+mod virtual_port;
+mod words;
+
+pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
+pub use handle::{Client, Handle, Snapshot};
+pub use program::{ProgramNews, Traffic};
+pub use raw::{DEFAULT_RAW, RawPort, RawPortError};
+#[cfg(unix)]
+pub use virtual_port::VirtualPort;
 pub use words::*;

@@ -1,0 +1,240 @@
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
+use proptest::prelude::*;
+use tokio::io::{DuplexStream, duplex, split};
+use tokio::task::JoinHandle;
+
+use super::*;
+use crate::Handle;
+use crate::double::Double;
+use crate::words::Role;
+
+/// A packet that can be told from others.
+fn packet(speed_percent: u8) -> [u8; 42] {
+    let jog = JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: speed_percent.into(),
+    };
+    let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
+    frame.to_bytes()
+}
+
+/// A program, its bridge and the owner at the other end of it.
+struct Bridged {
+    program: DuplexStream,
+    owner: Double,
+    bridge: JoinHandle<Traffic>,
+    handle: Handle,
+}
+
+/// What a program has that reads and writes through buffers of so many bytes.
+async fn bridged(buffer: usize) -> Bridged {
+    let (handle, mut owner) = Double::new(4);
+    let (program, ours) = duplex(buffer);
+    let statuses = handle.packets();
+    let known = tokio::spawn({
+        let handle = handle.clone();
+        async move { handle.client("a program", Role::Control).await }
+    });
+    owner.admit().await;
+    let client = known.await.expect("it runs").expect("it is let in");
+    let bridge = tokio::spawn(async move {
+        let (reader, writer) = split(ours);
+        bridge(reader, writer, &client, statuses).await
+    });
+    Bridged {
+        program,
+        owner,
+        bridge,
+        handle,
+    }
+}
+
+fn refusal() -> Result<(), Refusal> {
+    Err(Refusal::LaserDisarmed)
+}
+
+#[tokio::test]
+async fn packets_go_to_the_owner_and_statuses_to_the_program_byte_for_byte() {
+    let mut it = bridged(4096).await;
+    it.program.write_all(&packet(1)).await.expect("it is open");
+    assert_eq!(it.owner.grant().await, packet(1));
+    let any_bytes: [u8; 42] = std::array::from_fn(|n| u8::try_from(n * 6).expect("it fits"));
+    it.owner.send_status(any_bytes);
+    let mut got = [0; 42];
+    it.program.read_exact(&mut got).await.expect("it comes");
+    assert_eq!(got, any_bytes);
+    drop(it.program);
+    let traffic = it.bridge.await.expect("it runs");
+    assert_eq!((traffic.packets, traffic.statuses), (1, 1));
+    assert_eq!((traffic.refused, traffic.damaged_bytes), (0, 0));
+}
+
+#[tokio::test]
+async fn a_program_that_leaves_is_a_client_that_leaves() {
+    let mut it = bridged(4096).await;
+    drop(it.program);
+    it.owner.left().await;
+    it.bridge.await.expect("it runs");
+}
+
+#[tokio::test]
+async fn the_bridge_ends_with_the_station() {
+    let mut it = bridged(4096).await;
+    drop(it.owner);
+    it.program.write_all(&packet(1)).await.expect("it is open");
+    it.bridge.await.expect("it runs");
+    assert_eq!(it.program.read(&mut [0]).await.expect("it is its end"), 0);
+    drop(it.handle);
+}
+
+#[tokio::test]
+async fn statuses_come_while_a_packet_waits_for_the_owner() {
+    let mut it = bridged(4096).await;
+    it.program.write_all(&packet(1)).await.expect("it is open");
+    let (_, _, unanswered) = it.owner.asked().await;
+    it.owner.send_status([7; 42]);
+    let mut got = [0; 42];
+    it.program.read_exact(&mut got).await.expect("it comes");
+    drop(unanswered);
+}
+
+#[tokio::test]
+async fn nothing_more_is_read_while_the_owner_has_not_answered() {
+    let mut it = bridged(420).await;
+    let flood = tokio::spawn(async move {
+        let mut sent = 0_u64;
+        while it.program.write_all(&packet(1)).await.is_ok() {
+            sent += 1;
+        }
+        sent
+    });
+    let (_, _, unanswered) = it.owner.asked().await;
+    for _ in 0..1000 {
+        tokio::task::yield_now().await;
+    }
+    assert!(it.owner.idle(), "one packet at a time");
+    it.bridge.abort();
+    drop(unanswered);
+    // One read of 4096 bytes at the most, and what the stream holds.
+    let sent = flood.await.expect("it runs");
+    assert!(sent <= 4096 / 42 + 11, "{sent} packets were taken");
+}
+
+#[tokio::test(start_paused = true)]
+async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_them() {
+    let mut it = bridged(4096).await;
+    let started = Instant::now();
+    let flood =
+        tokio::spawn(async move { while it.program.write_all(&packet(1)).await.is_ok() {} });
+    let mut refused = 0_u32;
+    while started.elapsed().as_secs() < 60 {
+        it.owner.answer(refusal()).await;
+        refused += 1;
+    }
+    // 960 bytes a second are 22.9 packets, and half a second is free.
+    assert!((1300..=1390).contains(&refused), "{refused} in a minute");
+    it.bridge.abort();
+    flood.await.expect("it runs");
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_statuses() {
+    let mut it = bridged(4096).await;
+    for status in 0..200 {
+        let started = Instant::now();
+        it.owner.send_status([status; 42]);
+        let mut got = [0; 42];
+        it.program.read_exact(&mut got).await.expect("it comes");
+        it.program.write_all(&packet(1)).await.expect("it is open");
+        it.owner.answer(refusal()).await;
+        assert!(started.elapsed().is_zero(), "{:?}", started.elapsed());
+        tokio::time::advance(std::time::Duration::from_millis(80)).await;
+    }
+    drop(it.program);
+    let traffic = it.bridge.await.expect("it runs");
+    assert_eq!((traffic.packets, traffic.refused), (200, 200));
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest() {
+    // The stream holds two statuses, the bridge one, the owner four.
+    let mut it = bridged(84).await;
+    for status in 0..100 {
+        it.owner.send_status([status; 42]);
+        tokio::task::yield_now().await;
+    }
+    let mut got = Vec::new();
+    let mut status = [0; 42];
+    let patience = std::time::Duration::from_secs(1);
+    while let Ok(read) = tokio::time::timeout(patience, it.program.read_exact(&mut status)).await {
+        read.expect("it is open");
+        assert_eq!(status, [status[0]; 42], "it came whole");
+        got.push(status[0]);
+    }
+    it.owner.send_status([200; 42]);
+    it.program.read_exact(&mut status).await.expect("it comes");
+    assert_eq!(status, [200; 42]);
+    assert!(got.is_sorted() && got.len() <= 7, "{got:?}");
+    drop(it.program);
+    let traffic = it.bridge.await.expect("it runs");
+    assert_eq!(traffic.statuses, got.len() as u64 + 1);
+    assert_eq!(traffic.statuses + traffic.lost_statuses, 101);
+}
+
+#[tokio::test]
+async fn a_web_page_is_cut_off_before_any_packet_of_its_own() {
+    let mut it = bridged(4096).await;
+    let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:5555\r\n\r\n".to_vec();
+    request.extend(packet(1));
+    it.program.write_all(&request).await.expect("it is open");
+    let traffic = it.bridge.await.expect("it runs");
+    assert!(traffic.web);
+    it.owner.left().await;
+    assert!(it.owner.idle());
+}
+
+/// Runs bytes through a bridge, cut into pieces, and returns the packets that reach the owner.
+fn through(bytes: Vec<u8>, cut: usize) -> (Vec<[u8; 42]>, Traffic) {
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_time()
+        .start_paused(true)
+        .build()
+        .expect("there is memory");
+    runtime.block_on(async {
+        let mut it = bridged(4096).await;
+        let sending = tokio::spawn(async move {
+            for piece in bytes.chunks(cut) {
+                it.program.write_all(piece).await.expect("it is open");
+            }
+        });
+        let mut packets = Vec::new();
+        while let Some(packet) = it.owner.grant_unless_left().await {
+            packets.push(packet);
+        }
+        sending.await.expect("it runs");
+        (packets, it.bridge.await.expect("it runs"))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn packets_are_found_behind_any_noise_and_every_byte_is_counted(
+        noise in proptest::collection::vec(any::<u8>(), 0..3000),
+        cut in 1_usize..500,
+    ) {
+        // A first byte that no web request has.
+        let mut bytes = vec![0];
+        bytes.extend(noise);
+        // As many zeros as a packet is long end any false beginning in the noise.
+        bytes.extend([0; 42]);
+        let len = bytes.len() as u64;
+        bytes.extend(packet(1));
+        bytes.extend(packet(2));
+        let (packets, traffic) = through(bytes, cut);
+        prop_assert!(packets.ends_with(&[packet(1), packet(2)]));
+        let of_packets = 42 * traffic.packets;
+        prop_assert_eq!(of_packets + traffic.damaged_bytes, len + 84);
+    }
+}
