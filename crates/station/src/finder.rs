@@ -30,7 +30,7 @@ pub use search::{Search, WhereFound};
 ///
 /// 1. the port where the arm was found last: the same USB chip, wherever it is plugged in now;
 /// 2. ports of the USB chips that arms were built with: Arduino Mega (2341:0010, 2341:0042), CH340
-///    (1a86:7523), FTDI (0403:6001), CP210x (10c4:ea60);
+///    (1a86:7523), FTDI (0403:6001), CP2102 (10c4:ea60);
 /// 3. the other USB serial ports.
 ///
 /// All of them at 9600 baud, then all of them at each other speed that the search tells. Ports that

@@ -24,9 +24,12 @@ use crate::{Handle, ProgramNews, Traffic};
 /// told so after a moment only: a program that is started again may come before the end of the last
 /// one was seen.
 ///
-/// The port is on this machine only: the protocol knows no passwords. It follows that a program that
-/// ends always takes its connection with it, so that a connection that is merely silent belongs to a
-/// program that is there; it is never taken away from it.
+/// The port is on this machine only: the protocol knows no passwords. What begins as web browsers do
+/// is cut off, for a page from anywhere can make a browser send packets here.
+///
+/// A program on this machine that ends takes its connection with it, however it ends. So a connection
+/// that is merely silent belongs to a program that is there, perhaps one that only watches, and is not
+/// taken from it for the sake of the next.
 #[derive(Debug)]
 pub struct RawPort {
     listener: TcpListener,
@@ -91,12 +94,13 @@ impl RawPort {
     pub async fn serve(self, handle: &Handle, mut tell: impl FnMut(ProgramNews)) {
         let mut next = None;
         loop {
-            let program = match next.take() {
-                Some(program) => program,
-                None => tokio::select! {
+            let program = if let Some(program) = next.take() {
+                program
+            } else {
+                tokio::select! {
                     program = accept(&self.listener, &mut tell) => program,
                     () = handle.ended() => return,
-                },
+                }
             };
             match self.serve_one(program, handle, &mut tell).await {
                 Ok(waiting) => next = waiting,

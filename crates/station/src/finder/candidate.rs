@@ -135,7 +135,7 @@ impl Candidate {
 }
 
 /// Vendor and product of the USB chips that arms were built with: two kinds of Arduino Mega, CH340,
-/// FTDI FT232R, CP210x.
+/// FTDI FT232R, CP2102.
 const LIKELY: [(u16, u16); 5] = [
     (0x2341, 0x0010),
     (0x2341, 0x0042),

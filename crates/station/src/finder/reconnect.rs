@@ -50,7 +50,7 @@ mod tests {
         let mut pauses_ms = Vec::new();
         for _ in 0..6 {
             let next = reconnect.poll_wakeup();
-            pauses_ms.push((next - now).as_millis());
+            pauses_ms.push(next.abs_diff(now).as_millis());
             now = next + Duration::from_secs(5);
             reconnect.handle_missed(now);
         }

@@ -1,1 +1,199 @@
+use std::net::Ipv4Addr;
 
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
+use tokio::io::AsyncReadExt;
+use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
+
+use super::*;
+use crate::double::Double;
+
+/// A raw port with the owner behind it, and what is told.
+struct Lab {
+    address: SocketAddr,
+    owner: Double,
+    told: UnboundedReceiver<ProgramNews>,
+}
+
+impl Lab {
+    async fn new() -> Self {
+        let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
+        let port = RawPort::bind(any).await.expect("a port is free");
+        let address = port.address();
+        let (handle, owner) = Double::new(16);
+        let (tell, told) = unbounded_channel();
+        tokio::spawn(async move {
+            let tell = |news| {
+                // A test that has seen enough listens no more.
+                let _ = tell.send(news);
+            };
+            port.serve(&handle, tell).await;
+        });
+        Self {
+            address,
+            owner,
+            told,
+        }
+    }
+
+    /// Comes, and is not let in yet.
+    async fn come(&self) -> TcpStream {
+        TcpStream::connect(self.address).await.expect("it listens")
+    }
+
+    /// Comes and is let in.
+    async fn program(&mut self) -> TcpStream {
+        let program = self.come().await;
+        let from = program.local_addr().expect("it is connected");
+        let (_, name, role) = self.owner.admit().await;
+        assert_eq!(name, format!("raw program {from}"));
+        assert_eq!(role, Role::Control);
+        assert_eq!(self.news().await, ProgramNews::Came { name });
+        program
+    }
+
+    async fn news(&mut self) -> ProgramNews {
+        self.told.recv().await.expect("the port is served")
+    }
+}
+
+fn packet() -> [u8; 42] {
+    let jog = JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: 50.0,
+    };
+    let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
+    frame.to_bytes()
+}
+
+async fn assert_served(lab: &mut Lab, program: &mut TcpStream) {
+    program.write_all(&packet()).await.expect("it is open");
+    assert_eq!(lab.owner.grant().await, packet());
+    lab.owner.send_status([9; 42]);
+    let mut status = [0; 42];
+    program.read_exact(&mut status).await.expect("one comes");
+    assert_eq!(status, [9; 42]);
+}
+
+/// What it is told before it is closed.
+async fn read_to_end(program: &mut TcpStream) -> String {
+    let mut text = String::new();
+    program.read_to_string(&mut text).await.expect("it is text");
+    text
+}
+
+#[tokio::test]
+async fn an_old_program_is_a_client_that_may_control_the_arm() {
+    let mut lab = Lab::new().await;
+    let mut program = lab.program().await;
+    assert_served(&mut lab, &mut program).await;
+}
+
+#[tokio::test]
+async fn programs_come_and_leave_one_after_the_other() {
+    let mut lab = Lab::new().await;
+    for _ in 0..5 {
+        let mut program = lab.program().await;
+        assert_served(&mut lab, &mut program).await;
+        drop(program);
+        lab.owner.left().await;
+        let ProgramNews::Left { traffic, .. } = lab.news().await else {
+            panic!("it has left");
+        };
+        assert_eq!((traffic.packets, traffic.statuses), (1, 1));
+    }
+}
+
+#[tokio::test]
+async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_on() {
+    let mut lab = Lab::new().await;
+    let mut first = lab.program().await;
+    let mut second = lab.come().await;
+    // What it sends at once does not keep the reason from it.
+    second.write_all(&packet()).await.expect("it is open");
+    let reason = read_to_end(&mut second).await;
+    let [first_name, second_name] = [&first, &second].map(|it| {
+        let from = it.local_addr().expect("it is connected");
+        format!("raw program {from}")
+    });
+    assert!(reason.contains(&first_name), "{reason}");
+    assert!(reason.is_ascii() && reason.ends_with("\r\n"), "{reason}");
+    let turned_away = ProgramNews::TurnedAway {
+        name: second_name,
+        by: first_name,
+    };
+    assert_eq!(lab.news().await, turned_away);
+    assert_served(&mut lab, &mut first).await;
+}
+
+#[tokio::test]
+async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_was_not_seen() {
+    let mut lab = Lab::new().await;
+    let mut first = lab.program().await;
+    first.write_all(&packet()).await.expect("it is open");
+    // Nothing more is read from the first one, and so not its end, until this is answered.
+    let (_, _, answer) = lab.owner.asked().await;
+    drop(first);
+    let mut second = lab.come().await;
+    answer.send(Ok(())).expect("it waits");
+    lab.owner.left().await;
+    let (_, name, _) = lab.owner.admit().await;
+    assert!(matches!(lab.news().await, ProgramNews::Left { .. }));
+    assert_eq!(lab.news().await, ProgramNews::Came { name });
+    assert_served(&mut lab, &mut second).await;
+}
+
+#[tokio::test]
+async fn a_program_that_breaks_off_in_the_middle_of_a_packet_harms_nobody() {
+    let mut lab = Lab::new().await;
+    let mut torn = lab.program().await;
+    torn.write_all(&packet()[..20]).await.expect("it is open");
+    drop(torn);
+    lab.owner.left().await;
+    let ProgramNews::Left { traffic, .. } = lab.news().await else {
+        panic!("it has left");
+    };
+    assert_eq!((traffic.packets, traffic.damaged_bytes), (0, 20));
+    let mut next = lab.program().await;
+    assert_served(&mut lab, &mut next).await;
+}
+
+#[tokio::test]
+async fn a_web_page_gets_nothing_and_moves_nothing() {
+    let mut lab = Lab::new().await;
+    let mut page = lab.program().await;
+    let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".to_vec();
+    request.extend(packet());
+    page.write_all(&request).await.expect("it is open");
+    lab.owner.left().await;
+    let ProgramNews::Left { traffic, .. } = lab.news().await else {
+        panic!("it was cut off");
+    };
+    assert!(traffic.web);
+}
+
+#[tokio::test]
+async fn the_port_is_for_this_machine_alone() {
+    for outside in ["0.0.0.0:5555", "192.168.1.2:5555", "[::]:5555"] {
+        let address = outside.parse().expect("it is an address");
+        let error = RawPort::bind(address).await.expect_err("it is not allowed");
+        assert!(error.to_string().contains("127.0.0.1"), "{error}");
+    }
+}
+
+#[tokio::test]
+async fn a_port_that_another_program_has_is_told_as_in_use() {
+    let lab = Lab::new().await;
+    let error = RawPort::bind(lab.address).await.expect_err("it is taken");
+    assert!(matches!(error, RawPortError::InUse { .. }), "{error}");
+}
+
+#[tokio::test]
+async fn the_port_closes_with_the_station() {
+    let mut lab = Lab::new().await;
+    let mut program = lab.program().await;
+    drop(lab.owner);
+    program.write_all(&packet()).await.expect("it is open");
+    assert_eq!(read_to_end(&mut program).await, "");
+    // The telling ends with the serving.
+    while lab.told.recv().await.is_some() {}
+}
