@@ -7,13 +7,12 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_client::{CommandId, Connection, Event, LinkError, SendError, position};
-use dobot_wire::{
-    Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector,
-};
+use dobot_wire::{WriteMode, WriteVector};
 use thiserror::Error;
 
+use crate::commands::{LASER_OFF, approach, single, to_start, write};
 use crate::pen::Pen;
-use crate::plan::{MoveKind, Plan, PlannedVector};
+use crate::plan::{MoveKind, Plan};
 
 /// How far a drawing has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -177,24 +176,10 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
     /// Laser off, pen holder mounted, acceleration set, and then to the start of the first vector.
     async fn approach(&mut self) -> Result<(), LinkError> {
         self.arm.next_status().await?;
-        self.arm.send(LASER_OFF)?;
-        self.arm.send(Configuration::EndEffector {
-            tool: EndEffector::SuctionCup,
-        })?;
-        self.arm.send(Configuration::Writing {
-            acceleration_mm_s2: single(self.pen.acceleration_mm_s2),
-        })?;
-        let [x_mm, y_mm, z_mm] = self.plan.start.map(single);
-        let there = self.arm.send(MoveTo {
-            x_mm,
-            y_mm,
-            z_mm,
-            rotation_deg: y_mm.atan2(x_mm).to_degrees(),
-            suction: false,
-            mode: MovingMode::Jump,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        })?;
+        for command in approach(self.plan) {
+            self.arm.send(command)?;
+        }
+        let there = self.arm.send(to_start(self.plan))?;
         self.arm.completed(there).await
     }
 
@@ -310,21 +295,6 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
     }
 }
 
-/// The packet's contents for a planned vector (state 4; Table 2.6).
-const fn write(vector: &PlannedVector) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: vector.x_mm,
-        y_mm: vector.y_mm,
-        z_mm: vector.z_mm,
-        laser: false,
-        start_speed_mm_s: vector.start_speed_mm_s,
-        end_speed_mm_s: vector.end_speed_mm_s,
-        max_speed_mm_s: vector.max_speed_mm_s,
-        stop: false,
-    }
-}
-
 impl fmt::Display for Parting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -336,15 +306,6 @@ impl fmt::Display for Parting {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
-const LASER_OFF: JointJog = JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-};
 const FEW: usize = 4;
 const GAP: Duration = Duration::from_millis(60);
 const LEAST_LIFT_MM: f64 = 0.01;
