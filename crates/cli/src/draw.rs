@@ -8,18 +8,23 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use dobot_arm::{Limits, Pose, Position, Tool, Unreachable};
+use dobot_client::position;
 use dobot_draw::{
     Deviation, Parting, Pen, Picture, Placement, Point, PrepareError, Prepared, Progress, Settings,
     Size, Stopped, Stroke, View, deviation, fontdb, ink, ink_seen, prepare,
 };
 use dobot_sim::RECORDING_PERIOD;
+use dobot_station::{JobKind, NewJob, Remote, Reply, Request, State};
+use dobot_wire::Dialect;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
-use crate::connect::{Connected, To};
+use crate::connect::{Connected, Reached, To};
+use crate::control::{self, take_control};
 use crate::failure::Failure;
+use crate::follow;
 use crate::interrupt::interrupt;
-use crate::output;
+use crate::output::{self, clock};
 
 /// Draw an SVG file
 #[derive(Debug, clap::Args)]
@@ -27,14 +32,18 @@ use crate::output;
     allow_negative_numbers = true,
     after_help = "\
 Examples:
-  dobot draw picture.svg --picture drawn.png             a virtual arm draws, as fast as it can be calculated
+  dobot draw picture.svg                                 through the running station, if there is one
+  dobot draw picture.svg --to virtual: --picture drawn.png
+                                                         a virtual arm draws, as fast as it can be calculated
   dobot draw picture.svg --fit                           as large as the drawing area allows
   dobot draw picture.svg --scale 0.5 --at 200 30         half the size, its middle at that point
   dobot draw picture.svg --to serial:/dev/ttyUSB0 --dialect firmware-1.1
 
 The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
 arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down says
-otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got."
+otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.
+
+When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dobot jobs start` goes on with it."
 )]
 pub(crate) struct Args {
     /// The SVG file, or - for standard input
@@ -87,21 +96,25 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     for warning in &prepared.warnings {
         eprintln!("warning: {warning}");
     }
-    let mut connected = args.to.connect().await?;
-    if args.pen_down.is_none() && !args.to.is_virtual() {
-        let z_mm = connected.arm.next_status().await?.z_mm;
-        settings.pen = args.pen(z_mm.into());
+    let mut reached = args.to.reach("draw").await?;
+    if let Some(pen) = args.pen_of(&mut reached).await? {
+        settings.pen = pen;
         prepared = args.prepare(&svg, &settings)?;
     }
-    if let Some(arm) = &connected.virtual_arm {
-        arm.arm().record(RECORDING_PERIOD);
-    }
-    let (outcome, drawn) = draw(&mut connected, &prepared, &settings.pen).await;
+    let (outcome, drawn) = match &mut reached {
+        Reached::Station(station) => args.through(station, &prepared, &settings.pen).await,
+        Reached::Arm(connected) => {
+            if let Some(arm) = &connected.virtual_arm {
+                arm.arm().record(RECORDING_PERIOD);
+            }
+            draw(connected, &prepared, &settings.pen).await
+        }
+    };
     let report = Report::new(&prepared, &drawn, outcome.as_ref().ok().copied());
     if let Some(file) = &args.picture {
         args.write_picture(file, &prepared, &drawn, &report)?;
     }
-    let time = outcome.map_err(stopped)?;
+    let time = outcome?;
     report.print(time, args.json)?;
     if let (Some(file), false) = (&args.picture, args.json) {
         output::line(&format!("picture            {}", file.display()))?;
@@ -121,7 +134,7 @@ async fn draw(
     connected: &mut Connected,
     prepared: &Prepared,
     pen: &Pen,
-) -> (Result<Duration, Stopped>, Drawn) {
+) -> (Result<Duration, Failure>, Drawn) {
     let bar = progress_bar(prepared);
     let total_s = prepared.plan.duration_s();
     let tell = |progress: Progress| {
@@ -142,15 +155,64 @@ async fn draw(
         ),
         None => ink_seen(seen.iter().copied(), pen.down_z_mm),
     };
-    let drawn = Drawn {
-        deviation: deviation(&prepared.wanted, &strokes),
-        strokes,
-        true_position: connected.virtual_arm.is_some(),
-    };
-    (outcome.map(|it| it.time), drawn)
+    let drawn = Drawn::new(prepared, strokes, connected.virtual_arm.is_some());
+    (outcome.map(|it| it.time).map_err(stopped), drawn)
 }
 
 impl Args {
+    /// Queues the drawing as a job of the station, and follows it.
+    async fn through(
+        &self,
+        station: &mut Remote,
+        prepared: &Prepared,
+        pen: &Pen,
+    ) -> (Result<Duration, Failure>, Drawn) {
+        let mut seen = Vec::new();
+        let see = |state: &State| {
+            seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
+        };
+        let outcome = self.job(station, prepared, pen, see).await;
+        let strokes = ink_seen(seen.iter().copied(), pen.down_z_mm);
+        (outcome, Drawn::new(prepared, strokes, false))
+    }
+
+    async fn job(
+        &self,
+        station: &mut Remote,
+        prepared: &Prepared,
+        pen: &Pen,
+        see: impl FnMut(&State),
+    ) -> Result<Duration, Failure> {
+        // Nothing is queued that cannot be started.
+        take_control(station).await?;
+        let job = NewJob {
+            title: self.title(),
+            kind: JobKind::Drawing,
+            commands: prepared.plan.commands().collect(),
+            lift_mm: lift_mm(pen),
+        };
+        match station.request(Request::SubmitJob { job }).await? {
+            Reply::Job { job } => follow::start(station, job.job, see).await,
+            other => Err(anyhow!("the station answers {other:?} to a new job").into()),
+        }
+    }
+
+    /// The pen, where it depends on the arm.
+    async fn pen_of(&self, reached: &mut Reached) -> Result<Option<Pen>, Failure> {
+        let (z_mm, dialect) = match reached {
+            Reached::Station(station) => {
+                let (arm, dialect) = control::arm(station).await?;
+                (arm.status.z_mm, dialect)
+            }
+            Reached::Arm(it) if it.virtual_arm.is_none() && self.pen_down.is_none() => {
+                (it.arm.next_status().await?.z_mm, self.to.dialect)
+            }
+            Reached::Arm(_) => return Ok(None),
+        };
+        let down_z_mm = self.pen_down.unwrap_or(z_mm.into());
+        Ok(Some(self.pen(down_z_mm, dialect)))
+    }
+
     fn settings(&self, svg: &str) -> Settings {
         let size = match (self.fit, self.scale) {
             (true, _) => Size::Fit,
@@ -165,13 +227,16 @@ impl Args {
                 center,
                 ..Placement::default()
             },
-            pen: self.pen(self.pen_down.unwrap_or(Pen::default().down_z_mm)),
+            pen: self.pen(
+                self.pen_down.unwrap_or(Pen::default().down_z_mm),
+                self.to.dialect,
+            ),
             fonts: fonts(svg),
             ..Settings::default()
         }
     }
 
-    fn pen(&self, down_z_mm: f64) -> Pen {
+    fn pen(&self, down_z_mm: f64, dialect: Option<Dialect>) -> Pen {
         let lift_mm = Pen::default().up_z_mm - Pen::default().down_z_mm;
         Pen {
             down_z_mm,
@@ -180,7 +245,7 @@ impl Args {
             travel_speed_mm_s: self.travel_speed,
             acceleration_mm_s2: self.acceleration,
             // Nobody knows better over a port until it is told.
-            stops_at_corners: self.to.dialect.is_some_and(|it| !it.uses_start_speed),
+            stops_at_corners: dialect.is_some_and(|it| !it.uses_start_speed),
             ..Pen::default()
         }
     }
@@ -304,6 +369,14 @@ impl Report {
 }
 
 impl Drawn {
+    fn new(prepared: &Prepared, strokes: Vec<Stroke>, true_position: bool) -> Self {
+        Self {
+            deviation: deviation(&prepared.wanted, &strokes),
+            strokes,
+            true_position,
+        }
+    }
+
     /// What the statuses do not show is not missing.
     fn worst(&self) -> dobot_draw::Worst {
         let Deviation { astray, missed } = self.deviation;
@@ -391,18 +464,9 @@ fn progress_bar(prepared: &Prepared) -> ProgressBar {
     ProgressBar::new(vectors).with_style(style.expect("the template is well-formed"))
 }
 
-/// Minutes and seconds, or seconds with a decimal.
-fn clock(seconds: f64) -> String {
-    if seconds < 59.95 {
-        return format!("{:.1} s", seconds.max(0.0));
-    }
-    let whole = Duration::from_secs_f64(seconds.round()).as_secs();
-    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
-    if hours > 0 {
-        format!("{hours}:{minutes:02}:{seconds:02} h")
-    } else {
-        format!("{minutes}:{seconds:02} min")
-    }
+#[expect(clippy::cast_possible_truncation, reason = "as the job holds it")]
+fn lift_mm(pen: &Pen) -> f32 {
+    (pen.up_z_mm - pen.down_z_mm) as f32
 }
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {
@@ -423,17 +487,3 @@ fn is_png(file: &Path) -> bool {
 }
 
 const PNG_WIDTH_PX: u32 = 2000;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn times_read_like_a_clock() {
-        assert_eq!(clock(0.04), "0.0 s");
-        assert_eq!(clock(12.34), "12.3 s");
-        assert_eq!(clock(59.96), "1:00 min");
-        assert_eq!(clock(61.4), "1:01 min");
-        assert_eq!(clock(3725.0), "1:02:05 h");
-    }
-}

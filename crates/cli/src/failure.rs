@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use dobot_client::{LinkError, OpenError, SendError};
+use dobot_station::{ConnectError, RemoteError};
 
 /// What went wrong.
 #[derive(Debug)]
@@ -51,6 +52,12 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 /// What helps against the failures that any verb may meet.
 fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if let Some(error) = cause.downcast_ref::<OpenError>() {
+        return error.hint();
+    }
+    if let Some(error) = cause.downcast_ref::<ConnectError>() {
+        return error.hint();
+    }
+    if let Some(error) = cause.downcast_ref::<RemoteError>() {
         return error.hint();
     }
     let link = cause.downcast_ref::<LinkError>().or_else(|| {

@@ -4,9 +4,12 @@ use std::time::Duration;
 
 use anyhow::bail;
 use dobot_client::{Connection, LinkError};
+use dobot_station::{Jog, Remote, RemoteError, Request};
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
+use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
 
-use crate::connect::To;
+use crate::connect::{Reached, To};
+use crate::control::{self, arm_laser, carry_out, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -20,7 +23,8 @@ Examples:
   dobot jog suction-on
   dobot jog laser-on --for 0.2           on, and off again
 
-The axis is released when the time is over, on Ctrl-C, and when anything goes wrong.")]
+The axis is released when the time is over, on Ctrl-C, and when anything goes wrong. A station that does not
+hear of it any more releases it, too, and keeps the laser off without `--arm-laser`.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
     /// suction-on suction-off laser-on laser-off
@@ -32,6 +36,9 @@ pub(crate) struct Args {
     /// Share of the jog speed, in percent from 1 to 100
     #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
     speed: f32,
+    /// Let a station's laser be switched on for so many seconds: everybody's goggles are on
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    arm_laser: Option<Duration>,
     #[command(flatten)]
     to: To,
     /// Print the last status as JSON
@@ -47,19 +54,71 @@ enum Button {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut arm = args.to.connect().await?.arm;
-    arm.next_status().await?;
-    let pressed = arm.send(args.button.pressed(args.speed))?;
-    let held = tokio::select! {
-        held = hold(&mut arm, pressed, args.time) => held,
-        () = interrupt() => Ok(()),
+    let status = match args.to.reach("jog").await? {
+        Reached::Station(mut station) => args.through(&mut station).await?,
+        Reached::Arm(mut connected) => args.directly(&mut connected.arm).await?,
     };
-    if let Some(released) = args.button.released() {
-        release(&mut arm, released, held.is_err()).await?;
+    Ok(output::status(&status, args.json)?)
+}
+
+impl Args {
+    /// Through a station a button has to be held, and a switch has not.
+    async fn through(&self, station: &mut Remote) -> Result<Status, Failure> {
+        take_control(station).await?;
+        arm_laser(station, self.arm_laser).await?;
+        let pressed = self.button.pressed(self.speed);
+        match (self.button.held(self.speed), self.button.released()) {
+            (Some(jog), _) => {
+                let held = hold_through(station, jog, self.time).await;
+                station.request(Request::Release).await?;
+                held?;
+            }
+            (None, None) => carry_out(station, pressed).await?,
+            (None, Some(released)) => {
+                carry_out(station, pressed).await?;
+                tokio::select! {
+                    () = tokio::time::sleep(self.time) => {}
+                    () = interrupt() => {}
+                }
+                carry_out(station, released).await?;
+            }
+        }
+        control::rest(station).await
     }
-    held?;
-    let status = settled(&mut arm).await?;
-    output::status(&status, args.json)?;
+
+    async fn directly(&self, arm: &mut Connection) -> Result<Status, Failure> {
+        arm.next_status().await?;
+        let pressed = arm.send(self.button.pressed(self.speed))?;
+        let held = tokio::select! {
+            held = hold(arm, pressed, self.time) => held,
+            () = interrupt() => Ok(()),
+        };
+        if let Some(released) = self.button.released() {
+            release(arm, released, held.is_err()).await?;
+        }
+        held?;
+        Ok(settled(arm).await?)
+    }
+}
+
+/// Holds a button by saying so again and again, until its time is over or Ctrl-C.
+async fn hold_through(station: &mut Remote, jog: Jog, time: Duration) -> Result<(), RemoteError> {
+    let mut interrupt = std::pin::pin!(interrupt());
+    let until = Instant::now() + time;
+    let mut beat = interval(BEAT);
+    beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    while Instant::now() < until {
+        tokio::select! {
+            _ = beat.tick() => {
+                station.request(Request::Jog { jog }).await?;
+            }
+            heard = station.next() => {
+                heard?;
+            }
+            () = sleep_until(until) => {}
+            () = &mut interrupt => break,
+        }
+    }
     Ok(())
 }
 
@@ -118,6 +177,20 @@ impl Button {
                 speed_percent,
             }
             .into(),
+        }
+    }
+
+    /// What has to be held; nothing, for a switch.
+    fn held(self, speed_percent: f32) -> Option<Jog> {
+        match self {
+            Self::Joint(axis) => axis.moves().then_some(Jog::Joint(JointJog {
+                axis,
+                speed_percent,
+            })),
+            Self::Linear(axis) => Some(Jog::Linear(LinearJog {
+                axis,
+                speed_percent,
+            })),
         }
     }
 
@@ -185,3 +258,14 @@ fn seconds(text: &str) -> anyhow::Result<Duration> {
         _ => bail!("allowed are 0.02 to 60 seconds"),
     }
 }
+
+/// For how long a laser may be armed.
+pub(crate) fn laser_seconds(text: &str) -> anyhow::Result<Duration> {
+    match text.parse() {
+        Ok(seconds) if (1.0..=3600.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
+        _ => bail!("allowed are 1 to 3600 seconds"),
+    }
+}
+
+/// A third of the time after which a station lets a button go.
+const BEAT: Duration = Duration::from_millis(50);

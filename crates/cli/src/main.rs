@@ -1,19 +1,28 @@
 //! The `dobot` program: everything that a person needs to use the original Dobot Arm.
 
 mod arm;
+mod completions;
 mod conformance;
 mod connect;
+mod control;
 mod decode;
 mod draw;
 mod failure;
+mod follow;
 mod interrupt;
+mod jobs;
 mod jog;
+mod lease;
+mod man;
 mod output;
 mod ports;
+mod reach;
 mod set;
 mod simulate;
 mod status;
+mod stop;
 mod travel;
+mod watch;
 mod world;
 
 use std::process::ExitCode;
@@ -43,6 +52,12 @@ enum Verb {
     World(world::Args),
     Ports(ports::Args),
     Conformance(conformance::Args),
+    Stop(stop::Args),
+    Watch(watch::Args),
+    Jobs(jobs::Args),
+    Lease(lease::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
@@ -67,6 +82,12 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::World(args) => wait_for(world::run(args)),
         Verb::Ports(args) => ports::run(&args),
         Verb::Conformance(args) => wait_for(conformance::run(args)),
+        Verb::Stop(args) => wait_for(stop::run(args)),
+        Verb::Watch(args) => wait_for(watch::run(args)),
+        Verb::Jobs(args) => wait_for(jobs::run(args)),
+        Verb::Lease(args) => wait_for(lease::run(args)),
+        Verb::Completions(args) => completions::run(&args),
+        Verb::Man(args) => man::run(&args),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is printed: one line for a person, or one JSON object for a program.
 
 use std::io::{self, Write};
+use std::time::Duration;
 
 use dobot_wire::Status;
 use serde::Serialize;
@@ -9,6 +10,11 @@ use serde_json::Value;
 /// Prints a line.
 pub(crate) fn line(text: &str) -> io::Result<()> {
     writeln!(io::stdout(), "{text}")
+}
+
+/// Prints a whole document.
+pub(crate) fn bytes(document: &[u8]) -> io::Result<()> {
+    io::stdout().write_all(document)
 }
 
 /// Prints a value as one line of JSON.
@@ -41,6 +47,21 @@ pub(crate) fn status_text(it: &Status) -> String {
         if it.suction { "on " } else { "off" },
         it.gripper_deg,
     )
+}
+
+/// Minutes and seconds, or seconds with a decimal.
+pub(crate) fn clock(seconds: f64) -> String {
+    if seconds < 59.95 {
+        return format!("{:.1} s", seconds.max(0.0));
+    }
+    let whole = Duration::try_from_secs_f64(seconds.round()).unwrap_or(Duration::MAX);
+    let whole = whole.as_secs();
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    if hours > 0 {
+        format!("{hours}:{minutes:02}:{seconds:02} h")
+    } else {
+        format!("{minutes}:{seconds:02} min")
+    }
 }
 
 /// The fields of a message for a person: `x 200 mm, y -50 mm, suction off`.
@@ -99,6 +120,15 @@ mod tests {
     use dobot_wire::{MoveTo, MovingMode};
 
     use super::*;
+
+    #[test]
+    fn times_read_like_a_clock() {
+        assert_eq!(clock(0.04), "0.0 s");
+        assert_eq!(clock(12.34), "12.3 s");
+        assert_eq!(clock(59.96), "1:00 min");
+        assert_eq!(clock(61.4), "1:01 min");
+        assert_eq!(clock(3725.0), "1:02:05 h");
+    }
 
     #[test]
     fn fields_carry_their_units() {

@@ -3,7 +3,8 @@
 use clap::{Subcommand, ValueEnum};
 use dobot_wire::{Command, Configuration, EndEffector, PlaybackAdjustment};
 
-use crate::connect::To;
+use crate::connect::{Reached, To};
+use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
 use crate::output;
 
@@ -21,12 +22,12 @@ pub(crate) struct Args {
     #[command(subcommand)]
     group: Group,
     #[command(flatten)]
-    to: Reached,
+    to: Way,
 }
 
 /// `--to` and `--dialect`, before or behind the group.
 #[derive(Clone, Debug, clap::Args)]
-struct Reached {
+struct Way {
     #[command(flatten)]
     to: To,
     /// Print the last status as JSON
@@ -125,12 +126,20 @@ enum Tool {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut arm = args.to.to.connect().await?.arm;
-    let id = arm.send(command(&args.group))?;
-    arm.completed(id).await?;
-    let status = arm.next_status().await?;
-    output::status(&status, args.to.json)?;
-    Ok(())
+    let command = command(&args.group);
+    let status = match args.to.to.reach("set").await? {
+        Reached::Station(mut station) => {
+            take_control(&mut station).await?;
+            carry_out(&mut station, command).await?;
+            control::status(&mut station).await?
+        }
+        Reached::Arm(mut connected) => {
+            let id = connected.arm.send(command)?;
+            connected.arm.completed(id).await?;
+            connected.arm.next_status().await?
+        }
+    };
+    Ok(output::status(&status, args.to.json)?)
 }
 
 fn command(group: &Group) -> Command {

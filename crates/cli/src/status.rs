@@ -2,7 +2,10 @@
 
 use std::io::{IsTerminal, Write};
 
-use crate::connect::To;
+use dobot_wire::Status;
+
+use crate::connect::{Reached, To};
+use crate::control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -11,6 +14,7 @@ use crate::output;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
+  dobot status                                             through the running station
   dobot status --to serial:/dev/ttyUSB0
   dobot status --to tcp:localhost:5555 --json --count 10
 
@@ -27,16 +31,16 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut arm = args.to.connect().await?.arm;
-    let count = match args.count {
-        None if args.to.is_virtual() => 1,
-        None => u64::MAX,
-        Some(count) => count,
+    let mut reached = args.to.reach("status").await?;
+    let count = match (&reached, args.count) {
+        (Reached::Arm(_), None) if args.to.is_virtual() => 1,
+        (_, None) => u64::MAX,
+        (_, Some(count)) => count,
     };
     let in_place = !args.json && args.count.is_none() && std::io::stdout().is_terminal();
     for _ in 0..count {
         let status = tokio::select! {
-            status = arm.next_status() => status?,
+            status = next(&mut reached) => status?,
             () = interrupt() => break,
         };
         if in_place {
@@ -50,4 +54,11 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         println!();
     }
     Ok(())
+}
+
+async fn next(reached: &mut Reached) -> Result<Status, Failure> {
+    match reached {
+        Reached::Station(station) => control::status(station).await,
+        Reached::Arm(connected) => Ok(connected.arm.next_status().await?),
+    }
 }

@@ -5,9 +5,11 @@ use std::str::FromStr;
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
 use dobot_client::Connection;
+use dobot_station::Remote;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
-use crate::connect::To;
+use crate::connect::{Reached, To};
+use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -25,7 +27,8 @@ Examples:
 
 Points are millimetres in the base frame: x forward, y left, z up from the pivot of the rear arm,
 about 103 mm above the table. Tool, gripper and suction stay as they are unless told otherwise.
-The protocol has no stop: a move that has begun goes on to its end."
+Through a station, Ctrl-C stops the arm; otherwise a move that has begun goes on to its end, for the protocol
+has no stop."
 )]
 pub(crate) struct Args {
     /// The point, in millimetres
@@ -60,20 +63,31 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut arm = args.to.connect().await?.arm;
-    let from = arm.next_status().await?;
-    let command = args.command(&from)?;
-    let id = arm.send(command)?;
-    tokio::select! {
-        done = arm.completed(id) => done?,
-        () = interrupt() => return Err(interrupted(&arm)),
-    }
-    let status = arm.next_status().await?;
-    output::status(&status, args.json)?;
-    Ok(())
+    let status = match args.to.reach("move").await? {
+        Reached::Station(mut station) => args.through(&mut station).await?,
+        Reached::Arm(mut connected) => args.directly(&mut connected.arm).await?,
+    };
+    Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
+    async fn through(&self, station: &mut Remote) -> Result<Status, Failure> {
+        let command = self.command(&control::status(station).await?)?;
+        take_control(station).await?;
+        carry_out(station, command).await?;
+        control::status(station).await
+    }
+
+    async fn directly(&self, arm: &mut Connection) -> Result<Status, Failure> {
+        let command = self.command(&arm.next_status().await?)?;
+        let id = arm.send(command)?;
+        tokio::select! {
+            done = arm.completed(id) => done?,
+            () = interrupt() => return Err(interrupted(arm)),
+        }
+        Ok(arm.next_status().await?)
+    }
+
     fn command(&self, from: &Status) -> Result<Command, Failure> {
         let suction = self.suction.unwrap_or(from.suction);
         let gripper_deg = self.gripper.unwrap_or(from.gripper_deg);

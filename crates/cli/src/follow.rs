@@ -1,0 +1,196 @@
+//! Following a job of a station until it is over.
+
+use std::io::IsTerminal;
+use std::time::Duration;
+
+use anyhow::anyhow;
+use dobot_station::{Heard, JobPhase, JobView, News, Remote, RemoteError, Request, State};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::output::clock;
+
+/// Starts a job, or goes on with it, and follows it until it is over; control has been taken.
+///
+/// Ctrl-C pauses it with the tool lifted and asks what is to become of it. `see` is shown every
+/// state. Gives how long the arm was at it.
+pub(crate) async fn start(
+    station: &mut Remote,
+    job: u64,
+    mut see: impl FnMut(&State),
+) -> Result<Duration, Failure> {
+    let mut spent_s = 0.0;
+    loop {
+        station.request(Request::StartJob { job }).await?;
+        let (ended, took_s) = follow(station, job, &mut see).await?;
+        spent_s += took_s;
+        match ended {
+            End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
+            End::Over(text) => return Err(anyhow!(text).into()),
+            End::Paused(text) => return Err(paused(job, text)),
+            End::Interrupted => match ask(job).await {
+                Answer::GoOn => {}
+                Answer::Cancel => {
+                    station.request(Request::CancelJob { job }).await?;
+                    return Err(anyhow!("job {job} is cancelled; the tool is up").into());
+                }
+                Answer::Leave => return Err(paused(job, "interrupted".to_owned())),
+            },
+        }
+    }
+}
+
+/// How a job stopped running.
+#[derive(Clone, Debug, PartialEq)]
+enum End {
+    Done,
+    /// It will not go on.
+    Over(String),
+    Paused(String),
+    /// Paused, because the person pressed Ctrl-C.
+    Interrupted,
+}
+
+/// What is to become of a job that the person paused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Answer {
+    GoOn,
+    Cancel,
+    Leave,
+}
+
+/// Until the job does not run any more; and for how long it ran, in seconds.
+async fn follow(
+    station: &mut Remote,
+    job: u64,
+    mut see: impl FnMut(&State),
+) -> Result<(End, f64), Failure> {
+    let bar = progress_bar();
+    let mut interrupt = std::pin::pin!(interrupt());
+    let (mut began_s, mut interrupted) = (None, false);
+    loop {
+        let heard = tokio::select! {
+            heard = station.next() => heard?,
+            () = &mut interrupt, if !interrupted => {
+                interrupted = true;
+                pause(station).await?;
+                continue;
+            }
+        };
+        match heard {
+            Heard::State(state) => {
+                if let Some(view) = state.job.as_ref().filter(|it| it.job == job) {
+                    show(&bar, view);
+                }
+                see(&state);
+            }
+            Heard::Notice(notice) => {
+                let News::Job { job: of, phase } = notice.news else {
+                    continue;
+                };
+                if of != job {
+                    continue;
+                }
+                let began_s = *began_s.get_or_insert(notice.at_s);
+                if let Some(end) = end(phase, notice.text, interrupted) {
+                    bar.finish_and_clear();
+                    return Ok((end, notice.at_s - began_s));
+                }
+            }
+        }
+    }
+}
+
+fn end(phase: JobPhase, text: String, interrupted: bool) -> Option<End> {
+    match phase {
+        JobPhase::Queued | JobPhase::Running => None,
+        JobPhase::Done => Some(End::Done),
+        JobPhase::Paused if interrupted => Some(End::Interrupted),
+        JobPhase::Paused => Some(End::Paused(text)),
+        JobPhase::Stopped | JobPhase::Failed => Some(End::Over(text)),
+    }
+}
+
+/// A job that is over in this very moment need not be paused any more.
+async fn pause(station: &mut Remote) -> Result<(), RemoteError> {
+    match station.request(Request::PauseJob).await {
+        Err(RemoteError::Refused(_)) | Ok(_) => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
+fn paused(job: u64, text: String) -> Failure {
+    Failure::new(
+        anyhow!("job {job} is paused: {text}"),
+        format!("`dobot jobs start {job}` goes on with it, `dobot jobs cancel {job}` ends it"),
+    )
+}
+
+/// Asks the person, if one is there.
+async fn ask(job: u64) -> Answer {
+    if !std::io::stdin().is_terminal() {
+        return Answer::Leave;
+    }
+    eprintln!(
+        "job {job} is paused, the tool is up: g goes on, c cancels it, Enter leaves it paused"
+    );
+    tokio::select! {
+        line = tokio::task::spawn_blocking(read_line) => {
+            line.ok().map_or(Answer::Leave, |it| answer(&it))
+        }
+        () = interrupt() => Answer::Leave,
+    }
+}
+
+fn read_line() -> String {
+    let mut line = String::new();
+    // What cannot be read is no answer.
+    let _ = std::io::stdin().read_line(&mut line);
+    line
+}
+
+fn answer(line: &str) -> Answer {
+    match line.trim() {
+        "g" | "G" => Answer::GoOn,
+        "c" | "C" => Answer::Cancel,
+        _ => Answer::Leave,
+    }
+}
+
+fn progress_bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} commands, {msg}");
+    ProgressBar::new(1).with_style(style.expect("the template is well-formed"))
+}
+
+fn show(bar: &ProgressBar, job: &JobView) {
+    bar.set_length(job.commands as u64);
+    bar.set_position(job.completed as u64);
+    bar.set_message(format!("{} left", clock(job.left_s)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_that_the_person_paused_is_told_from_one_that_was_paused_otherwise() {
+        let text = || "the arm was stopped".to_owned();
+        assert_eq!(end(JobPhase::Running, text(), false), None);
+        assert_eq!(end(JobPhase::Paused, text(), true), Some(End::Interrupted));
+        assert_eq!(
+            end(JobPhase::Paused, text(), false),
+            Some(End::Paused(text()))
+        );
+        assert_eq!(end(JobPhase::Failed, text(), true), Some(End::Over(text())));
+    }
+
+    #[test]
+    fn only_clear_answers_move_the_arm_or_end_the_job() {
+        assert_eq!(answer("g\n"), Answer::GoOn);
+        assert_eq!(answer("c\n"), Answer::Cancel);
+        for line in ["", "\n", "go\n", "cancel?\n"] {
+            assert_eq!(answer(line), Answer::Leave, "{line:?}");
+        }
+    }
+}

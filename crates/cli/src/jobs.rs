@@ -1,0 +1,178 @@
+//! `dobot jobs`: drawings and programs that a station keeps.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, anyhow};
+use clap::Subcommand;
+use dobot_station::{JobView, NewJob, Reply, Request, fetch};
+
+use crate::control::{arm_laser, take_control};
+use crate::failure::Failure;
+use crate::follow;
+use crate::jog::laser_seconds;
+use crate::output::{self, clock};
+use crate::reach::Station;
+
+/// List, start, pause and cancel the jobs of the station
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot jobs                             all of them
+  dobot jobs show 4
+  dobot jobs start 4                     start it, or go on with it, and follow it
+  dobot jobs pause                       the one that runs, with the tool lifted
+  dobot jobs cancel 4
+  dobot jobs submit program.json         queue a file; `dobot draw` queues a picture
+
+Jobs survive the station's end, a crash and a power cut. Whoever starts one needs control of the arm; anybody
+may let go of it again while the job runs, unless it burns.")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    action: Option<Action>,
+    #[command(flatten)]
+    station: Station,
+    /// Print JSON
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Action {
+    /// List all jobs
+    List,
+    /// Tell about one job
+    Show {
+        /// Its number
+        job: u64,
+    },
+    /// Start a queued job or go on with a paused one, and follow it; Ctrl-C pauses it
+    Start {
+        /// Its number
+        job: u64,
+        /// Let the laser be switched on for so many seconds: everybody's goggles are on
+        #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+        arm_laser: Option<Duration>,
+    },
+    /// Pause the running job after what the arm has got already
+    Pause,
+    /// End a job for good
+    Cancel {
+        /// Its number
+        job: u64,
+    },
+    /// Queue a job from a JSON file with its title, kind, commands and `lift_mm`
+    Submit {
+        /// The file, or - for standard input
+        file: PathBuf,
+    },
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let json = args.json;
+    match args.action.clone().unwrap_or(Action::List) {
+        Action::List => list(&args).await,
+        Action::Show { job } => {
+            let path = format!("/api/v1/jobs/{job}");
+            let job = fetch(&args.station.address_of_running()?, &path).await?;
+            tell(&job, json)
+        }
+        Action::Start { job, arm_laser } => start(&args, job, arm_laser).await,
+        Action::Pause => ask(&args, Request::PauseJob, "the job is paused").await,
+        Action::Cancel { job } => {
+            let text = format!("job {job} is cancelled");
+            ask(&args, Request::CancelJob { job }, &text).await
+        }
+        Action::Submit { file } => {
+            let job = read(&file)?;
+            let text = "the job is queued";
+            ask(&args, Request::SubmitJob { job }, text).await
+        }
+    }
+}
+
+async fn list(args: &Args) -> Result<(), Failure> {
+    let address = args.station.address_of_running()?;
+    let jobs: Vec<JobView> = fetch(&address, "/api/v1/jobs").await?;
+    if args.json {
+        return Ok(output::json(&jobs)?);
+    }
+    if jobs.is_empty() {
+        eprintln!("no job yet; `dobot draw picture.svg` makes one");
+    }
+    for job in &jobs {
+        output::line(&line(job))?;
+    }
+    Ok(())
+}
+
+async fn start(args: &Args, job: u64, laser: Option<Duration>) -> Result<(), Failure> {
+    let mut station = args.station.connect("jobs").await?;
+    take_control(&mut station).await?;
+    arm_laser(&mut station, laser).await?;
+    let time = follow::start(&mut station, job, |_| {}).await?;
+    let time = clock(time.as_secs_f64());
+    Ok(output::line(&format!("job {job} is done, in {time}"))?)
+}
+
+/// Asks, with control of the arm where nobody else has it.
+async fn ask(args: &Args, request: Request, done: &str) -> Result<(), Failure> {
+    let mut station = args.station.connect("jobs").await?;
+    let reply = match station.request(request.clone()).await {
+        Err(error) if error.kind() == Some("no-lease") => {
+            take_control(&mut station).await?;
+            station.request(request).await?
+        }
+        reply => reply?,
+    };
+    match reply {
+        Reply::Job { job } => tell(&job, args.json),
+        reply if args.json => Ok(output::json(&reply)?),
+        _ => Ok(output::line(done)?),
+    }
+}
+
+fn tell(job: &JobView, as_json: bool) -> Result<(), Failure> {
+    if as_json {
+        return Ok(output::json(job)?);
+    }
+    Ok(output::line(&line(job))?)
+}
+
+/// `   4  paused    120 of   400   1:23 min left   harbour.svg: a person asked for it`
+fn line(job: &JobView) -> String {
+    let phase = format!("{:?}", job.phase).to_lowercase();
+    let left = if job.phase.is_over() {
+        String::new()
+    } else {
+        format!("{} left", clock(job.left_s))
+    };
+    let reason = job.reason.as_ref().map(|it| format!(": {it}"));
+    format!(
+        "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}",
+        job.job,
+        job.completed,
+        job.commands,
+        job.title,
+        reason.unwrap_or_default()
+    )
+}
+
+fn read(file: &Path) -> Result<NewJob, Failure> {
+    let text = if file == Path::new("-") {
+        let mut text = String::new();
+        let read = std::io::stdin().read_to_string(&mut text);
+        read.context("cannot read standard input")?;
+        text
+    } else {
+        fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?
+    };
+    serde_json::from_str(&text).map_err(|error| {
+        Failure::new(
+            anyhow!("{} is no job: {error}", file.display()),
+            "a job has title, kind (drawing or program) and commands, each as `dobot decode --json` prints them",
+        )
+    })
+}

@@ -1,0 +1,240 @@
+//! `dobot lease`: who has control of the arm.
+
+use std::time::Duration;
+
+use anyhow::{anyhow, bail};
+use clap::Subcommand;
+use dobot_station::{ClientId, Heard, LeaseView, News, Notice, Remote, Reply, Request};
+use tokio::sync::mpsc;
+use tokio::time::sleep;
+
+use crate::control::{arm_laser, first_state, take_control};
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::jog::laser_seconds;
+use crate::output::{self, clock};
+use crate::reach::Station;
+
+/// Show, take, ask for and give control of the arm
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot lease                    who has control
+  dobot lease take --for 600     nobody else moves the arm for ten minutes, or until Ctrl-C
+  dobot lease ask                ask for it, wait, and keep it until Ctrl-C
+  dobot lease laser --for 600    keep it, with the laser armed: everybody's goggles are on
+  dobot lease release            an administrator frees it, whoever has it
+
+One client has control at a time, everybody may watch, and anybody may stop the arm. Control ends with the
+client that has it: the verbs that move the arm take it for as long as they run.")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    action: Option<Action>,
+    #[command(flatten)]
+    station: Station,
+    /// Print JSON (show)
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Action {
+    /// Show who has control
+    Show,
+    /// Take control if nobody has it, and keep it until Ctrl-C; Enter gives it to who asks
+    Take {
+        /// For how long at most, in seconds
+        #[arg(long = "for", value_name = "SECONDS", value_parser = seconds)]
+        time: Option<Duration>,
+    },
+    /// Ask whoever has control, wait until it is given, and keep it until Ctrl-C
+    Ask,
+    /// Take control from whoever has it, and keep it until Ctrl-C (administrators)
+    Seize,
+    /// Free control, whoever has it (administrators)
+    Release,
+    /// Take control and let the laser be switched on, until the time is over or Ctrl-C
+    Laser {
+        /// For how long, in seconds from 1 to 3600
+        #[arg(long = "for", value_name = "SECONDS", value_parser = laser_seconds)]
+        time: Duration,
+    },
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let mut station = args.station.connect("lease").await?;
+    match args.action.unwrap_or(Action::Show) {
+        Action::Show => show(&mut station, args.json).await,
+        Action::Take { time } => {
+            take_control(&mut station).await?;
+            keep(&mut station, time).await
+        }
+        Action::Ask => {
+            ask(&mut station).await?;
+            keep(&mut station, None).await
+        }
+        Action::Seize => {
+            station.request(Request::SeizeLease).await?;
+            keep(&mut station, None).await
+        }
+        Action::Release => {
+            station.request(Request::SeizeLease).await?;
+            station.request(Request::ReleaseLease).await?;
+            Ok(output::line("nobody has control")?)
+        }
+        Action::Laser { time } => {
+            take_control(&mut station).await?;
+            arm_laser(&mut station, Some(time)).await?;
+            output::line("the laser is armed: goggles on")?;
+            keep(&mut station, Some(time)).await
+        }
+    }
+}
+
+async fn show(station: &mut Remote, as_json: bool) -> Result<(), Failure> {
+    let state = first_state(station).await?;
+    if as_json {
+        return Ok(output::json(&state.lease)?);
+    }
+    for line in lines(state.lease.as_ref(), state.at_s) {
+        output::line(&line)?;
+    }
+    Ok(())
+}
+
+fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
+    let Some(lease) = lease else {
+        return vec!["nobody has control".to_owned()];
+    };
+    let (name, client, time) = (&lease.name, lease.client.0, clock(now_s - lease.since_s));
+    let mut lines = vec![format!("{name} (client {client}) has control, for {time}")];
+    let asks =
+        |it: &dobot_station::Asking| format!("{} (client {}) asks for it", it.name, it.client.0);
+    lines.extend(lease.asked_by.iter().map(asks));
+    lines
+}
+
+/// Asks for control and waits until it is given.
+async fn ask(station: &mut Remote) -> Result<(), Failure> {
+    let me = station.hello().client;
+    let reply = station.request(Request::AskLease).await?;
+    let Reply::Lease { lease } = reply else {
+        return Ok(());
+    };
+    if let Some(lease) = lease.filter(|it| it.client != me) {
+        output::line(&format!("asked {} (client {})", lease.name, lease.client.0))?;
+        wait(station, me).await?;
+    }
+    Ok(())
+}
+
+/// Waits until control is this client's.
+async fn wait(station: &mut Remote, me: ClientId) -> Result<(), Failure> {
+    loop {
+        let heard = tokio::select! {
+            heard = station.next() => heard?,
+            () = interrupt() => return Err(anyhow!("interrupted").into()),
+        };
+        let Heard::Notice(notice) = heard else {
+            continue;
+        };
+        match notice.news {
+            News::LeaseTaken { client } if client == me => return Ok(()),
+            // Whoever had it has just let it go.
+            News::LeaseFree if take_control(station).await.is_ok() => return Ok(()),
+            _ => {}
+        }
+    }
+}
+
+/// Keeps control until the time is over, Ctrl-C, or somebody gets it.
+async fn keep(station: &mut Remote, time: Option<Duration>) -> Result<(), Failure> {
+    output::line("control is yours; Ctrl-C gives it back")?;
+    let me = station.hello().client;
+    let mut over = std::pin::pin!(over(time));
+    let mut interrupt = std::pin::pin!(interrupt());
+    let mut lines = lines_of_person();
+    let mut asking = None;
+    loop {
+        let heard = tokio::select! {
+            heard = station.next() => heard?,
+            Some(()) = lines.recv() => {
+                if let Some(to) = asking.take() {
+                    station.request(Request::GrantLease { to }).await?;
+                    return Ok(output::line("given")?);
+                }
+                continue;
+            }
+            () = &mut over => break,
+            () = &mut interrupt => break,
+        };
+        let Heard::Notice(notice) = heard else {
+            continue;
+        };
+        if let News::LeaseAsked { client } = notice.news {
+            asking = Some(client);
+            output::line(&format!("{}; Enter gives it", notice.text))?;
+        }
+        check_kept(&notice, me)?;
+    }
+    station.request(Request::ReleaseLease).await?;
+    Ok(output::line("control is given back")?)
+}
+
+fn check_kept(notice: &Notice, me: ClientId) -> Result<(), Failure> {
+    match notice.news {
+        News::LeaseFree => Err(anyhow!("control is lost: {}", notice.text).into()),
+        News::LeaseTaken { client } if client != me => {
+            Err(anyhow!("control is lost: {}", notice.text).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+async fn over(time: Option<Duration>) {
+    match time {
+        Some(time) => sleep(time).await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Tells of each line that the person enters.
+fn lines_of_person() -> mpsc::Receiver<()> {
+    let (tell, lines) = mpsc::channel(1);
+    // A read of standard input cannot be given up, so it has a thread of its own.
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lines() {
+            if line.is_err() || tell.blocking_send(()).is_err() {
+                return;
+            }
+        }
+    });
+    lines
+}
+
+fn seconds(text: &str) -> anyhow::Result<Duration> {
+    match text.parse() {
+        Ok(seconds) if (1.0..=86_400.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
+        _ => bail!("allowed are 1 to 86400 seconds"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_has_control_is_told_with_those_who_ask() {
+        let text = r#"{"client": 5, "name": "the page", "since_s": 10.0,
+            "asked_by": [{"client": 9, "name": "dobot jog"}]}"#;
+        let lease: LeaseView = serde_json::from_str(text).expect("it is a lease");
+        assert_eq!(
+            lines(Some(&lease), 22.5),
+            [
+                "the page (client 5) has control, for 12.5 s",
+                "dobot jog (client 9) asks for it"
+            ]
+        );
+        assert_eq!(lines(None, 22.5), ["nobody has control"]);
+    }
+}

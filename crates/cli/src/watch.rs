@@ -1,0 +1,234 @@
+//! `dobot watch`: a dashboard in the terminal.
+
+mod dashboard;
+mod panels;
+
+use std::io::IsTerminal;
+use std::time::Duration;
+
+use anyhow::anyhow;
+use crossterm::event::{Event, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use dobot_station::{Heard, Remote, RemoteError, Request, StationAddress};
+use futures_util::StreamExt;
+use ratatui::DefaultTerminal;
+
+use self::dashboard::{View, draw};
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::reach::{Station, client_name};
+
+/// Watch the station: arm, link, job, control and what happens; stop the arm with a key
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot watch
+  dobot watch --station https://lab.example:8642 --fingerprint 5e:aa:...
+
+Keys: s or space stops the arm, r lets it move again (y confirms), q leaves.
+When the station goes away, the dashboard waits for it to come back.")]
+pub(crate) struct Args {
+    #[command(flatten)]
+    station: Station,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    if !std::io::stdout().is_terminal() {
+        return Err(Failure::new(
+            anyhow!("the dashboard needs a terminal"),
+            "`dobot status --json` tells where the arm is to a program",
+        ));
+    }
+    let address = args.station.address_of_running()?;
+    // A station that is not there at all is told as by any other verb.
+    let remote = connect(&address).await?;
+    // From here on a panic restores the terminal, too.
+    let terminal = ratatui::try_init()?;
+    let left = Watch::new(terminal, address).run(remote).await;
+    ratatui::restore();
+    left
+}
+
+async fn connect(address: &StationAddress) -> Result<Remote, dobot_station::ConnectError> {
+    Remote::connect(address, &client_name("watch")).await
+}
+
+/// The dashboard on a terminal.
+struct Watch {
+    terminal: DefaultTerminal,
+    keys: EventStream,
+    address: StationAddress,
+    view: View,
+}
+
+/// What a key asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wish {
+    Stop,
+    /// The person wants to be asked whether the arm may move again.
+    Ask,
+    Reset,
+    Nothing,
+    Quit,
+}
+
+impl Watch {
+    fn new(terminal: DefaultTerminal, address: StationAddress) -> Self {
+        Self {
+            terminal,
+            keys: EventStream::new(),
+            view: View {
+                station: address.to_string(),
+                ..View::default()
+            },
+            address,
+        }
+    }
+
+    /// Until the person leaves; a station that goes away is waited for.
+    async fn run(mut self, remote: Remote) -> Result<(), Failure> {
+        let mut interrupt = std::pin::pin!(interrupt());
+        let mut remote = Some(remote);
+        loop {
+            self.terminal.draw(|frame| draw(frame, &self.view))?;
+            let is_there = remote.is_some();
+            tokio::select! {
+                heard = hear(&mut remote) => self.handle_heard(&mut remote, heard),
+                key = self.keys.next() => {
+                    let Some(key) = key.transpose()? else { return Ok(()) };
+                    match wish(&key, self.view.asks) {
+                        Wish::Quit => return Ok(()),
+                        wish => self.grant(&mut remote, wish).await,
+                    }
+                }
+                back = come_back(&self.address, is_there) => remote = Some(back),
+                () = &mut interrupt => return Ok(()),
+            }
+        }
+    }
+
+    fn handle_heard(&mut self, remote: &mut Option<Remote>, heard: Result<Heard, RemoteError>) {
+        match heard {
+            Ok(Heard::State(state)) => {
+                self.view.state = Some(*state);
+                self.view.lost = None;
+            }
+            Ok(Heard::Notice(notice)) => self.view.handle_notice(notice),
+            Err(error) => self.lose(remote, &error),
+        }
+    }
+
+    fn lose(&mut self, remote: &mut Option<Remote>, error: &RemoteError) {
+        *remote = None;
+        self.view.lost = Some(error.to_string());
+    }
+
+    /// Does what a key asks for.
+    async fn grant(&mut self, remote: &mut Option<Remote>, wish: Wish) {
+        self.view.asks = wish == Wish::Ask;
+        let request = match wish {
+            Wish::Stop => Request::Stop {
+                reason: Some("a key of `dobot watch` was pressed".into()),
+            },
+            Wish::Reset => Request::ResetStop,
+            Wish::Ask | Wish::Nothing | Wish::Quit => return,
+        };
+        let Some(station) = remote else {
+            self.view.answer = Some("not sent: there is no station".into());
+            return;
+        };
+        self.view.answer = match station.request(request).await {
+            Ok(_) => None,
+            Err(error @ RemoteError::Refused(_)) => Some(error.to_string()),
+            Err(error) => {
+                self.lose(remote, &error);
+                Some("not heard".into())
+            }
+        };
+    }
+}
+
+/// What the station tells next; nothing while there is none.
+async fn hear(remote: &mut Option<Remote>) -> Result<Heard, RemoteError> {
+    match remote {
+        Some(remote) => remote.next().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// The station, when it is there again.
+async fn come_back(address: &StationAddress, is_there: bool) -> Remote {
+    if is_there {
+        std::future::pending::<()>().await;
+    }
+    loop {
+        tokio::time::sleep(PAUSE).await;
+        if let Ok(remote) = connect(address).await {
+            return remote;
+        }
+    }
+}
+
+/// What a key means, depending on whether a question was asked.
+fn wish(event: &Event, asks: bool) -> Wish {
+    let key = match event {
+        Event::Key(key) if key.kind != KeyEventKind::Release => key,
+        // A resize answers no question.
+        _ if asks => return Wish::Ask,
+        _ => return Wish::Nothing,
+    };
+    match key.code {
+        KeyCode::Char('c') if is_control(key) => Wish::Quit,
+        KeyCode::Char('s' | 'S' | ' ') => Wish::Stop,
+        KeyCode::Char('r' | 'R') => Wish::Ask,
+        KeyCode::Char('y' | 'Y') if asks => Wish::Reset,
+        KeyCode::Char('q' | 'Q') => Wish::Quit,
+        _ => Wish::Nothing,
+    }
+}
+
+fn is_control(key: &KeyEvent) -> bool {
+    key.modifiers.contains(KeyModifiers::CONTROL)
+}
+
+const PAUSE: Duration = Duration::from_secs(1);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn key(code: KeyCode) -> Event {
+        Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
+    }
+
+    #[test]
+    fn space_and_s_stop_whatever_is_asked() {
+        for asks in [false, true] {
+            for code in [' ', 's', 'S'] {
+                assert_eq!(wish(&key(KeyCode::Char(code)), asks), Wish::Stop);
+            }
+        }
+    }
+
+    #[test]
+    fn a_stop_is_reset_only_by_a_yes_to_the_question() {
+        assert_eq!(wish(&key(KeyCode::Char('y')), false), Wish::Nothing);
+        assert_eq!(wish(&key(KeyCode::Char('r')), false), Wish::Ask);
+        assert_eq!(wish(&key(KeyCode::Char('y')), true), Wish::Reset);
+        for code in [KeyCode::Char('n'), KeyCode::Enter, KeyCode::Esc] {
+            assert_eq!(wish(&key(code), true), Wish::Nothing, "{code:?}");
+        }
+    }
+
+    #[test]
+    fn q_and_control_c_leave() {
+        let control_c = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
+        assert_eq!(wish(&Event::Key(control_c), false), Wish::Quit);
+        assert_eq!(wish(&key(KeyCode::Char('q')), false), Wish::Quit);
+    }
+
+    #[test]
+    fn a_resize_answers_no_question() {
+        assert_eq!(wish(&Event::Resize(80, 24), false), Wish::Nothing);
+        assert_eq!(wish(&Event::Resize(80, 24), true), Wish::Ask);
+    }
+}

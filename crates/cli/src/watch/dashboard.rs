@@ -1,0 +1,397 @@
+//! The dashboard, as a pure function of what is known and of the terminal's size.
+
+use std::collections::VecDeque;
+
+use dobot_station::{LinkPhase, Notice, State};
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::{Color, Modifier, Style, Stylize};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::Paragraph;
+
+use super::panels;
+
+/// What the dashboard shows.
+#[derive(Debug, Default)]
+pub(crate) struct View {
+    /// Where the station is.
+    pub(crate) station: String,
+    /// What it told last; absent until it has.
+    pub(crate) state: Option<State>,
+    /// What happened lately, the oldest first.
+    pub(crate) notices: VecDeque<Notice>,
+    /// Why nothing is heard of the station, if so.
+    pub(crate) lost: Option<String>,
+    /// Whether the person is asked if the arm may move again.
+    pub(crate) asks: bool,
+    /// What the station said to the last key.
+    pub(crate) answer: Option<String>,
+}
+
+impl View {
+    /// Takes what happened.
+    pub(crate) fn handle_notice(&mut self, notice: Notice) {
+        if self.notices.len() == MOST_NOTICES {
+            self.notices.pop_front();
+        }
+        self.notices.push_back(notice);
+    }
+}
+
+/// Draws everything.
+pub(crate) fn draw(frame: &mut Frame, view: &View) {
+    let rows = [
+        Constraint::Length(1),
+        Constraint::Length(1),
+        Constraint::Length(6),
+        Constraint::Length(6),
+        Constraint::Length(4),
+        Constraint::Min(0),
+        Constraint::Length(1),
+    ];
+    let [top, alarm, arm, rest, job, notices, keys] = Layout::vertical(rows).areas(frame.area());
+    frame.render_widget(title(view), top);
+    frame.render_widget(bar(&alarm_of(view)), alarm);
+    if let Some(state) = &view.state {
+        panels::arm(frame, arm, state);
+        panels::rest(frame, rest, state);
+        panels::job(frame, job, state.job.as_ref());
+    }
+    panels::notices(frame, notices, &view.notices);
+    frame.render_widget(keys_of(view), keys);
+}
+
+/// The station, the arm and the link between them.
+fn title(view: &View) -> Paragraph<'_> {
+    let mut spans = vec![
+        " dobot ".bold().reversed(),
+        format!(" {}  ", view.station).into(),
+    ];
+    if let Some(State { link, dialect, .. }) = &view.state {
+        spans.push(link.address.as_deref().unwrap_or("no arm yet").bold());
+        let dialect = dialect.map_or_else(|| "dialect undecided".to_owned(), |it| it.to_string());
+        spans.push(format!("  {dialect}").dim());
+    }
+    Paragraph::new(Line::from(spans))
+}
+
+/// What a person has to know first.
+#[derive(Clone, Debug, PartialEq)]
+struct Alarm {
+    style: Style,
+    text: String,
+}
+
+/// The worst of all that is wrong.
+fn alarm_of(view: &View) -> Alarm {
+    let red = Style::new()
+        .bg(Color::Red)
+        .fg(Color::White)
+        .add_modifier(Modifier::BOLD);
+    let yellow = Style::new().bg(Color::Yellow).fg(Color::Black);
+    let alarm = |style, text| Alarm { style, text };
+    if let Some(why) = &view.lost {
+        return alarm(red, format!("NO STATION: {why}; what is shown is old"));
+    }
+    let Some(state) = &view.state else {
+        return alarm(yellow, "waiting for the station's first word".into());
+    };
+    if let Some(stop) = &state.stop {
+        let rest = if stop.at_rest {
+            "at rest"
+        } else {
+            "coming to rest"
+        };
+        let reason = stop.reason.as_ref().map(|it| format!(": {it}"));
+        let reason = reason.unwrap_or_default();
+        return alarm(red, format!("STOPPED by {}{reason} ({rest})", stop.by));
+    }
+    if state.link.phase != LinkPhase::Up {
+        return alarm(yellow, no_link(state));
+    }
+    if !state.trust.trusted {
+        let reason = state.trust.reason.as_deref().unwrap_or("the arm was reset");
+        return alarm(yellow, format!("the pose is not trusted: {reason}"));
+    }
+    if state.laser.on {
+        return alarm(yellow, "LASER ON".into());
+    }
+    let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+    let text = if moving { "moving" } else { "at rest" };
+    alarm(Style::new().fg(Color::Green), text.into())
+}
+
+fn no_link(state: &State) -> String {
+    let phase = match state.link.phase {
+        LinkPhase::Searching => "looking for an arm",
+        LinkPhase::Listening => "the port is open, but the arm says nothing",
+        LinkPhase::Lost => "the arm is not heard any more",
+        LinkPhase::Up => "the arm is heard",
+    };
+    match &state.link.problem {
+        Some(problem) => format!("{phase}: {problem}"),
+        None => phase.to_owned(),
+    }
+}
+
+fn bar(alarm: &Alarm) -> Paragraph<'_> {
+    Paragraph::new(format!(" {}", alarm.text)).style(alarm.style)
+}
+
+/// The keys, or what there is to say about the last one.
+fn keys_of(view: &View) -> Paragraph<'_> {
+    if view.asks {
+        return Paragraph::new(" let the arm move again? look at it first   y yes   n no")
+            .style(Style::new().reversed());
+    }
+    let mut spans: Vec<Span> = [("s", "STOP"), ("r", "let it move again"), ("q", "quit")]
+        .iter()
+        .flat_map(|(key, what)| [format!(" {key} ").reversed(), format!(" {what}  ").into()])
+        .collect();
+    spans.extend(view.answer.as_ref().map(|it| it.as_str().yellow()));
+    Paragraph::new(Line::from(spans))
+}
+
+/// More than fit on any screen.
+const MOST_NOTICES: usize = 200;
+
+#[cfg(test)]
+mod tests {
+    use dobot_station::{JobKind, JobPhase, JobView, News, StopView};
+    use ratatui::Terminal;
+    use ratatui::backend::TestBackend;
+
+    use super::*;
+
+    fn view() -> View {
+        let state = serde_json::from_str(STATE).expect("it is a state");
+        View {
+            station: "http://127.0.0.1:8642".into(),
+            state: Some(state),
+            ..View::default()
+        }
+    }
+
+    fn with(change: impl FnOnce(&mut State)) -> View {
+        let mut view = view();
+        change(view.state.as_mut().expect("there is one"));
+        view
+    }
+
+    /// The screen as text, a line for each row.
+    fn screen(view: &View, width: u16, height: u16) -> Vec<String> {
+        let backend = TestBackend::new(width, height);
+        let mut terminal = Terminal::new(backend).expect("memory is always there");
+        terminal
+            .draw(|frame| draw(frame, view))
+            .expect("memory is always there");
+        let buffer = terminal.backend().buffer();
+        let row = |y| (0..width).map(|x| buffer[(x, y)].symbol()).collect();
+        (0..height).map(row).collect()
+    }
+
+    #[track_caller]
+    fn shows(view: &View, parts: &[&str]) {
+        let screen = screen(view, 80, 24).join("\n");
+        for part in parts {
+            assert!(screen.contains(part), "`{part}` is missing:\n{screen}");
+        }
+    }
+
+    #[test]
+    fn the_dashboard_shows_where_the_arm_is_and_how_good_the_link() {
+        shows(
+            &view(),
+            &[
+                "http://127.0.0.1:8642",
+                "serial:/dev/ttyUSB0@9600",
+                "firmware-1.1",
+                "220.000 mm",
+                "-40.500 mm",
+                "30.25°",
+                "12.5 of 12.5",
+                "3 lost",
+                "17 bytes bad",
+                "46 ms",
+                "at rest",
+            ],
+        );
+    }
+
+    #[test]
+    fn the_dashboard_shows_each_joint_between_its_limits() {
+        let screen = screen(&view(), 80, 24);
+        let row = |name| {
+            let row = screen.iter().find(|it| it.contains(name));
+            row.unwrap_or_else(|| panic!("no {name}: {screen:#?}"))
+        };
+        // -5 to 85 degrees: 40 is in the middle; -90 to 90: -90 is at the very left.
+        let place = |name| {
+            let bar: String = row(name).chars().skip_while(|it| *it != '├').collect();
+            let mark = bar.chars().position(|it| it == '●').expect("a mark");
+            let len = bar.chars().position(|it| it == '┤').expect("an end");
+            (mark, len)
+        };
+        let (mark, len) = place("rear");
+        assert!(mark.abs_diff(len / 2) <= 1, "{mark} of {len}");
+        assert_eq!(place("servo").0, 1);
+    }
+
+    #[test]
+    fn the_dashboard_shows_that_the_arm_is_stopped_and_by_whom() {
+        let stopped = with(|state| {
+            state.stop = Some(StopView {
+                by: "the page".into(),
+                reason: Some("smoke".into()),
+                at_s: 10.0,
+                rests_by_s: 10.5,
+                at_rest: true,
+            });
+        });
+        shows(&stopped, &["STOPPED by the page: smoke (at rest)"]);
+    }
+
+    #[test]
+    fn the_dashboard_shows_what_the_station_waits_for() {
+        let searching = with(|state| {
+            state.link.phase = LinkPhase::Searching;
+            state.link.problem = Some("no permission for /dev/ttyUSB0".into());
+            state.arm = None;
+        });
+        shows(
+            &searching,
+            &["looking for an arm: no permission for /dev/ttyUSB0"],
+        );
+    }
+
+    #[test]
+    fn the_dashboard_shows_a_pose_that_is_not_trusted() {
+        let reset = with(|state| {
+            state.trust.trusted = false;
+            state.trust.reason = Some("the arm was reset".into());
+        });
+        shows(&reset, &["the pose is not trusted: the arm was reset"]);
+    }
+
+    #[test]
+    fn the_dashboard_shows_how_far_the_job_is_and_how_long_it_still_takes() {
+        let drawing = with(|state| {
+            state.job = Some(JobView {
+                job: 4,
+                title: "harbour.svg".into(),
+                kind: JobKind::Drawing,
+                phase: JobPhase::Paused,
+                reason: Some("a person asked for it".into()),
+                commands: 400,
+                completed: 100,
+                planned_s: 120.0,
+                left_s: 83.0,
+            });
+        });
+        shows(
+            &drawing,
+            &[
+                "harbour.svg",
+                "paused: a person asked for it",
+                "100 of 400",
+                "1:23 min left",
+                "25 %",
+            ],
+        );
+    }
+
+    #[test]
+    fn the_dashboard_shows_who_has_control_and_who_asks_for_it() {
+        let lease = r#"{"client": 5, "name": "the page", "since_s": 1.0,
+                "asked_by": [{"client": 9, "name": "dobot jog"}]}"#;
+        let held = with(|state| {
+            state.lease = Some(serde_json::from_str(lease).expect("it is a lease"));
+        });
+        shows(&held, &["the page (client 5)", "asked: dobot jog (9)"]);
+        shows(&view(), &["nobody"]);
+    }
+
+    #[test]
+    fn the_dashboard_shows_the_laser_and_for_how_long_it_is_armed() {
+        shows(&view(), &["disarmed"]);
+        let armed = with(|state| state.laser.armed_for_s = 90.0);
+        shows(&armed, &["armed for 1:30 min"]);
+        let burning = with(|state| state.laser.on = true);
+        shows(&burning, &["LASER ON"]);
+    }
+
+    #[test]
+    fn the_dashboard_shows_the_newest_notices() {
+        let mut view = view();
+        for number in 1..=300 {
+            view.handle_notice(Notice {
+                number,
+                at_s: 10.0,
+                news: News::LinkUp,
+                text: format!("notice {number}."),
+            });
+        }
+        shows(&view, &["notice 300.", "notice 299."]);
+        assert!(!screen(&view, 80, 24).join("\n").contains("notice 1."));
+    }
+
+    #[test]
+    fn the_dashboard_says_that_what_it_shows_is_old_when_the_station_is_gone() {
+        let mut view = view();
+        view.lost = Some("the station closed the connection".into());
+        shows(&view, &["NO STATION", "what is shown is old"]);
+    }
+
+    #[test]
+    fn a_person_is_asked_before_the_arm_moves_again() {
+        let mut view = view();
+        view.asks = true;
+        shows(&view, &["let the arm move again?", "y yes"]);
+    }
+
+    #[test]
+    fn every_size_of_terminal_can_be_drawn_on() {
+        for width in (1..=200).step_by(7) {
+            for height in 1..=60 {
+                screen(&view(), width, height);
+                screen(&View::default(), width, height);
+            }
+        }
+    }
+
+    #[test]
+    fn a_stop_is_seen_on_the_smallest_terminal() {
+        let stopped = with(|state| {
+            state.stop = Some(StopView {
+                by: "me".into(),
+                reason: None,
+                at_s: 0.0,
+                rests_by_s: 0.0,
+                at_rest: false,
+            });
+        });
+        let screen = screen(&stopped, 20, 4).join("\n");
+        assert!(screen.contains("STOPPED by me"), "{screen}");
+    }
+
+    const STATE: &str = r#"{
+        "at_s": 61.0,
+        "link": {
+            "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
+            "statuses_per_s": 12.5, "lost_statuses": 3, "damaged_bytes": 17, "latency_ms": 46.0
+        },
+        "arm": {
+            "x_mm": 220.0, "y_mm": -40.5, "z_mm": 30.0, "rotation_deg": 15.0,
+            "base_deg": 30.25, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": -90.0,
+            "suction": true, "gripper_deg": 12.0, "moving": false
+        },
+        "dialect": "firmware-1.1",
+        "trust": {"trusted": true, "reason": null},
+        "queue": {"waiting": 2, "under_way": 1, "ahead_s": 1.5},
+        "lease": null,
+        "stop": null,
+        "laser": {"armed_for_s": 0.0, "on": false},
+        "job": null,
+        "clients": 2
+    }"#;
+}
