@@ -81,7 +81,7 @@ pub enum RemoteError {
     #[error("{0}")]
     Failed(String),
     /// It does not answer.
-    #[error("the station has not answered for {} s", PATIENCE.as_secs())]
+    #[error("the station does not answer")]
     Silent,
     /// It closed the connection.
     #[error("the station closed the connection{}", .0.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
@@ -162,7 +162,7 @@ impl Remote {
     ///
     /// [`RemoteError::Refused`] where it refuses, and others where there is no answer.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
-        let answered = timeout(PATIENCE, self.ask(request)).await;
+        let answered = timeout(patience(&request), self.ask(request)).await;
         answered.unwrap_or(Err(RemoteError::Silent))
     }
 
@@ -339,10 +339,9 @@ fn handshake(address: &StationAddress, name: &str) -> Result<Handshake, ConnectE
         .into_client_request()
         .map_err(|it| ConnectError::no_station(address, it))?;
     if let Some(token) = &address.token {
-        let protocol = HeaderValue::from_str(&format!("dobot.token.{token}"));
-        let protocol = protocol.map_err(|it| ConnectError::no_station(address, it))?;
-        let headers = handshake.headers_mut();
-        headers.insert("Sec-WebSocket-Protocol", protocol);
+        let bearer = HeaderValue::from_str(&format!("Bearer {token}"));
+        let bearer = bearer.map_err(|_| ConnectError::Token)?;
+        handshake.headers_mut().insert("Authorization", bearer);
     }
     Ok(handshake)
 }
@@ -362,6 +361,17 @@ fn broken(error: tungstenite::Error) -> RemoteError {
     match error {
         AlreadyClosed | ConnectionClosed => RemoteError::Closed(None),
         error => RemoteError::Broken(Box::new(error)),
+    }
+}
+
+/// How long an answer may take.
+const fn patience(request: &Request) -> Duration {
+    match request {
+        // Small slow motions.
+        Request::Detect => Duration::from_secs(180),
+        // The whole way of a job is checked before it is kept, and again before it is begun.
+        Request::SubmitJob { .. } | Request::StartJob { .. } => Duration::from_secs(60),
+        _ => PATIENCE,
     }
 }
 

@@ -25,12 +25,10 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
     async fn welcome(stream: S) -> (Self, String) {
         let mut asked = String::new();
         #[expect(clippy::result_large_err, reason = "the library wants it so")]
-        let note = |request: &server::Request, mut answer: server::Response| {
+        let note = |request: &server::Request, answer: server::Response| {
             asked = request.uri().to_string();
-            if let Some(protocol) = request.headers().get("Sec-WebSocket-Protocol") {
-                asked += &format!(" {}", protocol.to_str().unwrap());
-                let headers = answer.headers_mut();
-                headers.insert("Sec-WebSocket-Protocol", protocol.clone());
+            if let Some(token) = request.headers().get("Authorization") {
+                asked += &format!(" {}", token.to_str().unwrap());
             }
             Ok(answer)
         };
@@ -102,7 +100,7 @@ async fn the_name_and_the_token_reach_the_station() {
     assert_eq!(remote.unwrap().hello().client.0, 3);
     assert_eq!(
         asked,
-        "/api/v1/ws?name=dobot%20move%20%26%20co dobot.token.abc"
+        "/api/v1/ws?name=dobot%20move%20%26%20co Bearer abc"
     );
 }
 

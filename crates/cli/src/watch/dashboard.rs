@@ -315,7 +315,7 @@ mod tests {
     fn the_dashboard_shows_the_laser_and_for_how_long_it_is_armed() {
         shows(&view(), &["disarmed"]);
         let armed = with(|state| state.laser.armed_for_s = 90.0);
-        shows(&armed, &["armed for 1:30 min"]);
+        shows(&armed, &["armed 1:30 min"]);
         let burning = with(|state| state.laser.on = true);
         shows(&burning, &["LASER ON"]);
     }

@@ -146,7 +146,7 @@ fn tool_lines(state: &State) -> Vec<Line<'static>> {
     let laser = &state.laser;
     let laser = match (laser.on, laser.armed_for_s > 0.0) {
         (true, _) => "on".red().bold(),
-        (false, true) => format!("armed for {}", clock(laser.armed_for_s)).yellow(),
+        (false, true) => format!("armed {}", clock(laser.armed_for_s)).yellow(),
         (false, false) => "disarmed".into(),
     };
     let mut lines = state

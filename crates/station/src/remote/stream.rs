@@ -43,6 +43,9 @@ pub enum ConnectError {
         /// Where.
         address: String,
     },
+    /// The token cannot be sent.
+    #[error("the token is not one: it has characters that no token has")]
+    Token,
     /// The reason to trust it makes no sense.
     #[error(transparent)]
     Trust(#[from] TrustError),
@@ -92,7 +95,7 @@ impl ConnectError {
                 Some("is it https rather than http, or another port? 8642 is usual".into())
             }
             Self::Refused(problem) => problem.hint.clone(),
-            Self::Trust(_) => None,
+            Self::Trust(_) | Self::Token => None,
         }
     }
 
