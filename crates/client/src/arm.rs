@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use dobot_course::Button;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveJoints, MoveTo, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};
@@ -88,12 +89,17 @@ impl Arm {
         held: impl Into<Command>,
         time: Duration,
     ) -> Result<Status, LinkError> {
+        let held = held.into();
         self.connection.send(held)?;
         let until = self.connection.now() + time;
         while self.connection.now() < until {
             self.status().await?;
         }
-        self.perform(RELEASED).await
+        let released = match Button::of(&held) {
+            Some(Button::Held { axis, .. }) => axis.release(),
+            _ => self.connection.session().release(),
+        };
+        self.perform(released).await
     }
 
     /// Sends any command and returns what the arm tells when it is over.
@@ -115,10 +121,10 @@ impl Arm {
     ///
     /// [`LinkError`] when the link fails.
     pub async fn stop(&mut self) -> Result<Status, LinkError> {
-        self.connection.session_mut().forget_waiting();
+        let release = self.connection.session().release();
         self.connection.session_mut().send_now(LASER_OFF)?;
         self.connection.pass(GAP).await?;
-        self.connection.session_mut().send_now(RELEASED)?;
+        self.connection.session_mut().send_now(release)?;
         let mut last = self.status().await?;
         let mut since = self.connection.now();
         loop {
@@ -161,10 +167,6 @@ impl Arm {
     }
 }
 
-const RELEASED: JointJog = JointJog {
-    axis: JointJogAxis::Released,
-    speed_percent: 0.0,
-};
 const LASER_OFF: JointJog = JointJog {
     axis: JointJogAxis::LaserOff,
     speed_percent: 0.0,

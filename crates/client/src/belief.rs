@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::Model;
+use dobot_course::{Model, Settings};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
@@ -46,6 +46,23 @@ impl Belief {
             under_way: VecDeque::new(),
             last: None,
         }
+    }
+
+    /// The arm turns out to speak another dialect; what stands as at power-up stands as at its own.
+    pub(crate) fn set_dialect<'a>(
+        &mut self,
+        dialect: Dialect,
+        waiting: impl Iterator<Item = &'a Command>,
+    ) {
+        let (before, after) = (Settings::stock(&self.dialect), Settings::stock(&dialect));
+        self.dialect = dialect;
+        if let Some(model) = &mut self.sent {
+            model.dialect = dialect;
+            if model.settings.jump_height == before.jump_height {
+                model.settings.jump_height = after.jump_height;
+            }
+        }
+        self.plan_anew(waiting);
     }
 
     pub(crate) const fn after_sent(&self) -> Option<&Model> {
@@ -143,15 +160,14 @@ impl Belief {
         while self.under_way.front().is_some_and(|it| it.command <= id) {
             self.under_way.pop_front();
         }
-        // What follows began before it was seen to, but not long before.
+        // What follows began before that was seen. It may have begun long before: a target passed
+        // without a rest is seen to be over late, so that nothing is ever put off.
         let Some(first) = self.under_way.front() else {
             return;
         };
-        let begun = first.ends.saturating_sub(first.duration);
-        let begins = begun.clamp(now.saturating_sub(SEEN_WITHIN), now);
-        let (early, late) = (begun.saturating_sub(begins), begins.saturating_sub(begun));
+        let early = first.ends.saturating_sub(now + first.duration);
         for foreseen in &mut self.under_way {
-            foreseen.ends = foreseen.ends.saturating_sub(early) + late;
+            foreseen.ends = foreseen.ends.saturating_sub(early);
         }
     }
 
@@ -206,15 +222,13 @@ impl Belief {
 }
 
 fn after(model: &Model, command: &Command) -> Model {
-    match model.course(command) {
-        Ok(course) => model.after(command, &course),
-        // It is refused, skipped or cut short: where the arm is then is seen when it rests.
-        Err(_) => {
-            let mut model = model.begun(command);
-            model.lose_place();
-            model
-        }
+    if let Ok(course) = model.course(command) {
+        return model.after(command, &course);
     }
+    // It is refused, skipped or cut short: where the arm is then is seen when it rests.
+    let mut model = model.begun(command);
+    model.lose_place();
+    model
 }
 
 fn seconds_of(seconds: f64) -> Duration {
@@ -229,8 +243,6 @@ const LATEST: Duration = Duration::from_millis(120);
 /// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
 const ROUNDING: Duration = Duration::from_millis(120);
 const ROUNDING_SHARE: u32 = 50;
-/// The end of a command is in a status at the latest after two ticks, a period and the line.
-const SEEN_WITHIN: Duration = Duration::from_millis(200);
 const AHEAD_DEG: f64 = 0.001;
 /// Many of them added up still are a duration.
 const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

@@ -30,7 +30,7 @@ pub enum Event {
         found: Position,
     },
     /// The arm was reset: its pose is not to be trusted, what it was told is forgotten, and so are
-    /// the commands that were under way or waited. See [`Session::trusted`](crate::Session::trusted).
+    /// the commands that were under way or waited. See [`Session::is_trusted`](crate::Session::is_trusted).
     Reset {
         /// What shows it.
         evidence: ResetEvidence,

@@ -3,15 +3,17 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{CourseError, Model};
-use dobot_wire::{Command, Counts, Decoder, Dialect, Frame, Packet, Status, Statuses};
+use dobot_course::CourseError;
+use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
 
 use crate::belief::Belief;
 use crate::completion::{Completion, straight_target};
 use crate::quality::Meter;
 use crate::send_error::moves;
 use crate::trust::Trust;
-use crate::{Event, LinkQuality, Queue, SendError};
+use crate::{Event, SendError};
+
+mod look;
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -24,7 +26,7 @@ use crate::{Event, LinkQuality, Queue, SendError};
 /// executes, take less than [`Session::with_ahead`] (0.5 s).
 ///
 /// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
-/// angle is 0 then wherever the base stands): see [`Session::trusted`].
+/// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
 ///
 /// ```
 /// use std::time::Duration;
@@ -60,6 +62,8 @@ pub struct Session {
     /// When the last status came; at first the connect.
     heard: Duration,
     lost: bool,
+    /// No status came since the port was opened.
+    opened: bool,
     resyncs: u64,
     skipped: u64,
     events: VecDeque<Event>,
@@ -113,6 +117,7 @@ impl Session {
             status: None,
             heard: Duration::ZERO,
             lost: false,
+            opened: true,
             resyncs: 0,
             skipped: 0,
             events: VecDeque::new(),
@@ -144,7 +149,7 @@ impl Session {
     ///
     /// As [`Session::send`].
     pub fn check(&self, command: &Command) -> Result<(), SendError> {
-        if !self.trusted() && moves(command) {
+        if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
         }
         if self.is_on_the_spot(command) {
@@ -162,20 +167,57 @@ impl Session {
     /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
     pub fn send_now(&mut self, command: impl Into<Command>) -> Result<(), SendError> {
         let command = command.into();
-        let packet = self.packet(&command)?;
+        let packet = self.emit_now(&command)?;
         self.forget_waiting();
-        self.belief.handle_sent_now(self.now, &command);
-        self.belief.plan_anew([].iter());
+        self.note_urgent(&command);
         self.to_send.push_back(packet);
         Ok(())
     }
 
-    /// Forgets the commands that have not been sent yet; says how many they were.
-    pub fn forget_waiting(&mut self) -> usize {
-        let count = self.waiting.len();
-        self.waiting.clear();
+    /// Forgets the commands that have not been sent yet; says which they were.
+    pub fn forget_waiting(&mut self) -> Vec<CommandId> {
+        let forgotten = self.waiting.drain(..).map(|(id, _)| id).collect();
         self.belief.plan_anew([].iter());
-        count
+        forgotten
+    }
+
+    /// The packet of a command that the caller sends itself, at once and beside all others; the
+    /// session takes note that it left with [`Session::note_urgent`].
+    ///
+    /// # Errors
+    ///
+    /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
+    pub fn emit_now(&self, command: &Command) -> Result<Packet, SendError> {
+        self.packet(command)
+    }
+
+    /// Takes note of a command that left beside the session.
+    pub fn note_urgent(&mut self, command: &Command) {
+        self.trust.handle_sent(command);
+        self.belief.handle_sent_now(self.now, command);
+        let waiting = self.waiting.iter().map(|(_, command)| command);
+        self.belief.plan_anew(waiting);
+    }
+
+    /// Which dialect the arm speaks is known now, or known better.
+    pub fn set_dialect(&mut self, dialect: Dialect) {
+        self.dialect = Some(dialect);
+        let waiting = self.waiting.iter().map(|(_, command)| command);
+        self.belief.set_dialect(dialect, waiting);
+    }
+
+    /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
+    /// status as after a connect, and no permit is left. What was under way stays believed until
+    /// statuses tell otherwise.
+    pub fn handle_open(&mut self, now: Duration) {
+        self.now = now;
+        self.heard = now;
+        self.opened = true;
+        self.decoder = Decoder::statuses(plausible);
+        (self.resyncs, self.skipped) = (0, 0);
+        self.to_send.clear();
+        self.permit = false;
+        self.lost = false;
     }
 
     /// Sets the bound of [`Session::with_ahead`].
@@ -185,8 +227,14 @@ impl Session {
     }
 
     /// A person says that the arm stands where it tells: its pose is trusted from now on.
-    pub const fn confirm_pose(&mut self) {
+    pub fn confirm_pose(&mut self) {
         self.trust.confirm();
+    }
+
+    /// The pose that the arm tells is not trusted from now on, for a reason that the session does
+    /// not see.
+    pub fn distrust(&mut self, reason: &str) {
+        self.trust.distrust(reason);
     }
 
     /// Takes bytes from the arm.
@@ -232,108 +280,20 @@ impl Session {
             return Duration::MAX;
         }
         let patience = match self.status {
-            None => FIRST_STATUS,
+            _ if self.opened => FIRST_STATUS,
             Some(_) if self.completion.len() >= QUEUE_STALLS_AT => {
                 LINK_TIMEOUT + self.completion.longest_silence()
             }
-            Some(_) => LINK_TIMEOUT,
+            Some(_) | None => LINK_TIMEOUT,
         };
         self.heard + patience
-    }
-
-    /// What the arm told last.
-    #[must_use]
-    pub const fn status(&self) -> Option<&Status> {
-        self.status.as_ref()
-    }
-
-    /// The dialect, if it is known.
-    #[must_use]
-    pub const fn dialect(&self) -> Option<&Dialect> {
-        self.dialect.as_ref()
-    }
-
-    /// Whether something happened that nobody has been told.
-    #[must_use]
-    pub fn has_event(&self) -> bool {
-        !self.events.is_empty()
-    }
-
-    /// Commands that wait for a permit.
-    #[must_use]
-    pub fn waiting(&self) -> usize {
-        self.waiting.len()
-    }
-
-    /// Commands sent and not seen to be over.
-    #[must_use]
-    pub fn under_way(&self) -> usize {
-        self.completion.len()
-    }
-
-    /// What the decoder has seen.
-    #[must_use]
-    pub fn counts(&self) -> Counts {
-        self.decoder.counts()
-    }
-
-    /// What is believed of the arm when all that was given is over, what waits included; `None`
-    /// before the first status. Settings are those of a stock arm at power-up and what this session
-    /// has sent since. An arm whose dialect nobody has told is taken for one of the document.
-    #[must_use]
-    pub const fn model(&self) -> Option<&Model> {
-        self.belief.after_given()
-    }
-
-    /// What is on its way.
-    #[must_use]
-    pub fn queue(&self) -> Queue {
-        let under_way = self.completion.len();
-        let silent_for = self.now.saturating_sub(self.heard);
-        Queue {
-            waiting: self.waiting.len(),
-            under_way,
-            ahead: self.belief.ahead(self.now),
-            is_full: under_way >= QUEUE_STALLS_AT && silent_for > OVERDUE,
-        }
-    }
-
-    /// How long it should take until all that was sent is over, in seconds from the last time that
-    /// the session was told of. A jog counts as over: it is so as soon as something follows it.
-    #[must_use]
-    pub fn ahead_s(&self) -> f64 {
-        self.belief.ahead(self.now).as_secs_f64()
-    }
-
-    /// Within what time the arm is at rest for sure if nothing more is sent, from the last time that
-    /// the session was told of; `Duration::MAX` while it jogs.
-    ///
-    /// The promise holds for an arm that nobody else configures, with stock settings when the session
-    /// began (opening the port of a stock arm resets it), on a line of 9600 baud or faster.
-    #[must_use]
-    pub fn rests_within(&self) -> Duration {
-        self.belief.rests_within(self.now)
-    }
-
-    /// Whether the pose that the arm tells can be believed: since a reset was seen it is not, until
-    /// a person [confirms](Session::confirm_pose) it or the initial angles (state 9, mode 3) were
-    /// sent and seen. An arm that is not trusted is sent nothing that moves it, but releases,
-    /// switches and configuration.
-    #[must_use]
-    pub const fn trusted(&self) -> bool {
-        self.trust.trusted()
-    }
-
-    /// How good the link is.
-    #[must_use]
-    pub fn link(&self) -> LinkQuality {
-        self.meter.quality(self.now, &self.decoder.counts())
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
         let had_room = self.completion.len() < QUEUE_STALLS_AT;
         self.heard = now;
         self.lost = false;
+        self.opened = false;
         self.status = Some(status);
         self.meter.handle_status(now, &status, had_room);
         self.events.push_back(Event::Status(status));

@@ -48,27 +48,32 @@ impl std::fmt::Display for ResetEvidence {
 /// Watches the statuses for a reset.
 #[derive(Debug)]
 pub(crate) struct Trust {
-    trusted: bool,
+    /// Why the pose is not trusted, if it is not.
+    reason: Option<String>,
     last: Option<(Duration, Status)>,
     /// The initial angles that were sent, and not seen yet.
     told: Option<[f32; 2]>,
 }
 
 impl Trust {
-    pub(crate) const fn new(trusted: bool) -> Self {
+    pub(crate) fn new(trusted: bool) -> Self {
         Self {
-            trusted,
+            reason: (!trusted).then(|| UNCONFIRMED.to_owned()),
             last: None,
             told: None,
         }
     }
 
-    pub(crate) const fn trusted(&self) -> bool {
-        self.trusted
+    pub(crate) const fn reason(&self) -> Option<&String> {
+        self.reason.as_ref()
     }
 
-    pub(crate) const fn confirm(&mut self) {
-        self.trusted = true;
+    pub(crate) fn confirm(&mut self) {
+        self.reason = None;
+    }
+
+    pub(crate) fn distrust(&mut self, reason: &str) {
+        self.reason = Some(reason.to_owned());
     }
 
     pub(crate) fn handle_sent(&mut self, command: &Command) {
@@ -90,7 +95,7 @@ impl Trust {
         let (heard, before) = self.last.replace((now, *status))?;
         if self.told.is_some_and(|told| shows(status, told)) {
             self.told = None;
-            self.trusted = true;
+            self.reason = None;
             return None;
         }
         let silent_for = now.saturating_sub(heard);
@@ -103,14 +108,15 @@ impl Trust {
         if !(jumped || deaf && begun_anew) {
             return None;
         }
-        self.trusted = false;
-        Some(ResetEvidence {
+        let evidence = ResetEvidence {
             silent_for: deaf.then_some(silent_for),
             before: Place::of_status(&before).joints,
             now: Place::of_status(status).joints,
             jumped,
             base_is_zero,
-        })
+        };
+        self.distrust(&format!("the arm was reset: {evidence}"));
+        Some(evidence)
     }
 }
 
@@ -133,6 +139,8 @@ fn jumped(before: &Status, now: &Status, within: Duration) -> bool {
     .any(|way| way.abs() > most_deg)
 }
 
+const UNCONFIRMED: &str =
+    "nobody has confirmed where the arm stands since its port was opened, which resets it";
 /// Six statuses and a half.
 const DEAF: Duration = Duration::from_millis(520);
 /// Half as fast again as a stock arm ever turns on its own, 200 degrees/s.

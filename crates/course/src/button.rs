@@ -41,6 +41,27 @@ pub enum JogAxis {
     Z,
 }
 
+impl JogAxis {
+    /// The release that runs a jog of this axis down. A stock arm wants one of the same kind, joint or
+    /// linear: the other kind runs down the axis of the same number there, a forearm for Z (note N44).
+    #[must_use]
+    pub const fn release(self) -> Command {
+        let speed_percent = 0.0;
+        match self {
+            Self::Base | Self::Rear | Self::Fore | Self::Servo | Self::Gripper => {
+                Command::JointJog(JointJog {
+                    axis: JointJogAxis::Released,
+                    speed_percent,
+                })
+            }
+            Self::X | Self::Y | Self::Z => Command::LinearJog(LinearJog {
+                axis: LinearJogAxis::Released,
+                speed_percent,
+            }),
+        }
+    }
+}
+
 impl Button {
     /// The button that a command presses; `None` where it is no jog.
     #[must_use]

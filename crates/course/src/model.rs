@@ -109,6 +109,12 @@ impl Model {
         self.knows_place
     }
 
+    /// The jog that goes on, if one does.
+    #[must_use]
+    pub const fn jog(&self) -> Option<&JogCourse> {
+        self.jog.as_ref()
+    }
+
     /// Where a command leads from here.
     ///
     /// # Errors

@@ -215,7 +215,7 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
 
     /// Laser off first, then pen up; the vectors that the arm has already got come before.
     async fn part(&mut self, cause: &Cause) -> Parting {
-        let forgotten = self.arm.session_mut().forget_waiting();
+        let forgotten = self.arm.session_mut().forget_waiting().len();
         let lift = self.lift(self.sent.saturating_sub(forgotten));
         if matches!(
             cause,
