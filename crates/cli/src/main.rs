@@ -15,6 +15,7 @@ mod jog;
 mod lease;
 mod man;
 mod output;
+mod policy;
 mod ports;
 mod reach;
 mod set;
@@ -50,6 +51,7 @@ enum Verb {
     Simulate(simulate::Args),
     Decode(decode::Args),
     World(world::Args),
+    Policy(policy::Args),
     Ports(ports::Args),
     Conformance(conformance::Args),
     Stop(stop::Args),
@@ -80,6 +82,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Simulate(args) => simulate::run(&args),
         Verb::Decode(args) => decode::run(&args),
         Verb::World(args) => wait_for(world::run(args)),
+        Verb::Policy(args) => policy::run(&args),
         Verb::Ports(args) => ports::run(&args),
         Verb::Conformance(args) => wait_for(conformance::run(args)),
         Verb::Stop(args) => wait_for(stop::run(args)),

@@ -6,6 +6,7 @@ mod decoding;
 mod drawing;
 #[cfg(unix)]
 mod links;
+mod policy;
 mod program;
 mod simulating;
 mod worlds;
