@@ -51,7 +51,7 @@ pub use event::{Event, NotReached};
 pub use link::Link;
 pub use open::OpenError;
 pub use peer::Peer;
-pub use ports::{Port, ports};
+pub use ports::{Port, Usb, ports};
 pub use quality::LinkQuality;
 pub use queue::Queue;
 pub use send_error::SendError;

@@ -1,18 +1,19 @@
 //! Where the arm comes from: a port that is named or looked for, or a virtual arm of the station.
 
+use std::sync::Arc;
+
 use dobot_client::{Address, Link};
 use dobot_sim::Connector;
-use tokio::sync::mpsc;
+use tokio::sync::{Mutex, mpsc};
+use tokio::time::{Instant, sleep_until};
 
-use crate::finder::{self, Reconnect};
+use crate::{Finder, Found, Reconnect};
 
 /// Where the arm comes from.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// A port that a person named.
-    Named(Address),
-    /// Whatever arm is found on the serial ports.
-    Search,
+    /// A port that is named or looked for.
+    Port(Arc<Mutex<Finder>>),
     /// The station's own virtual arm.
     Virtual(Connector),
 }
@@ -21,12 +22,7 @@ pub(crate) enum Source {
 #[derive(Debug)]
 pub(crate) enum Connecting {
     /// The port is open.
-    Up {
-        link: Link,
-        address: Address,
-        /// What came from the arm meanwhile.
-        received: Vec<u8>,
-    },
+    Up(Found),
     /// Not yet, and why.
     Waiting(String),
 }
@@ -46,15 +42,17 @@ impl Source {
 }
 
 async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
-    let mut again = Reconnect::new();
+    let started = Instant::now();
+    let mut again = Reconnect::lost(started.elapsed());
     loop {
         let news = attempt(&source).await;
-        let up = matches!(news, Connecting::Up { .. });
+        let up = matches!(news, Connecting::Up(_));
         if tell.send(news).await.is_err() || up {
             return;
         }
+        again.handle_missed(started.elapsed());
         tokio::select! {
-            () = tokio::time::sleep(again.next_delay()) => {}
+            () = sleep_until(started + again.poll_wakeup()) => {}
             () = tell.closed() => return,
         }
     }
@@ -62,33 +60,18 @@ async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
 
 /// Tries once.
 async fn attempt(source: &Source) -> Connecting {
-    let opened = match source {
+    match source {
         Source::Virtual(connector) => match connector.connect().await {
-            Ok(stream) => Ok((Link::over_stream(stream), Address::Virtual, Vec::new())),
-            Err(error) => Err(error.to_string()),
+            Ok(stream) => Connecting::Up(Found {
+                address: Address::Virtual,
+                link: Link::over_stream(stream),
+                bytes: Vec::new(),
+            }),
+            Err(error) => Connecting::Waiting(error.to_string()),
         },
-        Source::Named(address) => match Link::open(address).await {
-            Ok(link) => Ok((link, address.clone(), Vec::new())),
-            Err(error) => Err(with_hint(&error)),
+        Source::Port(finder) => match finder.lock().await.find(|_| ()).await {
+            Ok(found) => Connecting::Up(found),
+            Err(nothing) => Connecting::Waiting(nothing.to_string()),
         },
-        Source::Search => finder::find()
-            .await
-            .map(|found| (found.link, found.address, found.received))
-            .map_err(|nothing| nothing.to_string()),
-    };
-    match opened {
-        Ok((link, address, received)) => Connecting::Up {
-            link,
-            address,
-            received,
-        },
-        Err(problem) => Connecting::Waiting(problem),
-    }
-}
-
-fn with_hint(error: &dobot_client::OpenError) -> String {
-    match error.hint() {
-        Some(hint) => format!("{error}; {hint}"),
-        None => error.to_string(),
     }
 }

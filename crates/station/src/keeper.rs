@@ -15,7 +15,7 @@ mod view;
 use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
 
-use dobot_client::{CommandId, Event, SendError, Session};
+use dobot_client::{CommandId, Event, Finding, SendError, Session};
 use dobot_course::Model;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
@@ -53,6 +53,7 @@ pub struct Keeper {
     halt: Option<Halt>,
     run: Option<Run>,
     detecting: Option<Detecting>,
+    finding: Option<Finding>,
     /// Commands of clients that are not over, and who sent them.
     pending: HashMap<CommandId, ClientId>,
     /// Packets that wait for nothing.
@@ -112,6 +113,7 @@ impl Keeper {
             halt: None,
             run: None,
             detecting: None,
+            finding: None,
             pending: HashMap::new(),
             urgent: VecDeque::new(),
             effects: VecDeque::new(),
@@ -162,6 +164,24 @@ impl Keeper {
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
         self.tell(News::Trouble, text);
+    }
+
+    /// The pose is not to be trusted until a person confirms it, and why.
+    pub fn distrust(&mut self, reason: &str) {
+        self.session.distrust(reason);
+        self.changed = true;
+    }
+
+    /// The dialect that the arm speaks, if that is known.
+    #[must_use]
+    pub fn dialect(&self) -> Option<Dialect> {
+        self.session.dialect().copied()
+    }
+
+    /// How the dialect was found, if the arm was asked for it.
+    #[must_use]
+    pub const fn finding(&self) -> Option<&Finding> {
+        self.finding.as_ref()
     }
 
     /// Takes which dialect the arm is known to speak, unless somebody has said it already.
@@ -398,7 +418,7 @@ impl Keeper {
 
     /// Forgets the commands that have not been sent.
     fn drop_waiting(&mut self, why: &str) {
-        for id in self.session.forget_waiting_ids() {
+        for id in self.session.forget_waiting() {
             self.run_command_forgotten(id);
             if self.pending.remove(&id).is_some() {
                 let command = id.0;

@@ -8,12 +8,14 @@ use dobot_wire::Packet;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::Instant;
 
+use crate::Found;
+use crate::arms::Arms;
 use crate::connect::{Connecting, Source};
 use crate::handle::{Ends, Message};
-use crate::jobs::{Jobs, Written};
+use crate::jobs::{Jobs, Written, recovery_model};
 use crate::keeper::{Effect, Keeper};
 use crate::recording::Recording;
-use crate::words::{ClientId, LinkPhase, Refusal, Reply, Request};
+use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Request};
 
 /// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
 #[derive(Debug)]
@@ -22,7 +24,10 @@ pub(crate) struct Owner {
     started: Instant,
     ends: Ends,
     source: Source,
+    arms: Arms,
     link: Option<Link>,
+    /// Where the arm is, or was last.
+    address: Option<String>,
     /// What the connecting task tells, while there is no link.
     connecting: Option<mpsc::Receiver<Connecting>>,
     incoming: Vec<u8>,
@@ -55,18 +60,20 @@ impl Owner {
         keeper: Keeper,
         ends: Ends,
         source: Source,
+        arms: Arms,
         jobs: Jobs,
         recording: Recording,
         own: mpsc::Sender<Message>,
-        started: Instant,
     ) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
             keeper,
-            started,
+            started: Instant::now(),
             ends,
             source,
+            arms,
             link: None,
+            address: None,
             connecting: None,
             incoming: Vec::new(),
             jobs,
@@ -79,10 +86,36 @@ impl Owner {
         }
     }
 
+    /// Takes up a job that was at work when the station before this one was killed.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line.
+    pub(crate) fn recover(&mut self) -> Result<(), String> {
+        let interrupted = self.jobs.interrupted().map_err(|error| error.to_string())?;
+        let Some(job) = interrupted else {
+            return Ok(());
+        };
+        match self.jobs.begun(&job, recovery_model(&job)) {
+            Ok(begun) => {
+                let now = self.now();
+                self.keeper.handle_recovered(now, begun, job.window);
+                Ok(())
+            }
+            Err(refusal) => {
+                self.jobs.give_up(&job, &refusal.to_string());
+                Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+            }
+        }
+    }
+
     /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
     /// moment to come to its end.
-    pub(crate) async fn run(mut self) {
-        self.connect();
+    pub(crate) async fn run(mut self, found: Option<Found>) {
+        match found {
+            Some(found) => self.take_up(found),
+            None => self.connect(),
+        }
         loop {
             self.carry_out();
             if self.is_over() {
@@ -98,6 +131,9 @@ impl Owner {
             }
             let now = self.now();
             self.keeper.handle_time(now);
+            if let Some(trouble) = self.recording.poll_trouble() {
+                self.keeper.handle_trouble(now, trouble);
+            }
         }
         self.part().await;
     }
@@ -140,6 +176,7 @@ impl Owner {
         }
         while let Some(notice) = self.keeper.poll_notice() {
             self.recording.notice(self.now(), &notice);
+            self.remember(&notice);
             self.ends.announce(notice);
         }
         if self.keeper.poll_changed() {
@@ -271,6 +308,37 @@ impl Owner {
         self.connect();
     }
 
+    fn take_up(&mut self, found: Found) {
+        let now = self.now();
+        let address = found.address.to_string();
+        self.connecting = None;
+        self.link = Some(found.link);
+        if let Some(dialect) = self.arms.dialect(&address) {
+            self.keeper.handle_known_dialect(dialect);
+        }
+        self.keeper.handle_link_up(now, &address);
+        self.recording.link(now, &address, self.keeper.dialect());
+        self.recording.from_arm(now, &found.bytes);
+        self.keeper.handle_bytes(now, &found.bytes);
+        self.address = Some(address);
+    }
+
+    /// Keeps which dialect the arm speaks, once that is known.
+    fn remember(&mut self, notice: &Notice) {
+        let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
+            return;
+        };
+        if self.source.is_virtual() {
+            return;
+        }
+        let finding = self.keeper.finding();
+        if let Err(error) = self.arms.keep(address, *dialect, finding) {
+            let now = self.now();
+            let text = format!("which dialect the arm speaks cannot be kept: {error}");
+            self.keeper.handle_trouble(now, text);
+        }
+    }
+
     /// Looks for the arm, in a task of its own.
     fn connect(&mut self) {
         if self.ending.is_none() {
@@ -281,22 +349,7 @@ impl Owner {
     fn follow(&mut self, news: Option<Connecting>) {
         let now = self.now();
         match news {
-            Some(Connecting::Up {
-                link,
-                address,
-                received,
-            }) => {
-                self.connecting = None;
-                self.link = Some(link);
-                self.keeper.handle_link_up(now, &address.to_string());
-                if let Some(dialect) = self.source.dialect_of(&address) {
-                    self.keeper.handle_known_dialect(dialect);
-                }
-                self.recording.link(now, &address);
-                if !received.is_empty() {
-                    self.keeper.handle_bytes(now, &received);
-                }
-            }
+            Some(Connecting::Up(found)) => self.take_up(found),
             Some(Connecting::Waiting(problem)) => {
                 self.keeper
                     .handle_link_down(now, LinkPhase::Searching, Some(problem));

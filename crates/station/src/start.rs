@@ -7,35 +7,37 @@ use std::sync::Arc;
 use dobot_client::Address;
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{Journal, JournalError};
-use dobot_record::{Limits, Recorder};
+use dobot_record::{About, Limits, Recorder};
 use dobot_safety::{Policy, PolicyError};
 use dobot_sim::{Line, Server, VirtualArm};
-use tokio::net::TcpListener;
+use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
-use tokio::time::Instant;
 
+#[cfg(unix)]
+use crate::VirtualPort;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
 use crate::handle::Rules;
 use crate::http;
-use crate::jobs::{self, Jobs};
+use crate::jobs::Jobs;
 use crate::keeper::Keeper;
 use crate::owner::Owner;
-use crate::raw;
 use crate::recording::Recording;
-use crate::{Config, Folders, Handle};
+use crate::{
+    Config, Finder, Found, Handle, RawPort, RawPortError, Search, ServeError, Served, Web,
+};
 
 /// A station that runs.
 #[derive(Debug)]
 pub struct Station {
     handle: Handle,
     owner: JoinHandle<()>,
-    http: http::Server,
+    http: Served,
     arm: Option<Address>,
     raw: Option<SocketAddr>,
     pty: Option<PathBuf>,
-    /// What went wrong and can be done without.
-    warnings: Vec<String>,
+    /// What a person should know, a line each.
+    notes: Vec<String>,
     /// What ends with the station.
     tasks: Vec<JoinHandle<()>>,
 }
@@ -77,20 +79,15 @@ pub enum StartError {
     /// What is known of arms cannot be read.
     #[error(transparent)]
     Arms(#[from] ArmsError),
-    /// Another station runs already, or another program has the address.
-    #[error("cannot serve {what} on {address}")]
-    Bind {
-        /// What was to be served.
-        what: &'static str,
-        /// Where.
-        address: String,
-        /// Why not.
-        #[source]
-        source: std::io::Error,
-    },
+    /// The raw port cannot be served.
+    #[error(transparent)]
+    Raw(#[from] RawPortError),
+    /// The virtual serial port cannot be made.
+    #[error("cannot make the virtual serial port")]
+    Pty(#[source] std::io::Error),
     /// Page and API cannot be served.
     #[error(transparent)]
-    Http(#[from] http::ServeError),
+    Http(#[from] ServeError),
 }
 
 impl Station {
@@ -107,63 +104,49 @@ impl Station {
         make_folder(config.folders.data())?;
         let policy = read_policy(config.policy.as_deref())?;
         let arms = Arms::read(&config.folders.arms())?;
-        // The doors first: where another station has them, nothing of its journal is touched.
-        let web = http::Door::open(&config).await?;
-        let raw = open_raw(config.raw).await?;
-        let journal = Journal::open(&config.folders.journal())?;
-
-        let started = Instant::now();
-        let mut tasks = Vec::new();
-        let source = source(&config, &mut tasks);
-        let dialect = config
-            .dialect
-            .or_else(|| source.is_virtual().then(|| config.personality.dialect()));
-        let mut keeper = Keeper::new(policy.clone(), dialect);
-        let rules = Rules::of(&policy);
-        let jobs = Jobs::new(journal, Arc::new(policy));
-        let mut warnings = Vec::new();
-        if let Err(why) = recover(&jobs, &mut keeper) {
-            warnings.push(why);
-        }
-        let recorder = match record(&config.folders) {
-            Ok(recorder) => Some(recorder),
-            Err(why) => {
-                warnings.push(why);
-                None
-            }
+        // The raw port first: where another station has it, nothing of its journal is touched.
+        let raw = match config.raw {
+            Some(address) => Some(RawPort::bind(address).await?),
+            None => None,
         };
-        let personality = source
-            .is_virtual()
-            .then(|| config.personality.to_string());
-        let recording = Recording::new(recorder, personality);
-        let (handle, ends) = Handle::new(keeper.state(), rules);
-        let arm = source.address();
-        let owner = Owner::new(
-            keeper,
-            ends,
-            source,
-            arms,
-            jobs,
-            recording,
-            handle.messages.clone(),
-            started,
-        );
-        let owner = tokio::spawn(owner.run());
-        let raw_address = raw.as_ref().and_then(|it| it.local_addr().ok());
-        if let Some(listener) = raw {
-            tasks.push(tokio::spawn(raw::serve(listener, handle.clone())));
-        }
+        let journal = Journal::open(&config.folders.journal())?;
+        let mut notes = Vec::new();
+        let mut tasks = Vec::new();
+        let (source, found) = source(&config, &mut tasks, &mut notes).await;
+        let keeper = keeper(&config, &policy, &source);
+        let (handle, ends) = Handle::new(keeper.state(), Rules::of(&policy));
+        let jobs = Jobs::new(journal, Arc::new(policy));
+        let recording = recording(&config, &source, &mut notes);
+        let arm = found.as_ref().map(|it| it.address.clone());
+        let is_virtual = source.is_virtual();
+        let own = handle.messages.clone();
+        let mut owner = Owner::new(keeper, ends, source, arms, jobs, recording, own);
+        notes.extend(owner.recover().err());
+        let owner = tokio::spawn(owner.run(found));
+        let raw = raw.map(|port| serve_raw(port, &handle, &mut tasks));
         let pty = open_pty(&config, &handle, &mut tasks)?;
-        Ok(Self {
-            http: web.serve(handle.clone()),
-            handle,
-            owner,
-            arm,
-            raw: raw_address,
-            pty,
-            warnings,
-            tasks,
-        })
+        let web = Web {
+            tls: config.tls.clone(),
+            ..Web::new(config.http, config.folders.clone())
+        };
+        match http::serve(&web, handle.clone()).await {
+            Ok(http) => Ok(Self {
+                handle,
+                owner,
+                http,
+                arm: arm.or_else(|| is_virtual.then_some(Address::Virtual)),
+                raw,
+                pty,
+                notes,
+                tasks,
+            }),
+            Err(error) => {
+                handle.end().await;
+                // A task that was torn down has nothing to say.
+                let _ = owner.await;
+                Err(error.into())
+            }
+        }
     }
 
     /// How to talk to it in this process.
@@ -174,7 +157,7 @@ impl Station {
 
     /// Where page and API are served, as in `http://127.0.0.1:8642`.
     #[must_use]
-    pub fn url(&self) -> String {
+    pub fn url(&self) -> &str {
         self.http.url()
     }
 
@@ -202,19 +185,20 @@ impl Station {
         self.pty.as_deref()
     }
 
-    /// What went wrong and can be done without.
+    /// What a person should know, a line each: why no arm was found, what cannot be recorded.
     #[must_use]
-    pub fn warnings(&self) -> &[String] {
-        &self.warnings
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Ends the station: laser off first, then what is under way comes to its end, then the journal
     /// and the recording are closed.
     pub async fn end(self) {
-        self.http.end().await;
         self.handle.end().await;
         // A task that was torn down has nothing to say.
         let _ = self.owner.await;
+        // The file that says where it runs is found to be stale by those who try to connect.
+        let _ = self.http.end().await;
         for task in self.tasks {
             task.abort();
         }
@@ -241,67 +225,81 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     }
 }
 
-async fn open_raw(address: Option<SocketAddr>) -> Result<Option<TcpListener>, StartError> {
-    let Some(address) = address else {
-        return Ok(None);
-    };
-    let listener = TcpListener::bind(address).await;
-    listener.map(Some).map_err(|source| StartError::Bind {
-        what: "raw packets",
-        address: address.to_string(),
-        source,
-    })
+fn serve_raw(port: RawPort, handle: &Handle, tasks: &mut Vec<JoinHandle<()>>) -> SocketAddr {
+    let (address, handle) = (port.address(), handle.clone());
+    tasks.push(tokio::spawn(async move {
+        port.serve(&handle, |_| ()).await;
+    }));
+    address
 }
 
-/// Where the arm comes from; a virtual one begins to live here.
-fn source(config: &Config, tasks: &mut Vec<JoinHandle<()>>) -> Source {
-    match &config.arm {
-        Some(Address::Virtual) => {
-            let controller = Controller::power_up(PowerUp::new(config.personality));
-            let arm = VirtualArm::new(controller, Line::STOCK);
-            let mut server = Server::new(arm).at_speed(config.speed);
-            let connector = server.connector();
-            tasks.push(tokio::spawn(async move {
-                // In this process there is no port that could not be served any more.
-                let _ = server.run(|_| ()).await;
-            }));
-            Source::Virtual(connector)
-        }
-        Some(address) => Source::Named(address.clone()),
-        None => Source::Search,
+/// Where the arm comes from, and the arm itself where it was looked for and found. Without one there
+/// is a virtual arm.
+async fn source(
+    config: &Config,
+    tasks: &mut Vec<JoinHandle<()>>,
+    notes: &mut Vec<String>,
+) -> (Source, Option<Found>) {
+    let named = match &config.arm {
+        Some(Address::Virtual) => return (virtual_arm(config, tasks), None),
+        Some(address) => vec![address.clone()],
+        None => Vec::new(),
+    };
+    let search = named.is_empty();
+    let mut finder = Finder::new(Search {
+        named,
+        ..Search::default()
+    });
+    if !search {
+        return (Source::Port(Arc::new(Mutex::new(finder))), None);
     }
-}
-
-/// Takes up a job that was at work when the station before this one was killed.
-fn recover(jobs: &Jobs, keeper: &mut Keeper) -> Result<(), String> {
-    let interrupted = jobs.interrupted().map_err(|error| error.to_string())?;
-    let Some(job) = interrupted else {
-        return Ok(());
-    };
-    match jobs.begun(&job, jobs::recovery_model(&job)) {
-        Ok(begun) => {
-            keeper.handle_recovered(std::time::Duration::ZERO, begun, job.window);
-            Ok(())
-        }
-        Err(refusal) => {
-            jobs.give_up(&job, &refusal.to_string());
-            Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+    match finder.find(|_| ()).await {
+        Ok(found) => (Source::Port(Arc::new(Mutex::new(finder))), Some(found)),
+        Err(nothing) => {
+            notes.push(nothing.to_string());
+            (virtual_arm(config, tasks), None)
         }
     }
 }
 
-fn record(folders: &Folders) -> Result<Recorder, String> {
-    let folder = folders.recordings();
-    let started = Recorder::start(
-        folder,
+/// A virtual arm that lives as long as the station.
+fn virtual_arm(config: &Config, tasks: &mut Vec<JoinHandle<()>>) -> Source {
+    let controller = Controller::power_up(PowerUp::new(config.personality));
+    let arm = VirtualArm::new(controller, Line::STOCK);
+    let mut server = Server::new(arm).at_speed(config.speed);
+    let connector = server.connector();
+    tasks.push(tokio::spawn(async move {
+        // In this process there is no port that could not be served any more.
+        let _ = server.run(|_| ()).await;
+    }));
+    Source::Virtual(connector)
+}
+
+/// A real arm is reset when its port is opened: somebody has to look where it stands.
+fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
+    let own = source.is_virtual().then(|| config.personality.dialect());
+    let dialect = config.dialect.or(own);
+    let mut keeper = Keeper::new(policy.clone(), dialect);
+    if !source.is_virtual() {
+        keeper.distrust(OPENED);
+    }
+    keeper
+}
+
+fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {
+    let personality = source.is_virtual().then(|| config.personality.to_string());
+    let recorder = Recorder::start(
+        config.folders.recordings(),
         Limits::default(),
-        dobot_record::About::default(),
+        About::default(),
         jiff::Timestamp::now(),
     );
-    started.map_err(|error| format!("nothing is recorded: {error}"))
+    let recorder = recorder.map_err(|error| notes.push(format!("nothing is recorded: {error}")));
+    Recording::new(recorder.ok(), personality)
 }
 
 /// A virtual serial port for programs that speak nothing else.
+#[cfg(unix)]
 fn open_pty(
     config: &Config,
     handle: &Handle,
@@ -310,12 +308,25 @@ fn open_pty(
     let Some(link) = &config.pty else {
         return Ok(None);
     };
-    let port = crate::virtual_port::open(link).map_err(|source| StartError::Bind {
-        what: "a virtual serial port",
-        address: link.display().to_string(),
-        source,
-    })?;
-    let path = port.path().to_owned();
-    tasks.push(tokio::spawn(port.serve(handle.clone())));
+    let link = Some(link.as_path()).filter(|it| !it.as_os_str().is_empty());
+    let port = VirtualPort::open(link).map_err(StartError::Pty)?;
+    let (path, handle) = (port.path().to_owned(), handle.clone());
+    tasks.push(tokio::spawn(async move {
+        if let Err(error) = port.serve(&handle, |_| ()).await {
+            let text = format!("the virtual serial port cannot be served any more: {error}");
+            handle.trouble(text).await;
+        }
+    }));
     Ok(Some(path))
 }
+
+#[cfg(not(unix))]
+fn open_pty(
+    _: &Config,
+    _: &Handle,
+    _: &mut Vec<JoinHandle<()>>,
+) -> Result<Option<PathBuf>, StartError> {
+    Ok(None)
+}
+
+const OPENED: &str = "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

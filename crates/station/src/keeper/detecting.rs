@@ -67,9 +67,11 @@ impl Keeper {
             let client = detecting.client;
             self.detecting = None;
             let answer = match outcome {
-                Ok(finding) => self
-                    .set_dialect(finding.dialect)
-                    .map(|_| Reply::Found { finding }),
+                Ok(finding) => {
+                    self.finding = Some(finding.clone());
+                    let set = self.set_dialect(finding.dialect);
+                    set.map(|_| Reply::Found { finding })
+                }
                 Err(error) => Err(Refusal::NotFound(error.to_string())),
             };
             self.answers.push_back((client, answer));

@@ -73,7 +73,10 @@ impl Keeper {
                 Ok(Reply::Done)
             }
             Request::ConfirmPose => self.confirm_pose(client),
-            Request::SetDialect { dialect } => self.set_dialect(dialect),
+            Request::SetDialect { dialect } => {
+                self.finding = None;
+                self.set_dialect(dialect)
+            }
             Request::PauseJob => self.pause_job(client),
             Request::CancelJob { job } => self.cancel_job(client, job),
             Request::Detect | Request::SubmitJob { .. } | Request::StartJob { .. } => Err(
