@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::extract::ws::Utf8Bytes;
+use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
@@ -41,6 +42,16 @@ pub(crate) struct Rules {
     pub(crate) policy: serde_json::Value,
     /// How long a jog button stays pressed without being said again, in seconds.
     pub(crate) dead_man_s: f64,
+}
+
+impl Rules {
+    /// The rules of a policy.
+    pub(crate) fn of(policy: &Policy) -> Self {
+        Self {
+            policy: serde_json::to_value(policy).expect("a policy is a table of numbers"),
+            dead_man_s: policy.jog.dead_man_s,
+        }
+    }
 }
 
 /// A state, and its JSON, written once for all who watch.

@@ -431,8 +431,9 @@ impl Keeper {
     }
 
     /// Sends a command at once, whatever waits.
-    fn send_urgent(&mut self, command: impl Into<Command>) {
-        if let Ok(packet) = self.session.emit_now(&command.into()) {
+    fn send_urgent(&mut self, command: Command) {
+        if let Ok(packet) = self.session.emit_now(&command) {
+            self.session.note_urgent(&command);
             self.urgent.push_back(packet);
         }
     }

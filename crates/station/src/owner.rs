@@ -310,6 +310,7 @@ impl Owner {
 
     fn take_up(&mut self, found: Found) {
         let now = self.now();
+        self.recording.link(now, &found.address, self.keeper.dialect());
         let address = found.address.to_string();
         self.connecting = None;
         self.link = Some(found.link);
@@ -317,7 +318,6 @@ impl Owner {
             self.keeper.handle_known_dialect(dialect);
         }
         self.keeper.handle_link_up(now, &address);
-        self.recording.link(now, &address, self.keeper.dialect());
         self.recording.from_arm(now, &found.bytes);
         self.keeper.handle_bytes(now, &found.bytes);
         self.address = Some(address);

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_wire::{JointJog, JointJogAxis};
+use dobot_wire::{Command, JointJog, JointJogAxis};
 
 use super::Keeper;
 
@@ -38,7 +38,7 @@ impl Keeper {
 
     /// Lets go of the button that is held.
     pub(super) fn release_now(&mut self) {
-        self.send_urgent(button(JointJogAxis::Released));
+        self.send_urgent(self.session.release());
         self.halt = Some(Halt {
             next: self.now + AGAIN,
             laser_is_next: false,
@@ -55,12 +55,12 @@ impl Keeper {
             self.halt = None;
             return;
         }
-        let axis = if halt.laser_is_next {
-            JointJogAxis::LaserOff
+        if halt.laser_is_next {
+            self.send_urgent(LASER_OFF);
         } else {
-            JointJogAxis::Released
-        };
-        self.send_urgent(button(axis));
+            // A button of the joints and one of the axes are released each in its own way.
+            self.send_urgent(self.session.release());
+        }
         let again = if halt.laser_is_next { GAP } else { AGAIN };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
             next: self.now + again,
@@ -76,12 +76,10 @@ impl Keeper {
     }
 }
 
-pub(super) const fn button(axis: JointJogAxis) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent: 0.0,
-    }
-}
+pub(super) const LASER_OFF: Command = Command::JointJog(JointJog {
+    axis: JointJogAxis::LaserOff,
+    speed_percent: 0.0,
+});
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
 const GAP: Duration = Duration::from_millis(60);

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_safety::burns;
 use dobot_wire::{Command, JointJogAxis};
 
-use super::halt::button;
+use super::halt::LASER_OFF;
 use super::{Keeper, seconds};
 use crate::words::{ClientId, LaserView, News, Refusal, Reply};
 
@@ -112,7 +112,7 @@ impl Keeper {
         if self.laser.on || !self.laser.off.is_some_and(lately) {
             self.laser.on = false;
             self.laser.off = Some(self.now);
-            self.send_urgent(button(JointJogAxis::LaserOff));
+            self.send_urgent(LASER_OFF);
         }
     }
 

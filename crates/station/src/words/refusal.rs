@@ -202,6 +202,9 @@ fn send_hint(error: &SendError) -> Option<String> {
             "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold"
                 .into(),
         ),
+        SendError::Untrusted => {
+            Some("look at the arm; where it stands as its statuses say, confirm it: `dobot confirm`".into())
+        }
         SendError::OnTheSpot => Some("a JUMP goes there without harm".into()),
         _ => None,
     }

@@ -3,13 +3,17 @@
 use std::time::Duration;
 
 use dobot_controller::Personality;
+use dobot_journal::JobState;
 use dobot_station::{Rehearsal, Request};
 use proptest::prelude::*;
 
 use crate::drawing::{drawn_mm, rehearsal, spiral, wanted_mm};
 
-fn paused(it: &Rehearsal, job: u64) -> bool {
-    it.job(job).unwrap().state.to_string().starts_with("paused")
+/// Whether the arm rests, and the job can be started or gone on with: one that was killed in its
+/// first moments has not begun.
+fn rests(it: &Rehearsal, job: u64) -> bool {
+    let state = it.job(job).unwrap().state;
+    it.keeper().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
 }
 
 /// Draws a spiral and kills the station so many milliseconds after the start, and again after each
@@ -29,7 +33,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         it.crash(Duration::from_millis(away_ms)).unwrap();
         let minute = it.now() + Duration::from_secs(60);
         assert!(
-            it.run_until(minute, |it| paused(it, job)),
+            it.run_until(minute, |it| rests(it, job)),
             "it is paused, not lost"
         );
         anna = it.client("Anna");

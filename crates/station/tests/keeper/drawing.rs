@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::Position;
+use dobot_arm::{Millimeters, Position};
 use dobot_controller::{Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
@@ -101,10 +101,11 @@ fn write([x_mm, y_mm, z_mm]: [f32; 3], mode: WriteMode, laser: bool) -> WriteVec
 pub(crate) fn drawn_mm(rehearsal: &Rehearsal) -> f64 {
     let samples = rehearsal.arm().samples();
     let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
+    let flat = |at: Position| Position { z: Millimeters(0.0), ..at };
     samples
         .windows(2)
         .filter(|pair| down(pair[0].position) && down(pair[1].position))
-        .map(|pair| pair[0].position.distance(pair[1].position).0)
+        .map(|pair| flat(pair[0].position).distance(flat(pair[1].position)).0)
         .sum()
 }
 
@@ -115,4 +116,9 @@ pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
         _ => 0.0,
     };
     job.commands.iter().map(flat).sum()
+}
+
+/// Whether nothing more will come of a job.
+pub(crate) fn is_over(it: &Rehearsal, job: u64) -> bool {
+    it.job(job).unwrap().state.is_over()
 }

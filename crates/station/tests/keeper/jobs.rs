@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_controller::Personality;
 use dobot_station::{JobPhase, Rehearsal, Request};
 
-use crate::drawing::{drawn_mm, rehearsal, spiral, wanted_mm};
+use crate::drawing::{drawn_mm, is_over, rehearsal, spiral, wanted_mm};
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
@@ -15,10 +15,6 @@ fn close(found_mm: f64, wanted_mm: f64, what: &str) {
         (found_mm - wanted_mm).abs() < allowed_mm,
         "{what}: {found_mm} mm were drawn, wanted are {wanted_mm} mm, {allowed_mm} mm off are allowed"
     );
-}
-
-fn done(it: &Rehearsal) -> bool {
-    it.keeper().job().is_none()
 }
 
 #[test]
@@ -32,7 +28,7 @@ fn a_job_is_drawn_once_and_done() {
         it.start(anna, job).unwrap();
         let planned_s = it.keeper().job().unwrap().planned_s.unwrap();
         let began = it.now();
-        assert!(it.run_until(began + Duration::from_secs(120), done));
+        assert!(it.run_until(began + Duration::from_secs(120), |it| is_over(it, job)));
         let took_s = (it.now() - began).as_secs_f64();
         assert!(
             (took_s / planned_s - 1.0).abs() < 0.25,
@@ -66,7 +62,7 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
             it.start(anna, job).unwrap();
         }
         let minutes = it.now() + Duration::from_secs(180);
-        assert!(it.run_until(minutes, done), "{personality}");
+        assert!(it.run_until(minutes, |it| is_over(it, job)), "{personality}");
         close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
     }
 }

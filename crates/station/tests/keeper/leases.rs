@@ -6,7 +6,7 @@ use dobot_controller::Personality;
 use dobot_station::{Jog, Refusal, Rehearsal, Request};
 use dobot_wire::{LinearJog, LinearJogAxis};
 
-use crate::drawing::{rehearsal, spiral};
+use crate::drawing::{is_over, rehearsal, spiral};
 
 const UP: Request = Request::Jog {
     jog: Jog::Linear(LinearJog {
@@ -98,6 +98,6 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
     it.run_for(Duration::from_secs(2));
     it.leave(anna);
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, |it| it.keeper().job().is_none()));
+    assert!(it.run_until(minute, |it| is_over(it, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
