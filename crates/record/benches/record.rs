@@ -1,1 +1,121 @@
-fn main() {}
+//! What recording costs.
+//!
+//! `cargo bench -p dobot-record --bench record`
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use dobot_record::{About, Limits, Record, Recorder, Recording, Topic, recordings};
+use dobot_wire::Status;
+use serde_json::json;
+use tempfile::TempDir;
+
+fn main() {
+    divan::main();
+}
+
+/// What a caller pays for a status, its copy included. As many as the queue holds: then it pays
+/// less, and loses them.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn a_status_for_its_caller(bencher: Bencher) {
+    let status = status();
+    bencher
+        .counter(ItemsCount::new(QUEUE))
+        .with_inputs(recorder)
+        .bench_refs(|(_, recorder)| {
+            for n in 0..QUEUE {
+                recorder.record(at(n), Record::FromArm(status.to_vec()));
+            }
+        });
+}
+
+/// What a caller pays for a state of the station that it has made already.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn a_state_for_its_caller(bencher: Bencher) {
+    let topic = Topic::new("/state", "x.State", &json!({ "type": "object" }));
+    let topic = Arc::new(topic.expect("it is one"));
+    let value = json!({
+        "pose": { "x_mm": 200.0, "y_mm": 0.0, "z_mm": 20.0 },
+        "joints": [0.0, 45.0, 45.0, 0.0],
+        "link": "up",
+        "queue": 3,
+    });
+    bencher
+        .counter(ItemsCount::new(QUEUE))
+        .with_inputs(|| {
+            let record = || Record::Json {
+                topic: Arc::clone(&topic),
+                value: value.clone(),
+            };
+            let records: Vec<_> = (0..QUEUE).map(|n| (at(n), record())).collect();
+            (recorder(), Some(records))
+        })
+        .bench_refs(|((_, recorder), records)| {
+            for (at, record) in records.take().into_iter().flatten() {
+                recorder.record(at, record);
+            }
+        });
+}
+
+/// Statuses to the file and all, in the recorder's thread.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn a_status_to_its_file(bencher: Bencher) {
+    let status = status();
+    bencher
+        .counter(ItemsCount::new(QUEUE))
+        .with_inputs(|| {
+            let (folder, recorder) = recorder();
+            for n in 0..QUEUE {
+                recorder.record(at(n), Record::FromArm(status.to_vec()));
+            }
+            (folder, Some(recorder))
+        })
+        .bench_refs(|(_, recorder)| recorder.take().map(Recorder::finish));
+}
+
+/// Reading a recording: four messages for each status.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn a_status_from_its_file(bencher: Bencher) {
+    let status = status();
+    let (folder, recorder) = recorder();
+    for n in 0..QUEUE {
+        recorder.record(at(n), Record::FromArm(status.to_vec()));
+    }
+    assert_eq!(recorder.finish().lost, 0);
+    let file = &recordings(folder.path()).expect("it is readable")[0].path;
+    bencher
+        .counter(ItemsCount::new(QUEUE))
+        .bench(|| Recording::open(file).expect("it is one").count());
+}
+
+fn recorder() -> (TempDir, Recorder) {
+    let folder = tempfile::tempdir().expect("there is room");
+    let start = "2026-11-21T12:30:00Z".parse().expect("it is a time");
+    let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+    (folder, recorder.expect("the limits are good"))
+}
+
+fn at(n: u32) -> Duration {
+    Duration::from_millis(80) * n
+}
+
+fn status() -> [u8; 42] {
+    let status = Status {
+        x_mm: 215.07,
+        y_mm: 0.0,
+        z_mm: 135.0,
+        rotation_deg: 0.0,
+        base_deg: 0.0,
+        rear_deg: 0.0,
+        fore_deg: 0.0,
+        servo_deg: 0.0,
+        suction: false,
+        gripper_deg: 0.0,
+    };
+    status.emit().to_bytes()
+}
+
+/// As many records as wait to be written at the most.
+const QUEUE: u32 = 4096;

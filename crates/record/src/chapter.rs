@@ -76,7 +76,7 @@ impl<W: Write> Chapter<W> {
 
     /// Writes a message; it is safe from the next [`Chapter::flush`] on.
     pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
-        let len = self.cost(message);
+        let (cost, index_len) = (self.cost(message), self.index_len);
         let header = MessageHeader {
             channel_id: self.channel(message.topic)?,
             sequence: self.count(message.topic),
@@ -88,7 +88,7 @@ impl<W: Write> Chapter<W> {
             begin_ns: message.at_ns,
             len: 0,
         });
-        chunk.len += len;
+        chunk.len += cost - (self.index_len - index_len);
         Ok(())
     }
 
@@ -135,14 +135,15 @@ impl<W: Write> Chapter<W> {
     fn cost(&self, message: &Message<'_>) -> u64 {
         let topic = message.topic;
         let own = message.json.len() as u64 + RECORD_LEN;
-        let names = 2 * (topic.name().len() + topic.schema_name().len()) as u64;
-        let channel = match self.channels.contains_key(topic.name()) {
-            true => 0,
-            false => 2 * (topic.schema().len() as u64 + names + RECORD_LEN),
+        let channel = if self.channels.contains_key(topic.name()) {
+            0
+        } else {
+            // In the chunk and in the index.
+            2 * description_len(topic)
         };
         let chunk = match self.chunk {
             Some(_) => 0,
-            None => 2 * (RECORD_LEN + PER_CHANNEL_LEN * (self.channels.len() as u64 + 1)),
+            None => 2 * (RECORD_LEN + PER_CHANNEL_LEN * self.channels.len() as u64),
         };
         // What cannot be compressed gets a little longer.
         (own + channel) / 64 + own + channel + chunk
@@ -161,8 +162,7 @@ impl<W: Write> Chapter<W> {
             .add_channel(schema_id, topic.name(), "json", &BTreeMap::new())?;
         let channel = Channel { id, messages: 0 };
         self.channels.insert(topic.name().to_owned(), channel);
-        let names = 2 * (topic.name().len() + topic.schema_name().len()) as u64;
-        self.index_len += topic.schema().len() as u64 + names + RECORD_LEN;
+        self.index_len += description_len(topic);
         Ok(id)
     }
 
@@ -182,6 +182,13 @@ impl<W: Write> std::fmt::Debug for Chapter<W> {
             .field("len_when_finished", &self.len_when_finished())
             .finish_non_exhaustive()
     }
+}
+
+/// How long schema and channel of a topic are, and its part in the indexes of a chunk, in bytes, at
+/// the most.
+const fn description_len(topic: &Topic) -> u64 {
+    let names_len = 2 * (topic.name().len() + topic.schema_name().len());
+    (topic.schema().len() + names_len) as u64 + RECORD_LEN + PER_CHANNEL_LEN
 }
 
 /// Counts the bytes that something is given.

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::BufWriter;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use jiff::{SignedDuration, Timestamp};
@@ -41,6 +41,8 @@ struct Open {
     synced: Duration,
     /// Records that are not flushed yet.
     unsafe_records: u64,
+    /// Some were flushed.
+    holds_records: bool,
 }
 
 /// Why nothing can be recorded now.
@@ -157,10 +159,12 @@ impl Keeper {
         let (Some(open), Some(last)) = (&mut self.open, messages.last()) else {
             return Ok(());
         };
-        open.unsafe_records += 1;
-        if open.chapter.wants_flush(last.at_ns) {
-            open.flush()?;
+        if !open.chapter.wants_flush(last.at_ns) {
+            open.unsafe_records += 1;
+            return Ok(());
         }
+        open.flush()?;
+        open.holds_records = true;
         if at.saturating_sub(open.synced) >= SYNC_PERIOD {
             open.synced = at;
             open.file.sync_data()?;
@@ -204,12 +208,14 @@ impl Keeper {
         let begin = self.start.checked_add(since).unwrap_or(self.start);
         let (path, file) = shelf::create(&self.folder, begin)?;
         let writer = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
+        let chapter = Chapter::begin(writer, &self.about, self.start);
         Ok(Open {
+            chapter: chapter.inspect_err(|_| discard(&path))?,
             path,
-            chapter: Chapter::begin(writer, &self.about, self.start)?,
             file,
             synced: at,
             unsafe_records: 0,
+            holds_records: false,
         })
     }
 
@@ -218,9 +224,8 @@ impl Keeper {
         let Some(open) = &mut self.open else {
             return Ok(());
         };
-        open.chapter.tell(&self.about, self.start)?;
-        open.unsafe_records = 0;
-        Ok(())
+        open.flush()?;
+        open.chapter.tell(&self.about, self.start)
     }
 
     /// After a failure the file is given up, with what was not flushed, and another one is tried
@@ -234,6 +239,9 @@ impl Keeper {
             && let Some(open) = self.open.take()
         {
             self.handle_lost(open.unsafe_records, &reason);
+            if !open.holds_records {
+                discard(&open.path);
+            }
         }
     }
 
@@ -250,6 +258,7 @@ impl Open {
     /// Hands all records to the file.
     fn flush(&mut self) -> Result<(), McapError> {
         self.chapter.flush()?;
+        self.holds_records |= self.unsafe_records > 0;
         self.unsafe_records = 0;
         Ok(())
     }
@@ -259,6 +268,12 @@ impl Open {
         self.file.sync_all()?;
         Ok(())
     }
+}
+
+/// Deletes a file that holds nothing: on a full disk there would be more and more of them.
+fn discard(path: &Path) {
+    // Where it cannot be deleted, it stays, empty.
+    let _ = std::fs::remove_file(path);
 }
 
 /// After a failure another file is tried so much later.
@@ -272,3 +287,180 @@ const BUFFER_LEN: usize = 64 << 10;
 
 /// Room for the message that records were lost.
 const LOST_LEN: u64 = 8 << 10;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::{Entry, RECORDER, Recording, recordings};
+
+    const LIMITS: Limits = Limits {
+        file_bytes: 1 << 20,
+        total_bytes: 3 << 20,
+    };
+
+    fn keeper(folder: &Path) -> Keeper {
+        let start = "2026-11-21T12:30:00Z".parse().unwrap();
+        let scribe = Scribe::new(start).unwrap();
+        Keeper::new(folder.to_owned(), LIMITS, start, About::default(), scribe)
+    }
+
+    fn s(seconds: u64) -> Duration {
+        Duration::from_secs(seconds)
+    }
+
+    /// Bytes that cannot be compressed much.
+    fn noise(len: usize, seed: u64) -> Record {
+        let mut state = seed;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            state.to_be_bytes()[0]
+        };
+        Record::ToArm((0..len).map(|_| random()).collect())
+    }
+
+    /// The bytes to the arm and the reasons for losses in a file.
+    fn read(path: &Path) -> (usize, Vec<(u64, String)>) {
+        let (mut bytes, mut lost) = (0, Vec::new());
+        for moment in Recording::open(path).unwrap() {
+            match moment.entry {
+                Entry::ToArm(piece) => bytes += piece.len(),
+                Entry::Json(value) if &*moment.topic == RECORDER => {
+                    let count = value["lost"].as_u64().unwrap();
+                    lost.push((count, value["reason"].as_str().unwrap().to_owned()));
+                }
+                _ => {}
+            }
+        }
+        (bytes, lost)
+    }
+
+    #[test]
+    fn a_program_that_is_killed_loses_a_second_at_the_most() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        for n in 0..100_u32 {
+            keeper.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
+            if let Some(path) = keeper.health().file {
+                // As a killed program leaves it: nothing more is written.
+                let (bytes, _) = read(&path);
+                let lost = usize::try_from(n).unwrap() + 1 - bytes;
+                assert!(lost <= 10, "{lost} of {n} records, 10 a second");
+            }
+        }
+    }
+
+    #[test]
+    fn after_a_while_of_silence_nothing_is_unsafe() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        keeper.handle_record(s(0), &Record::ToArm(vec![0xA5]));
+        let path = keeper.health().file.unwrap();
+        assert_eq!(read(&path).0, 0);
+        keeper.handle_idle();
+        assert_eq!(read(&path).0, 1);
+    }
+
+    #[test]
+    fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        for n in 0..600 {
+            keeper.handle_record(s(n), &noise(10_000, n));
+            let files = recordings(folder.path()).unwrap();
+            let total: u64 = files.iter().map(|it| it.bytes).sum();
+            assert!(total <= LIMITS.total_bytes, "{total}");
+            assert!(files.iter().all(|it| it.bytes <= LIMITS.file_bytes));
+        }
+        keeper.finish();
+        assert_eq!(keeper.health().lost, 0);
+        let files = recordings(folder.path()).unwrap();
+        assert!(files.len() >= 3, "{files:?}");
+        let last = Recording::open(&files.last().unwrap().path).unwrap();
+        assert_eq!(last.last().unwrap().at, s(599));
+        for file in &files[..files.len() - 1] {
+            let mut recording = Recording::open(&file.path).unwrap();
+            let first = recording.next().unwrap().at;
+            let begin = keeper.start + SignedDuration::try_from(first).unwrap();
+            assert_eq!(file.begin, begin, "its name is its first moment");
+            recording.by_ref().for_each(drop);
+            assert_eq!(recording.damage(), None);
+        }
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path().join("recordings");
+        std::fs::write(&folder, "something is in the way").unwrap();
+        let mut keeper = keeper(&folder);
+        let trouble = keeper.health().trouble.unwrap();
+        assert!(trouble.contains("recordings"), "{trouble}");
+        for n in 0..5 {
+            keeper.handle_record(s(n), &Record::ToArm(vec![1]));
+        }
+        assert_eq!(keeper.health().lost, 5);
+        std::fs::remove_file(&folder).unwrap();
+        // Not yet: nobody hammers on a full disk.
+        keeper.handle_record(s(9), &Record::ToArm(vec![1]));
+        assert_eq!(keeper.health().lost, 6);
+        keeper.handle_record(s(10), &Record::ToArm(vec![1]));
+        let health = keeper.health();
+        assert_eq!((health.lost, health.trouble), (6, None));
+        keeper.finish();
+        let (bytes, lost) = read(&health.file.unwrap());
+        assert_eq!(bytes, 1);
+        assert_eq!(lost.len(), 1);
+        assert_eq!(lost[0].0, 6);
+        assert!(lost[0].1.contains("cannot"), "{lost:?}");
+    }
+
+    #[test]
+    fn a_new_arm_is_told_in_the_middle_of_a_file_and_in_the_next() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        keeper.handle_record(s(0), &Record::ToArm(vec![1]));
+        let about = About {
+            address: "tcp:arm:5555".to_owned(),
+            ..About::default()
+        };
+        keeper.handle_record(s(1), &Record::About(Box::new(about)));
+        for n in 0..100 {
+            keeper.handle_record(s(2 + n), &noise(10_000, n));
+        }
+        keeper.finish();
+        let files = recordings(folder.path()).unwrap();
+        assert!(files.len() > 1);
+        let mut first = Recording::open(&files[0].path).unwrap();
+        first.next().unwrap();
+        assert_eq!(first.about().unwrap().address, "");
+        for file in files {
+            let mut recording = Recording::open(file.path).unwrap();
+            recording.by_ref().for_each(drop);
+            assert_eq!(recording.about().unwrap().address, "tcp:arm:5555");
+        }
+    }
+
+    #[test]
+    fn more_topics_than_a_file_has_room_for_get_another_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        let schema = serde_json::json!({ "type": "object" });
+        for n in 0..100 {
+            let topic = crate::Topic::new(&format!("/{n}"), "x.X", &schema).unwrap();
+            let value = serde_json::json!({ "n": n });
+            let topic = topic.into();
+            keeper.handle_record(s(n), &Record::Json { topic, value });
+        }
+        keeper.finish();
+        assert_eq!(keeper.health().lost, 0);
+        let files = recordings(folder.path()).unwrap();
+        assert_eq!(files.len(), 2);
+        let moments = files
+            .iter()
+            .map(|it| Recording::open(&it.path).unwrap().count());
+        assert_eq!(moments.sum::<usize>(), 100);
+    }
+}

@@ -55,7 +55,7 @@ impl Playback {
     pub(crate) fn poll_wakeup(&self) -> Option<Duration> {
         let next = self.next.as_ref().map(|(at, _)| *at);
         let next = next.or_else(|| (self.now < self.end).then_some(self.end))?;
-        Some(next.max(self.now) - self.begin())
+        Some(next.max(self.now).saturating_sub(self.begin()))
     }
 
     /// Takes bytes of the client.

@@ -148,40 +148,54 @@ impl Worker {
     /// Looks after the queue now and then instead of being woken for each record: a wake-up would
     /// cost the caller more than all the rest.
     fn run(mut self) {
-        let mut idle = Duration::ZERO;
+        let (mut idle, mut wait) = (Duration::ZERO, PERIOD);
         loop {
-            let ended = self.ended.recv_timeout(PERIOD) != Err(RecvTimeoutError::Timeout);
-            idle = match self.write_down() {
-                0 => idle + PERIOD,
-                _ => Duration::ZERO,
+            let ended = self.ended.recv_timeout(wait) != Err(RecvTimeoutError::Timeout);
+            let count = self.write_down();
+            // Behind a full round there may be more.
+            wait = if count < QUEUE_LEN {
+                PERIOD
+            } else {
+                Duration::ZERO
+            };
+            idle = if count == 0 {
+                idle + PERIOD
+            } else {
+                Duration::ZERO
             };
             if idle >= IDLE {
                 self.keeper.handle_idle();
             }
-            if ended {
+            let is_over = ended && count < QUEUE_LEN;
+            if is_over {
                 self.keeper.finish();
             }
             self.shared.tell(self.keeper.health());
-            if ended {
+            if is_over {
                 return;
             }
         }
     }
 
-    /// Writes what waits; says how many records that were.
+    /// Writes what waits, one round of it; says how many records that were.
     fn write_down(&mut self) -> usize {
         let mut count = 0;
-        while let Ok((at, record)) = self.records.try_recv() {
+        while count < QUEUE_LEN
+            && let Ok((at, record)) = self.records.try_recv()
+        {
             let size = record.size(LONGEST);
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
-            let lost = self.shared.crowded_out.swap(0, Ordering::Relaxed);
-            self.keeper.handle_lost(lost, CROWDED);
+            self.note_crowded_out();
             self.keeper.handle_record(at, &record);
             count += 1;
         }
+        self.note_crowded_out();
+        count
+    }
+
+    fn note_crowded_out(&mut self) {
         let lost = self.shared.crowded_out.swap(0, Ordering::Relaxed);
         self.keeper.handle_lost(lost, CROWDED);
-        count
     }
 }
 

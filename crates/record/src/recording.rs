@@ -15,7 +15,7 @@ use serde_json::Value;
 use crate::chunk::Chunk;
 use crate::fields::Fields;
 use crate::topic::{FROM_ARM, NAME_LEN, TO_ARM};
-use crate::{About, hex};
+use crate::{About, Damage, Entry, Moment, hex};
 
 /// A recording, read from its beginning: an iterator of what was recorded, in the order in which it
 /// was.
@@ -35,42 +35,6 @@ pub struct Recording {
     last: Option<Duration>,
     over: bool,
     damage: Option<Damage>,
-}
-
-/// Something that was recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
-    /// When it happened, since the recorder was started; in files of others, since their first
-    /// message.
-    pub at: Duration,
-    /// What it is called, as in `/events`.
-    pub topic: Arc<str>,
-    /// What it is.
-    pub entry: Entry,
-}
-
-/// What was recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Entry {
-    /// Bytes that were sent to the arm.
-    ToArm(Vec<u8>),
-    /// Bytes that came from the arm.
-    FromArm(Vec<u8>),
-    /// A message of any other topic.
-    Json(Value),
-    /// A message that is not JSON; the recorder writes none.
-    Other(Vec<u8>),
-}
-
-/// Where a recording breaks off, and why.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Damage {
-    /// How many bytes of the file are good.
-    pub good_bytes: u64,
-    /// When the last thing happened that could be read.
-    pub last: Option<Duration>,
-    /// Why no more could be read.
-    pub reason: String,
 }
 
 /// Why a file cannot be read as a recording.
@@ -121,9 +85,16 @@ impl Recording {
         file.by_ref()
             .take(MAGIC.len() as u64)
             .read_to_end(&mut magic)?;
-        if magic != MAGIC {
+        if !MAGIC.starts_with(&magic) {
             return Err(OpenError::NotMcap);
         }
+        // The power may have been cut before it was begun.
+        let is_begun = magic == MAGIC;
+        let damage = (!is_begun).then(|| Damage {
+            good_bytes: 0,
+            last: None,
+            reason: "the file ends before it begins".to_owned(),
+        });
         Ok(Self {
             file,
             about: None,
@@ -132,8 +103,8 @@ impl Recording {
             chunk: None,
             good_bytes: MAGIC.len() as u64,
             last: None,
-            over: false,
-            damage: None,
+            over: !is_begun,
+            damage,
         })
     }
 
@@ -159,17 +130,13 @@ impl Recording {
     /// The next moment, if there is one in what comes next.
     fn step(&mut self) -> Result<Option<Moment>, String> {
         if let Some(chunk) = &mut self.chunk {
-            return match chunk.next() {
-                Some(record) => {
-                    let (kind, body) = record?;
-                    self.take(kind, &body)
-                }
-                None => {
-                    self.good_bytes += chunk.file_bytes();
-                    self.chunk = None;
-                    Ok(None)
-                }
-            };
+            if let Some(record) = chunk.next() {
+                let (kind, body) = record?;
+                return self.take(kind, &body);
+            }
+            self.good_bytes += chunk.file_bytes();
+            self.chunk = None;
+            return Ok(None);
         }
         match self.part()? {
             Part::Record(op::CHUNK, body) => {
@@ -245,10 +212,11 @@ impl Recording {
                 topic.len()
             ));
         }
-        let known = self.channels.values().find(|it| &*it.topic == topic);
-        let topic = known.map_or_else(|| topic.into(), |it| Arc::clone(&it.topic));
-        let is_json = encoding == "json";
-        self.channels.insert(id, Channel { topic, is_json });
+        let channel = Channel {
+            topic: topic.into(),
+            is_json: encoding == "json",
+        };
+        self.channels.insert(id, channel);
         Ok(())
     }
 
@@ -333,23 +301,10 @@ impl fmt::Debug for Recording {
     }
 }
 
-impl fmt::Display for Damage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "only {} bytes are good", self.good_bytes)?;
-        if let Some(last) = self.last {
-            write!(f, ", up to {:.3} s", last.as_secs_f64())?;
-        }
-        write!(f, ": {}", self.reason)
-    }
-}
-
 impl Channel {
     fn entry(&self, data: &[u8]) -> Entry {
-        let value = match self.is_json {
-            true => serde_json::from_slice(data).ok(),
-            false => None,
-        };
-        let Some(value) = value else {
+        let value = serde_json::from_slice(data).ok();
+        let Some(value) = value.filter(|_| self.is_json) else {
             return Entry::Other(data.to_vec());
         };
         let wire: Option<fn(Vec<u8>) -> Entry> = match &*self.topic {

@@ -64,8 +64,8 @@ impl Scribe {
                 self.dialect = about.dialect;
                 Vec::new()
             }
-            Record::ToArm(bytes) => self.to_arm(when, bytes),
-            Record::FromArm(bytes) => self.from_arm(when, bytes),
+            Record::ToArm(bytes) => self.tell_to_arm(when, bytes),
+            Record::FromArm(bytes) => self.tell_from_arm(when, bytes),
             Record::Json { topic, value } => vec![when.message(topic, value)],
         })
     }
@@ -94,7 +94,7 @@ impl Scribe {
         })
     }
 
-    fn to_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+    fn tell_to_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
         let mut messages = Vec::new();
         for (piece, packet) in pieces(&mut self.commands, bytes) {
             let mut message = ToArm {
@@ -112,7 +112,7 @@ impl Scribe {
         messages
     }
 
-    fn from_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+    fn tell_from_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
         let mut messages = Vec::new();
         for (piece, frame) in pieces(&mut self.statuses, bytes) {
             let status = frame.and_then(|frame| Status::parse(&frame).ok());
@@ -237,7 +237,8 @@ fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, 
         return Some(read(dialect));
     }
     let [one, other] = Dialect::ALL.map(read);
-    (one == other).then_some(one)
+    let agree = one == other || one.is_err() && other.is_err();
+    agree.then_some(one)
 }
 
 fn position_m(status: &Status) -> serde_json::Value {
@@ -330,7 +331,7 @@ mod tests {
     #[test]
     fn what_the_dialects_read_differently_is_told_only_when_the_dialect_is_known() {
         let mut scribe = scribe();
-        let record = Record::ToArm(target(MovingMode::Linear).to_vec());
+        let record = Record::ToArm(target(MovingMode::MovL).to_vec());
         let messages = scribe.write(Duration::ZERO, &record).unwrap();
         assert_eq!(value(&messages[0]).get("command"), None);
         let about = About {
@@ -383,7 +384,7 @@ mod tests {
             topic: Arc::new(topic),
             value: json!({ "type": "stopped" }),
         };
-        let messages = scribe.write(Duration::from_secs(60), &record).unwrap();
+        let messages = scribe.write(Duration::from_mins(1), &record).unwrap();
         let expected: Timestamp = "2026-11-21T12:31:00Z".parse().unwrap();
         assert_eq!(i128::from(messages[0].at_ns), expected.as_nanosecond());
         assert_eq!(value(&messages[0])["type"], "stopped");

@@ -68,19 +68,19 @@ impl Topic {
 
     /// Its name.
     #[must_use]
-    pub fn name(&self) -> &str {
-        &self.name
+    pub const fn name(&self) -> &str {
+        self.name.as_str()
     }
 
     /// The name of its schema.
     #[must_use]
-    pub fn schema_name(&self) -> &str {
-        &self.schema_name
+    pub const fn schema_name(&self) -> &str {
+        self.schema_name.as_str()
     }
 
     /// The schema, as text.
-    pub(crate) fn schema(&self) -> &str {
-        &self.schema
+    pub(crate) const fn schema(&self) -> &str {
+        self.schema.as_str()
     }
 
     /// One of the recorder's own.

@@ -52,7 +52,7 @@ fn read(bytes: impl Into<Vec<u8>>) -> (Vec<Moment>, Recording) {
     (moments, recording)
 }
 
-/// Ten seconds with an arm: statuses, commands, events.
+/// Four seconds with an arm: statuses, commands, events.
 fn session() -> Vec<(Duration, Record)> {
     let status = Status {
         x_mm: 215.07,
@@ -67,7 +67,7 @@ fn session() -> Vec<(Duration, Record)> {
         gripper_deg: 0.0,
     };
     let mut records = Vec::new();
-    for n in 0..125_u16 {
+    for n in 0..50_u16 {
         let at = Duration::from_millis(80) * n.into();
         let target = MoveTo {
             x_mm: f32::from(n) + 100.0,
@@ -75,7 +75,7 @@ fn session() -> Vec<(Duration, Record)> {
             z_mm: 20.0,
             rotation_deg: 0.0,
             suction: false,
-            mode: MovingMode::Linear,
+            mode: MovingMode::MovL,
             gripper_deg: 0.0,
             pause_s: 0.0,
         };
@@ -123,7 +123,7 @@ fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let statistics = summary.stats.expect("it has some");
     // Of each status four messages, of each command and each event one.
-    assert_eq!(statistics.message_count, 125 * 6);
+    assert_eq!(statistics.message_count, 50 * 6);
     assert_eq!(summary.metadata_indexes.len(), 1);
     let mut topics = Vec::new();
     for channel in summary.channels.values() {
@@ -146,7 +146,7 @@ fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
             commands += 1;
         }
     }
-    assert_eq!(commands, 125);
+    assert_eq!(commands, 50);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let mut chunks: Vec<_> = summary.chunk_indexes.iter().collect();
     chunks.sort_by_key(|it| it.chunk_start_offset);
-    assert!(chunks.len() >= 9, "one for each second");
+    assert!(chunks.len() >= 3, "one for each second");
     let messages_of = |index| {
         let indexes = summary.read_message_indexes(&WHOLE, index).unwrap();
         indexes.values().map(Vec::len).sum::<usize>()
@@ -164,7 +164,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
         .map(|it| (it.chunk_start_offset + it.chunk_length, messages_of(it)))
         .collect();
     let (all, _) = read(WHOLE.clone());
-    for cut in 8..WHOLE.len() {
+    for cut in 0..WHOLE.len() {
         let whole_chunks = chunks.iter().filter(|(end, _)| *end <= cut as u64);
         let expected: usize = whole_chunks.map(|(_, messages)| messages).sum();
         let (moments, recording) = read(&WHOLE[..cut]);
@@ -177,7 +177,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
 
 #[test]
 fn what_is_no_recording_is_refused() {
-    for bytes in [&b""[..], b"\x89MCAP", b"hello, world", &[0; 100]] {
+    for bytes in [&b"x"[..], b"\x89PNG\r\n\x1a\n", b"hello, world", &[0; 100]] {
         let error = Recording::over(Cursor::new(bytes.to_vec())).unwrap_err();
         assert!(error.to_string().contains("no recording"), "{error}");
     }
