@@ -49,16 +49,24 @@ enum From {
     Auto,
 }
 
+/// Where in a stream or in time something is: as text, and as a field of its JSON.
+pub(crate) struct Place {
+    pub(crate) text: String,
+    pub(crate) field: (&'static str, Value),
+}
+
 /// What a stretch of bytes is.
 struct Piece {
     offset: u64,
     content: Content,
 }
 
-enum Content {
+pub(crate) enum Content {
+    /// A status of the arm.
     Status(Status),
     /// What a packet of a client says, in each of the dialects asked for.
     Command(Vec<(Dialect, Result<Command, ParseError>)>),
+    /// So many bytes that belong to no packet.
     Skipped(u64),
 }
 
@@ -184,7 +192,7 @@ fn commands(bytes: &[u8], dialect: Option<Dialect>) -> Vec<Piece> {
 }
 
 /// What a packet says: once where all dialects agree.
-fn readings(
+pub(crate) fn readings(
     packet: &Packet,
     dialect: Option<Dialect>,
 ) -> Vec<(Dialect, Result<Command, ParseError>)> {
@@ -250,28 +258,30 @@ impl Pieces {
 }
 
 fn print(piece: &Piece, as_json: bool) -> std::io::Result<()> {
-    let offset = piece.offset;
-    match &piece.content {
-        Content::Skipped(bytes) if as_json => {
-            output::json(&json!({ "offset": offset, "skipped_bytes": bytes }))
+    let place = Place {
+        text: format!("{:6}", piece.offset),
+        field: ("offset", json!(piece.offset)),
+    };
+    show(&place, &piece.content, as_json)
+}
+
+/// Prints what something is, and where.
+pub(crate) fn show(place: &Place, content: &Content, as_json: bool) -> std::io::Result<()> {
+    match content {
+        Content::Skipped(bytes) if as_json => place.json(json!({ "skipped_bytes": bytes })),
+        Content::Skipped(bytes) => {
+            place.line(&format!("skipped {bytes} bytes that belong to no packet"))
         }
-        Content::Skipped(bytes) => output::line(&format!(
-            "{offset:6}  skipped {bytes} bytes that belong to no packet"
-        )),
-        Content::Status(status) if as_json => {
-            output::json(&json!({ "offset": offset, "status": status }))
-        }
-        Content::Status(status) => {
-            output::line(&format!("{offset:6}  status  {}", output::fields(status)))
-        }
+        Content::Status(status) if as_json => place.json(json!({ "status": status })),
+        Content::Status(status) => place.line(&format!("status  {}", output::fields(status))),
         Content::Command(readings) => readings.iter().try_for_each(|(dialect, command)| {
-            print_command(offset, dialect, readings.len() > 1, command, as_json)
+            show_command(place, dialect, readings.len() > 1, command, as_json)
         }),
     }
 }
 
-fn print_command(
-    offset: u64,
+fn show_command(
+    place: &Place,
     dialect: &Dialect,
     differs: bool,
     command: &Result<Command, ParseError>,
@@ -283,25 +293,37 @@ fn print_command(
         String::new()
     };
     match (command, as_json) {
-        (Ok(command), true) => output::json(
-            &json!({ "offset": offset, "dialect": dialect.name(), "command": command }),
-        ),
-        (Ok(command), false) => output::line(&format!(
-            "{offset:6}  {dialect_text}{}  {}",
+        (Ok(command), true) => place.json(json!({ "dialect": dialect.name(), "command": command })),
+        (Ok(command), false) => place.line(&format!(
+            "{dialect_text}{}  {}",
             kind(command),
             output::fields(command)
         )),
-        (Err(error), true) => output::json(
-            &json!({ "offset": offset, "dialect": dialect.name(), "error": error.to_string() }),
-        ),
-        (Err(error), false) => {
-            output::line(&format!("{offset:6}  {dialect_text}not allowed: {error}"))
+        (Err(error), true) => {
+            place.json(json!({ "dialect": dialect.name(), "error": error.to_string() }))
         }
+        (Err(error), false) => place.line(&format!("{dialect_text}not allowed: {error}")),
+    }
+}
+
+impl Place {
+    pub(crate) fn line(&self, text: &str) -> std::io::Result<()> {
+        output::line(&format!("{}  {text}", self.text))
+    }
+
+    /// Prints the fields of an object behind the place.
+    pub(crate) fn json(&self, mut content: Value) -> std::io::Result<()> {
+        let mut fields = serde_json::Map::new();
+        fields.insert(self.field.0.to_owned(), self.field.1.clone());
+        if let Some(content) = content.as_object_mut() {
+            fields.append(content);
+        }
+        output::json(&fields)
     }
 }
 
 /// The kind of a command, as its JSON names it.
-fn kind(command: &Command) -> String {
+pub(crate) fn kind(command: &Command) -> String {
     serde_json::to_value(command)
         .ok()
         .and_then(|value| value.get("type").and_then(Value::as_str).map(str::to_owned))
