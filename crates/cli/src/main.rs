@@ -14,10 +14,12 @@ mod jobs;
 mod jog;
 mod lease;
 mod man;
+mod log;
 mod output;
 mod policy;
 mod ports;
 mod reach;
+mod replay;
 mod set;
 mod simulate;
 mod status;
@@ -53,6 +55,8 @@ enum Verb {
     World(world::Args),
     Policy(policy::Args),
     Ports(ports::Args),
+    Log(log::Args),
+    Replay(replay::Args),
     Conformance(conformance::Args),
     Stop(stop::Args),
     Watch(watch::Args),
@@ -84,6 +88,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::World(args) => wait_for(world::run(args)),
         Verb::Policy(args) => policy::run(&args),
         Verb::Ports(args) => ports::run(&args),
+        Verb::Log(args) => log::run(&args),
+        Verb::Replay(args) => wait_for(replay::run(args)),
         Verb::Conformance(args) => wait_for(conformance::run(args)),
         Verb::Stop(args) => wait_for(stop::run(args)),
         Verb::Watch(args) => wait_for(watch::run(args)),

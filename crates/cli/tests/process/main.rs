@@ -8,5 +8,6 @@ mod drawing;
 mod links;
 mod policy;
 mod program;
+mod recordings;
 mod simulating;
 mod worlds;

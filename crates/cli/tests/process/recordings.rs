@@ -1,0 +1,231 @@
+//! `dobot log` and `dobot replay`.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_record::{About, Limits, Record, Recorder, Topic, recordings};
+use dobot_wire::{Dialect, MoveTo, MovingMode, Status};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use crate::program::{Outcome, command, dobot};
+
+/// Rear arm upright, forearm level.
+fn status() -> [u8; 42] {
+    let status = Status {
+        x_mm: 215.07,
+        y_mm: 0.0,
+        z_mm: 135.0,
+        rotation_deg: 0.0,
+        base_deg: 0.0,
+        rear_deg: 0.0,
+        fore_deg: 0.0,
+        servo_deg: 0.0,
+        suction: true,
+        gripper_deg: 0.0,
+    };
+    status.emit().to_bytes()
+}
+
+fn target(x_mm: f32) -> [u8; 42] {
+    let target = MoveTo {
+        x_mm,
+        y_mm: 0.0,
+        z_mm: 20.0,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::Jump,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    };
+    target.emit(&Dialect::SPECIFICATION).to_bytes()
+}
+
+/// Three statuses, each answered, and an event: a fifth of a second.
+fn recording() -> (TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("there is room");
+    let about = About {
+        program: "dobot 0.1.0".to_owned(),
+        address: "virtual:".to_owned(),
+        dialect: Some(Dialect::SPECIFICATION),
+        personality: None,
+    };
+    let start = "2026-11-21T12:30:00Z".parse().expect("it is a time");
+    let recorder = Recorder::start(folder.path(), Limits::DEFAULT, about, start);
+    let recorder = recorder.expect("the limits are good");
+    for (n, x_mm) in [200.0, 210.0, 220.0].into_iter().enumerate() {
+        let at = Duration::from_millis(1000 + 80 * n as u64);
+        recorder.record(at, Record::FromArm(status().to_vec()));
+        recorder.record(at, Record::ToArm(target(x_mm).to_vec()));
+    }
+    let topic = Topic::new("/events", "dobot.Event", &json!({ "type": "object" }));
+    let topic = Arc::new(topic.expect("it is one"));
+    let value = json!({ "type": "stopped" });
+    recorder.record(Duration::from_millis(1200), Record::Json { topic, value });
+    assert_eq!(recorder.finish().lost, 0);
+    let file = recordings(folder.path()).expect("it is there").remove(0);
+    (folder, file.path)
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("the path is text")
+}
+
+#[test]
+fn the_recordings_of_a_folder_are_listed_and_found_by_their_names() {
+    let (folder, file) = recording();
+    let in_folder = ["--folder", text(folder.path())];
+    let outcome = dobot(&[&["log"][..], &in_folder].concat()).succeeds();
+    assert!(
+        outcome.stdout.starts_with("2026-11-21T12:30:01Z"),
+        "{outcome:?}"
+    );
+    assert!(outcome.stdout.contains(text(&file)), "{outcome:?}");
+    let outcome = dobot(&[&["log", "--json"][..], &in_folder].concat()).succeeds();
+    let listed: Value = serde_json::from_str(&outcome.stdout).expect("it is JSON");
+    assert_eq!(listed["file"], text(&file));
+    let name = "dobot-2026-11-21T12-30-01Z.mcap";
+    dobot(&[&["log", name][..], &in_folder].concat()).succeeds();
+    dobot(&[&["log", "other.mcap"][..], &in_folder].concat())
+        .fails(1, &["no file other.mcap", "`dobot log` lists"]);
+}
+
+#[test]
+fn packets_are_told_with_their_times_and_events_too() {
+    let (_folder, file) = recording();
+    let outcome = dobot(&["log", text(&file)]).succeeds();
+    let lines: Vec<&str> = outcome.stdout.lines().collect();
+    assert_eq!(lines.len(), 8, "{outcome:?}");
+    assert!(
+        lines[0].contains("arm virtual:, dialect specification"),
+        "{}",
+        lines[0]
+    );
+    for (line, parts) in [
+        (
+            lines[1],
+            ["1.000", "/wire/from_arm", "status", "suction on"],
+        ),
+        (lines[4], ["1.080", "/wire/to_arm", "move_to", "x 210 mm"]),
+        (lines[7], ["1.200", "/events", "type", "stopped"]),
+    ] {
+        for part in parts {
+            assert!(line.contains(part), "`{part}` is missing: {line}");
+        }
+    }
+}
+
+#[test]
+fn a_part_of_a_recording_is_chosen_by_time_and_topic() {
+    let (_folder, file) = recording();
+    let chosen = ["--from", "1.05", "--to", "1.1", "--topic", "/wire/to_arm"];
+    let outcome = dobot(&[&["log", text(&file), "--json"][..], &chosen].concat()).succeeds();
+    let lines: Vec<Value> = outcome
+        .stdout
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("each line is JSON"))
+        .collect();
+    assert_eq!(lines.len(), 2, "{outcome:?}");
+    assert_eq!(lines[0]["start"], "2026-11-21T12:30:00Z");
+    assert_eq!(lines[1]["at_s"], 1.08);
+    assert_eq!(lines[1]["command"]["x_mm"], 210.0);
+    let joints = dobot(&["log", text(&file), "--topic", "/arm/joints"]).succeeds();
+    assert_eq!(joints.stdout.matches("base_deg").count(), 3, "{joints:?}");
+}
+
+#[test]
+fn a_file_that_breaks_off_is_told_up_to_there() {
+    let (_folder, file) = recording();
+    let bytes = std::fs::read(&file).expect("it is there");
+    // Into the index behind everything that happened.
+    std::fs::write(&file, &bytes[..bytes.len() - 20]).expect("there is room");
+    let outcome = dobot(&["log", text(&file)]).succeeds();
+    assert!(outcome.stdout.contains("stopped"), "{outcome:?}");
+    assert!(
+        outcome.stdout.contains("the file is damaged: only"),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn what_is_no_recording_is_told() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("capture.bin");
+    std::fs::write(&file, target(200.0)).expect("there is room");
+    for verb in ["log", "replay"] {
+        dobot(&[verb, text(&file)]).fails(1, &["capture.bin", "no recording", "dobot decode"]);
+    }
+    dobot(&["log", text(&file), "--from", "noon"]).fails(2, &["a number of seconds"]);
+    dobot(&["replay", text(&file), "--speed", "0"]).fails(2, &["0.1 to 1000"]);
+}
+
+/// Replays a recording to a client that sends these bytes after the first status, and reads to the
+/// end.
+fn replayed(file: &Path, bytes: &[u8]) -> (Outcome, Vec<u8>) {
+    let mut child = command(&[
+        "replay",
+        text(file),
+        "--tcp",
+        "127.0.0.1:0",
+        "--speed",
+        "10",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program starts");
+    let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
+    let mut line = String::new();
+    output.read_line(&mut line).expect("it says where it is");
+    let address = line
+        .split_whitespace()
+        .next()
+        .expect("an address comes first");
+    let mut client = TcpStream::connect(&address[4..]).expect("it is served");
+    let mut received = vec![0; 42];
+    client.read_exact(&mut received).expect("a status comes");
+    client.write_all(bytes).expect("it is open");
+    client.read_to_end(&mut received).expect("it ends in order");
+    let _ = client.shutdown(Shutdown::Both);
+    drop(client);
+    let mut stdout = String::new();
+    output.read_to_string(&mut stdout).expect("it is text");
+    let mut outcome = Outcome::from(child.wait_with_output().expect("it ends"));
+    outcome.stdout = stdout;
+    (outcome, received)
+}
+
+#[test]
+fn a_client_that_does_what_was_recorded_succeeds_and_gets_all_statuses() {
+    let (_folder, file) = recording();
+    let same = [target(200.0), target(210.0), target(220.0)].concat();
+    let (outcome, received) = replayed(&file, &same);
+    assert_eq!(received, status().repeat(3));
+    let outcome = outcome.succeeds();
+    assert!(
+        outcome.stdout.contains("3 packets as recorded"),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn a_client_that_does_something_else_fails_with_both_sides() {
+    let (_folder, file) = recording();
+    let other = [target(200.0), target(211.0)].concat();
+    let (outcome, _) = replayed(&file, &other);
+    let outcome = outcome.fails(1, &["2 packets were not sent as recorded"]);
+    for part in [
+        "sent      move_to  x 211 mm",
+        "recorded  move_to  x 210 mm",
+        "sent      nothing",
+    ] {
+        assert!(
+            outcome.stdout.contains(part),
+            "`{part}` is missing: {outcome:?}"
+        );
+    }
+}
