@@ -1,30 +1,30 @@
 //! A virtual arm on TCP, on a virtual serial port and in this process, in real time or faster.
 
+mod client;
+
 use std::future::pending;
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use dobot_controller::Refused;
-use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
+use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::task::unconstrained;
 use tokio::time::{Instant, sleep_until, timeout};
 
+use self::client::{Client, at_once};
 use crate::connector::{Ask, ConnectError, Connector, Socket};
 #[cfg(unix)]
-use crate::pty::{Pty, PtyClient};
+use crate::pty::Pty;
 use crate::world::{Happened, World};
 use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
 /// Whoever comes first has the arm until he leaves. Another one is turned away on TCP and in this
-/// process; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody speaks or
-/// listens until the arm is free.
+/// process; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody
+/// speaks or listens until the arm is free.
 ///
 /// Nothing that the arm sent before a client came is kept for him. The virtual serial port keeps
 /// this promise from the moment on that the client before has been seen to leave
@@ -78,15 +78,6 @@ pub enum ServerEvent {
     World(Happened),
     /// A fault struck.
     Struck(Struck),
-}
-
-/// The one client that has the arm.
-#[derive(Debug)]
-enum Client {
-    Tcp(TcpStream),
-    #[cfg(unix)]
-    Pty(PtyClient),
-    InProcess(DuplexStream),
 }
 
 /// What the server waits for.
@@ -313,9 +304,9 @@ impl Server {
     /// A client in this process may come again before it was seen to leave: what it has sent is
     /// taken, and so its leaving is met.
     fn hear_client_out(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
-        while let Some(Client::InProcess(_)) = self.client {
+        while let Some(client @ Client::InProcess(_)) = &mut self.client {
             self.incoming.clear();
-            match at_once(read(self.client.as_mut(), &mut self.incoming)) {
+            match at_once(client.read(&mut self.incoming)) {
                 Some(Ok(1..)) => self.download(tell),
                 Some(_) => self.dismiss(tell)?,
                 None => break,
@@ -380,12 +371,7 @@ impl Server {
         self.arm.poll_bytes(&mut self.outgoing);
         let sent = match &mut self.client {
             _ if self.outgoing.is_empty() => Ok(0),
-            Some(Client::Tcp(stream)) => stream.try_write(&self.outgoing),
-            #[cfg(unix)]
-            Some(Client::Pty(client)) => Ok(client.try_write(&self.outgoing)),
-            Some(Client::InProcess(stream)) => {
-                at_once(stream.write(&self.outgoing)).unwrap_or(Ok(0))
-            }
+            Some(client) => client.write(&self.outgoing),
             None => Ok(self.outgoing.len()),
         };
         match sent {
@@ -451,27 +437,10 @@ async fn ask(socket: Option<&mut Socket>) -> Option<Ask> {
     }
 }
 
-/// What a future has ready, if it has; whoever else is interested in it has to ask again.
-fn at_once<F: Future>(future: F) -> Option<F::Output> {
-    // Without regard to what the task has done so far: "not now" would be taken for "never".
-    let mut future = pin!(unconstrained(future));
-    match future
-        .as_mut()
-        .poll(&mut Context::from_waker(Waker::noop()))
-    {
-        Poll::Ready(output) => Some(output),
-        Poll::Pending => None,
-    }
-}
-
 /// Reads from whoever has the arm.
 async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<usize> {
-    buffer.reserve(READ_LEN);
     match client {
-        Some(Client::Tcp(stream)) => stream.read_buf(buffer).await,
-        #[cfg(unix)]
-        Some(Client::Pty(client)) => client.read_buf(buffer).await,
-        Some(Client::InProcess(stream)) => stream.read_buf(buffer).await,
+        Some(client) => client.read(buffer).await,
         None => pending().await,
     }
 }
@@ -496,5 +465,3 @@ const LOOK_AT_PTY: Duration = Duration::from_millis(50);
 const PATIENCE: Duration = Duration::from_millis(1);
 /// How long one who asked for the world may take to read it.
 const TIME_TO_READ: Duration = Duration::from_secs(10);
-/// A few packets.
-const READ_LEN: usize = 256;
