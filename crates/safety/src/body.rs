@@ -117,4 +117,5 @@ pub(crate) fn measures(place: &Place) -> [f64; MEASURES] {
     ]
 }
 
-const PIVOT: Point = [0.0; 3];
+/// Where the rear arm turns: the origin.
+pub(crate) const PIVOT: Point = [0.0; 3];

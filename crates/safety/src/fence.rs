@@ -11,7 +11,8 @@ use crate::{Bounds, KeepOut, Policy};
 /// The rules in force on a way.
 ///
 /// An arm that stands outside of a rule may come back in, not go deeper: there the rule in force is
-/// as wide as the arm stands outside, and it becomes narrower as the arm comes in.
+/// as wide as the arm stands outside, and it becomes narrower as the arm comes in; that of a keep-out
+/// when the arm has left it.
 #[derive(Debug)]
 pub(crate) struct Fence<'a> {
     limits: Vec<Gate>,
@@ -112,8 +113,8 @@ impl<'a> Fence<'a> {
             gate.now.max = gate.now.max.min(still.max);
         }
         for fenced in &mut self.zones {
-            if fenced.now_mm < fenced.strict_mm {
-                fenced.now_mm = fenced.now_mm.max(fenced.from(&to.body));
+            if fenced.now_mm < fenced.strict_mm && fenced.is_clear_at(&to.body) {
+                fenced.now_mm = fenced.strict_mm;
             }
         }
     }
@@ -179,6 +180,11 @@ impl Fenced<'_> {
         } else {
             self.strict_mm
         }
+    }
+
+    fn is_clear_at(&self, body: &Body) -> bool {
+        let mut lines = body.lines().into_iter();
+        !lines.any(|line| self.zone.touches(&line, self.strict_mm))
     }
 
     fn broken_between(&self, sweep: &Sweep, a: &Body, b: &Body) -> Option<Broken> {

@@ -4,7 +4,9 @@ use dobot_arm::{Degrees, Joints, Millimeters, Position};
 use dobot_course::{JogAxis, JogCourse, Model, Place};
 use dobot_wire::Command;
 
+use crate::check::worst;
 use crate::fence::Fence;
+use crate::limits::Limit;
 use crate::path::Path;
 use crate::walk::Walk;
 use crate::{Policy, Violation};
@@ -56,7 +58,10 @@ impl Policy {
         Walk::begin(fence, &path)
             .map_err(|error| Violation::of_arm(&error))?
             .along(&path)
-            .map_err(|breach| Violation::of_breach(&breach, |limit| path_worst(&path, limit)))
+            .map_err(|breach| {
+                let worst = |limit: &Limit| worst(limit, |share| path.place_at(share).ok());
+                Violation::of_breach(&breach, worst).before_a_stop()
+            })
     }
 }
 
@@ -100,10 +105,6 @@ fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
         JogAxis::Z => shifted(|it| &mut it.z),
         JogAxis::Gripper => None,
     }
-}
-
-fn path_worst(path: &Path, limit: &crate::limits::Limit) -> f64 {
-    crate::check::worst(limit, |share| path.place_at(share).ok())
 }
 
 /// A control tick.

@@ -38,11 +38,9 @@ impl Policy {
         settings: &Settings,
     ) -> Result<(), Violation> {
         match configuration {
-            Configuration::Teach { .. } => self.check_speeds(
-                &settings
-                    .teach
-                    .scaled(self.speed.jog_percent.min(settings.teach_percent), 100.0),
-            ),
+            Configuration::Teach { .. } => {
+                self.check_speeds(&settings.teach.scaled(self.speed.jog_percent, 100.0))
+            }
             Configuration::Playback { .. } => {
                 self.check_jump(settings)?;
                 self.check_speeds(&settings.move_speeds())

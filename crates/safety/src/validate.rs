@@ -2,6 +2,7 @@
 
 use toml::de::{DeTable, DeValue};
 
+use crate::body::PIVOT;
 use crate::policy_error::line_at;
 use crate::{Area, Bounds, KeepOut, Policy};
 
@@ -28,7 +29,9 @@ pub(crate) fn problem(policy: &Policy) -> Option<Problem> {
         .or_else(|| area("laser.area", &policy.laser.area))
         .or_else(|| {
             let mut keep_outs = policy.keep_out.iter();
-            keep_outs.find_map(|(name, zone)| keep_out(name, zone))
+            keep_outs.find_map(|(name, zone)| {
+                keep_out(name, zone).or_else(|| around_the_base(name, zone, policy.arm.radius_mm))
+            })
         })
 }
 
@@ -182,6 +185,18 @@ fn keep_out(name: &str, zone: &KeepOut) -> Option<Problem> {
                 .or_else(|| span(key("z_mm"), it.z_mm, ANYWHERE))
         }
     }
+}
+
+/// The arm's own base is always where it is: a keep-out there would forbid everything.
+fn around_the_base(name: &str, zone: &KeepOut, radius_mm: f64) -> Option<Problem> {
+    zone.touches(&[PIVOT, PIVOT], radius_mm + 1.0)
+        .then(|| Problem {
+            key: format!("keep_out.{name}"),
+            found: "around the pivot of the rear arm".to_owned(),
+            allowed: format!(
+                "keep-outs that are more than {radius_mm} mm (arm.radius_mm) away from it"
+            ),
+        })
 }
 
 fn area(key: &str, area: &Area) -> Option<Problem> {

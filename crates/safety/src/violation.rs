@@ -151,6 +151,12 @@ impl Violation {
         }
     }
 
+    /// The same of a jog, which goes on until it is stopped.
+    pub(crate) fn before_a_stop(self) -> Self {
+        let message = format!("before the jog can be stopped, {}", self.message);
+        Self { message, ..self }
+    }
+
     fn of_broken(broken: &Broken, found: impl Fn(&Limit) -> f64) -> Self {
         match broken {
             Broken::Limit(limit) => {

@@ -124,6 +124,11 @@ fn values_out_of_range_are_told_with_key_line_and_range() {
         &["my camera", "letters"],
     );
     refused(
+        "[keep_out]\nbase = { cylinder = { x_mm = 0, y_mm = 30, radius_mm = 12, z_mm = [-50, 50] } }",
+        2,
+        &["keep_out.base is around the pivot", "20 mm"],
+    );
+    refused(
         "[laser.area]\nx_mm = [1, nan]\ny_mm = [0, 1]\nz_mm = [0, 1]",
         2,
         &["laser.area.x_mm"],
@@ -237,7 +242,11 @@ fn keep_outs() -> impl Strategy<Value = KeepOut> {
             })
         },
     );
-    prop_oneof![blocks, cylinders]
+    prop_oneof![blocks, cylinders].prop_filter("around the pivot", |zone| {
+        let mut policy = Policy::default();
+        policy.keep_out.insert("it".to_owned(), *zone);
+        policy.validate().is_ok()
+    })
 }
 
 fn within(min: f64, max: f64) -> impl Strategy<Value = Bounds> {

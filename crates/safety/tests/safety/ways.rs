@@ -246,3 +246,13 @@ fn initial_angles_beyond_the_joint_limits_are_refused() {
     desk.allows(angles(45.0));
     desk.refuses("joints.rear", angles(70.0));
 }
+
+#[test]
+fn what_the_arm_would_get_lost_in_is_refused_as_its_own_rule() {
+    let desk = Desk::at(200.0, 0.0, 0.0);
+    desk.refuses("arm", go(MovJ, f32::NAN, 0.0, 0.0));
+    desk.refuses("arm", vector(f32::INFINITY, 0.0, 0.0));
+    let stock = desk.speaking(Dialect::FIRMWARE_1_1);
+    let here = stock.refuses("arm", go(MovL, 200.0, 0.0, 0.0));
+    assert!(here.to_string().contains("lose its pose"), "{here}");
+}
