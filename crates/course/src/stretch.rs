@@ -73,3 +73,72 @@ const fn bend_of(axis: JogAxis) -> Bend {
         }
     }
 }
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use dobot_arm::{Joints, Tool};
+    use dobot_wire::{Command, Dialect, MoveTo, MovingMode};
+
+    use super::*;
+    use crate::{Model, Place};
+
+    fn course(dialect: Dialect, mode: MovingMode) -> Course {
+        let here = Place::at_joints(Joints::new(-20.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let target = Command::from(MoveTo {
+            x_mm: 200.0,
+            y_mm: 80.0,
+            z_mm: 0.0,
+            rotation_deg: 40.0,
+            suction: false,
+            mode,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        });
+        Model::standing(dialect, here).course(&target).unwrap()
+    }
+
+    #[test]
+    fn the_last_stretch_ends_where_the_motion_does() {
+        for dialect in Dialect::ALL {
+            for mode in [MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ] {
+                let course = course(dialect, mode);
+                let [_, _, last] = course.stretches();
+                assert_eq!(Some(last.until_s), course.motion_s());
+            }
+        }
+    }
+
+    #[test]
+    fn a_jump_is_highest_above_both_of_its_ends_where_its_corners_are() {
+        for dialect in Dialect::ALL {
+            let course = course(dialect, MovingMode::Jump);
+            let z_mm = |t_s| course.place_at(t_s).unwrap().pose.position.z.0;
+            let [up, across, down] = course.stretches();
+            let height_mm = f64::from(dialect.default_jump_height_mm);
+            let tops = if dialect.jumps_by_joints {
+                [z_mm(0.0) + height_mm, height_mm]
+            } else {
+                [height_mm; 2]
+            };
+            for (stretch, top_mm) in [up, across].into_iter().zip(tops) {
+                let found = z_mm(stretch.until_s);
+                assert!(
+                    (found - top_mm).abs() < 1e-5,
+                    "found {found}, expected {top_mm}, tolerance 1e-5"
+                );
+            }
+            assert!(up.until_s < across.until_s && across.until_s < down.until_s);
+        }
+    }
+
+    #[test]
+    fn a_tool_that_turns_when_the_line_is_over_does_so_on_a_stretch_of_its_own() {
+        let course = course(Dialect::FIRMWARE_1_1, MovingMode::MovL);
+        let [line, turn, _] = course.stretches();
+        let rotation_deg = |t_s| course.place_at(t_s).unwrap().pose.rotation.0;
+        assert_eq!(rotation_deg(line.until_s), -20.0);
+        assert_eq!(rotation_deg(turn.until_s), 40.0);
+        assert_eq!((line.bend, turn.bend), (Bend::Line, Bend::Joints));
+    }
+}
