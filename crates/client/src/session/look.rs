@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::{JogAxis, Model};
+use dobot_course::{JogAxis, JogCourse, Model};
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
 use super::{OVERDUE, QUEUE_STALLS_AT, Session};
@@ -67,7 +67,7 @@ impl Session {
     #[must_use]
     pub fn release(&self) -> Command {
         let jog = self.belief.after_sent().and_then(Model::jog);
-        jog.map_or(JogAxis::Base, |it| it.axis()).release()
+        jog.map_or(JogAxis::Base, JogCourse::axis).release()
     }
 
     /// Whether the arm moves or may still move: something is under way, or it jogs.
