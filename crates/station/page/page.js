@@ -1,0 +1,458 @@
+// @ts-check
+// Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
+
+/** @typedef {{client: number, name: string, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
+/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number}} Job */
+/** @typedef {{by: string, reason: string | null, at_rest: boolean}} Stop */
+/** @typedef {{title: string, detail: string, hint?: string}} Problem */
+/** @typedef {{number: number, at_s: number, text: string}} Notice */
+/** @typedef {Record<"x_mm" | "y_mm" | "z_mm" | "rotation_deg" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg" | "gripper_deg", number> & {suction: boolean, moving: boolean}} Arm */
+/**
+ * @typedef {object} State
+ * @property {number} at_s
+ * @property {{address: string | null, phase: string, problem: string | null, statuses_per_s: number, lost_statuses: number, damaged_bytes: number, latency_ms: number | null}} link
+ * @property {Arm | null} arm
+ * @property {string | null} dialect
+ * @property {{trusted: boolean, reason: string | null}} trust
+ * @property {{waiting: number, under_way: number, ahead_s: number}} queue
+ * @property {Lease | null} lease
+ * @property {Stop | null} stop
+ * @property {{armed_for_s: number, on: boolean}} laser
+ * @property {Job | null} job
+ * @property {number} clients
+ */
+
+const RECONNECT_MS = 1000;
+const JOG_MS = 50;
+const OLD_MS = 2000;
+const LINK = { searching: "no arm yet", listening: "listening", up: "arm is there", lost: "arm is lost" };
+
+/** @type {WebSocket | undefined} */ let socket;
+/** @type {State | undefined} */ let state;
+/** @type {number | undefined} */ let me;
+let heardAt = 0;
+let asked = 0;
+/** What waits for an answer. @type {Map<number, () => void>} */
+const waiting = new Map();
+
+// --- The parts of the page -------------------------------------------------
+
+/** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
+function part(id) {
+  return /** @type {T} */ (document.getElementById(id));
+}
+
+/** @param {string} id @param {string} text */
+function write(id, text) {
+  const found = part(id);
+  if (found.textContent !== text) found.textContent = text;
+}
+
+/** @param {string} id @param {boolean} shown */
+function show(id, shown) {
+  part(id).hidden = !shown;
+}
+
+/** @param {string} id @param {string} text @param {string} tone */
+function chip(id, text, tone) {
+  write(id, text);
+  part(id).dataset.tone = tone;
+}
+
+/** @param {number} seconds */
+function span(seconds) {
+  const whole = Math.max(0, Math.round(seconds));
+  return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, "0")} s`;
+}
+
+// --- The state, drawn ------------------------------------------------------
+
+/** @param {State} state */
+function draw(state) {
+  drawLink(state);
+  if (state.arm) drawArm(state.arm);
+  drawLaser(state.laser);
+  drawStop(state.stop);
+  drawControl(state.lease);
+  drawJob(state.job);
+  show("untrusted", !state.trust.trusted && state.arm !== null);
+  write("untrusted-why", state.trust.reason ?? "");
+  drawJog(state);
+}
+
+/** @param {State} state */
+function drawLink({ link, dialect, queue, clients }) {
+  const tone = link.phase === "up" ? "good" : link.phase === "lost" ? "bad" : "warn";
+  chip("link-chip", LINK[/** @type {keyof LINK} */ (link.phase)] ?? link.phase, tone);
+  show("link-problem", link.problem !== null);
+  write("link-problem", link.problem ?? "");
+  write("address", link.address ?? "not found yet");
+  write("dialect", dialect ?? "not known");
+  write("rate", `${link.statuses_per_s.toFixed(1)} of 12.5 in a second`);
+  write("lost", `${link.lost_statuses} statuses, ${link.damaged_bytes} bytes`);
+  write("latency", link.latency_ms === null ? "not known" : `${link.latency_ms.toFixed(0)} ms`);
+  write("queue", `${queue.waiting} here, ${queue.under_way} under way (${queue.ahead_s.toFixed(1)} s)`);
+  write("clients", String(clients));
+}
+
+/** @param {Arm} arm */
+function drawArm(arm) {
+  for (const output of document.querySelectorAll("output[data-mm]")) {
+    const value = arm[/** @type {"x_mm"} */ (/** @type {HTMLElement} */ (output).dataset.mm)];
+    output.textContent = value.toFixed(1);
+  }
+  write("moving", arm.moving ? "moving" : "at rest");
+  chip("suction", arm.suction ? "on" : "off", arm.suction ? "warn" : "off");
+  chip("gripper", `${arm.gripper_deg.toFixed(0)}°`, "off");
+  drawViews(arm);
+}
+
+/** Rear arm 135 mm, forearm 160 mm; SVG counts downwards. @param {Arm} arm */
+function drawViews(arm) {
+  const rear = (arm.rear_deg * Math.PI) / 180;
+  const fore = (arm.fore_deg * Math.PI) / 180;
+  const elbow = [135 * Math.sin(rear), -135 * Math.cos(rear)];
+  const wrist = [elbow[0] + 160 * Math.cos(fore), elbow[1] + 160 * Math.sin(fore)];
+  const [ex, ey, wx, wy] = [...elbow, ...wrist].map((it) => it.toFixed(1));
+  set("side-arm", { d: `M0 0L${ex} ${ey}L${wx} ${wy}` });
+  set("side-tool", { d: `M${wx} ${wy}v34` });
+  set("side-elbow", { cx: ex, cy: ey });
+  set("side-wrist", { cx: wx, cy: wy });
+  set("top-arm", { d: `M0 0L${-arm.y_mm} ${-arm.x_mm}` });
+  set("top-tip", { cx: String(-arm.y_mm), cy: String(-arm.x_mm) });
+}
+
+/** @param {string} id @param {Record<string, string>} attributes */
+function set(id, attributes) {
+  for (const [name, value] of Object.entries(attributes)) part(id).setAttribute(name, value);
+}
+
+/** @param {State["laser"]} laser */
+function drawLaser(laser) {
+  if (laser.on) chip("laser", "burning", "bad");
+  else if (laser.armed_for_s > 0) chip("laser", `armed for ${span(laser.armed_for_s)}`, "warn");
+  else chip("laser", "disarmed", "off");
+  show("disarm", laser.on || laser.armed_for_s > 0);
+}
+
+/** @param {Stop | null} stop */
+function drawStop(stop) {
+  show("stopped", stop !== null);
+  if (!stop) return;
+  const why = stop.reason ? `: ${stop.reason}` : "";
+  write("stopped-by", `By ${stop.by}${why}. ${stop.at_rest ? "It is at rest." : "It has not come to rest yet."}`);
+}
+
+/** @param {Lease | null} lease */
+function drawControl(lease) {
+  const mine = lease !== null && lease.client === me;
+  const asked = lease?.asked_by.some((it) => it.client === me) ?? false;
+  write("holder", mine ? "You have control." : lease ? `${lease.name} has control.` : "Nobody has control.");
+  show("take", lease === null);
+  show("release", mine);
+  show("ask", lease !== null && !mine);
+  const ask = /** @type {HTMLButtonElement} */ (part("ask"));
+  ask.disabled = asked;
+  write("ask", asked ? "You asked for it" : "Ask for it");
+  drawAsking(mine ? lease.asked_by : []);
+}
+
+/** @param {Lease["asked_by"]} asking */
+function drawAsking(asking) {
+  const list = part("asking");
+  const shown = JSON.stringify(asking);
+  if (list.dataset.shown === shown) return;
+  list.dataset.shown = shown;
+  list.replaceChildren(...asking.map(({ client, name }) => {
+    const item = document.createElement("li");
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = `Give it to ${name}`;
+    button.addEventListener("click", () => ask({ type: "grant_lease", to: client }));
+    item.append(button);
+    return item;
+  }));
+}
+
+/** @param {Job | null} job */
+function drawJob(job) {
+  show("job", job !== null);
+  show("no-job", job === null);
+  if (!job) return;
+  write("job-name", job.title);
+  chip("job-phase", job.phase, job.phase === "running" ? "good" : "warn");
+  const progress = /** @type {HTMLProgressElement} */ (part("job-progress"));
+  progress.value = job.commands ? job.completed / job.commands : 0;
+  const why = job.reason ? ` It is ${job.phase}: ${job.reason}.` : "";
+  write("job-left", `${job.completed} of ${job.commands} commands; ${span(job.left_s)} left.${why}`);
+  show("pause", job.phase === "running");
+  show("resume", job.phase === "paused" || job.phase === "queued");
+}
+
+/** Why the arm cannot be jogged now, or nothing. @param {State} state */
+function hindrance(state) {
+  if (socket?.readyState !== WebSocket.OPEN) return "There is no connection to the station.";
+  if (state.link.phase !== "up") return "There is no arm to move.";
+  if (state.stop) return "The arm is stopped.";
+  if (state.lease?.client !== me) return "Take control first.";
+  if (state.job?.phase === "running") return "A job has the arm.";
+  return "";
+}
+
+/** @param {State} state */
+function drawJog(state) {
+  const why = hindrance(state);
+  write("jog-why", why || "Hold a button, or Enter on it. Letting go stops.");
+  for (const button of jogButtons()) button.disabled = why !== "";
+  if (why) letGo();
+}
+
+/** @returns {HTMLButtonElement[]} */
+function jogButtons() {
+  return [...document.querySelectorAll(".pad button")].map((it) => /** @type {HTMLButtonElement} */ (it));
+}
+
+// --- What happened, and what went wrong ------------------------------------
+
+/** @param {Notice} notice */
+function addNotice(notice) {
+  const list = part("notices");
+  const ago = state ? Math.max(0, state.at_s - notice.at_s) : 0;
+  const time = document.createElement("time");
+  time.textContent = new Date(Date.now() - ago * 1000).toLocaleTimeString();
+  const item = document.createElement("li");
+  item.append(time, notice.text);
+  list.prepend(item);
+  while (list.childElementCount > 30) list.lastElementChild?.remove();
+}
+
+/** @param {Problem} problem */
+function tell(problem) {
+  write("problem-title", `${sentence(problem.title)}:`);
+  write("problem-detail", `${sentence(problem.detail)}.`);
+  write("problem-hint", problem.hint ? `${sentence(problem.hint)}.` : "");
+  show("problem", true);
+}
+
+/** @param {string} text */
+function sentence(text) {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+// --- Talking to the station ------------------------------------------------
+
+/** Asks for something; what is refused is shown. @param {object} request @param {() => void} [answered] */
+function ask(request, answered) {
+  if (socket?.readyState !== WebSocket.OPEN) {
+    tell({ title: "there is no connection", detail: "the station is not reached at the moment", hint: "the page tries again by itself" });
+    return;
+  }
+  asked += 1;
+  if (answered) waiting.set(asked, answered);
+  socket.send(JSON.stringify({ id: asked, request }));
+}
+
+/** Stops the arm by every way there is. */
+function stop() {
+  letGo();
+  if (socket?.readyState !== WebSocket.OPEN) {
+    stopByRequest();
+    return;
+  }
+  const timer = setTimeout(stopByRequest, 300);
+  ask({ type: "stop" }, () => clearTimeout(timer));
+}
+
+async function stopByRequest() {
+  try {
+    const answer = await fetch("api/v1/stop", { method: "POST", headers: authorization() });
+    if (!answer.ok) tell(await answer.json());
+  } catch {
+    tell({ title: "the arm is not stopped", detail: "the station cannot be reached", hint: "switch the arm off" });
+  }
+}
+
+/** @returns {Record<string, string>} */
+function authorization() {
+  const token = sessionStorage.getItem("token");
+  return token ? { authorization: `Bearer ${token}` } : {};
+}
+
+function connect() {
+  const token = sessionStorage.getItem("token");
+  const url = new URL("api/v1/ws?name=page", location.href);
+  url.protocol = url.protocol.replace("http", "ws");
+  socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
+  socket.addEventListener("message", (event) => hear(JSON.parse(event.data)));
+  socket.addEventListener("close", (event) => closed(event));
+}
+
+/** @param {{hello?: {client: number}, state?: State, notice?: Notice, problem?: Problem, id?: number}} message */
+function hear(message) {
+  heardAt = Date.now();
+  if (message.hello) {
+    me = message.hello.client;
+    catchUp();
+  } else if (message.state) {
+    state = message.state;
+    draw(state);
+  } else if (message.notice) {
+    addNotice(message.notice);
+  }
+  if (message.problem) tell(message.problem);
+  if (message.id !== undefined) {
+    waiting.get(message.id)?.();
+    waiting.delete(message.id);
+  }
+}
+
+/** What happened before this page was there. */
+async function catchUp() {
+  const answer = await fetch("api/v1/notices", { headers: authorization() });
+  if (!answer.ok) return;
+  part("notices").replaceChildren();
+  for (const notice of (await answer.json()).slice(-30)) addNotice(notice);
+}
+
+/** @param {CloseEvent} event */
+async function closed(event) {
+  letGo();
+  waiting.clear();
+  me = undefined;
+  chip("link-chip", "no connection", "bad");
+  if (state) draw(state), chip("link-chip", "no connection", "bad");
+  if (event.code === 1008) tell({ title: "the station closed the connection", detail: event.reason });
+  if (!(await needsToken())) setTimeout(connect, RECONNECT_MS);
+}
+
+/** Asks for a token if that is what is missing. */
+async function needsToken() {
+  const answer = await fetch("api/v1/state", { headers: authorization() }).catch(() => undefined);
+  const needed = answer?.status === 401;
+  show("token", needed);
+  if (needed) part("token-field").focus();
+  return needed;
+}
+
+/** Says how old the view is when nothing comes any more. */
+function watchAge() {
+  const open = socket?.readyState === WebSocket.OPEN;
+  const quiet = Date.now() - heardAt;
+  const old = heardAt > 0 && quiet > OLD_MS && (!open || state?.link.phase === "up");
+  show("old", old);
+  part("main").classList.toggle("is-old", old);
+  if (old) write("old", `This view is ${span(quiet / 1000)} old. ${open ? "The station is silent." : "Connecting again…"}`);
+}
+
+// --- Jogging: nothing moves unless a button is held -------------------------
+
+/** @type {{button: HTMLButtonElement, timer: number} | undefined} */ let held;
+
+/** @param {HTMLButtonElement} button */
+function hold(button) {
+  if (held?.button === button || button.disabled) return;
+  letGo();
+  const press = () => {
+    const frame = button.closest("#pad-joint") ? "joint" : "linear";
+    const speed_percent = Number(/** @type {HTMLInputElement} */ (part("speed")).value);
+    ask({ type: "jog", jog: { frame, axis: button.dataset.axis, speed_percent } });
+  };
+  held = { button, timer: setInterval(press, JOG_MS) };
+  button.classList.add("is-held");
+  press();
+}
+
+function letGo() {
+  if (!held) return;
+  clearInterval(held.timer);
+  held.button.classList.remove("is-held");
+  held = undefined;
+  if (socket?.readyState === WebSocket.OPEN) ask({ type: "release" });
+}
+
+// --- Buttons and keys --------------------------------------------------------
+
+/** @param {string} id @param {() => void} act */
+function on(id, act) {
+  part(id).addEventListener("click", act);
+}
+
+/** Asks a person before something is done. @param {string} title @param {string} text @param {string} yes @param {object} request */
+function sure(title, text, yes, request) {
+  write("sure-title", title);
+  write("sure-text", text);
+  write("sure-yes", yes);
+  const dialog = /** @type {HTMLDialogElement} */ (part("sure"));
+  part("sure-yes").onclick = () => {
+    dialog.close();
+    ask(request);
+  };
+  dialog.showModal();
+}
+
+function listen() {
+  on("stop", stop);
+  on("take", () => ask({ type: "take_lease" }));
+  on("release", () => ask({ type: "release_lease" }));
+  on("ask", () => ask({ type: "ask_lease" }));
+  on("disarm", () => ask({ type: "disarm_laser" }));
+  on("pause", () => ask({ type: "pause_job" }));
+  on("resume", () => state?.job && ask({ type: "start_job", job: state.job.job }));
+  on("problem-close", () => show("problem", false));
+  on("sure-no", () => /** @type {HTMLDialogElement} */ (part("sure")).close());
+  on("reset", () => sure("May the arm move again?", "Look at the arm first: nothing and nobody may be in its way.", "It may move", { type: "reset_stop" }));
+  on("confirm-pose", () => sure("Is the arm where it says?", "Compare the arm with the numbers and the pictures on this page. If they differ, the safety rules would protect the wrong places.", "It is there", { type: "confirm_pose" }));
+  part("token").addEventListener("submit", (event) => {
+    event.preventDefault();
+    sessionStorage.setItem("token", /** @type {HTMLInputElement} */ (part("token-field")).value.trim());
+    show("token", false);
+    connect();
+  });
+  listenToJog();
+  // Before all else, wherever the focus is.
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" && event.key !== " ") return;
+    if (event.key === " " && document.activeElement?.id === "token-field") return;
+    event.preventDefault();
+    if (!event.repeat) stop();
+  }, { capture: true });
+}
+
+function listenToJog() {
+  for (const button of jogButtons()) {
+    button.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      button.setPointerCapture(event.pointerId);
+      hold(button);
+    });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) button.addEventListener(end, letGo);
+    button.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") hold(button);
+    });
+    button.addEventListener("keyup", letGo);
+    button.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+  window.addEventListener("blur", letGo);
+  document.addEventListener("visibilitychange", letGo);
+  part("frames").addEventListener("change", (event) => {
+    const frame = /** @type {HTMLInputElement} */ (event.target).value;
+    letGo();
+    show("pad-linear", frame === "linear");
+    show("pad-joint", frame === "joint");
+  });
+  const speed = /** @type {HTMLInputElement} */ (part("speed"));
+  speed.addEventListener("input", () => write("speed-shown", `${speed.value} %`));
+}
+
+/** A token in the address (`#token=...`) is taken out of it, and of the history. */
+function takeToken() {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return;
+  sessionStorage.setItem("token", token);
+  history.replaceState(null, "", location.pathname);
+}
+
+takeToken();
+listen();
+connect();
+setInterval(watchAge, 500);

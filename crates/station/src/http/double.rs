@@ -150,13 +150,13 @@ pub(super) fn state(at_s: f64) -> State {
         arm: Some(ArmView {
             status: Status {
                 x_mm: 200.0,
-                y_mm: -31.4,
+                y_mm: -31.5,
                 z_mm: 52.0,
                 rotation_deg: 0.0,
-                base_deg: -8.9,
+                base_deg: -9.0,
                 rear_deg: 31.0,
                 fore_deg: 42.5,
-                servo_deg: 8.9,
+                servo_deg: 9.0,
                 suction: false,
                 gripper_deg: 12.0,
             },

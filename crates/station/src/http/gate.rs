@@ -14,7 +14,7 @@ use super::answer::{self, TooSoon};
 use super::app::{App, Peer, Visitor};
 use super::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 use super::routes;
-use crate::words::Problem;
+use crate::words::{Problem, Role};
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
 pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";
@@ -40,21 +40,13 @@ fn look(app: &App, peer: &Peer, request: &Request) -> Result<Visitor, Response> 
     let host = host(request).map_err(IntoResponse::into_response)?;
     check_host(app, peer, &host).map_err(IntoResponse::into_response)?;
     check_origin(peer, &host, request.headers()).map_err(IntoResponse::into_response)?;
-    let cost = app.addresses.take(peer.from.ip(), app.now(), 1.0);
-    let visitor = match identify(app, request.headers()) {
-        Ok(Some(visitor)) => visitor,
-        Ok(None) if is_open(request) => nobody(),
-        Ok(None) => return Err(no_token().into_response()),
-        Err(problem) => {
-            // Guessing is expensive. Whether that is still allowed shows with the next request.
-            let _ = app.addresses.take(peer.from.ip(), app.now(), WRONG_TOKEN);
-            return Err(problem.into_response());
-        }
-    };
-    match cost {
+    let visitor = identify(app, request);
+    // Guessing is expensive.
+    let cost = if visitor.is_ok() { 1.0 } else { WRONG_TOKEN };
+    match app.addresses.take(peer.from.ip(), app.now(), cost) {
         // Whoever may stop the arm may always stop it.
-        Err(wait) if !is_stop(request) => Err(TooSoon(wait).into_response()),
-        _ => Ok(visitor),
+        Err(wait) if visitor.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
+        _ => visitor.map_err(IntoResponse::into_response),
     }
 }
 
@@ -133,18 +125,19 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
 const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 
-/// Who asks; nobody known where there is no token and that does not do.
-fn identify(app: &App, headers: &HeaderMap) -> Result<Option<Visitor>, Problem> {
-    let Some(token) = presented(headers)? else {
-        let role = app.without_token;
-        return Ok(role.map(|role| Visitor {
-            name: "http".into(),
-            role,
-        }));
+/// Who asks, by the token or for want of one.
+fn identify(app: &App, request: &Request) -> Result<Visitor, Problem> {
+    let anyone = |role| Visitor {
+        name: "http".into(),
+        role,
     };
-    match app.holder(&token) {
-        Some((name, role)) => Ok(Some(Visitor { name, role })),
-        None => Err(UNAUTHORISED.problem("the station does not know this token")),
+    match presented(request.headers())? {
+        Some(token) => match app.holder(&token) {
+            Some((name, role)) => Ok(Visitor { name, role }),
+            None => Err(UNAUTHORISED.problem("the station does not know this token")),
+        },
+        None if is_open(request) => Ok(anyone(Role::Watch)),
+        None => app.without_token.map(anyone).ok_or_else(no_token),
     }
 }
 
@@ -176,14 +169,6 @@ fn no_token() -> Problem {
         "this takes a token, and none came with it",
         "send it as `Authorization: Bearer <token>`",
     )
-}
-
-/// One who may see what everybody may.
-fn nobody() -> Visitor {
-    Visitor {
-        name: "anyone".into(),
-        role: crate::words::Role::Watch,
-    }
 }
 
 /// Whether the route is for everyone.

@@ -10,7 +10,9 @@ use serde::de::DeserializeOwned;
 use super::answer::BODY;
 use super::app::App;
 use super::kinds::Kind;
+#[cfg(test)]
 use super::strict;
+#[cfg(test)]
 use crate::words::Problem;
 
 /// One route.
@@ -35,6 +37,7 @@ pub(super) struct Route {
 pub(super) struct Takes {
     pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
     /// Whether the body is as it has to be.
+    #[cfg(test)]
     pub(super) reads: fn(&[u8]) -> Result<(), Problem>,
     pub(super) required: bool,
     pub(super) limit: usize,
@@ -105,6 +108,7 @@ impl Route {
     ) -> Self {
         self.takes = Some(Takes {
             schema: SchemaGenerator::subschema_for::<T>,
+            #[cfg(test)]
             reads: |text| strict::read::<T>(text).map(drop),
             required,
             limit,

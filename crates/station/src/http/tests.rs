@@ -1,1 +1,185 @@
+//! The web side against a stand-in for the owner of the arm.
 
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+mod attacks;
+mod bad_input;
+mod document;
+mod leases;
+mod routes;
+mod schema;
+mod served;
+mod sockets;
+
+use std::net::SocketAddr;
+use std::sync::Arc;
+
+use axum::Router;
+use axum::body::{Body, to_bytes};
+use axum::http::request::Builder;
+use axum::http::{HeaderMap, Request, StatusCode};
+use serde_json::Value;
+use tokio::sync::watch;
+use tower::ServiceExt;
+
+use super::app::{App, Peer};
+use super::double::{Asked, Telling, owner};
+use super::listen::Seats;
+use super::tokens::{Token, Tokens};
+use crate::words::{Request as Wish, Role};
+
+/// A station without a network.
+struct Lab {
+    router: Router,
+    app: Arc<App>,
+    telling: Arc<Telling>,
+    asked: Asked,
+    peer: Peer,
+    _end: watch::Sender<bool>,
+    tokens: Vec<Token>,
+    _folder: tempfile::TempDir,
+}
+
+/// An answer.
+#[derive(Debug)]
+struct Answer {
+    status: u16,
+    headers: HeaderMap,
+    body: String,
+}
+
+impl Lab {
+    /// On loopback, where everyone may do everything.
+    fn near() -> Self {
+        Self::with("127.0.0.1:8642", false, Some(Role::Admin))
+    }
+
+    /// On a network, with TLS and a token for each role.
+    fn far() -> Self {
+        Self::with("192.168.7.5:8642", true, None)
+    }
+
+    fn with(to: &str, secure: bool, without_token: Option<Role>) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let mut tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
+        let made = Role::ALL.map(|role| tokens.add(role, role.name()).unwrap());
+        let (handle, telling, asked) = owner();
+        let (end, ending) = watch::channel(false);
+        let app = App::new(
+            handle,
+            tokens,
+            without_token,
+            vec!["arm.local".into()],
+            ending,
+        );
+        let to: SocketAddr = to.parse().unwrap();
+        let from = SocketAddr::new(to.ip(), 50_000);
+        let seat = Arc::new(Seats::default()).take(from.ip()).unwrap();
+        Self {
+            router: super::routes::router(app.clone()),
+            app,
+            telling,
+            asked,
+            peer: Peer {
+                from,
+                to,
+                secure,
+                _seat: Arc::new(seat),
+            },
+            _end: end,
+            tokens: made.into(),
+            _folder: folder,
+        }
+    }
+
+    /// A request that a well-behaved client would begin with.
+    fn request(&self, method: &str, path: &str) -> Builder {
+        Request::builder()
+            .method(method)
+            .uri(path)
+            .header("host", self.peer.to.to_string())
+    }
+
+    /// The Authorization header of a role.
+    fn bearer(&self, role: Role) -> String {
+        format!("Bearer {}", self.tokens[role as usize].secret())
+    }
+
+    /// Sends a request; the status has to be one that the document lists.
+    async fn send(&self, mut request: Request<Body>) -> Answer {
+        let route = format!("{} {}", request.method(), request.uri().path());
+        request.extensions_mut().insert(self.peer.clone());
+        let response = self.router.clone().oneshot(request).await.unwrap();
+        let (parts, body) = response.into_parts();
+        let body = to_bytes(body, usize::MAX).await.unwrap();
+        let answer = Answer {
+            status: parts.status.as_u16(),
+            headers: parts.headers,
+            body: String::from_utf8(body.to_vec()).unwrap(),
+        };
+        if let Some(statuses) = document::statuses(&route) {
+            assert!(
+                statuses.contains(&answer.status),
+                "{route} is not documented to answer {answer:?}"
+            );
+        }
+        answer
+    }
+
+    async fn get(&self, path: &str) -> Answer {
+        self.send(self.request("GET", path).body(Body::empty()).unwrap())
+            .await
+    }
+
+    async fn json(&self, method: &str, path: &str, body: impl Into<Body>) -> Answer {
+        let request = self
+            .request(method, path)
+            .header("content-type", "application/json");
+        self.send(request.body(body.into()).unwrap()).await
+    }
+
+    async fn bare(&self, method: &str, path: &str) -> Answer {
+        self.send(self.request(method, path).body(Body::empty()).unwrap())
+            .await
+    }
+
+    fn asked(&self) -> Vec<Wish> {
+        self.asked.requests()
+    }
+}
+
+impl Answer {
+    fn value(&self) -> Value {
+        serde_json::from_str(&self.body).unwrap()
+    }
+
+    /// Kind and detail of a problem, which has to be a whole problem document.
+    #[track_caller]
+    fn problem(&self) -> (String, String) {
+        assert_eq!(
+            self.headers["content-type"], "application/problem+json",
+            "{self:?}"
+        );
+        let problem: crate::Problem = serde_json::from_str(&self.body).unwrap();
+        assert_eq!(problem.status, self.status);
+        let kind = problem.kind.strip_prefix("/api/v1/problems/").unwrap();
+        let known = super::kinds::named(kind).unwrap_or_else(|| panic!("{kind} is not explained"));
+        assert_eq!(
+            (known.title, known.status),
+            (&*problem.title, problem.status)
+        );
+        (kind.into(), problem.detail)
+    }
+
+    #[track_caller]
+    fn is(&self, status: u16) -> &Self {
+        assert_eq!(self.status, status, "{self:?}");
+        assert!(StatusCode::from_u16(status).is_ok());
+        self
+    }
+
+    #[track_caller]
+    fn is_problem(&self, kind: &str) {
+        assert_eq!(self.problem().0, kind, "{self:?}");
+    }
+}

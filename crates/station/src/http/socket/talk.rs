@@ -309,3 +309,7 @@ fn words(end: &End) -> String {
         End::Ending => "the station is shutting down".into(),
     }
 }
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests;

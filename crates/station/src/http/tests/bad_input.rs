@@ -1,0 +1,196 @@
+//! Bad input, made from the document: what it allows is taken, what it does not is answered with a
+//! problem and reaches nobody.
+
+use std::cell::Cell;
+
+use axum::body::Body;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use serde_json::Value;
+
+use super::super::document::document;
+use super::super::messages::FromClient;
+use super::super::routes::ROUTES;
+use super::schema::{allows, damaged, instance};
+use super::{Answer, Lab};
+
+const CASES: u32 = 200;
+
+fn runner() -> TestRunner {
+    TestRunner::new(Config {
+        cases: CASES,
+        failure_persistence: None,
+        ..Config::default()
+    })
+}
+
+/// All routes that take a body: method, address and schema.
+fn routes(document: &Value) -> Vec<(String, String, &Value)> {
+    let taking = ROUTES.iter().filter(|route| route.takes.is_some());
+    taking
+        .map(|route| {
+            let method = route.method.to_string();
+            let operation = &document["paths"][route.path][method.to_lowercase()];
+            let schema = &operation["requestBody"]["content"]["application/json"]["schema"];
+            (method, route.path.replace("{id}", "7"), schema)
+        })
+        .collect()
+}
+
+/// Sends a body that does not ask to wait for the arm.
+fn send(
+    runtime: &tokio::runtime::Runtime,
+    lab: &Lab,
+    method: &str,
+    path: &str,
+    body: impl Into<Body>,
+) -> (Answer, usize) {
+    let before = lab.asked().len();
+    let answer = runtime.block_on(lab.json(method, path, body));
+    (answer, lab.asked().len() - before)
+}
+
+fn runtime() -> tokio::runtime::Runtime {
+    tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()
+        .unwrap()
+}
+
+fn without_waiting(mut body: Value) -> Value {
+    if body["wait"] == true {
+        body["wait"] = false.into();
+    }
+    body
+}
+
+#[test]
+fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
+    let document = document();
+    let runtime = runtime();
+    let (taken, refused) = (Cell::new(0), Cell::new(0));
+    for (method, path, schema) in routes(&document) {
+        let lab = runtime.block_on(async { Lab::near() });
+        let whole = instance(&document, schema);
+        let any = prop_oneof![1 => whole.clone(), 4 => whole.prop_flat_map(damaged)];
+        runner()
+            .run(&any.prop_map(without_waiting), |body| {
+                let (answer, asked) = send(&runtime, &lab, &method, &path, body.to_string());
+                let told = format!("{method} {path} {body}: {answer:?}");
+                if allows(&document, schema, &body, true) {
+                    prop_assert!(answer.status < 300 || answer.status == 503, "{told}");
+                    taken.set(taken.get() + 1);
+                } else if !allows(&document, schema, &body, false) {
+                    prop_assert!(matches!(answer.status, 400 | 422), "{told}");
+                    prop_assert!(!answer.problem().1.is_empty());
+                    prop_assert_eq!(asked, 0, "{}", told);
+                    refused.set(refused.get() + 1);
+                }
+                Ok(())
+            })
+            .unwrap();
+    }
+    let (taken, refused) = (taken.get(), refused.get());
+    assert!(
+        taken > 500 && refused > 1000,
+        "{taken} taken, {refused} refused"
+    );
+}
+
+#[test]
+fn bodies_that_are_no_json_change_nothing() {
+    let document = document();
+    let runtime = runtime();
+    for (method, path, schema) in routes(&document) {
+        let lab = runtime.block_on(async { Lab::near() });
+        let bytes =
+            instance(&document, schema).prop_flat_map(|it| spoiled(it.to_string().into_bytes()));
+        runner()
+            .run(&bytes, |bytes| {
+                if serde_json::from_slice::<Value>(&bytes).is_err() && !bytes.is_empty() {
+                    let (answer, asked) = send(&runtime, &lab, &method, &path, bytes);
+                    prop_assert_eq!(answer.status, 400, "{:?}", answer);
+                    prop_assert!(
+                        answer.problem().1.contains(", column "),
+                        "{:?}",
+                        answer
+                    );
+                    prop_assert_eq!(asked, 0);
+                }
+                Ok(())
+            })
+            .unwrap();
+    }
+}
+
+/// Text that is cut, has a byte changed to any other, or holds what JSON does not have.
+fn spoiled(bytes: Vec<u8>) -> BoxedStrategy<Vec<u8>> {
+    let len = bytes.len();
+    let pieces: Vec<&[u8]> = vec![
+        b"NaN",
+        b"Infinity",
+        b"1e999",
+        b"\xff\xfe",
+        b"\\ud800",
+        b"[[[[",
+        b"'",
+        b"/**/",
+        b"\0",
+    ];
+    let pieces: Vec<Vec<u8>> = pieces.into_iter().map(Into::into).collect();
+    (0..len, prop::sample::select(pieces), any::<u8>(), 0..3_u8)
+        .prop_map(move |(at, piece, byte, how)| {
+            let mut bytes = bytes.clone();
+            match how {
+                0 => bytes.truncate(at),
+                1 => bytes[at] = byte,
+                _ => drop(bytes.splice(at..at, piece)),
+            }
+            bytes
+        })
+        .boxed()
+}
+
+#[test]
+fn nesting_without_end_is_refused() {
+    let lab_runtime = runtime();
+    let lab = lab_runtime.block_on(async { Lab::near() });
+    for piece in ["[", "{\"a\":"] {
+        let (answer, asked) = send(
+            &lab_runtime,
+            &lab,
+            "POST",
+            "/api/v1/commands",
+            piece.repeat(10_000),
+        );
+        assert_eq!((answer.status, asked), (400, 0), "{answer:?}");
+    }
+}
+
+#[test]
+fn messages_that_the_document_allows_are_understood_and_no_others() {
+    let document = document();
+    let schema = &document["components"]["schemas"]["FromClient"];
+    let whole = instance(&document, schema);
+    let any = prop_oneof![1 => whole.clone(), 4 => whole.prop_flat_map(damaged)];
+    let mut runner = TestRunner::new(Config {
+        cases: 4000,
+        failure_persistence: None,
+        ..Config::default()
+    });
+    runner
+        .run(&any, |message| {
+            let read = FromClient::read(message.to_string().as_bytes());
+            if allows(&document, schema, &message, true) {
+                prop_assert!(read.is_ok(), "{message}: {read:?}");
+            } else if !allows(&document, schema, &message, false) {
+                let (id, problem) = read
+                    .err()
+                    .ok_or_else(|| TestCaseError::fail(message.to_string()))?;
+                prop_assert!(matches!(problem.status, 400 | 422));
+                prop_assert_eq!(id, message["id"].as_u64());
+            }
+            Ok(())
+        })
+        .unwrap();
+}

@@ -1,0 +1,104 @@
+//! The document.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+
+use super::super::document::{document, problems_of};
+use super::super::routes::ROUTES;
+use super::Lab;
+
+/// The statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
+pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
+    let (method, path) = route.split_once(' ')?;
+    let found = ROUTES
+        .iter()
+        .find(|it| it.method == *method && matches(it.path, path))?;
+    let given = found.gives.iter().map(|it| it.status);
+    Some(
+        given
+            .chain(problems_of(found).iter().map(|it| it.status))
+            .collect(),
+    )
+}
+
+fn matches(pattern: &str, path: &str) -> bool {
+    let same = |(pattern, part): (&str, &str)| pattern == part || pattern.starts_with('{');
+    pattern.split('/').count() == path.split('/').count()
+        && pattern.split('/').zip(path.split('/')).all(same)
+        && !(path.ends_with("/jobs/pause") && pattern.ends_with("{id}"))
+}
+
+#[test]
+fn every_reference_leads_somewhere() {
+    let document = document();
+    let mut found = 0;
+    walk(&document, &mut |value| {
+        if let Some(reference) = value.get("$ref").and_then(Value::as_str) {
+            found += 1;
+            let place = reference.strip_prefix('#').unwrap();
+            assert!(document.pointer(place).is_some(), "{reference}");
+        }
+    });
+    assert!(found > 100, "{found}");
+}
+
+#[test]
+fn every_operation_has_a_name_of_its_own() {
+    let mut names = BTreeSet::new();
+    walk(&document(), &mut |value| {
+        if let Some(name) = value.get("operationId") {
+            assert!(names.insert(name.to_string()), "{name}");
+        }
+    });
+    assert_eq!(names.len(), ROUTES.len());
+}
+
+#[test]
+fn every_example_is_accepted() {
+    for route in ROUTES.iter() {
+        if let Some(takes) = route.takes {
+            let read = (takes.reads)(takes.example.as_bytes());
+            assert!(read.is_ok(), "{} {}: {read:?}", route.method, route.path);
+        }
+    }
+}
+
+#[tokio::test]
+async fn the_router_has_every_route_of_the_document_and_no_other() {
+    let lab = Lab::near();
+    let document = lab.get("/api/v1/openapi.json").await.is(200).value();
+    for (path, operations) in document["paths"].as_object().unwrap() {
+        let real = path.replace("{id}", "7").replace("{kind}", "policy");
+        for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
+            let answer = lab.bare(method, &real).await;
+            let known = !matches!(answer.status, 404 | 405);
+            let documented = operations.get(method.to_lowercase()).is_some();
+            assert_eq!(known, documented, "{method} {path}: {answer:?}");
+        }
+    }
+}
+
+#[test]
+fn every_route_can_be_refused_with_what_is_explained() {
+    let document = document();
+    for operations in document["paths"].as_object().unwrap().values() {
+        for operation in operations.as_object().unwrap().values() {
+            for (status, answer) in operation["responses"].as_object().unwrap() {
+                if status.parse::<u16>().unwrap() >= 400 {
+                    let schema = &answer["content"]["application/problem+json"]["schema"];
+                    assert_eq!(schema["$ref"], "#/components/schemas/Problem", "{answer}");
+                }
+            }
+        }
+    }
+}
+
+fn walk(value: &Value, see: &mut impl FnMut(&Value)) {
+    see(value);
+    match value {
+        Value::Object(fields) => fields.values().for_each(|it| walk(it, see)),
+        Value::Array(items) => items.iter().for_each(|it| walk(it, see)),
+        _ => {}
+    }
+}

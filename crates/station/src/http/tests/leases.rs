@@ -1,0 +1,145 @@
+//! Control over plain HTTP.
+
+use std::time::Duration;
+
+use axum::body::Body;
+
+use super::{Answer, Lab};
+use crate::words::{ClientId, Request, Role};
+
+async fn with_lease(lab: &Lab, method: &str, path: &str, token: &str) -> Answer {
+    let request = lab.request(method, path).header("dobot-lease", token);
+    lab.send(request.body(Body::empty()).unwrap()).await
+}
+
+fn token(answer: &Answer) -> String {
+    answer.is(200).value()["token"].as_str().unwrap().to_owned()
+}
+
+/// Clients that left, when all that was sent has been heard.
+async fn gone(lab: &Lab) -> Vec<ClientId> {
+    lab.app.handle.jobs().await.unwrap();
+    lab.telling.gone.lock().unwrap().clone()
+}
+
+#[tokio::test(start_paused = true)]
+async fn requests_with_a_lease_token_come_from_one_client_and_others_from_many() {
+    let lab = Lab::near();
+    let taken = lab
+        .json("POST", "/api/v1/lease", r#"{"name": "script"}"#)
+        .await;
+    let token = token(&taken);
+    assert_eq!(taken.value()["lease"]["client"], 1);
+    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+        .await
+        .is(200);
+    with_lease(&lab, "POST", "/api/v1/lease", &token)
+        .await
+        .is(200);
+    lab.bare("POST", "/api/v1/jog/release").await.is(200);
+    assert_eq!(lab.asked.clients(), [1, 1, 1, 2].map(ClientId));
+    assert_eq!(gone(&lab).await, [ClientId(2)]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
+    let lab = Lab::near();
+    let token = token(&lab.bare("POST", "/api/v1/lease").await);
+    for _ in 0..3 {
+        tokio::time::advance(Duration::from_millis(9900)).await;
+        with_lease(&lab, "POST", "/api/v1/lease", &token)
+            .await
+            .is(200);
+    }
+    tokio::time::advance(Duration::from_millis(10_100)).await;
+    lab.app.visits.sweep(lab.app.now());
+    assert_eq!(gone(&lab).await, [ClientId(1)]);
+    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+        .await
+        .is(409)
+        .is_problem("lease-gone");
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_lease_that_is_given_back_is_gone_at_once() {
+    let lab = Lab::near();
+    let token = token(&lab.bare("POST", "/api/v1/lease").await);
+    with_lease(&lab, "DELETE", "/api/v1/lease", &token)
+        .await
+        .is(200);
+    assert_eq!(lab.asked(), [Request::TakeLease, Request::ReleaseLease]);
+    assert_eq!(gone(&lab).await, [ClientId(1)]);
+    with_lease(&lab, "DELETE", "/api/v1/lease", &token)
+        .await
+        .is(409)
+        .is_problem("lease-gone");
+    lab.bare("DELETE", "/api/v1/lease")
+        .await
+        .is(409)
+        .is_problem("no-lease");
+}
+
+#[tokio::test(start_paused = true)]
+async fn who_asks_for_control_stays_until_it_is_granted() {
+    let lab = Lab::near();
+    let token = token(&lab.bare("POST", "/api/v1/lease/ask").await);
+    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+        .await
+        .is(200);
+    assert_eq!(lab.asked.clients(), [1, 1].map(ClientId));
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_client_whose_wish_is_refused_is_not_kept() {
+    let lab = Lab::near();
+    let answer = lab
+        .json("POST", "/api/v1/lease", r#"{"name": "refused"}"#)
+        .await;
+    answer.is(409).is_problem("laser-disarmed");
+    assert_eq!(gone(&lab).await, [ClientId(1)]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
+    let lab = Lab::far();
+    let request = |role, path| {
+        lab.request("POST", path)
+            .header("authorization", lab.bearer(role))
+    };
+    let taken = lab
+        .send(
+            request(Role::Control, "/api/v1/lease")
+                .body(Body::empty())
+                .unwrap(),
+        )
+        .await;
+    let stolen = request(Role::Watch, "/api/v1/jog/release").header("dobot-lease", token(&taken));
+    lab.send(stolen.body(Body::empty()).unwrap())
+        .await
+        .is(403)
+        .is_problem("role");
+}
+
+#[tokio::test(start_paused = true)]
+async fn there_is_an_end_to_how_many_are_kept() {
+    let lab = Lab::near();
+    for _ in 0..64 {
+        lab.bare("POST", "/api/v1/lease/ask").await.is(200);
+    }
+    lab.bare("POST", "/api/v1/lease/ask")
+        .await
+        .is(503)
+        .is_problem("too-many-clients");
+}
+
+#[tokio::test(start_paused = true)]
+async fn names_are_short_and_can_be_printed() {
+    let lab = Lab::near();
+    for name in ["", "a\\nb", &"x".repeat(61)] {
+        let answer = lab
+            .json("POST", "/api/v1/lease", format!(r#"{{"name": "{name}"}}"#))
+            .await;
+        answer.is(422).is_problem("invalid");
+    }
+    assert!(lab.asked().is_empty());
+}

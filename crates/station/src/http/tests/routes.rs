@@ -1,0 +1,310 @@
+//! What each route does, and what is told when it does not.
+
+use axum::body::Body;
+use dobot_wire::{Command, Dialect};
+
+use super::super::double::{notice, state};
+use super::Lab;
+use crate::words::{ClientId, News, Request};
+
+const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,
+    "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}"#;
+
+#[tokio::test]
+async fn the_state_is_what_was_told_last() {
+    let lab = Lab::near();
+    lab.telling.ends.tell(state(7.5));
+    let answer = lab.get("/api/v1/state").await;
+    assert_eq!(
+        answer.is(200).value(),
+        serde_json::to_value(state(7.5)).unwrap()
+    );
+    assert_eq!(answer.headers["content-type"], "application/json");
+}
+
+#[tokio::test]
+async fn notices_are_kept_for_those_who_ask_later() {
+    let lab = Lab::near();
+    for number in 1..=300 {
+        lab.telling
+            .ends
+            .announce(notice(number, News::LinkUp, "the link came up"));
+    }
+    let notices = lab.get("/api/v1/notices").await.is(200).value();
+    let numbers: Vec<_> = notices
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["number"].as_u64().unwrap())
+        .collect();
+    assert_eq!(numbers, (101..=300).collect::<Vec<_>>());
+    assert_eq!(notices[0]["type"], "link_up");
+}
+
+#[tokio::test]
+async fn a_command_waits_for_its_turn() {
+    let lab = Lab::near();
+    let answer = lab
+        .json(
+            "POST",
+            "/api/v1/commands",
+            format!(r#"{{"command": {MOVE}}}"#),
+        )
+        .await;
+    assert_eq!(answer.is(202).value()["command"], 12);
+    assert!(
+        matches!(&lab.asked()[..], [Request::Command { command: Command::MoveTo(to) }] if to.x_mm == 200.0)
+    );
+}
+
+#[tokio::test]
+async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
+    for (news, status) in [
+        (News::CommandDone { command: 12 }, 200),
+        (News::CommandFailed { command: 12 }, 409),
+    ] {
+        let lab = Lab::near();
+        let body = format!(r#"{{"command": {MOVE}, "wait": true}}"#);
+        let telling = async {
+            while lab.asked().is_empty() {
+                tokio::task::yield_now().await;
+            }
+            lab.telling
+                .ends
+                .announce(notice(1, News::CommandDone { command: 11 }, "another"));
+            lab.telling
+                .ends
+                .announce(notice(2, news, "it stopped at a limit"));
+        };
+        let (answer, ()) = tokio::join!(lab.json("POST", "/api/v1/commands", body), telling);
+        answer.is(status);
+        if status == 409 {
+            assert_eq!(
+                answer.problem(),
+                ("not-reached".into(), "it stopped at a limit".into())
+            );
+        }
+    }
+}
+
+#[tokio::test]
+async fn each_route_asks_the_owner_for_what_it_says() {
+    let lab = Lab::near();
+    for (method, path, body) in [
+        ("POST", "/api/v1/stop", r#"{"reason": "hot"}"#),
+        ("DELETE", "/api/v1/stop", ""),
+        ("POST", "/api/v1/lease/grant", r#"{"to": 3}"#),
+        ("POST", "/api/v1/laser", r#"{"for_s": 60}"#),
+        ("DELETE", "/api/v1/laser", ""),
+        ("POST", "/api/v1/pose/confirm", "{}"),
+        ("PUT", "/api/v1/dialect", r#"{"dialect": "specification"}"#),
+        ("POST", "/api/v1/dialect/detect", ""),
+        ("POST", "/api/v1/jobs/5/start", ""),
+        ("POST", "/api/v1/jobs/pause", ""),
+        ("DELETE", "/api/v1/jobs/5", ""),
+        ("POST", "/api/v1/jog/release", ""),
+    ] {
+        lab.json(method, path, body).await.is(200);
+    }
+    let dialect = Dialect::SPECIFICATION;
+    let expected = [
+        Request::Stop {
+            reason: Some("hot".into()),
+        },
+        Request::ResetStop,
+        Request::GrantLease { to: ClientId(3) },
+        Request::ArmLaser { for_s: 60.0 },
+        Request::DisarmLaser,
+        Request::ConfirmPose,
+        Request::SetDialect { dialect },
+        Request::Detect,
+        Request::StartJob { job: 5 },
+        Request::PauseJob,
+        Request::CancelJob { job: 5 },
+        Request::Release,
+    ];
+    assert_eq!(lab.asked(), expected);
+}
+
+#[tokio::test]
+async fn a_button_is_held() {
+    let lab = Lab::near();
+    let body = r#"{"jog": {"frame": "joint", "axis": "base_plus", "speed_percent": 50}}"#;
+    lab.json("POST", "/api/v1/jog", body).await.is(200);
+    assert!(matches!(lab.asked()[..], [Request::Jog { .. }]));
+}
+
+#[tokio::test]
+async fn jobs_are_listed_shown_and_queued() {
+    let lab = Lab::near();
+    assert_eq!(lab.get("/api/v1/jobs").await.is(200).value()[0]["job"], 7);
+    assert_eq!(
+        lab.get("/api/v1/jobs/7").await.is(200).value()["title"],
+        "a house"
+    );
+    lab.get("/api/v1/jobs/8")
+        .await
+        .is(404)
+        .is_problem("no-such-job");
+    lab.get("/api/v1/jobs/seven")
+        .await
+        .is(400)
+        .is_problem("malformed");
+    lab.get("/api/v1/jobs/%FF")
+        .await
+        .is(400)
+        .is_problem("malformed");
+    let body = format!(r#"{{"title": "x", "kind": "program", "commands": [{MOVE}]}}"#);
+    lab.json("POST", "/api/v1/jobs", body).await.is(201);
+    lab.bare("POST", "/api/v1/jobs/404/start")
+        .await
+        .is(404)
+        .is_problem("no-such-job");
+}
+
+#[tokio::test]
+async fn a_job_may_be_larger_than_other_bodies() {
+    let lab = Lab::near();
+    let commands = vec![MOVE; 10_000].join(",");
+    let body = format!(r#"{{"title": "x", "kind": "program", "commands": [{commands}]}}"#);
+    lab.json("POST", "/api/v1/jobs", body.clone()).await.is(201);
+    lab.json("POST", "/api/v1/commands", body)
+        .await
+        .is(413)
+        .is_problem("too-large");
+}
+
+#[tokio::test]
+async fn policy_problems_page_and_document_are_there() {
+    let lab = Lab::near();
+    assert_eq!(
+        lab.get("/api/v1/policy").await.is(200).value()["jog"]["dead_man_s"],
+        0.15
+    );
+    let kind = lab.get("/api/v1/problems/no-lease").await.is(200).value();
+    assert_eq!(kind["status"], 409);
+    assert!(kind["explanation"].as_str().unwrap().contains("control"));
+    lab.get("/api/v1/problems/nonsense")
+        .await
+        .is(404)
+        .is_problem("unknown-path");
+    for (path, kind) in [
+        ("/", "text/html"),
+        ("/page.css", "text/css"),
+        ("/page.js", "text/javascript"),
+    ] {
+        let answer = lab.get(path).await;
+        let found = answer.is(200).headers["content-type"]
+            .to_str()
+            .unwrap()
+            .to_owned();
+        assert!(found.starts_with(kind), "{found}");
+        assert!(!answer.body.is_empty(), "{path}");
+    }
+}
+
+#[tokio::test]
+async fn paths_and_methods_that_do_not_exist_are_told() {
+    let lab = Lab::near();
+    lab.get("/api/v2/state")
+        .await
+        .is(404)
+        .is_problem("unknown-path");
+    let answer = lab.bare("PATCH", "/api/v1/lease").await;
+    answer.is(405).is_problem("method");
+    let allowed = answer.headers["allow"].to_str().unwrap();
+    assert!(
+        allowed.contains("POST") && allowed.contains("DELETE"),
+        "{allowed}"
+    );
+    lab.bare("OPTIONS", "/api/v1/stop")
+        .await
+        .is(405)
+        .is_problem("method");
+    lab.get("/api/v1/ws").await.is(426).is_problem("upgrade");
+}
+
+#[tokio::test]
+async fn bodies_are_json_of_bounded_size() {
+    let lab = Lab::near();
+    let request = lab
+        .request("POST", "/api/v1/stop")
+        .body(Body::from("reason=x"))
+        .unwrap();
+    lab.send(request).await.is(415).is_problem("media-type");
+    let request = lab
+        .request("POST", "/api/v1/stop")
+        .header("content-type", "text/plain");
+    lab.send(request.body(Body::from("{}")).unwrap())
+        .await
+        .is(415);
+    let long = format!(r#"{{"reason": "{}"}}"#, "x".repeat(70_000));
+    lab.json("POST", "/api/v1/stop", long)
+        .await
+        .is(413)
+        .is_problem("too-large");
+    let request = lab
+        .request("POST", "/api/v1/stop")
+        .header("content-type", "application/json; charset=utf-8");
+    lab.send(request.body(Body::from("{}")).unwrap())
+        .await
+        .is(200);
+    assert_eq!(lab.asked().len(), 1);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_body_that_never_arrives_is_given_up() {
+    let lab = Lab::near();
+    let never = Body::from_stream(futures_util::stream::pending::<
+        Result<String, std::io::Error>,
+    >());
+    lab.json("POST", "/api/v1/stop", never)
+        .await
+        .is(408)
+        .is_problem("timeout");
+}
+
+#[tokio::test]
+async fn a_station_that_ends_says_so() {
+    let lab = Lab::near();
+    lab.app.handle.end().await;
+    lab.bare("POST", "/api/v1/stop")
+        .await
+        .is(503)
+        .is_problem("ending");
+    lab.get("/api/v1/jobs").await.is(503).is_problem("ending");
+    lab.get("/api/v1/state").await.is(200);
+}
+
+/// Serves until it is interrupted: `cargo test -p dobot-station to_look_at -- --ignored`.
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "it serves the page for a person to look at, and ends when it is interrupted"]
+async fn a_station_to_look_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let (handle, telling, _asked) = super::super::double::owner();
+    let mut web = crate::Web::new("127.0.0.1:8699".parse().unwrap(), crate::Folders::at(folder.path()));
+    web.names = vec![];
+    let _served = crate::serve(&web, handle).await.unwrap();
+    std::fs::write("/tmp/http-document.json", super::super::document::TEXT.as_str()).unwrap();
+    telling.ends.announce(notice(1, News::LinkUp, "the link to the arm came up"));
+    telling.ends.announce(notice(2, News::DialectKnown { dialect: Dialect::FIRMWARE_1_1 }, "the arm speaks firmware-1.1"));
+    telling.ends.announce(notice(3, News::CommandDone { command: 12 }, "command 12 is over: the arm is at 200.0, -31.5, 52.0 mm"));
+    let mut at_s = 0.0;
+    loop {
+        at_s += 0.08;
+        let mut now = state(at_s);
+        if let Ok(text) = std::fs::read_to_string("/tmp/http-look") {
+            if text.contains("stop") {
+                now.stop = Some(crate::StopView { by: "page".into(), reason: Some("a hand is in the way".into()), at_s, rests_by_s: at_s, at_rest: true });
+                now.trust = crate::TrustView { trusted: false, reason: Some("the arm was reset".into()) };
+            }
+            if text.contains("lease") {
+                now.lease = Some(crate::LeaseView { client: ClientId(text.split_whitespace().last().unwrap().parse().unwrap()), name: "page".into(), since_s: 1.0, asked_by: vec![crate::Asking { client: ClientId(99), name: "plotter".into() }] });
+                now.job = None;
+                now.laser.armed_for_s = 512.0;
+            }
+        }
+        telling.ends.tell(now);
+        tokio::time::sleep(std::time::Duration::from_millis(80)).await;
+    }
+}

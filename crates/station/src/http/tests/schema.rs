@@ -1,0 +1,228 @@
+//! Values that a JSON Schema allows, values that it does not, and which is which.
+
+use proptest::prelude::*;
+use serde_json::{Map, Value, json};
+
+/// Values that a schema of the document allows.
+pub(super) fn instance(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
+    if let Some(target) = reference(document, schema) {
+        return instance(document, target);
+    }
+    if let Some(constant) = schema.get("const") {
+        return Just(constant.clone()).boxed();
+    }
+    if let Some(values) = schema["enum"].as_array() {
+        return prop::sample::select(values.clone()).boxed();
+    }
+    if let Some(choices) = choices(schema) {
+        let strategies: Vec<_> = choices.iter().map(|it| instance(document, it)).collect();
+        return proptest::strategy::Union::new(strategies).boxed();
+    }
+    let types: Vec<_> = types(schema).into_iter().map(str::to_owned).collect();
+    let strategies: Vec<_> = types
+        .iter()
+        .map(|it| of_type(document, schema, it))
+        .collect();
+    proptest::strategy::Union::new(strategies).boxed()
+}
+
+fn of_type(document: &Value, schema: &Value, name: &str) -> BoxedStrategy<Value> {
+    match name {
+        "null" => Just(Value::Null).boxed(),
+        "boolean" => any::<bool>().prop_map(Value::from).boxed(),
+        "integer" => (0_u64..1_000_000).prop_map(Value::from).boxed(),
+        "number" => (1_u8..=100)
+            .prop_map(|it| json!(f64::from(it) + 0.5))
+            .boxed(),
+        "string" => "[a-z][a-z ]{0,20}".prop_map(Value::from).boxed(),
+        "array" => {
+            let items = instance(document, &schema["items"]);
+            prop::collection::vec(items, 1..3)
+                .prop_map(Value::from)
+                .boxed()
+        }
+        "object" => object(document, schema),
+        other => panic!("no value of type {other}"),
+    }
+}
+
+fn object(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
+    let no_fields = Map::new();
+    let fields = schema["properties"].as_object().unwrap_or(&no_fields);
+    let strategies: Vec<_> = fields
+        .iter()
+        .map(|(name, field)| {
+            let field = instance(document, field);
+            let field = match requires(schema, name) {
+                true => field.prop_map(Some).boxed(),
+                false => prop::option::of(field).boxed(),
+            };
+            (Just(name.clone()), field)
+        })
+        .collect();
+    strategies
+        .prop_map(|fields| {
+            fields
+                .into_iter()
+                .filter_map(|(name, value)| Some((name, value?)))
+                .collect()
+        })
+        .boxed()
+}
+
+/// Whether a schema allows a value, as far as types, fields and choices go; `closely` with lengths
+/// and ranges too.
+pub(super) fn allows(document: &Value, schema: &Value, value: &Value, closely: bool) -> bool {
+    if let Some(target) = reference(document, schema) {
+        return allows(document, target, value, closely);
+    }
+    let allowed = |it: &Value| allows(document, it, value, closely);
+    choices(schema).is_none_or(|choices| choices.iter().any(allowed))
+        && schema.get("const").is_none_or(|it| it == value)
+        && schema["enum"]
+            .as_array()
+            .is_none_or(|it| it.contains(value))
+        && is_of_type(schema, value)
+        && has_fields(document, schema, value, closely)
+        && has_items(document, schema, value, closely)
+        && in_range(schema, value, closely)
+}
+
+fn is_of_type(schema: &Value, value: &Value) -> bool {
+    let types = types(schema);
+    types.is_empty()
+        || types.into_iter().any(|name| match name {
+            "null" => value.is_null(),
+            "boolean" => value.is_boolean(),
+            "integer" => value.is_u64() || value.is_i64(),
+            "number" => value
+                .as_f64()
+                .is_some_and(|it| it.abs() <= f64::from(f32::MAX)),
+            "string" => value.is_string(),
+            "array" => value.is_array(),
+            "object" => value.is_object(),
+            other => panic!("no type {other}"),
+        })
+}
+
+fn has_fields(document: &Value, schema: &Value, value: &Value, closely: bool) -> bool {
+    let (Some(value), true) = (value.as_object(), choices(schema).is_none()) else {
+        return true;
+    };
+    let open = schema["additionalProperties"] != false;
+    let known = |(name, field): (&String, &Value)| match schema["properties"].get(name) {
+        Some(schema) => allows(document, schema, field, closely),
+        None => open,
+    };
+    let needed = schema["required"].as_array().map_or(&[][..], Vec::as_slice);
+    value.iter().all(known)
+        && needed
+            .iter()
+            .all(|name| value.contains_key(name.as_str().unwrap()))
+}
+
+fn has_items(document: &Value, schema: &Value, value: &Value, closely: bool) -> bool {
+    let (Some(items), Some(schema)) = (value.as_array(), schema.get("items")) else {
+        return true;
+    };
+    items.iter().all(|it| allows(document, schema, it, closely))
+}
+
+fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
+    let limit = |name: &str| schema[name].as_f64();
+    // Whole numbers below zero are of the wrong type; for others the owner of the arm is asked.
+    let is_whole = types(schema).contains(&"integer");
+    if let Some(number) = value.as_f64().filter(|_| closely || is_whole) {
+        return limit("minimum").is_none_or(|it| number >= it)
+            && limit("maximum").is_none_or(|it| number <= it);
+    }
+    let len = match value {
+        Value::String(text) => text.len(),
+        Value::Array(items) => items.len(),
+        _ => return true,
+    };
+    let len = len as f64;
+    let least = limit("minLength").or(limit("minItems"));
+    let most = limit("maxLength").or(limit("maxItems"));
+    !closely || (least.is_none_or(|it| len >= it) && most.is_none_or(|it| len <= it))
+}
+
+/// A value with something done to it that may be wrong.
+pub(super) fn damaged(value: Value) -> BoxedStrategy<Value> {
+    let mut places = Vec::new();
+    list(&value, String::new(), &mut places);
+    (prop::sample::select(places), anything(), 0..4_u8)
+        .prop_map(move |(place, other, how)| damage(value.clone(), &place, other, how))
+        .boxed()
+}
+
+fn damage(mut value: Value, place: &str, other: Value, how: u8) -> Value {
+    let (parent, key) = place.rsplit_once('/').unwrap_or(("", ""));
+    if how == 0 {
+        if let Some(fields) = value.pointer_mut(parent).and_then(Value::as_object_mut) {
+            fields.shift_remove(key);
+        }
+    } else if let Some(found) = value.pointer_mut(place) {
+        match found {
+            Value::Object(fields) if how == 1 => {
+                fields.insert("oops".into(), other);
+            }
+            found => *found = other,
+        }
+    }
+    value
+}
+
+fn list(value: &Value, place: String, places: &mut Vec<String>) {
+    match value {
+        Value::Object(fields) => fields
+            .iter()
+            .for_each(|(key, it)| list(it, format!("{place}/{key}"), places)),
+        Value::Array(items) => {
+            items
+                .iter()
+                .enumerate()
+                .for_each(|(n, it)| list(it, format!("{place}/{n}"), places));
+        }
+        _ => {}
+    }
+    places.push(place);
+}
+
+fn anything() -> impl Strategy<Value = Value> {
+    prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::from),
+        any::<i64>().prop_map(Value::from),
+        prop::sample::select(vec![1e39, -1e300, 0.5, 1e-320, f64::MAX]).prop_map(|it| json!(it)),
+        Just(json!(u64::MAX)),
+        "[ -~]{0,80}".prop_map(Value::from),
+        Just(json!([])),
+        Just(json!({})),
+        Just(json!([{"type": "move_to"}])),
+        Just((0..100).fold(json!(1), |it, _| json!([it]))),
+    ]
+}
+
+fn reference<'a>(document: &'a Value, schema: &Value) -> Option<&'a Value> {
+    document.pointer(schema["$ref"].as_str()?.strip_prefix('#')?)
+}
+
+fn choices(schema: &Value) -> Option<&Vec<Value>> {
+    schema["oneOf"]
+        .as_array()
+        .or_else(|| schema["anyOf"].as_array())
+}
+
+fn types(schema: &Value) -> Vec<&str> {
+    match &schema["type"] {
+        Value::String(name) => vec![name],
+        Value::Array(names) => names.iter().filter_map(Value::as_str).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn requires(schema: &Value, name: &str) -> bool {
+    let needed = schema["required"].as_array();
+    needed.is_some_and(|needed| needed.iter().any(|it| it == name))
+}

@@ -1,0 +1,304 @@
+//! WebSockets on a real address.
+
+use futures_util::{SinkExt, StreamExt};
+use serde_json::{Value, json};
+use tokio::net::TcpStream;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::http::HeaderValue;
+use tokio_tungstenite::tungstenite::{Error, Message};
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
+
+use super::super::double::{Asked, Telling, notice, owner, state};
+use crate::words::{ClientId, News, Request};
+use crate::{Folders, Served, Web, serve};
+
+struct Station {
+    served: Served,
+    telling: std::sync::Arc<Telling>,
+    asked: Asked,
+    handle: crate::Handle,
+    _folder: tempfile::TempDir,
+}
+
+type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+
+impl Station {
+    async fn start() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let (handle, telling, asked) = owner();
+        let web = Web::new("127.0.0.1:0".parse().unwrap(), Folders::at(folder.path()));
+        Self {
+            served: serve(&web, handle.clone()).await.unwrap(),
+            telling,
+            asked,
+            handle,
+            _folder: folder,
+        }
+    }
+
+    async fn connect(&self, query: &str) -> Socket {
+        self.try_connect(query, &[]).await.unwrap()
+    }
+
+    async fn try_connect(
+        &self,
+        query: &str,
+        headers: &[(&'static str, &str)],
+    ) -> Result<Socket, Error> {
+        let url = format!("ws://{}/api/v1/ws{query}", self.served.address());
+        let mut request = url.into_client_request().unwrap();
+        for (name, value) in headers {
+            request
+                .headers_mut()
+                .insert(*name, HeaderValue::from_str(value).unwrap());
+        }
+        connect_async(request).await.map(|(socket, _)| socket)
+    }
+
+    /// How many clients left, when the owner has heard all until now.
+    async fn gone(&self) -> Vec<ClientId> {
+        self.handle.jobs().await.unwrap();
+        self.telling.gone.lock().unwrap().clone()
+    }
+}
+
+/// The next message that is text.
+async fn next(socket: &mut Socket) -> Value {
+    loop {
+        match socket.next().await.unwrap().unwrap() {
+            Message::Text(text) => return serde_json::from_str(&text).unwrap(),
+            Message::Ping(_) => {}
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+async fn say(socket: &mut Socket, message: &Value) {
+    socket
+        .send(Message::text(message.to_string()))
+        .await
+        .unwrap();
+}
+
+fn status(error: &Error) -> u16 {
+    match error {
+        Error::Http(response) => response.status().as_u16(),
+        other => panic!("{other}"),
+    }
+}
+
+#[tokio::test]
+async fn a_client_is_greeted_and_told_the_state_and_what_happens() {
+    let station = Station::start().await;
+    let mut socket = station.connect("?name=test").await;
+    let hello = next(&mut socket).await;
+    assert_eq!(hello["hello"]["client"], 1);
+    assert_eq!(hello["hello"]["role"], "admin");
+    assert_eq!(hello["hello"]["dead_man_s"], 0.15);
+    assert_eq!(next(&mut socket).await, json!({"state": state(0.0)}));
+    station.telling.ends.tell(state(1.0));
+    assert_eq!(next(&mut socket).await, json!({"state": state(1.0)}));
+    station
+        .telling
+        .ends
+        .announce(notice(4, News::LinkLost, "the link is lost"));
+    assert_eq!(
+        next(&mut socket).await["notice"]["text"],
+        "the link is lost"
+    );
+}
+
+#[tokio::test]
+async fn requests_are_answered_with_their_numbers_and_in_their_order() {
+    let station = Station::start().await;
+    let mut socket = station.connect("?states=0&notices=false").await;
+    next(&mut socket).await;
+    for id in 0..50 {
+        say(
+            &mut socket,
+            &json!({"id": id, "request": {"type": "start_job", "job": id}}),
+        )
+        .await;
+    }
+    let mut ids = Vec::new();
+    for _ in 0..50 {
+        let answer = next(&mut socket).await;
+        assert_eq!(answer["reply"]["type"], "job");
+        ids.push(answer["id"].as_u64().unwrap());
+    }
+    ids.sort_unstable();
+    assert_eq!(ids, (0..50).collect::<Vec<_>>());
+    let jobs: Vec<_> = (0..50).map(|job| Request::StartJob { job }).collect();
+    assert_eq!(station.asked.requests(), jobs);
+}
+
+#[tokio::test]
+async fn what_is_refused_or_not_understood_is_told_as_a_problem() {
+    let station = Station::start().await;
+    let mut socket = station.connect("?states=0").await;
+    next(&mut socket).await;
+    say(
+        &mut socket,
+        &json!({"id": 1, "request": {"type": "start_job", "job": 404}}),
+    )
+    .await;
+    let answer = next(&mut socket).await;
+    assert_eq!(
+        (&answer["id"], &answer["problem"]["status"]),
+        (&json!(1), &json!(404))
+    );
+    say(&mut socket, &json!({"id": 2, "request": {"type": "fly"}})).await;
+    let answer = next(&mut socket).await;
+    assert_eq!(
+        (&answer["id"], &answer["problem"]["status"]),
+        (&json!(2), &json!(422))
+    );
+    socket.send(Message::text("{oops")).await.unwrap();
+    let answer = next(&mut socket).await;
+    assert_eq!(
+        (answer.get("id"), &answer["problem"]["status"]),
+        (None, &json!(400))
+    );
+    socket.send(Message::binary(vec![0xa5; 42])).await.unwrap();
+    assert_eq!(next(&mut socket).await["problem"]["status"], 422);
+    assert_eq!(station.asked.requests(), [Request::StartJob { job: 404 }]);
+}
+
+#[tokio::test]
+async fn the_lease_of_a_client_ends_with_its_connection() {
+    let station = Station::start().await;
+    let mut polite = station.connect("?states=0").await;
+    next(&mut polite).await;
+    let mut rude = station.connect("?states=0").await;
+    next(&mut rude).await;
+    polite.close(None).await.unwrap();
+    drop(rude);
+    let mut gone = station.gone().await;
+    while gone.len() < 2 {
+        tokio::task::yield_now().await;
+        gone = station.gone().await;
+    }
+    gone.sort();
+    assert_eq!(gone, [1, 2].map(ClientId));
+}
+
+#[tokio::test]
+async fn wishes_that_make_no_sense_are_refused_before_the_upgrade() {
+    let station = Station::start().await;
+    for query in [
+        "?states=-1",
+        "?states=NaN",
+        "?states=inf",
+        "?states=x",
+        "?notices=7",
+        "?name=",
+        "?name=%0A",
+        "?token=abc",
+    ] {
+        let error = station.try_connect(query, &[]).await.unwrap_err();
+        assert_eq!(status(&error), 400, "{query}");
+    }
+}
+
+#[tokio::test]
+async fn sockets_from_pages_of_other_sites_are_refused() {
+    let station = Station::start().await;
+    for (name, value) in [
+        ("origin", "http://evil.example"),
+        ("origin", "null"),
+        ("host", "evil.example"),
+        ("host", "evil.example:8642"),
+    ] {
+        let error = station.try_connect("", &[(name, value)]).await.unwrap_err();
+        assert_eq!(status(&error), 403, "{name}: {value}");
+    }
+    let own = format!("http://{}", station.served.address());
+    station.try_connect("", &[("origin", &own)]).await.unwrap();
+}
+
+#[tokio::test]
+async fn a_token_in_the_subprotocol_is_checked_and_not_said_back() {
+    let station = Station::start().await;
+    let wrong = [("sec-websocket-protocol", "dobot, dobot.token.00")];
+    assert_eq!(
+        status(&station.try_connect("", &wrong).await.unwrap_err()),
+        401
+    );
+    let url = format!("ws://{}/api/v1/ws", station.served.address());
+    let mut request = url.into_client_request().unwrap();
+    request
+        .headers_mut()
+        .insert("sec-websocket-protocol", HeaderValue::from_static("dobot"));
+    let (_, response) = connect_async(request).await.unwrap();
+    assert_eq!(response.headers()["sec-websocket-protocol"], "dobot");
+}
+
+#[tokio::test]
+async fn a_client_that_floods_is_closed_and_others_are_told() {
+    let station = Station::start().await;
+    let mut socket = station.connect("?states=0&notices=false&name=flood").await;
+    next(&mut socket).await;
+    let (mut say, mut hear) = socket.split();
+    let flooding = tokio::spawn(async move {
+        // The station hangs up at some point.
+        while say.send(Message::text("x")).await.is_ok() {}
+    });
+    let mut farewell = None;
+    while let Some(Ok(message)) = hear.next().await {
+        if let Message::Close(Some(frame)) = message {
+            farewell = Some((u16::from(frame.code), frame.reason.to_string()));
+            break;
+        }
+    }
+    flooding.abort();
+    let (code, reason) = farewell.unwrap();
+    assert_eq!(code, 1008);
+    assert!(reason.contains("1000 messages"), "{reason}");
+    let trouble = station.telling.trouble.lock().unwrap().clone();
+    assert!(
+        matches!(&trouble[..], [one] if one.starts_with("client 1 (flood) was dropped")),
+        "{trouble:?}"
+    );
+}
+
+#[tokio::test]
+async fn everyone_is_told_when_the_station_ends() {
+    let station = Station::start().await;
+    let mut socket = station.connect("?states=0").await;
+    next(&mut socket).await;
+    let (ended, code) = tokio::join!(station.served.end(), async {
+        loop {
+            match socket.next().await {
+                Some(Ok(Message::Close(Some(frame)))) => break u16::from(frame.code),
+                Some(Ok(_)) => {}
+                other => panic!("{other:?}"),
+            }
+        }
+    });
+    ended.unwrap();
+    assert_eq!(code, 1001);
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_hundred_watchers_miss_nothing() {
+    const WATCHERS: usize = 100;
+    const STATES: u32 = 50;
+    let station = Station::start().await;
+    let mut watching = Vec::new();
+    for _ in 0..WATCHERS {
+        let mut socket = station.connect("?notices=false").await;
+        next(&mut socket).await;
+        next(&mut socket).await;
+        watching.push(tokio::spawn(async move {
+            for n in 1..=STATES {
+                assert_eq!(next(&mut socket).await["state"]["at_s"], f64::from(n));
+            }
+        }));
+    }
+    for n in 1..=STATES {
+        station.telling.ends.tell(state(f64::from(n)));
+    }
+    for watcher in watching {
+        watcher.await.unwrap();
+    }
+}
