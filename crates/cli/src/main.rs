@@ -24,6 +24,7 @@ mod set;
 mod simulate;
 mod status;
 mod stop;
+mod token;
 mod travel;
 mod watch;
 mod world;
@@ -62,6 +63,7 @@ enum Verb {
     Watch(watch::Args),
     Jobs(jobs::Args),
     Lease(lease::Args),
+    Token(token::Args),
     Completions(completions::Args),
     Man(man::Args),
 }
@@ -95,6 +97,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Watch(args) => wait_for(watch::run(args)),
         Verb::Jobs(args) => wait_for(jobs::run(args)),
         Verb::Lease(args) => wait_for(lease::run(args)),
+        Verb::Token(args) => token::run(args),
         Verb::Completions(args) => completions::run(&args),
         Verb::Man(args) => man::run(&args),
     }

@@ -43,7 +43,7 @@ impl Station {
     pub(crate) fn address(&self) -> Result<Option<StationAddress>, Failure> {
         match self.name() {
             Some(name) => self.named(&name).map(Some),
-            None => running(),
+            None => running(&folders(None)?),
         }
     }
 
@@ -73,7 +73,9 @@ impl Station {
         let fingerprint = self.fingerprint.map(Trust::Fingerprint);
         address.trust = fingerprint.or_else(|| self.ca.clone().map(Trust::Authority));
         // Whoever names the station of this machine need not know its token.
-        if let Some(here) = running()?.filter(|it| it.to_string() == address.to_string()) {
+        if let Some(here) =
+            running(&folders(None)?)?.filter(|it| it.to_string() == address.to_string())
+        {
             address.token = address.token.or(here.token);
             address.trust = address.trust.or(here.trust);
         }
@@ -98,8 +100,9 @@ pub(crate) fn client_name(verb: &str) -> String {
     format!("dobot {verb}")
 }
 
-fn running() -> Result<Option<StationAddress>, Failure> {
-    let Some(running) = Running::read(&folders(None)?.running())? else {
+/// Where the station of these folders says that it runs.
+pub(crate) fn running(folders: &Folders) -> Result<Option<StationAddress>, Failure> {
+    let Some(running) = Running::read(&folders.running())? else {
         return Ok(None);
     };
     Ok(Some(StationAddress::of(&running)?))

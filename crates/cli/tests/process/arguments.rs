@@ -27,6 +27,14 @@ fn help_shows_examples_for_every_verb() {
         "ports",
         "conformance",
         "simulate",
+        "up",
+        "stop",
+        "watch",
+        "jobs",
+        "lease",
+        "token",
+        "completions",
+        "man",
     ] {
         let outcome = dobot(&[verb, "--help"]).succeeds();
         assert!(outcome.stdout.contains(&format!("dobot {verb}")), "{verb}");
@@ -46,6 +54,15 @@ fn what_is_no_command_line_ends_with_two() {
         &["draw"],
         &["draw", "a.svg", "--picture", "a.bmp"],
         &["set"],
+        &["up", "--http", "here"],
+        &["up", "--raw", "5555"],
+        &["up", "--virtual", "--arm", "tcp:localhost:1"],
+        &["status", "--station", "http://localhost", "--to", "virtual:"],
+        &["stop", "--reset", "--reason", "smoke"],
+        &["lease", "laser", "--for", "0"],
+        &["token", "add", "king", "me"],
+        &["jobs", "start", "first"],
+        &["completions", "dos"],
     ] {
         let outcome = dobot(arguments);
         assert_eq!(outcome.code, Some(2), "{outcome:?}");
@@ -178,4 +195,55 @@ fn a_setting_that_would_hang_an_arm_is_not_sent() {
 fn ports_are_listed_as_text_and_as_json() {
     dobot(&["ports"]).succeeds();
     assert!(json(&dobot(&["ports", "--json"]).succeeds().stdout).is_array());
+}
+
+#[test]
+fn without_a_station_its_verbs_say_how_to_start_one() {
+    for arguments in [&["stop"][..], &["jobs"], &["jobs", "pause"], &["lease"]] {
+        dobot(arguments).fails(1, &["no station runs", "dobot up"]);
+    }
+}
+
+#[test]
+fn a_station_that_is_named_and_not_there_is_told() {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = listener.local_addr().expect("it has one");
+    drop(listener);
+    let url = format!("http://{address}");
+    dobot(&["status", "--station", &url]).fails(1, &["there is no station", "dobot up"]);
+    dobot(&["stop", "--station", "localhost"]).fails(1, &["http://HOST:PORT"]);
+    dobot(&["stop", "--station", "https://localhost", "--fingerprint", "00"]).fails(2, &["64 hex"]);
+}
+
+#[test]
+fn tokens_are_made_listed_and_removed() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let data = ["--data", folder.path().to_str().expect("the path is text")];
+    let token = |arguments: &[&str]| dobot(&[&["token"], arguments, &data].concat());
+    let made = token(&["add", "control", "plotter"]).succeeds().stdout;
+    assert!(made.trim().len() >= 32, "{made}");
+    let listed = token(&["list"]).succeeds().stdout;
+    assert!(listed.contains("control  plotter") && !listed.contains(made.trim()));
+    token(&["add", "watch", "plotter"]).fails(1, &["plotter"]);
+    token(&["remove", "plotter"]).succeeds();
+    token(&["remove", "plotter"]).fails(1, &["plotter"]);
+    assert_eq!(token(&["list"]).succeeds().stdout, "");
+}
+
+#[test]
+fn shells_get_their_completions_and_readers_their_manual() {
+    for shell in ["bash", "zsh", "fish"] {
+        let script = dobot(&["completions", shell]).succeeds().stdout;
+        assert!(script.contains("simulate"), "{shell}");
+    }
+    assert!(dobot(&["man"]).succeeds().stdout.contains(".TH dobot 1"));
+    let folder = tempfile::tempdir().expect("there is room");
+    let pages = folder.path().join("man1");
+    dobot(&["man", "--out", pages.to_str().expect("the path is text")]).succeeds();
+    assert!(pages.join("dobot.1").exists() && pages.join("dobot-draw.1").exists());
+}
+
+#[test]
+fn a_dashboard_without_a_terminal_is_refused() {
+    dobot(&["watch"]).fails(1, &["needs a terminal", "dobot status --json"]);
 }

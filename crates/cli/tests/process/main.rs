@@ -10,4 +10,6 @@ mod policy;
 mod program;
 mod recordings;
 mod simulating;
+#[cfg(unix)]
+mod stations;
 mod worlds;

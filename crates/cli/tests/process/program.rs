@@ -1,7 +1,7 @@
 //! Runs `dobot` and says what came of it.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// What came of a run.
@@ -41,9 +41,16 @@ impl From<Output> for Outcome {
     }
 }
 
+/// `dobot`, for which no station runs.
 pub(crate) fn command(arguments: &[&str]) -> Command {
+    command_at(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-station"), arguments)
+}
+
+/// `dobot`, with the data of a station in this folder.
+pub(crate) fn command_at(data: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_dobot"));
-    command.args(arguments);
+    command.args(arguments).env("DOBOT_DATA", data);
+    command.env_remove("DOBOT_STATION").env_remove("DOBOT_TOKEN");
     command
 }
 
@@ -52,7 +59,11 @@ pub(crate) fn dobot(arguments: &[&str]) -> Outcome {
 }
 
 pub(crate) fn dobot_reading(arguments: &[&str], input: &[u8]) -> Outcome {
-    let mut child = command(arguments)
+    run(&mut command(arguments), input)
+}
+
+pub(crate) fn run(command: &mut Command, input: &[u8]) -> Outcome {
+    let mut child = command
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

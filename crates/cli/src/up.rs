@@ -1,0 +1,223 @@
+//! `dobot up`: the station.
+
+mod welcome;
+
+use std::io::{ErrorKind, IsTerminal};
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use anyhow::anyhow;
+use dobot_client::Address;
+use dobot_controller::Personality;
+use dobot_sim::Speed;
+use dobot_station::{
+    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, Remote, StartError, Station, TlsFiles,
+};
+use dobot_wire::Dialect;
+use tokio::sync::broadcast::Receiver;
+use tokio::sync::broadcast::error::RecvError;
+
+use self::welcome::Welcome;
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::output::{self, clock};
+use crate::reach::{client_name, folders, running};
+
+/// Start the station: the one program that owns the arm, for all others (`dobot` alone does it, too)
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot up                                    the arm that is plugged in, or a virtual one
+  dobot up --arm serial:/dev/ttyUSB0 --dialect firmware-1.1
+  dobot up --virtual --personality firmware-1.1
+  dobot up --http 0.0.0.0:8642                for the whole network: with TLS, and tokens of `dobot token`
+  dobot up --pty /tmp/dobot                   a virtual serial port, too, for old programs
+
+The other verbs go through the station as long as it runs. Ctrl-C ends it: the laser goes off, and the arm comes
+to rest. A job that was not over can be gone on with after the next start.")]
+pub(crate) struct Args {
+    /// The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: what is plugged in)
+    #[arg(long, value_name = "ADDRESS")]
+    arm: Option<Address>,
+    /// A virtual arm, even if one is plugged in
+    #[arg(long = "virtual", conflicts_with = "arm")]
+    is_virtual: bool,
+    /// How a virtual arm behaves: specification, or firmware-1.1 as the arms that were sold do
+    #[arg(long, value_name = "PERSONALITY", default_value = "specification")]
+    personality: Personality,
+    /// How fast time passes for a virtual arm: 0.1 to 1000 times as fast as a clock
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    speed: Speed,
+    /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold
+    #[arg(long, value_name = "DIALECT")]
+    dialect: Option<Dialect>,
+    /// The safety policy, a TOML file (default: the policy that `dobot policy` shows)
+    #[arg(long, value_name = "FILE")]
+    policy: Option<PathBuf>,
+    /// Where jobs, recordings and tokens are kept
+    #[arg(long, value_name = "FOLDER")]
+    data: Option<PathBuf>,
+    /// Where page and API are served; port 0 takes a free one
+    #[arg(long, value_name = "HOST:PORT", default_value_t = DEFAULT_HTTP)]
+    http: SocketAddr,
+    /// Where raw packets are served over TCP, or off; port 0 takes a free one
+    #[arg(long, value_name = "HOST:PORT|off", default_value_t = Raw(Some(DEFAULT_RAW)), value_parser = raw)]
+    raw: Raw,
+    /// Serve raw packets on a virtual serial port, too, with a symbolic link to it at LINK
+    #[cfg(unix)]
+    #[arg(long, value_name = "LINK")]
+    pty: Option<PathBuf>,
+    /// The certificate of page and API, a PEM file (default: one that the station makes for itself)
+    #[arg(long, value_name = "FILE", requires = "tls_key")]
+    tls_cert: Option<PathBuf>,
+    /// The certificate's private key, a PEM file
+    #[arg(long, value_name = "FILE", requires = "tls_cert")]
+    tls_key: Option<PathBuf>,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let interrupt = interrupt();
+    let config = args.config()?;
+    check_alone(&config).await?;
+    let data = config.folders.data().display().to_string();
+    let station = Station::start(config).await.map_err(no_start)?;
+    let notices = station.handle().notices();
+    let welcome = welcome(&station, &args, data).text(std::io::stdout().is_terminal());
+    output::line(&welcome)?;
+    tokio::select! {
+        () = tell(notices) => {}
+        () = interrupt => {}
+    }
+    eprintln!("ending: the laser goes off, and the arm comes to rest");
+    tokio::select! {
+        () = station.end() => {}
+        () = crate::interrupt::interrupt() => {}
+    }
+    Ok(())
+}
+
+impl Args {
+    fn config(&self) -> Result<Config, Failure> {
+        Ok(Config {
+            arm: self.address()?,
+            personality: self.personality,
+            speed: self.speed,
+            dialect: self.dialect,
+            policy: self.policy.clone(),
+            http: self.http,
+            raw: self.raw.0,
+            #[cfg(unix)]
+            pty: self.pty.clone(),
+            tls: self.tls(),
+            ..Config::new(folders(self.data.clone())?)
+        })
+    }
+
+    /// The arm that is named, a virtual one where nothing is plugged in, and otherwise none: the
+    /// station looks for it.
+    fn address(&self) -> Result<Option<Address>, Failure> {
+        if self.is_virtual {
+            return Ok(Some(Address::Virtual));
+        }
+        if self.arm.is_some() {
+            return Ok(self.arm.clone());
+        }
+        let plugged_in = dobot_client::ports()?.iter().any(|it| it.usb.is_some());
+        Ok((!plugged_in).then_some(Address::Virtual))
+    }
+
+    fn tls(&self) -> Option<TlsFiles> {
+        Some(TlsFiles {
+            certificate: self.tls_cert.clone()?,
+            key: self.tls_key.clone()?,
+        })
+    }
+}
+
+/// Two stations would quarrel about the arm.
+async fn check_alone(config: &Config) -> Result<(), Failure> {
+    let Some(other) = running(&config.folders)? else {
+        return Ok(());
+    };
+    // One that was killed could not take back that it runs.
+    if Remote::connect(&other, &client_name("up")).await.is_err() {
+        return Ok(());
+    }
+    Err(Failure::new(
+        anyhow!("a station runs already at {other}"),
+        "`dobot watch` shows it; another one beside it needs a folder and ports of its own: \
+         `--data FOLDER --http 127.0.0.1:0 --raw 127.0.0.1:0`",
+    ))
+}
+
+fn welcome(station: &Station, args: &Args, data: String) -> Welcome {
+    let arm = match station.arm() {
+        None => "looking for the one that is plugged in; `dobot watch` tells how it goes".to_owned(),
+        Some(Address::Virtual) if args.is_virtual || args.arm.is_some() => {
+            format!("a virtual one, {}", args.personality)
+        }
+        Some(Address::Virtual) => {
+            format!("a virtual one, {}, as no USB serial port is plugged in", args.personality)
+        }
+        Some(address) => address.to_string(),
+    };
+    Welcome {
+        page: station.url(),
+        fingerprint: station.fingerprint().map(str::to_owned),
+        arm,
+        raw: station.raw().map(|it| format!("tcp:{it}")),
+        pty: station.pty().map(|it| format!("serial:{}", it.display())),
+        data,
+        warnings: station.warnings().to_vec(),
+    }
+}
+
+/// Tells what happens, until the station ends by itself.
+async fn tell(mut notices: Receiver<Arc<Notice>>) {
+    loop {
+        match notices.recv().await {
+            Ok(notice) if matches!(notice.news, News::CommandDone { .. }) => {}
+            Ok(notice) => eprintln!("{:>10}  {}", clock(notice.at_s), notice.text),
+            Err(RecvError::Lagged(missed)) => eprintln!("{missed} notices were not shown"),
+            Err(RecvError::Closed) => return,
+        }
+    }
+}
+
+fn no_start(error: StartError) -> Failure {
+    let hint = match &error {
+        StartError::Bind { what, source, .. } if source.kind() == ErrorKind::AddrInUse => {
+            Some(match *what {
+                "raw packets" => "another program has the port; `--raw 127.0.0.1:0` takes a free one, `--raw off` does without",
+                _ => "another program has the port; `--http 127.0.0.1:0` takes a free one",
+            })
+        }
+        _ => None,
+    };
+    match hint {
+        Some(hint) => Failure::new(error, hint),
+        None => error.into(),
+    }
+}
+
+/// Where raw packets are served, if they are.
+#[derive(Clone, Copy, Debug)]
+struct Raw(Option<SocketAddr>);
+
+impl std::fmt::Display for Raw {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            Some(address) => address.fmt(f),
+            None => f.write_str("off"),
+        }
+    }
+}
+
+fn raw(text: &str) -> Result<Raw, &'static str> {
+    if text == "off" {
+        return Ok(Raw(None));
+    }
+    let address = text.parse().map_err(|_| "allowed are HOST:PORT with a number for a host, as in 127.0.0.1:5555, and off");
+    address.map(|it| Raw(Some(it)))
+}

@@ -1,0 +1,151 @@
+//! What a person reads when a station has started.
+
+use crossterm::style::Stylize;
+
+/// What a person reads when a station has started.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Welcome {
+    /// Where page and API are.
+    pub(crate) page: String,
+    /// The digest of the certificate, with TLS.
+    pub(crate) fingerprint: Option<String>,
+    /// Which arm.
+    pub(crate) arm: String,
+    /// Where raw packets are served over TCP.
+    pub(crate) raw: Option<String>,
+    /// The virtual serial port.
+    pub(crate) pty: Option<String>,
+    /// Where the station keeps its data.
+    pub(crate) data: String,
+    /// What went wrong and can be done without.
+    pub(crate) warnings: Vec<String>,
+}
+
+impl Welcome {
+    /// The whole text, with colours for a terminal.
+    pub(crate) fn text(&self, colours: bool) -> String {
+        let paint = Paint(colours);
+        let facts = self.facts().into_iter().map(|(name, text, remark)| {
+            let (name, remark) = (paint.dim(&format!("{name:11}")), paint.dim(remark));
+            let text = if text == self.page { paint.strong(&text) } else { text };
+            format!("  {name}  {text}  {remark}").trim_end().to_owned()
+        });
+        let hints = NEXT.iter().map(|(verb, what)| {
+            format!("  {}  {}", paint.verb(&format!("{verb:11}")), paint.dim(what))
+        });
+        let warnings = self.warnings.iter().map(|it| format!("  {} {it}", paint.warning("warning:")));
+        let title = paint.title(concat!(" dobot ", env!("CARGO_PKG_VERSION"), " "));
+        let mut lines = vec![title, String::new()];
+        lines.extend(facts);
+        lines.extend(warnings);
+        lines.push(String::new());
+        lines.extend(hints);
+        lines.push(String::new());
+        lines.join("\n")
+    }
+
+    fn facts(&self) -> Vec<(&'static str, String, &'static str)> {
+        let fact = |name, text: &Option<String>, remark| {
+            text.clone().map(|text| (name, text, remark))
+        };
+        [
+            fact("page", &Some(self.page.clone()), ""),
+            fact("fingerprint", &self.fingerprint, ""),
+            fact("arm", &Some(self.arm.clone()), ""),
+            fact("raw packets", &self.raw, "for programs that speak the arm's protocol"),
+            fact("serial port", &self.pty, "for programs that speak nothing else"),
+            fact("data", &Some(self.data.clone()), ""),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
+
+/// Colours, or none.
+struct Paint(bool);
+
+impl Paint {
+    fn title(&self, text: &str) -> String {
+        self.when(text, |it| it.reverse().bold().to_string())
+    }
+
+    fn strong(&self, text: &str) -> String {
+        self.when(text, |it| it.cyan().bold().to_string())
+    }
+
+    fn dim(&self, text: &str) -> String {
+        self.when(text, |it| it.dim().to_string())
+    }
+
+    fn verb(&self, text: &str) -> String {
+        self.when(text, |it| it.green().to_string())
+    }
+
+    fn warning(&self, text: &str) -> String {
+        self.when(text, |it| it.yellow().bold().to_string())
+    }
+
+    fn when(&self, text: &str, paint: impl Fn(&str) -> String) -> String {
+        if self.0 && !text.is_empty() {
+            paint(text)
+        } else {
+            text.to_owned()
+        }
+    }
+}
+
+/// What to do next.
+const NEXT: [(&str, &str); 4] = [
+    ("dobot watch", "a dashboard, in another terminal"),
+    ("dobot draw", "draw an SVG file"),
+    ("dobot stop", "stop the arm, from anywhere"),
+    ("Ctrl-C", "end the station: the laser goes off, the arm comes to rest"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn welcome() -> Welcome {
+        Welcome {
+            page: "http://127.0.0.1:8642".into(),
+            arm: "a virtual arm".into(),
+            raw: Some("tcp:127.0.0.1:5555".into()),
+            data: "/data".into(),
+            ..Welcome::default()
+        }
+    }
+
+    #[test]
+    fn it_says_where_to_go_which_arm_and_how_to_end() {
+        let text = welcome().text(false);
+        for part in [
+            "page         http://127.0.0.1:8642\n",
+            "arm          a virtual arm\n",
+            "tcp:127.0.0.1:5555",
+            "dobot watch",
+            "Ctrl-C",
+        ] {
+            assert!(text.contains(part), "`{part}` is missing:\n{text}");
+        }
+        assert!(!text.contains("fingerprint") && !text.contains("serial port"));
+    }
+
+    #[test]
+    fn it_fits_on_a_terminal_of_eighty_columns() {
+        let text = welcome().text(false);
+        let longest = text.lines().map(|it| it.chars().count()).max();
+        assert!(longest <= Some(80), "{longest:?}:\n{text}");
+    }
+
+    #[test]
+    fn what_goes_to_a_file_has_no_colours() {
+        assert!(!welcome().text(false).contains('\x1b'));
+        let warned = Welcome {
+            warnings: vec!["nothing is recorded".into()],
+            ..welcome()
+        };
+        assert!(warned.text(false).contains("warning: nothing is recorded"));
+    }
+}

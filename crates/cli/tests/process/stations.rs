@@ -1,0 +1,267 @@
+//! A station, and several programs that share it.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::PathBuf;
+use std::process::{Child, ChildStdout, Stdio};
+use std::time::Duration;
+
+use dobot_wire::{Command, Decoder, Dialect, JointJog, JointJogAxis};
+use rustix::process::{Pid, Signal, kill_process};
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::program::{Outcome, command_at, example, run};
+
+/// A program that goes on; it ends with the test.
+struct Going {
+    child: Child,
+    output: BufReader<ChildStdout>,
+}
+
+impl Going {
+    fn new(mut command: std::process::Command) -> Self {
+        let mut child = command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let output = BufReader::new(child.stdout.take().expect("it is piped"));
+        Self { child, output }
+    }
+
+    /// Reads until a line with this text.
+    fn reads(&mut self, text: &str) -> String {
+        loop {
+            let mut line = String::new();
+            let read = self.output.read_line(&mut line).expect("it prints text");
+            assert!(read > 0, "it ended before `{text}`");
+            if line.contains(text) {
+                return line;
+            }
+        }
+    }
+
+    fn interrupt(mut self) -> Option<i32> {
+        let pid = i32::try_from(self.child.id()).expect("a process number");
+        let pid = Pid::from_raw(pid).expect("it is not zero");
+        kill_process(pid, Signal::INT).expect("it is there");
+        self.child.wait().expect("it ends").code()
+    }
+}
+
+impl Drop for Going {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A station with a virtual arm.
+struct Up {
+    station: Going,
+    folder: TempDir,
+    page: String,
+    raw: String,
+}
+
+impl Up {
+    fn new(arguments: &[&str]) -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
+        let arguments = [&["up", "--virtual"], &ports[..], arguments].concat();
+        let mut station = Going::new(command_at(folder.path(), &arguments));
+        let word = |line: String| {
+            let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));
+            word.expect("an address").to_owned()
+        };
+        let page = word(station.reads("  page"));
+        let raw = word(station.reads("raw packets")).replace("tcp:", "");
+        station.reads("Ctrl-C");
+        Self {
+            station,
+            folder,
+            page,
+            raw,
+        }
+    }
+
+    fn command(&self, arguments: &[&str]) -> std::process::Command {
+        command_at(self.folder.path(), arguments)
+    }
+
+    fn dobot(&self, arguments: &[&str]) -> Outcome {
+        run(&mut self.command(arguments), b"")
+    }
+
+    fn json(&self, arguments: &[&str]) -> Value {
+        let outcome = self.dobot(&[arguments, &["--json"]].concat()).succeeds();
+        serde_json::from_str(&outcome.stdout).expect("it is JSON")
+    }
+
+    fn file(&self) -> PathBuf {
+        self.folder.path().join("station.toml")
+    }
+}
+
+fn near(value: &Value, expected: f64) -> bool {
+    value
+        .as_f64()
+        .is_some_and(|found| (found - expected).abs() < 0.01)
+}
+
+#[test]
+fn verbs_go_through_the_running_station_and_others_through_no_station() {
+    let up = Up::new(&[]);
+    let moved = up.json(&["move", "220", "-30", "20"]);
+    assert!(near(&moved["x_mm"], 220.0), "{moved}");
+    // Another process sees where the arm is; an arm of its own stands elsewhere.
+    let seen = up.json(&["status", "--count", "1"]);
+    assert!(near(&seen["y_mm"], -30.0), "{seen}");
+    let own = up.json(&["status", "--to", "virtual:"]);
+    assert!(near(&own["y_mm"], 0.0), "{own}");
+    let named = up.json(&["status", "--count", "1", "--station", &up.page]);
+    assert!(near(&named["x_mm"], 220.0), "{named}");
+}
+
+#[test]
+fn a_jog_through_the_station_moves_and_comes_to_rest() {
+    let up = Up::new(&[]);
+    let before = up.json(&["status", "--count", "1"]);
+    let after = up.json(&["jog", "base+", "--for", "0.5"]);
+    let turned = |it: &Value| it["base_deg"].as_f64().expect("a number");
+    assert!(turned(&after) > turned(&before) + 0.5, "{after}");
+    let later = up.json(&["status", "--count", "1"]);
+    assert!(near(&later["base_deg"], turned(&after)), "{after} {later}");
+}
+
+#[test]
+fn settings_and_switches_go_through_the_station() {
+    let up = Up::new(&[]);
+    up.dobot(&["set", "moves", "--joint-speed", "100"]).succeeds();
+    let on = up.json(&["jog", "suction-on"]);
+    assert_eq!(on["suction"], true);
+    up.dobot(&["jog", "laser-on"]).fails(1, &["laser is disarmed"]);
+}
+
+#[test]
+fn one_program_has_control_and_anybody_may_stop() {
+    let up = Up::new(&[]);
+    let mut holder = Going::new(up.command(&["lease", "take"]));
+    holder.reads("control is yours");
+    assert!(up.dobot(&["lease"]).succeeds().stdout.contains("dobot lease"));
+    up.dobot(&["move", "220", "0", "20"]).fails(1, &["dobot lease", "dobot lease ask"]);
+    up.dobot(&["stop", "--reason", "smoke"]).succeeds();
+    assert_eq!(holder.interrupt(), Some(0));
+    up.dobot(&["move", "220", "0", "20"]).fails(1, &["smoke", "dobot stop --reset"]);
+    up.dobot(&["stop", "--reset"]).succeeds();
+    up.dobot(&["move", "220", "0", "20"]).succeeds();
+}
+
+#[test]
+fn control_that_is_asked_for_comes_when_its_holder_ends() {
+    let up = Up::new(&[]);
+    let mut holder = Going::new(up.command(&["lease", "take"]));
+    holder.reads("control is yours");
+    let mut next = Going::new(up.command(&["lease", "ask"]));
+    next.reads("asked dobot lease");
+    holder.reads("asks for control");
+    drop(holder);
+    next.reads("control is yours");
+}
+
+#[test]
+fn a_raw_program_shares_the_arm_with_the_others() {
+    let up = Up::new(&[]);
+    let mut raw = TcpStream::connect(&up.raw).expect("it is served");
+    raw.set_read_timeout(Some(Duration::from_secs(10)))
+        .expect("it can be set");
+    let mut packet = [0; 42];
+    raw.read_exact(&mut packet).expect("a status comes");
+    let mut decoder = Decoder::uploads();
+    assert!(
+        packet.iter().any(|&byte| decoder.push(byte).is_some()),
+        "{packet:?}"
+    );
+    // Its first packet takes control.
+    let suction: Command = JointJog {
+        axis: JointJogAxis::SuctionOn,
+        speed_percent: 0.0,
+    }
+    .into();
+    let suction = suction.emit(&Dialect::SPECIFICATION);
+    raw.write_all(&suction.to_bytes()).expect("it is heard");
+    raw.read_exact(&mut packet).expect("a status comes");
+    up.dobot(&["move", "220", "0", "20"]).fails(1, &["control"]);
+    drop(raw);
+}
+
+#[test]
+fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
+    let up = Up::new(&["--speed", "20"]);
+    let report = up.json(&["draw", &example("square.svg"), "--pen-down", "-40"]);
+    assert_eq!(report["measured_from"], "the statuses");
+    assert!(
+        report["deviation_mm"].as_f64().expect("a number") < 0.5,
+        "{report}"
+    );
+    let jobs = up.json(&["jobs"]);
+    assert_eq!(jobs[0]["title"], "square.svg");
+    assert_eq!(jobs[0]["phase"], "done");
+    up.dobot(&["jobs", "start", "99"]).fails(1, &["no job 99", "dobot jobs"]);
+}
+
+#[test]
+fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
+    let up = Up::new(&["--speed", "5"]);
+    let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
+    let drawing = Going::new(up.command(&draw));
+    while up.json(&["jobs"])[0]["phase"] != "running" {}
+    assert_eq!(drawing.interrupt(), Some(1));
+    let paused = up.json(&["jobs", "show", "1"]);
+    assert_eq!(paused["phase"], "paused", "{paused}");
+    up.dobot(&["jobs", "start", "1"]).succeeds();
+    assert_eq!(up.json(&["jobs", "show", "1"])["phase"], "done");
+}
+
+#[test]
+fn a_second_station_of_the_same_person_is_refused() {
+    let up = Up::new(&[]);
+    up.dobot(&["up", "--virtual", "--http", "127.0.0.1:0"])
+        .fails(1, &["runs already", &up.page, "dobot watch"]);
+}
+
+#[test]
+fn a_port_that_is_taken_is_told_with_what_to_do() {
+    let up = Up::new(&[]);
+    let folder = tempfile::tempdir().expect("there is room");
+    let data = folder.path();
+    let arguments = ["up", "--virtual", "--http", "127.0.0.1:0", "--raw", &up.raw];
+    run(&mut command_at(data, &arguments), b"").fails(1, &["raw packets", "--raw off"]);
+    let page = up.page.replace("http://", "");
+    let arguments = ["up", "--virtual", "--raw", "off", "--http", &page];
+    run(&mut command_at(data, &arguments), b"").fails(1, &["--http 127.0.0.1:0"]);
+}
+
+#[test]
+fn ctrl_c_ends_the_station_and_the_verbs_find_none_any_more() {
+    let up = Up::new(&[]);
+    assert!(up.file().exists());
+    let file = up.file();
+    let Up { station, folder, .. } = up;
+    assert_eq!(station.interrupt(), Some(0));
+    assert!(!file.exists());
+    run(&mut command_at(folder.path(), &["stop"]), b"").fails(1, &["no station runs"]);
+}
+
+#[test]
+fn a_station_that_was_killed_is_not_waited_for() {
+    let mut up = Up::new(&[]);
+    up.station.child.kill().expect("it is there");
+    up.station.child.wait().expect("it ends");
+    assert!(up.file().exists());
+    let own = up.json(&["status"]);
+    assert!(near(&own["rear_deg"], 45.0), "{own}");
+    up.dobot(&["stop"]).fails(1, &["there is no station", "dobot up"]);
+}
