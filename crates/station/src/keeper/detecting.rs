@@ -1,7 +1,7 @@
 //! Finding out which dialect the arm speaks, while nobody else moves it.
 
 use dobot_arm::{Joints, Tool};
-use dobot_client::{Detection, SendError};
+use dobot_client::Detection;
 use dobot_course::Place;
 use dobot_wire::Status;
 
@@ -30,9 +30,7 @@ impl Keeper {
 
     fn begin_detection(&self, client: ClientId) -> Result<Detecting, Refusal> {
         self.check_may_move(client)?;
-        if !self.session.is_trusted() {
-            return Err(Refusal::Send(SendError::Untrusted));
-        }
+        self.check_trust()?;
         let within_s = self.rests_within().as_secs_f64();
         let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
             return Err(Refusal::StillMoving { within_s });

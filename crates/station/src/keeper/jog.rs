@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use dobot_client::SendError;
 use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
 
 use super::{Keeper, seconds};
@@ -110,6 +111,14 @@ impl Keeper {
             Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
             _ => Ok(()),
         }
+    }
+
+    /// Whether the arm is where it says.
+    pub(super) fn check_trust(&self) -> Result<(), Refusal> {
+        if self.session.is_trusted() {
+            return Ok(());
+        }
+        Err(Refusal::Send(SendError::Untrusted))
     }
 
     /// Whether the whole way of a command is allowed.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
-use dobot_journal::{Located, Window, locate, model_at, prelude, window_end};
+use dobot_journal::{Window, locate, model_at, prelude, window_end};
 use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
 use super::{JobPlan, Keeper};
@@ -62,6 +62,8 @@ pub struct Begun {
 pub(super) struct Run {
     begun: Begun,
     phase: Phase,
+    /// The arm when the job was started or gone on with.
+    from: Option<Status>,
     /// The next command to be given to the session.
     next: usize,
     /// Commands below this one may be sent: the journal has it.
@@ -174,7 +176,7 @@ impl Run {
 
     /// The arm as the first command that is not over finds it.
     fn start(&self) -> Option<Status> {
-        self.begun.plan.start(self.begun.completed)
+        self.begun.plan.start(self.begun.completed).or(self.from)
     }
 
     pub(super) fn view(&self) -> JobView {
@@ -230,6 +232,7 @@ impl Keeper {
         self.run = Some(Run {
             begun,
             phase: Phase::Locating { window },
+            from: None,
             next: completed,
             durable: completed,
             asked: completed,
@@ -265,6 +268,7 @@ impl Keeper {
 
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
+        self.check_trust()?;
         if self.session.under_way() > 0 || self.session.waiting() > 0 {
             return Err(Refusal::StillMoving {
                 within_s: self.rests_within().as_secs_f64(),
@@ -288,6 +292,7 @@ impl Keeper {
         self.run = Some(Run {
             begun,
             phase: Phase::Approaching { last },
+            from: self.last,
             next: completed,
             durable: completed,
             asked: completed,
@@ -524,8 +529,13 @@ impl Keeper {
         let model =
             model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, &status));
         let lift_mm = run.begun.plan.lift();
-        let reason = match locate(commands, window, &model, lift_mm, position(&status)) {
-            Ok(Located { next, .. }) => {
+        let located = if window.completed == window.upto {
+            Ok(window.completed)
+        } else {
+            locate(commands, window, &model, lift_mm, position(&status)).map(|it| it.next)
+        };
+        let reason = match located {
+            Ok(next) => {
                 run.begun.completed = next;
                 format!("{RESTARTED}; the arm rests where command {next} begins")
             }

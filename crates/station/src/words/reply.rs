@@ -35,10 +35,8 @@ pub enum Reply {
         job: JobView,
     },
     /// Which dialect the arm speaks.
-    #[serde(skip_deserializing)]
     Found {
         /// What was found, and by which evidence.
-        #[schemars(with = "serde_json::Value")]
         finding: Finding,
     },
 }

@@ -49,7 +49,7 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
         let job = it.submit(&drawing).unwrap();
         it.start(anna, job).unwrap();
         for _ in 0..3 {
-            it.run_for(Duration::from_secs(4));
+            it.run_for(Duration::from_millis(2_500));
             it.ask(anna, Request::PauseJob).unwrap();
             let minute = it.now() + Duration::from_secs(60);
             let rests =

@@ -91,7 +91,7 @@ fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
 
 #[test]
 fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
-    let mut it = faulty("flip=0.05%:from");
+    let mut it = faulty("flip=0.3%:from");
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let drawing = spiral(12);
