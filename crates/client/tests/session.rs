@@ -232,9 +232,9 @@ fn a_move_is_over_when_the_arm_rests_at_its_target() {
     desk.session
         .send(target(MovingMode::MovJ, 220.0, 10.0))
         .expect("it is allowed");
-    assert_eq!(completed(&desk.status_at(200.0, 0.0, 0.0)), []);
-    assert_eq!(completed(&desk.status_at(210.0, 5.0, 2.0)), []);
-    assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), []);
+    assert!(completed(&desk.status_at(200.0, 0.0, 0.0)).is_empty());
+    assert!(completed(&desk.status_at(210.0, 5.0, 2.0)).is_empty());
+    assert!(completed(&desk.status_at(220.0, 10.0, 0.0)).is_empty());
     assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
     assert_eq!(desk.session.under_way(), 0);
 }
@@ -307,7 +307,7 @@ fn all_targets_out_of_reach_are_told_and_none_is_over() {
     };
     let short: Vec<u64> = events.iter().filter_map(short).collect();
     assert_eq!(short, [0, 1]);
-    assert_eq!(completed(&events), []);
+    assert!(completed(&events).is_empty());
 }
 
 #[test]
@@ -334,7 +334,7 @@ fn a_vector_is_over_when_the_arm_is_seen_on_a_later_one() {
         desk.session.send(by).expect("it is allowed");
         desk.status_at(200.0, 0.0, 0.0);
     }
-    assert_eq!(completed(&desk.status_at(200.0, 5.0, 0.0)), []);
+    assert!(completed(&desk.status_at(200.0, 5.0, 0.0)).is_empty());
     assert_eq!(completed(&desk.status_at(204.0, 10.0, 0.0)), [0]);
     assert_eq!(completed(&desk.status_at(210.0, 3.0, 0.0)), [1]);
     desk.status_at(210.0, 0.0, 0.0);
