@@ -24,7 +24,8 @@ pub(crate) struct Belief {
 /// When a command under way should be over.
 #[derive(Clone, Copy, Debug)]
 struct Foreseen {
-    command: CommandId,
+    /// `None` for one that left beside the session: nobody tells when it is over.
+    command: Option<CommandId>,
     duration: Duration,
     /// Whether it goes on until told otherwise.
     endless: bool,
@@ -76,9 +77,12 @@ impl Belief {
     /// Takes a status, and what waits. An arm that rests with nothing under way is where it says.
     pub(crate) fn handle_status<'a>(
         &mut self,
+        now: Duration,
         status: &Status,
         waiting: impl Iterator<Item = &'a Command>,
     ) {
+        self.under_way
+            .retain(|it| it.command.is_some() || it.bound > now);
         let rests = self.last.replace(*status) == Some(*status);
         match &mut self.sent {
             None => self.sent = Some(Model::new(self.dialect, status)),
@@ -107,11 +111,11 @@ impl Belief {
         self.given = self.given.map(|model| after(&model, command));
     }
 
-    /// Takes a command that leaves now; `longest` is how long it may take if it cannot be foreseen.
+    /// Takes a command that leaves now, with its name if its end will be told; `longest` is how long it may take if it cannot be foreseen.
     pub(crate) fn handle_sent(
         &mut self,
         now: Duration,
-        id: CommandId,
+        id: Option<CommandId>,
         command: &Command,
         longest: Duration,
     ) {
@@ -149,17 +153,10 @@ impl Belief {
         self.sent = Some(after(&model, command));
     }
 
-    /// Takes a command that left beside the queue of this session; nobody waits for its end.
-    pub(crate) fn handle_sent_now(&mut self, now: Duration, command: &Command) {
-        let id = self.under_way.back().map_or(CommandId(0), |it| it.command);
-        self.handle_sent(now, id, command, Duration::ZERO);
-    }
-
     /// A command, and all before it, is over.
     pub(crate) fn handle_over(&mut self, now: Duration, id: CommandId) {
-        while self.under_way.front().is_some_and(|it| it.command <= id) {
-            self.under_way.pop_front();
-        }
+        self.under_way
+            .retain(|it| it.command.is_none_or(|it| it > id));
         // What follows began before that was seen. It may have begun long before: a target passed
         // without a rest is seen to be over late, so that nothing is ever put off.
         let Some(first) = self.under_way.front() else {

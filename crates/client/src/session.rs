@@ -194,7 +194,8 @@ impl Session {
     /// Takes note of a command that left beside the session.
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
-        self.belief.handle_sent_now(self.now, command);
+        self.belief
+            .handle_sent(self.now, None, command, Duration::ZERO);
         let waiting = self.waiting.iter().map(|(_, command)| command);
         self.belief.plan_anew(waiting);
     }
@@ -301,7 +302,7 @@ impl Session {
             self.note_completion(now, &status);
         }
         let waiting = self.waiting.iter().map(|(_, command)| command);
-        self.belief.handle_status(&status, waiting);
+        self.belief.handle_status(now, &status, waiting);
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used
@@ -359,7 +360,8 @@ impl Session {
         let longest = self
             .completion
             .handle_sent(self.heard, id, &command, pauses, leaves);
-        self.belief.handle_sent(self.now, id, &command, longest);
+        self.belief
+            .handle_sent(self.now, Some(id), &command, longest);
         self.to_send.push_back(packet);
         self.events.push_back(Event::Sent(id));
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_course::Model;
+use dobot_course::{CourseError, Model};
 use dobot_wire::{
     Command, Configuration, EndEffector, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode,
     WriteVector,
@@ -144,6 +144,38 @@ proptest! {
             let off_mm = apart_mm(found, model.place.pose.position);
             prop_assert!(off_mm < 0.05, "{command:?} ended {off_mm} mm off at {found:?}");
         }
+    }
+}
+
+/// The model refuses a vector of laser mode without the laser that the twin cuts short, and no
+/// other (note N48).
+#[test]
+fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
+    let personality = Personality::Firmware11;
+    for (max_speed_mm_s, arrives) in [(50.0, false), (95.0, false), (105.0, true), (150.0, true)] {
+        let mut lab = Lab::power_up(personality);
+        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let model = Model::new(personality.dialect(), &status);
+        let rapid = Command::from(WriteVector {
+            mode: WriteMode::Laser,
+            x_mm: 0.0,
+            y_mm: 40.0,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s,
+            stop: false,
+        });
+        lab.obey(&rapid, personality);
+        let y_mm = lab.controller.pose_at(lab.now).position.y.0;
+        assert_eq!(
+            (y_mm - 40.0).abs() < 0.1,
+            arrives,
+            "{max_speed_mm_s}: {y_mm}"
+        );
+        let refused = matches!(model.course(&rapid), Err(CourseError::SlowRapid { .. }));
+        assert_eq!(refused, !arrives, "{max_speed_mm_s} mm/s");
     }
 }
 

@@ -1,0 +1,201 @@
+//! What a session offers to those who own an arm for long: dialects learned later, ports opened
+//! again, urgent packets, and a view of what is on its way.
+
+use std::time::Duration;
+
+use dobot_client::{Event, SendError, Session};
+use dobot_wire::{
+    Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet,
+    Status, WriteMode, WriteVector,
+};
+
+const PERIOD: Duration = Duration::from_millis(80);
+
+/// Rear arm upright, forearm level.
+const STATUS: Status = Status {
+    x_mm: 160.0 + 55.07,
+    y_mm: 0.0,
+    z_mm: 135.0,
+    rotation_deg: 0.0,
+    base_deg: 0.0,
+    rear_deg: 0.0,
+    fore_deg: 0.0,
+    servo_deg: 0.0,
+    suction: false,
+    gripper_deg: 0.0,
+};
+
+fn tell(session: &mut Session, now: Duration) {
+    session.handle_bytes(now, &STATUS.emit().to_bytes());
+}
+
+fn line(x_mm: f32) -> MoveTo {
+    MoveTo {
+        x_mm,
+        y_mm: 0.0,
+        z_mm: 100.0,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::MovL,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+fn stroke(y_mm: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm: 0.0,
+        y_mm,
+        z_mm: 0.0,
+        laser: false,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 50.0,
+        stop: false,
+    }
+}
+
+fn packets(session: &mut Session) -> usize {
+    std::iter::from_fn(|| session.poll_bytes()).count()
+}
+
+#[test]
+fn a_dialect_that_is_learned_later_counts_from_then_on() {
+    let mut session = Session::new(None);
+    tell(&mut session, PERIOD);
+    assert!(matches!(
+        session.send(line(220.0)),
+        Err(SendError::Undecided { .. })
+    ));
+    let height = |session: &Session| session.model().expect("it told").settings.jump_height.0;
+    assert_eq!(height(&session), 20.0);
+    session.set_dialect(Dialect::FIRMWARE_1_1);
+    assert_eq!(height(&session), 10.0);
+    session.send(line(220.0)).expect("it is known now");
+}
+
+#[test]
+fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknown() {
+    let command = Command::from(line(220.0));
+    let packet = command.emit(&Dialect::FIRMWARE_1_1);
+    let stock = Session::new(Some(Dialect::FIRMWARE_1_1));
+    assert_eq!(stock.parse(&packet), Ok(command));
+    let unknown = Session::new(None);
+    assert!(matches!(
+        unknown.parse(&packet),
+        Err(SendError::Undecided { .. })
+    ));
+    let jog = Command::from(JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: 10.0,
+    });
+    assert_eq!(unknown.parse(&jog.emit(&Dialect::FIRMWARE_1_1)), Ok(jog));
+}
+
+#[test]
+fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    let again = Duration::from_secs(60);
+    session.handle_open(again);
+    session.send(stroke(5.0)).expect("it is allowed");
+    assert_eq!(packets(&mut session), 0);
+    session.handle_time(again + Duration::from_millis(4900));
+    let lost = |session: &mut Session| {
+        std::iter::from_fn(|| session.poll_event()).any(|it| matches!(it, Event::LinkLost { .. }))
+    };
+    assert!(!lost(&mut session));
+    session.handle_time(again + Duration::from_secs(5));
+    assert!(lost(&mut session));
+    tell(&mut session, again + Duration::from_secs(6));
+    assert_eq!(packets(&mut session), 1);
+}
+
+#[test]
+fn what_waits_is_forgotten_by_its_names() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let ids: Vec<_> = [1.0, 2.0, 3.0]
+        .map(|y| session.send(stroke(y)).expect("it is allowed"))
+        .into();
+    tell(&mut session, PERIOD);
+    assert_eq!(session.forget_waiting(), ids[1..]);
+}
+
+#[test]
+fn a_full_queue_is_told_from_an_idle_link() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
+    let mut now = PERIOD;
+    tell(&mut session, now);
+    session.handle_time(now + PERIOD * 3);
+    assert!(!session.queue().is_full, "nothing is under way");
+    for n in 0..4_u8 {
+        let by = if n % 2 == 0 { 40.0 } else { -40.0 };
+        session.send(stroke(by)).expect("it is allowed");
+        tell(&mut session, now + PERIOD * 3);
+        now += PERIOD;
+    }
+    session.handle_time(now + PERIOD * 6);
+    let queue = session.queue();
+    assert_eq!((queue.under_way, queue.is_full), (4, true));
+    // Four strokes of 1.3 s each.
+    let ahead_s = queue.ahead.as_secs_f64();
+    assert!((4.0..5.3).contains(&ahead_s), "{ahead_s}");
+    assert!(session.is_moving() && session.rests_within() > queue.ahead);
+}
+
+#[test]
+fn a_jog_is_released_by_its_own_kind() {
+    for (held, expected) in [
+        (LinearJogAxis::ZPlus, LinearJogAxis::Released),
+        (LinearJogAxis::YMinus, LinearJogAxis::Released),
+    ] {
+        let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+        tell(&mut session, PERIOD);
+        let jog = LinearJog {
+            axis: held,
+            speed_percent: 10.0,
+        };
+        session.send(jog).expect("it is allowed");
+        assert_eq!(
+            session.release(),
+            Command::from(LinearJog {
+                axis: expected,
+                speed_percent: 0.0
+            })
+        );
+        assert_eq!(session.rests_within(), Duration::MAX);
+    }
+}
+
+#[test]
+fn an_urgent_packet_that_left_beside_the_session_is_believed() {
+    let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+    tell(&mut session, PERIOD);
+    let laser = Command::from(JointJog {
+        axis: JointJogAxis::LaserOn,
+        speed_percent: 0.0,
+    });
+    let packet = session.emit_now(&laser).expect("it is allowed");
+    assert!(matches!(packet, Packet::Frame(_)));
+    assert_eq!(packets(&mut session), 0, "the caller sends it");
+    session.note_urgent(&laser);
+    assert!(session.model().expect("it told").laser);
+}
+
+#[test]
+fn an_urgent_packet_that_moves_nothing_is_over_soon() {
+    let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+    tell(&mut session, PERIOD);
+    let laser_off = JointJog {
+        axis: JointJogAxis::LaserOff,
+        speed_percent: 0.0,
+    };
+    session.send_now(laser_off).expect("it is allowed");
+    assert!(session.is_moving(), "nobody knows yet");
+    for n in 2..8 {
+        tell(&mut session, PERIOD * n);
+    }
+    assert!(!session.is_moving());
+    assert!(session.model().expect("it told").knows_place());
+}
