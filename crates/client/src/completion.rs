@@ -5,16 +5,18 @@
 //! arm at rest elsewhere has not. And a status comes only while the arm's queue has room, so that
 //! no more commands can be under way than fit before that.
 
+mod geometry;
+
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::{Degrees, Joints, Limits, Position, Tool, forward};
-use dobot_course::Place;
+use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_wire::{
     Command, Configuration, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
     MovingMode, Status,
 };
 
+use self::geometry::{beside, is_at_limit, retooled};
 use crate::pace::Pace;
 use crate::{CommandId, Event, NotReached};
 
@@ -394,36 +396,6 @@ impl UnderWay {
     }
 }
 
-/// Whether an arm stands so near to a limit that a tick's way further would be beyond it.
-fn is_at_limit(status: &Status, tool: Tool) -> bool {
-    let joints = Place::of_status(status).joints;
-    let all = [NEAR_DEG, -NEAR_DEG];
-    let turned = |by: f64| {
-        let by = Degrees(by);
-        [
-            Joints {
-                base: joints.base + by,
-                ..joints
-            },
-            Joints {
-                rear: joints.rear + by,
-                ..joints
-            },
-            Joints {
-                fore: joints.fore + by,
-                ..joints
-            },
-            Joints {
-                servo: joints.servo + by,
-                ..joints
-            },
-        ]
-    };
-    all.into_iter()
-        .flat_map(turned)
-        .any(|joints| Limits::STOCK.check(&joints, tool).is_err())
-}
-
 /// Where a command leads straight, if it says so.
 pub(crate) fn straight_target(command: &Command, tool: Tool) -> Option<Position> {
     match command {
@@ -471,30 +443,6 @@ const fn is_absolute(command: &Command) -> bool {
     )
 }
 
-/// How far a point lies aside of a line, and how far along it, in millimetres.
-fn beside(from: Position, to: Position, point: Position) -> (f64, f64) {
-    let length_mm = from.distance(to).0;
-    if length_mm == 0.0 {
-        return (point.distance(from).0, 0.0);
-    }
-    let (way, part) = (to - from, point - from);
-    let dot = way.x.0 * part.x.0 + way.y.0 * part.y.0 + way.z.0 * part.z.0;
-    let along_mm = (dot / length_mm).clamp(0.0, length_mm);
-    let foot = from + way * (along_mm / length_mm);
-    (point.distance(foot).0, along_mm)
-}
-
-/// The same joint angles with another tool: the position moves along the reach.
-fn retooled(position: Position, before: Tool, after: Tool) -> Position {
-    let reach_mm = position.reach().0;
-    let factor = (reach_mm + after.reach().0 - before.reach().0) / reach_mm;
-    Position {
-        x: position.x * factor,
-        y: position.y * factor,
-        z: position.z,
-    }
-}
-
 /// As near as this counts as arrived: a status agrees with the target to 0.01 mm on a stock arm.
 const ARRIVED_MM: f64 = 0.05;
 /// A command acts at the earliest in the second status after it was sent.
@@ -503,8 +451,6 @@ const SEEN_AFTER: u32 = 2;
 const AT_REST: u32 = 2;
 /// That many equal statuses in a row, more than a second: the arm will not go on by itself.
 const GIVEN_UP: u32 = 15;
-/// A tick's way at the speeds of a stock arm at power-up.
-const NEAR_DEG: f64 = 2.0;
 /// Longer than the slowest motion, and not over.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// By then a command has arrived that left with a status, and a status has come that left after

@@ -1,5 +1,7 @@
 //! The session engine: what to send when, and what the statuses mean.
 
+mod look;
+
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -12,8 +14,6 @@ use crate::quality::Meter;
 use crate::send_error::moves;
 use crate::trust::Trust;
 use crate::{Event, SendError};
-
-mod look;
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///

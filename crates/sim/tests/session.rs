@@ -313,7 +313,7 @@ async fn the_quality_of_a_link_is_measured() {
 
     let bad = virtual_arm(Personality::Firmware11, &["drop=0.1%:from"], 7);
     let mut connection = connect(&bad, Personality::Firmware11);
-    while connection.now() < Duration::from_secs(120) {
+    while connection.now() < Duration::from_mins(2) {
         next(&mut connection).await;
     }
     let quality = connection.session().link();
