@@ -25,6 +25,7 @@
 const RECONNECT_MS = 1000;
 const JOG_MS = 50;
 const OLD_MS = 2000;
+/** @type {Record<string, string>} */
 const LINK = { searching: "no arm yet", listening: "listening", up: "arm is there", lost: "arm is lost" };
 
 /** @type {WebSocket | undefined} */ let socket;
@@ -83,7 +84,7 @@ function draw(state) {
 /** @param {State} state */
 function drawLink({ link, dialect, queue, clients }) {
   const tone = link.phase === "up" ? "good" : link.phase === "lost" ? "bad" : "warn";
-  chip("link-chip", LINK[/** @type {keyof LINK} */ (link.phase)] ?? link.phase, tone);
+  chip("link-chip", LINK[link.phase] ?? link.phase, tone);
   show("link-problem", link.problem !== null);
   write("link-problem", link.problem ?? "");
   write("address", link.address ?? "not found yet");
@@ -97,8 +98,8 @@ function drawLink({ link, dialect, queue, clients }) {
 
 /** @param {Arm} arm */
 function drawArm(arm) {
-  for (const output of document.querySelectorAll("output[data-mm]")) {
-    const value = arm[/** @type {"x_mm"} */ (/** @type {HTMLElement} */ (output).dataset.mm)];
+  for (const output of document.querySelectorAll("output[data-pose]")) {
+    const value = arm[/** @type {"x_mm"} */ (/** @type {HTMLElement} */ (output).dataset.pose)];
     output.textContent = value.toFixed(1);
   }
   write("moving", arm.moving ? "moving" : "at rest");
@@ -284,7 +285,7 @@ function connect() {
   url.protocol = url.protocol.replace("http", "ws");
   socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
   socket.addEventListener("message", (event) => hear(JSON.parse(event.data)));
-  socket.addEventListener("close", (event) => closed(event));
+  socket.addEventListener("close", (event) => tryAgain(event));
 }
 
 /** @param {{hello?: {client: number}, state?: State, notice?: Notice, problem?: Problem, id?: number}} message */
@@ -315,7 +316,7 @@ async function catchUp() {
 }
 
 /** @param {CloseEvent} event */
-async function closed(event) {
+async function tryAgain(event) {
   letGo();
   waiting.clear();
   me = undefined;

@@ -46,7 +46,7 @@ pub(super) fn document() -> Value {
         },
         "paths": paths,
         "components": {
-            "schemas": schemas.take_definitions(true),
+            "schemas": closed(schemas.take_definitions(true)),
             "securitySchemes": {
                 "token": {
                     "type": "http",
@@ -56,6 +56,20 @@ pub(super) fn document() -> Value {
             },
         },
     })
+}
+
+/// A configuration is a choice within the choice of commands: that neither of them has any other field
+/// can only be said outside of both.
+fn closed(mut schemas: Map<String, Value>) -> Map<String, Value> {
+    let commands = schemas
+        .get_mut("Command")
+        .and_then(|it| it["oneOf"].as_array_mut());
+    for command in commands.into_iter().flatten() {
+        if command.get("oneOf").is_some() {
+            command["unevaluatedProperties"] = false.into();
+        }
+    }
+    schemas
 }
 
 const ABOUT: &str = "One client at a time has control of the arm and may move it: it takes the lease. Everyone may watch, and anyone may stop the arm at any time. Lengths are in millimetres, angles in degrees, times in seconds. Whatever is not done is answered with a problem document (RFC 9457).";

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::{self, DeserializeOwned, MapAccess, SeqAccess, Visitor};
+use serde::de::{
+    self, DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor,
+};
 use serde_json::Value;
 
 use super::kinds::{INVALID, MALFORMED};
@@ -16,7 +18,7 @@ use crate::words::Problem;
 /// [`MALFORMED`] with line and column where it is no JSON, [`INVALID`] with the field where it is
 /// not what it has to be: missing, unknown, of another type, too large for the arm's numbers.
 pub(super) fn read<T: DeserializeOwned>(text: &[u8]) -> Result<T, Problem> {
-    serde_json::from_slice::<Plain>(text).map_err(|error| not_plain(&error))?;
+    look_through(text).map_err(|error| not_plain(&error))?;
     let mut json = serde_json::Deserializer::from_slice(text);
     serde_path_to_error::deserialize(&mut json).map_err(|error| {
         let path = error.path().to_string();
@@ -106,60 +108,106 @@ fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>)
     }
 }
 
-/// Any JSON whose numbers the arm's numbers can hold.
-struct Plain;
+/// Any JSON of which every part can only be meant in one way: numbers that the arm's numbers can hold,
+/// and lists only where there are some, since structures could be read from lists too.
+#[derive(Clone, Copy)]
+struct Plain {
+    may_be_list: bool,
+}
 
-impl<'de> Deserialize<'de> for Plain {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Self)
+/// The only field of any request that holds a list.
+const LIST: &str = "commands";
+
+impl<'de> DeserializeSeed<'de> for Plain {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
     }
 }
 
 impl<'de> Visitor<'de> for Plain {
-    type Value = Self;
+    type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("JSON")
     }
 
-    fn visit_bool<E>(self, _: bool) -> Result<Self, E> {
-        Ok(self)
+    fn visit_bool<E>(self, _: bool) -> Result<(), E> {
+        Ok(())
     }
 
-    fn visit_u64<E>(self, _: u64) -> Result<Self, E> {
-        Ok(self)
+    fn visit_u64<E>(self, _: u64) -> Result<(), E> {
+        Ok(())
     }
 
-    fn visit_i64<E>(self, _: i64) -> Result<Self, E> {
-        Ok(self)
+    fn visit_i64<E>(self, _: i64) -> Result<(), E> {
+        Ok(())
     }
 
-    fn visit_f64<E: de::Error>(self, number: f64) -> Result<Self, E> {
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<(), E> {
         if number.abs() <= f64::from(f32::MAX) {
-            return Ok(self);
+            return Ok(());
         }
         Err(E::custom(format_args!(
             "{number:e} is too large; numbers go from -3.4e38 to 3.4e38"
         )))
     }
 
-    fn visit_str<E>(self, _: &str) -> Result<Self, E> {
-        Ok(self)
+    fn visit_str<E>(self, _: &str) -> Result<(), E> {
+        Ok(())
     }
 
-    fn visit_unit<E>(self) -> Result<Self, E> {
-        Ok(self)
+    fn visit_unit<E>(self) -> Result<(), E> {
+        Ok(())
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self, A::Error> {
-        while items.next_element::<Self>()?.is_some() {}
-        Ok(self)
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<(), A::Error> {
+        if !self.may_be_list {
+            return Err(de::Error::custom("there is a list; this takes none"));
+        }
+        while items.next_element_seed(NO_LIST)?.is_some() {}
+        Ok(())
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Self, A::Error> {
-        while fields.next_entry::<Self, Self>()?.is_some() {}
-        Ok(self)
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<(), A::Error> {
+        while let Some(Name(may_be_list)) = fields.next_key()? {
+            fields.next_value_seed(Self { may_be_list })?;
+        }
+        Ok(())
     }
+}
+
+const NO_LIST: Plain = Plain { may_be_list: false };
+
+/// The name of a field: whether it is the one that holds a list.
+struct Name(bool);
+
+impl<'de> Deserialize<'de> for Name {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Reader;
+
+        impl Visitor<'_> for Reader {
+            type Value = Name;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a name")
+            }
+
+            fn visit_str<E>(self, name: &str) -> Result<Name, E> {
+                Ok(Name(name == LIST))
+            }
+        }
+
+        deserializer.deserialize_str(Reader)
+    }
+}
+
+/// Whether text is JSON of that kind, from its start to its end.
+fn look_through(text: &[u8]) -> Result<(), serde_json::Error> {
+    let mut json = serde_json::Deserializer::from_slice(text);
+    NO_LIST.deserialize(&mut json)?;
+    json.end()
 }
 
 #[cfg(test)]
@@ -253,6 +301,24 @@ mod tests {
     }
 
     #[test]
+    fn a_list_is_not_taken_for_the_fields_of_a_structure() {
+        for list in [
+            r#"["move_to", 200, 0, 50, 0, false, "jump", 0, 0]"#,
+            r#"{"type": "voice", "text": ["x"]}"#,
+            r#"[[["move_to"]]]"#,
+        ] {
+            let (status, detail) = detail::<Command>(list);
+            assert_eq!(status, 422);
+            assert!(
+                detail.ends_with("there is a list; this takes none"),
+                "{detail}"
+            );
+        }
+        let (status, _) = detail::<NewJob>(r#"["a", "drawing", [["release"]], 0]"#);
+        assert_eq!(status, 422);
+    }
+
+    #[test]
     fn missing_fields_are_told() {
         let (status, detail) = detail::<Command>(r#"{"type": "move_to"}"#);
         assert_eq!((status, &*detail), (422, "missing field `x_mm`"));
@@ -260,7 +326,7 @@ mod tests {
 
     #[test]
     fn what_is_nested_without_end_is_no_json_of_ours() {
-        let deep = "[".repeat(100_000);
+        let deep = "{\"a\":".repeat(100_000);
         assert_eq!(detail::<Command>(&deep).0, 400);
     }
 

@@ -282,24 +282,60 @@ async fn a_station_that_ends_says_so() {
 async fn a_station_to_look_at() {
     let folder = tempfile::tempdir().unwrap();
     let (handle, telling, _asked) = super::super::double::owner();
-    let mut web = crate::Web::new("127.0.0.1:8699".parse().unwrap(), crate::Folders::at(folder.path()));
+    let mut web = crate::Web::new(
+        "127.0.0.1:8699".parse().unwrap(),
+        crate::Folders::at(folder.path()),
+    );
     web.names = vec![];
     let _served = crate::serve(&web, handle).await.unwrap();
-    std::fs::write("/tmp/http-document.json", super::super::document::TEXT.as_str()).unwrap();
-    telling.ends.announce(notice(1, News::LinkUp, "the link to the arm came up"));
-    telling.ends.announce(notice(2, News::DialectKnown { dialect: Dialect::FIRMWARE_1_1 }, "the arm speaks firmware-1.1"));
-    telling.ends.announce(notice(3, News::CommandDone { command: 12 }, "command 12 is over: the arm is at 200.0, -31.5, 52.0 mm"));
+    std::fs::write(
+        "/tmp/http-document.json",
+        super::super::document::TEXT.as_str(),
+    )
+    .unwrap();
+    telling
+        .ends
+        .announce(notice(1, News::LinkUp, "the link to the arm came up"));
+    telling.ends.announce(notice(
+        2,
+        News::DialectKnown {
+            dialect: Dialect::FIRMWARE_1_1,
+        },
+        "the arm speaks firmware-1.1",
+    ));
+    telling.ends.announce(notice(
+        3,
+        News::CommandDone { command: 12 },
+        "command 12 is over: the arm is at 200.0, -31.5, 52.0 mm",
+    ));
     let mut at_s = 0.0;
     loop {
         at_s += 0.08;
         let mut now = state(at_s);
         if let Ok(text) = std::fs::read_to_string("/tmp/http-look") {
             if text.contains("stop") {
-                now.stop = Some(crate::StopView { by: "page".into(), reason: Some("a hand is in the way".into()), at_s, rests_by_s: at_s, at_rest: true });
-                now.trust = crate::TrustView { trusted: false, reason: Some("the arm was reset".into()) };
+                now.stop = Some(crate::StopView {
+                    by: "page".into(),
+                    reason: Some("a hand is in the way".into()),
+                    at_s,
+                    rests_by_s: at_s,
+                    at_rest: true,
+                });
+                now.trust = crate::TrustView {
+                    trusted: false,
+                    reason: Some("the arm was reset".into()),
+                };
             }
             if text.contains("lease") {
-                now.lease = Some(crate::LeaseView { client: ClientId(text.split_whitespace().last().unwrap().parse().unwrap()), name: "page".into(), since_s: 1.0, asked_by: vec![crate::Asking { client: ClientId(99), name: "plotter".into() }] });
+                now.lease = Some(crate::LeaseView {
+                    client: ClientId(text.split_whitespace().last().unwrap().parse().unwrap()),
+                    name: "page".into(),
+                    since_s: 1.0,
+                    asked_by: vec![crate::Asking {
+                        client: ClientId(99),
+                        name: "plotter".into(),
+                    }],
+                });
                 now.job = None;
                 now.laser.armed_for_s = 512.0;
             }

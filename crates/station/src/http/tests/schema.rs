@@ -208,10 +208,36 @@ fn reference<'a>(document: &'a Value, schema: &Value) -> Option<&'a Value> {
     document.pointer(schema["$ref"].as_str()?.strip_prefix('#')?)
 }
 
-fn choices(schema: &Value) -> Option<&Vec<Value>> {
-    schema["oneOf"]
+/// What a value may be one of; what goes for all of them goes for each.
+fn choices(schema: &Value) -> Option<Vec<Value>> {
+    let choices = schema["oneOf"]
         .as_array()
-        .or_else(|| schema["anyOf"].as_array())
+        .or_else(|| schema["anyOf"].as_array())?;
+    Some(
+        choices
+            .iter()
+            .map(|it| with_common(it.clone(), schema))
+            .collect(),
+    )
+}
+
+fn with_common(mut choice: Value, schema: &Value) -> Value {
+    let Some(fields) = schema["properties"].as_object() else {
+        return choice;
+    };
+    for (name, field) in fields {
+        choice["properties"][name] = field.clone();
+    }
+    for name in schema["required"].as_array().map_or(&[][..], Vec::as_slice) {
+        choice["required"]
+            .as_array_mut()
+            .unwrap()
+            .push(name.clone());
+    }
+    if schema["unevaluatedProperties"] == false {
+        choice["additionalProperties"] = false.into();
+    }
+    choice
 }
 
 fn types(schema: &Value) -> Vec<&str> {
