@@ -13,8 +13,8 @@ mod interrupt;
 mod jobs;
 mod jog;
 mod lease;
-mod man;
 mod log;
+mod man;
 mod output;
 mod policy;
 mod ports;
@@ -26,6 +26,7 @@ mod status;
 mod stop;
 mod token;
 mod travel;
+mod up;
 mod watch;
 mod world;
 
@@ -40,11 +41,12 @@ use crate::failure::Failure;
 #[command(name = "dobot", version, max_term_width = 100, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
-    verb: Verb,
+    verb: Option<Verb>,
 }
 
 #[derive(Debug, Subcommand)]
 enum Verb {
+    Up(up::Args),
     Draw(draw::Args),
     Arm(arm::Args),
     Status(status::Args),
@@ -78,7 +80,8 @@ fn main() -> ExitCode {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
-    match cli.verb {
+    match cli.verb.unwrap_or_else(default_verb) {
+        Verb::Up(args) => wait_for(up::run(args)),
         Verb::Draw(args) => wait_for(draw::run(args)),
         Verb::Arm(args) => wait_for(arm::run(args)),
         Verb::Status(args) => wait_for(status::run(args)),
@@ -103,6 +106,12 @@ fn run(cli: Cli) -> Result<(), Failure> {
     }
 }
 
+/// What `dobot` alone does.
+fn default_verb() -> Verb {
+    let cli = Cli::parse_from(["dobot", "up"]);
+    cli.verb.expect("it is given")
+}
+
 /// Runs a verb that waits for ports and for time.
 fn wait_for(verb: impl Future<Output = Result<(), Failure>>) -> Result<(), Failure> {
     let runtime = tokio::runtime::Runtime::new()?;
@@ -114,9 +123,29 @@ fn wait_for(verb: impl Future<Output = Result<(), Failure>>) -> Result<(), Failu
 
 const EXAMPLES: &str = "\
 Examples:
-  dobot draw picture.svg --picture drawn.svg   draw with a virtual arm and see what comes out
+  dobot                                        start the station, with the arm that is found or a virtual one
+  dobot watch                                  its dashboard, in another terminal
+  dobot draw picture.svg --picture drawn.svg   draw, and see what comes out
   dobot arm                                    serve a virtual arm on TCP and a virtual serial port
-  dobot status --to serial:/dev/ttyUSB0        watch a real arm
+  dobot status --to serial:/dev/ttyUSB0        see where a real arm is
   dobot move 220 0 30                          go to a point
 
-An arm's address (--to) is virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT.";
+As long as a station runs, the verbs go through it. An arm's address (--to) is virtual:, serial:PORT[@BAUD] or
+tcp:HOST:PORT.";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn without_arguments_the_station_is_started() {
+        assert!(Cli::parse_from(["dobot"]).verb.is_none());
+        assert!(matches!(default_verb(), Verb::Up(_)));
+    }
+}

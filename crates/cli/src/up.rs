@@ -12,7 +12,8 @@ use dobot_client::Address;
 use dobot_controller::Personality;
 use dobot_sim::Speed;
 use dobot_station::{
-    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, Remote, StartError, Station, TlsFiles,
+    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, RawPortError, Remote, ServeError, StartError,
+    Station, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -37,7 +38,7 @@ Examples:
 The other verbs go through the station as long as it runs. Ctrl-C ends it: the laser goes off, and the arm comes
 to rest. A job that was not over can be gone on with after the next start.")]
 pub(crate) struct Args {
-    /// The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: what is plugged in)
+    /// The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: the one that is found, or a virtual one)
     #[arg(long, value_name = "ADDRESS")]
     arm: Option<Address>,
     /// A virtual arm, even if one is plugged in
@@ -77,17 +78,23 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let interrupt = interrupt();
+    let mut interrupt = std::pin::pin!(interrupt());
     let config = args.config()?;
     check_alone(&config).await?;
     let data = config.folders.data().display().to_string();
-    let station = Station::start(config).await.map_err(no_start)?;
+    if config.arm.is_none() {
+        eprintln!("looking for an arm");
+    }
+    let station = tokio::select! {
+        station = Station::start(config) => station.map_err(no_start)?,
+        () = &mut interrupt => return Ok(()),
+    };
     let notices = station.handle().notices();
-    let welcome = welcome(&station, &args, data).text(std::io::stdout().is_terminal());
-    output::line(&welcome)?;
+    let welcome = welcome(&station, args.personality, data);
+    output::line(&welcome.text(std::io::stdout().is_terminal()))?;
     tokio::select! {
         () = tell(notices) => {}
-        () = interrupt => {}
+        () = &mut interrupt => {}
     }
     eprintln!("ending: the laser goes off, and the arm comes to rest");
     tokio::select! {
@@ -100,7 +107,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 impl Args {
     fn config(&self) -> Result<Config, Failure> {
         Ok(Config {
-            arm: self.address()?,
+            arm: self.address(),
             personality: self.personality,
             speed: self.speed,
             dialect: self.dialect,
@@ -114,17 +121,10 @@ impl Args {
         })
     }
 
-    /// The arm that is named, a virtual one where nothing is plugged in, and otherwise none: the
-    /// station looks for it.
-    fn address(&self) -> Result<Option<Address>, Failure> {
-        if self.is_virtual {
-            return Ok(Some(Address::Virtual));
-        }
-        if self.arm.is_some() {
-            return Ok(self.arm.clone());
-        }
-        let plugged_in = dobot_client::ports()?.iter().any(|it| it.usb.is_some());
-        Ok((!plugged_in).then_some(Address::Virtual))
+    /// The arm that is named; otherwise the station looks for one.
+    fn address(&self) -> Option<Address> {
+        let address = self.is_virtual.then_some(Address::Virtual);
+        address.or_else(|| self.arm.clone())
     }
 
     fn tls(&self) -> Option<TlsFiles> {
@@ -151,25 +151,20 @@ async fn check_alone(config: &Config) -> Result<(), Failure> {
     ))
 }
 
-fn welcome(station: &Station, args: &Args, data: String) -> Welcome {
+fn welcome(station: &Station, personality: Personality, data: String) -> Welcome {
     let arm = match station.arm() {
-        None => "looking for the one that is plugged in; `dobot watch` tells how it goes".to_owned(),
-        Some(Address::Virtual) if args.is_virtual || args.arm.is_some() => {
-            format!("a virtual one, {}", args.personality)
-        }
-        Some(Address::Virtual) => {
-            format!("a virtual one, {}, as no USB serial port is plugged in", args.personality)
-        }
+        Some(Address::Virtual) => format!("a virtual one, {personality}"),
         Some(address) => address.to_string(),
+        None => "not there yet; `dobot watch` tells what the station waits for".to_owned(),
     };
     Welcome {
-        page: station.url(),
+        page: station.url().to_owned(),
         fingerprint: station.fingerprint().map(str::to_owned),
         arm,
         raw: station.raw().map(|it| format!("tcp:{it}")),
         pty: station.pty().map(|it| format!("serial:{}", it.display())),
         data,
-        warnings: station.warnings().to_vec(),
+        notes: station.notes().to_vec(),
     }
 }
 
@@ -187,18 +182,23 @@ async fn tell(mut notices: Receiver<Arc<Notice>>) {
 
 fn no_start(error: StartError) -> Failure {
     let hint = match &error {
-        StartError::Bind { what, source, .. } if source.kind() == ErrorKind::AddrInUse => {
-            Some(match *what {
-                "raw packets" => "another program has the port; `--raw 127.0.0.1:0` takes a free one, `--raw off` does without",
-                _ => "another program has the port; `--http 127.0.0.1:0` takes a free one",
-            })
+        StartError::Raw(RawPortError::InUse { .. }) => {
+            "`--raw 127.0.0.1:0` takes a free port, `--raw off` does without"
         }
-        _ => None,
+        StartError::Http(ServeError::Bind { source, .. }) if is_taken(source) => {
+            "another program has the port; `--http 127.0.0.1:0` takes a free one"
+        }
+        StartError::Http(ServeError::NoTokens(_)) => "`dobot token add admin NAME`",
+        StartError::PolicyFile { .. } | StartError::Policy { .. } => {
+            "`dobot policy check FILE` tells all about it"
+        }
+        _ => return error.into(),
     };
-    match hint {
-        Some(hint) => Failure::new(error, hint),
-        None => error.into(),
-    }
+    Failure::new(error, hint)
+}
+
+fn is_taken(error: &std::io::Error) -> bool {
+    error.kind() == ErrorKind::AddrInUse
 }
 
 /// Where raw packets are served, if they are.
@@ -218,6 +218,8 @@ fn raw(text: &str) -> Result<Raw, &'static str> {
     if text == "off" {
         return Ok(Raw(None));
     }
-    let address = text.parse().map_err(|_| "allowed are HOST:PORT with a number for a host, as in 127.0.0.1:5555, and off");
+    let address = text.parse().map_err(
+        |_| "allowed are HOST:PORT with a number for a host, as in 127.0.0.1:5555, and off",
+    );
     address.map(|it| Raw(Some(it)))
 }

@@ -17,8 +17,8 @@ pub(crate) struct Welcome {
     pub(crate) pty: Option<String>,
     /// Where the station keeps its data.
     pub(crate) data: String,
-    /// What went wrong and can be done without.
-    pub(crate) warnings: Vec<String>,
+    /// What else a person should know.
+    pub(crate) notes: Vec<String>,
 }
 
 impl Welcome {
@@ -27,17 +27,28 @@ impl Welcome {
         let paint = Paint(colours);
         let facts = self.facts().into_iter().map(|(name, text, remark)| {
             let (name, remark) = (paint.dim(&format!("{name:11}")), paint.dim(remark));
-            let text = if text == self.page { paint.strong(&text) } else { text };
+            let text = if text == self.page {
+                paint.strong(&text)
+            } else {
+                text
+            };
             format!("  {name}  {text}  {remark}").trim_end().to_owned()
         });
         let hints = NEXT.iter().map(|(verb, what)| {
-            format!("  {}  {}", paint.verb(&format!("{verb:11}")), paint.dim(what))
+            format!(
+                "  {}  {}",
+                paint.verb(&format!("{verb:11}")),
+                paint.dim(what)
+            )
         });
-        let warnings = self.warnings.iter().map(|it| format!("  {} {it}", paint.warning("warning:")));
+        let notes = self
+            .notes
+            .iter()
+            .map(|it| format!("  {}  {it}", paint.note("note       ")));
         let title = paint.title(concat!(" dobot ", env!("CARGO_PKG_VERSION"), " "));
         let mut lines = vec![title, String::new()];
         lines.extend(facts);
-        lines.extend(warnings);
+        lines.extend(notes);
         lines.push(String::new());
         lines.extend(hints);
         lines.push(String::new());
@@ -45,15 +56,22 @@ impl Welcome {
     }
 
     fn facts(&self) -> Vec<(&'static str, String, &'static str)> {
-        let fact = |name, text: &Option<String>, remark| {
-            text.clone().map(|text| (name, text, remark))
-        };
+        let fact =
+            |name, text: &Option<String>, remark| text.clone().map(|text| (name, text, remark));
         [
             fact("page", &Some(self.page.clone()), ""),
             fact("fingerprint", &self.fingerprint, ""),
             fact("arm", &Some(self.arm.clone()), ""),
-            fact("raw packets", &self.raw, "for programs that speak the arm's protocol"),
-            fact("serial port", &self.pty, "for programs that speak nothing else"),
+            fact(
+                "raw packets",
+                &self.raw,
+                "for programs that speak the arm's protocol",
+            ),
+            fact(
+                "serial port",
+                &self.pty,
+                "for programs that speak nothing else",
+            ),
             fact("data", &Some(self.data.clone()), ""),
         ]
         .into_iter()
@@ -82,7 +100,7 @@ impl Paint {
         self.when(text, |it| it.green().to_string())
     }
 
-    fn warning(&self, text: &str) -> String {
+    fn note(&self, text: &str) -> String {
         self.when(text, |it| it.yellow().bold().to_string())
     }
 
@@ -100,7 +118,10 @@ const NEXT: [(&str, &str); 4] = [
     ("dobot watch", "a dashboard, in another terminal"),
     ("dobot draw", "draw an SVG file"),
     ("dobot stop", "stop the arm, from anywhere"),
-    ("Ctrl-C", "end the station: the laser goes off, the arm comes to rest"),
+    (
+        "Ctrl-C",
+        "end the station: the laser goes off, the arm comes to rest",
+    ),
 ];
 
 #[cfg(test)]
@@ -142,10 +163,14 @@ mod tests {
     #[test]
     fn what_goes_to_a_file_has_no_colours() {
         assert!(!welcome().text(false).contains('\x1b'));
-        let warned = Welcome {
-            warnings: vec!["nothing is recorded".into()],
+        let noted = Welcome {
+            notes: vec!["nothing is recorded".into()],
             ..welcome()
         };
-        assert!(warned.text(false).contains("warning: nothing is recorded"));
+        assert!(
+            noted
+                .text(false)
+                .contains("note         nothing is recorded")
+        );
     }
 }

@@ -57,7 +57,13 @@ fn what_is_no_command_line_ends_with_two() {
         &["up", "--http", "here"],
         &["up", "--raw", "5555"],
         &["up", "--virtual", "--arm", "tcp:localhost:1"],
-        &["status", "--station", "http://localhost", "--to", "virtual:"],
+        &[
+            "status",
+            "--station",
+            "http://localhost",
+            "--to",
+            "virtual:",
+        ],
         &["stop", "--reset", "--reason", "smoke"],
         &["lease", "laser", "--for", "0"],
         &["token", "add", "king", "me"],
@@ -212,7 +218,14 @@ fn a_station_that_is_named_and_not_there_is_told() {
     let url = format!("http://{address}");
     dobot(&["status", "--station", &url]).fails(1, &["there is no station", "dobot up"]);
     dobot(&["stop", "--station", "localhost"]).fails(1, &["http://HOST:PORT"]);
-    dobot(&["stop", "--station", "https://localhost", "--fingerprint", "00"]).fails(2, &["64 hex"]);
+    dobot(&[
+        "stop",
+        "--station",
+        "https://localhost",
+        "--fingerprint",
+        "00",
+    ])
+    .fails(2, &["64 hex"]);
 }
 
 #[test]

@@ -43,14 +43,19 @@ impl From<Output> for Outcome {
 
 /// `dobot`, for which no station runs.
 pub(crate) fn command(arguments: &[&str]) -> Command {
-    command_at(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-station"), arguments)
+    command_at(
+        &Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-station"),
+        arguments,
+    )
 }
 
 /// `dobot`, with the data of a station in this folder.
 pub(crate) fn command_at(data: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_dobot"));
     command.args(arguments).env("DOBOT_DATA", data);
-    command.env_remove("DOBOT_STATION").env_remove("DOBOT_TOKEN");
+    command
+        .env_remove("DOBOT_STATION")
+        .env_remove("DOBOT_TOKEN");
     command
 }
 

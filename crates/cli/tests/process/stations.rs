@@ -139,10 +139,12 @@ fn a_jog_through_the_station_moves_and_comes_to_rest() {
 #[test]
 fn settings_and_switches_go_through_the_station() {
     let up = Up::new(&[]);
-    up.dobot(&["set", "moves", "--joint-speed", "100"]).succeeds();
+    up.dobot(&["set", "moves", "--joint-speed", "100"])
+        .succeeds();
     let on = up.json(&["jog", "suction-on"]);
     assert_eq!(on["suction"], true);
-    up.dobot(&["jog", "laser-on"]).fails(1, &["laser is disarmed"]);
+    up.dobot(&["jog", "laser-on"])
+        .fails(1, &["laser is disarmed"]);
 }
 
 #[test]
@@ -150,11 +152,18 @@ fn one_program_has_control_and_anybody_may_stop() {
     let up = Up::new(&[]);
     let mut holder = Going::new(up.command(&["lease", "take"]));
     holder.reads("control is yours");
-    assert!(up.dobot(&["lease"]).succeeds().stdout.contains("dobot lease"));
-    up.dobot(&["move", "220", "0", "20"]).fails(1, &["dobot lease", "dobot lease ask"]);
+    assert!(
+        up.dobot(&["lease"])
+            .succeeds()
+            .stdout
+            .contains("dobot lease")
+    );
+    up.dobot(&["move", "220", "0", "20"])
+        .fails(1, &["dobot lease", "dobot lease ask"]);
     up.dobot(&["stop", "--reason", "smoke"]).succeeds();
     assert_eq!(holder.interrupt(), Some(0));
-    up.dobot(&["move", "220", "0", "20"]).fails(1, &["smoke", "dobot stop --reset"]);
+    up.dobot(&["move", "220", "0", "20"])
+        .fails(1, &["smoke", "dobot stop --reset"]);
     up.dobot(&["stop", "--reset"]).succeeds();
     up.dobot(&["move", "220", "0", "20"]).succeeds();
 }
@@ -179,11 +188,8 @@ fn a_raw_program_shares_the_arm_with_the_others() {
         .expect("it can be set");
     let mut packet = [0; 42];
     raw.read_exact(&mut packet).expect("a status comes");
-    let mut decoder = Decoder::uploads();
-    assert!(
-        packet.iter().any(|&byte| decoder.push(byte).is_some()),
-        "{packet:?}"
-    );
+    let mut decoder = Decoder::statuses(|_| true);
+    assert_eq!(decoder.feed(&packet).count(), 1, "{packet:?}");
     // Its first packet takes control.
     let suction: Command = JointJog {
         axis: JointJogAxis::SuctionOn,
@@ -209,7 +215,8 @@ fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
     let jobs = up.json(&["jobs"]);
     assert_eq!(jobs[0]["title"], "square.svg");
     assert_eq!(jobs[0]["phase"], "done");
-    up.dobot(&["jobs", "start", "99"]).fails(1, &["no job 99", "dobot jobs"]);
+    up.dobot(&["jobs", "start", "99"])
+        .fails(1, &["no job 99", "dobot jobs"]);
 }
 
 #[test]
@@ -238,7 +245,7 @@ fn a_port_that_is_taken_is_told_with_what_to_do() {
     let folder = tempfile::tempdir().expect("there is room");
     let data = folder.path();
     let arguments = ["up", "--virtual", "--http", "127.0.0.1:0", "--raw", &up.raw];
-    run(&mut command_at(data, &arguments), b"").fails(1, &["raw packets", "--raw off"]);
+    run(&mut command_at(data, &arguments), b"").fails(1, &["raw port", "--raw off"]);
     let page = up.page.replace("http://", "");
     let arguments = ["up", "--virtual", "--raw", "off", "--http", &page];
     run(&mut command_at(data, &arguments), b"").fails(1, &["--http 127.0.0.1:0"]);
@@ -249,7 +256,9 @@ fn ctrl_c_ends_the_station_and_the_verbs_find_none_any_more() {
     let up = Up::new(&[]);
     assert!(up.file().exists());
     let file = up.file();
-    let Up { station, folder, .. } = up;
+    let Up {
+        station, folder, ..
+    } = up;
     assert_eq!(station.interrupt(), Some(0));
     assert!(!file.exists());
     run(&mut command_at(folder.path(), &["stop"]), b"").fails(1, &["no station runs"]);
@@ -263,5 +272,6 @@ fn a_station_that_was_killed_is_not_waited_for() {
     assert!(up.file().exists());
     let own = up.json(&["status"]);
     assert!(near(&own["rear_deg"], 45.0), "{own}");
-    up.dobot(&["stop"]).fails(1, &["there is no station", "dobot up"]);
+    up.dobot(&["stop"])
+        .fails(1, &["there is no station", "dobot up"]);
 }
