@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output::clock;
+use crate::output::time_left;
 
 /// Starts a job, or goes on with it, and follows it until it is over; control has been taken.
 ///
@@ -166,7 +166,7 @@ fn progress_bar() -> ProgressBar {
 fn show(bar: &ProgressBar, job: &JobView) {
     bar.set_length(job.commands as u64);
     bar.set_position(job.completed as u64);
-    bar.set_message(format!("{} left", clock(job.left_s)));
+    bar.set_message(time_left(job.left_s));
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::control::{arm_laser, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::jog::laser_seconds;
-use crate::output::{self, clock};
+use crate::output::{self, clock, time_left};
 use crate::reach::Station;
 
 /// List, start, pause and cancel the jobs of the station
@@ -147,7 +147,7 @@ fn line(job: &JobView) -> String {
     let left = if job.phase.is_over() {
         String::new()
     } else {
-        format!("{} left", clock(job.left_s))
+        time_left(job.left_s)
     };
     let reason = job.reason.as_ref().map(|it| format!(": {it}"));
     format!(

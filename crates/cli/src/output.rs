@@ -64,6 +64,11 @@ pub(crate) fn clock(seconds: f64) -> String {
     }
 }
 
+/// How much longer something takes, as far as that is known.
+pub(crate) fn time_left(seconds: Option<f64>) -> String {
+    seconds.map_or_else(String::new, |it| format!("{} left", clock(it)))
+}
+
 /// The fields of a message for a person: `x 200 mm, y -50 mm, suction off`.
 pub(crate) fn fields(message: &impl Serialize) -> String {
     let Ok(Value::Object(fields)) = serde_json::to_value(message) else {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use dobot_station::{LinkPhase, Notice, State};
 use ratatui::Frame;
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::{Constraint, Layout};
 use ratatui::style::{Color, Modifier, Style, Stylize};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
@@ -285,7 +285,7 @@ mod tests {
                 commands: 400,
                 completed: 100,
                 planned_s: 120.0,
-                left_s: 83.0,
+                left_s: Some(83.0),
             });
         });
         shows(

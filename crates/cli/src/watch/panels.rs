@@ -11,7 +11,7 @@ use ratatui::style::{Color, Style, Stylize};
 use ratatui::text::Line;
 use ratatui::widgets::{Block, BorderType, LineGauge, Paragraph};
 
-use crate::output::clock;
+use crate::output::{clock, time_left};
 
 /// Pose and joints.
 pub(super) fn arm(frame: &mut Frame, area: Rect, state: &State) {
@@ -48,11 +48,11 @@ pub(super) fn job(frame: &mut Frame, area: Rect, job: Option<&JobView>) {
     let gauge = LineGauge::default()
         .ratio(share)
         .label(format!(
-            "{:.0} %  {} of {}  {} left",
+            "{:.0} %  {} of {}  {}",
             share * 100.0,
             job.completed,
             job.commands,
-            clock(job.left_s)
+            time_left(job.left_s)
         ))
         .filled_style(Style::new().fg(Color::Cyan))
         .unfilled_style(Style::new().dim());
