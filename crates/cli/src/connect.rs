@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use anyhow::anyhow;
 use dobot_client::{Address, Connection};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_safety::Policy;
 use dobot_sim::{InProcess, Line, VirtualArm};
 use dobot_station::{Remote, State};
 use dobot_wire::Dialect;
 
 use crate::control::first_state;
 use crate::failure::Failure;
+use crate::policy;
 use crate::reach::{Station, client_name};
 
 /// Which arm, and by which way.
@@ -33,6 +35,9 @@ pub(crate) struct To {
     /// told here, and what depends on it is refused. A station knows it already.
     #[arg(long, value_name = "DIALECT", global = true)]
     pub(crate) dialect: Option<Dialect>,
+    /// The safety policy, a TOML file (default: the one that `dobot policy` shows); a station has its own
+    #[arg(long, value_name = "FILE", global = true)]
+    pub(crate) policy: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) station: Station,
 }
@@ -49,6 +54,7 @@ pub(crate) enum Reached {
 pub(crate) struct Connected {
     pub(crate) arm: Connection,
     pub(crate) virtual_arm: Option<InProcess>,
+    pub(crate) policy: Policy,
 }
 
 impl To {
@@ -80,7 +86,7 @@ impl To {
             Err(error) if error.is_nobody() && !named => return Ok(None),
             Err(error) => return Err(error.into()),
         };
-        if self.to.is_none() && self.dialect.is_none() {
+        if self.to.is_none() && self.dialect.is_none() && self.policy.is_none() {
             return Ok(Some(station));
         }
         let state = first_state(&mut station).await?;
@@ -89,8 +95,19 @@ impl To {
         {
             return Ok(None);
         }
+        self.check_policy()?;
         self.check_dialect(&state)?;
         Ok(Some(station))
+    }
+
+    fn check_policy(&self) -> Result<(), Failure> {
+        if self.policy.is_none() {
+            return Ok(());
+        }
+        Err(Failure::new(
+            anyhow!("a station runs, and it has a policy of its own"),
+            "leave `--policy` out, or start the station with it: `dobot up --policy FILE`",
+        ))
     }
 
     /// A station that knows another dialect would read what is sent otherwise.
@@ -109,10 +126,15 @@ impl To {
     }
 
     async fn connect(&self) -> Result<Connected, Failure> {
+        let policy = self
+            .policy
+            .as_deref()
+            .map_or(Ok(Policy::default()), policy::read)?;
         if let Some(address) = self.to.as_ref().filter(|_| !self.is_virtual()) {
             return Ok(Connected {
                 arm: Connection::open(address, self.dialect).await?,
                 virtual_arm: None,
+                policy,
             });
         }
         let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
@@ -120,6 +142,7 @@ impl To {
         Ok(Connected {
             arm: Connection::over_peer(virtual_arm.clone(), Some(dialect)),
             virtual_arm: Some(virtual_arm),
+            policy,
         })
     }
 }

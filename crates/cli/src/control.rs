@@ -43,7 +43,7 @@ pub(crate) async fn carry_out(station: &mut Remote, command: Command) -> Result<
 }
 
 /// Stops the arm, because this program was interrupted.
-async fn stop(station: &mut Remote) -> Result<(), Failure> {
+pub(crate) async fn stop(station: &mut Remote) -> Result<(), Failure> {
     let reason = Some("Ctrl-C was pressed".to_owned());
     station.request(Request::Stop { reason }).await?;
     Err(Failure::new(

@@ -23,6 +23,7 @@ use crate::connect::{Connected, Reached, To};
 use crate::control::{self, take_control};
 use crate::failure::Failure;
 use crate::follow;
+use crate::guard;
 use crate::interrupt::interrupt;
 use crate::output::{self, clock};
 
@@ -104,6 +105,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let (outcome, drawn) = match &mut reached {
         Reached::Station(station) => args.through(station, &prepared, &settings.pen).await,
         Reached::Arm(connected) => {
+            connected.arm.next_status().await?;
+            let commands = prepared.plan.commands();
+            guard::check(&connected.arm, &connected.policy, commands)?;
             if let Some(arm) = &connected.virtual_arm {
                 arm.arm().record(RECORDING_PERIOD);
             }

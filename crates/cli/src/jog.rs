@@ -3,14 +3,15 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use dobot_client::{Connection, LinkError};
+use dobot_client::{CommandId, Connection, Event, LinkError};
 use dobot_station::{Jog, Remote, RemoteError, Request};
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
 use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
 
-use crate::connect::{Reached, To};
+use crate::connect::{Connected, Reached, To};
 use crate::control::{self, arm_laser, carry_out, take_control};
 use crate::failure::Failure;
+use crate::guard;
 use crate::interrupt::interrupt;
 use crate::output;
 
@@ -56,7 +57,7 @@ enum Button {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let status = match args.to.reach("jog").await? {
         Reached::Station(mut station) => args.through(&mut station).await?,
-        Reached::Arm(mut connected) => args.directly(&mut connected.arm).await?,
+        Reached::Arm(mut connected) => args.directly(&mut connected).await?,
     };
     Ok(output::status(&status, args.json)?)
 }
@@ -86,13 +87,14 @@ impl Args {
         control::rest(station).await
     }
 
-    async fn directly(&self, arm: &mut Connection) -> Result<Status, Failure> {
-        arm.next_status().await?;
-        let pressed = arm.send(self.button.pressed(self.speed))?;
+    async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {
+        let button = self.button.pressed(self.speed);
+        let pressed = guard::send(&mut connected.arm, &connected.policy, button).await?;
         let held = tokio::select! {
-            held = hold(arm, pressed, self.time) => held,
+            held = hold(connected, pressed, &button, self.time) => held,
             () = interrupt() => Ok(()),
         };
+        let arm = &mut connected.arm;
         if let Some(released) = self.button.released() {
             release(arm, released, held.is_err()).await?;
         }
@@ -122,13 +124,14 @@ async fn hold_through(station: &mut Remote, jog: Jog, time: Duration) -> Result<
     Ok(())
 }
 
-/// Waits until the button has left, and then for as long as it is held.
+/// Waits until the button has left, and then for as long as it is held and the policy allows.
 async fn hold(
-    arm: &mut Connection,
-    pressed: dobot_client::CommandId,
+    connected: &mut Connected,
+    pressed: CommandId,
+    button: &Command,
     time: Duration,
-) -> Result<(), LinkError> {
-    use dobot_client::Event;
+) -> Result<(), Failure> {
+    let Connected { arm, policy, .. } = connected;
     loop {
         match arm.next_event().await?.or_failed()? {
             Event::Sent(id) if id == pressed => break,
@@ -137,7 +140,9 @@ async fn hold(
     }
     let until = arm.now() + time;
     while arm.now() < until {
-        arm.next_event().await?.or_failed()?;
+        if let Event::Status(_) = arm.next_event().await?.or_failed()? {
+            guard::check_held(arm, policy, button)?;
+        }
     }
     Ok(())
 }

@@ -2,13 +2,16 @@
 
 mod arm;
 mod completions;
+mod confirm;
 mod conformance;
 mod connect;
 mod control;
 mod decode;
+mod detect;
 mod draw;
 mod failure;
 mod follow;
+mod guard;
 mod interrupt;
 mod jobs;
 mod jog;
@@ -65,6 +68,8 @@ enum Verb {
     Watch(watch::Args),
     Jobs(jobs::Args),
     Lease(lease::Args),
+    Confirm(confirm::Args),
+    Detect(detect::Args),
     Token(token::Args),
     Completions(completions::Args),
     Man(man::Args),
@@ -100,6 +105,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Watch(args) => wait_for(watch::run(args)),
         Verb::Jobs(args) => wait_for(jobs::run(args)),
         Verb::Lease(args) => wait_for(lease::run(args)),
+        Verb::Confirm(args) => wait_for(confirm::run(args)),
+        Verb::Detect(args) => wait_for(detect::run(args)),
         Verb::Token(args) => token::run(args),
         Verb::Completions(args) => completions::run(&args),
         Verb::Man(args) => man::run(&args),

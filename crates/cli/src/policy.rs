@@ -91,7 +91,8 @@ fn print(text: &str) -> std::io::Result<()> {
     output::line(text.trim_end())
 }
 
-fn read(file: &Path) -> Result<Policy, Failure> {
+/// Reads a policy file.
+pub(crate) fn read(file: &Path) -> Result<Policy, Failure> {
     let text = fs::read_to_string(file)
         .with_context(|| format!("the policy {} cannot be read", file.display()))?;
     Policy::from_toml(&text).map_err(|error| {

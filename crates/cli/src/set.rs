@@ -3,9 +3,10 @@
 use clap::{Subcommand, ValueEnum};
 use dobot_wire::{Command, Configuration, EndEffector, PlaybackAdjustment};
 
-use crate::connect::{Reached, To};
+use crate::connect::{Connected, Reached, To};
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
+use crate::guard;
 use crate::output;
 
 /// Configure the arm
@@ -134,9 +135,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             control::status(&mut station).await?
         }
         Reached::Arm(mut connected) => {
-            let id = connected.arm.send(command)?;
-            connected.arm.completed(id).await?;
-            connected.arm.next_status().await?
+            let Connected { arm, policy, .. } = &mut *connected;
+            let id = guard::send(arm, policy, command).await?;
+            arm.completed(id).await?;
+            arm.next_status().await?
         }
     };
     Ok(output::status(&status, args.to.json)?)

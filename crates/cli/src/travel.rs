@@ -8,9 +8,10 @@ use dobot_client::Connection;
 use dobot_station::Remote;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
-use crate::connect::{Reached, To};
+use crate::connect::{Connected, Reached, To};
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
+use crate::guard;
 use crate::interrupt::interrupt;
 use crate::output;
 
@@ -65,7 +66,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let status = match args.to.reach("move").await? {
         Reached::Station(mut station) => args.through(&mut station).await?,
-        Reached::Arm(mut connected) => args.directly(&mut connected.arm).await?,
+        Reached::Arm(mut connected) => args.directly(&mut connected).await?,
     };
     Ok(output::status(&status, args.json)?)
 }
@@ -78,9 +79,10 @@ impl Args {
         control::status(station).await
     }
 
-    async fn directly(&self, arm: &mut Connection) -> Result<Status, Failure> {
+    async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {
+        let Connected { arm, policy, .. } = connected;
         let command = self.command(&arm.next_status().await?)?;
-        let id = arm.send(command)?;
+        let id = guard::send(arm, policy, command).await?;
         tokio::select! {
             done = arm.completed(id) => done?,
             () = interrupt() => return Err(interrupted(arm)),

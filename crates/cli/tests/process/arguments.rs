@@ -32,6 +32,8 @@ fn help_shows_examples_for_every_verb() {
         "watch",
         "jobs",
         "lease",
+        "confirm",
+        "detect",
         "token",
         "completions",
         "man",
