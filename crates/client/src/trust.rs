@@ -51,8 +51,9 @@ pub(crate) struct Trust {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
-    /// The initial angles that were sent, and not seen yet.
-    told: Option<[f32; 2]>,
+    /// The initial angles that were sent and not seen yet, and for how many statuses more they
+    /// would explain a jump.
+    told: Option<([f32; 2], u32)>,
 }
 
 impl Trust {
@@ -79,7 +80,7 @@ impl Trust {
     pub(crate) fn handle_sent(&mut self, command: &Command) {
         if let Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) = command
         {
-            self.told = Some([*rear_deg, *fore_deg]);
+            self.told = Some(([*rear_deg, *fore_deg], AWAITED));
         }
     }
 
@@ -93,14 +94,19 @@ impl Trust {
         to_zero: bool,
     ) -> Option<ResetEvidence> {
         let (heard, before) = self.last.replace((now, *status))?;
-        if self.told.is_some_and(|told| shows(status, told)) {
+        if self.told.is_some_and(|(told, _)| shows(status, told)) {
             self.told = None;
             self.reason = None;
             return None;
         }
+        let jumps = self.told.is_some();
+        self.told = match self.told {
+            Some((told, left)) if left > 0 => Some((told, left - 1)),
+            _ => None,
+        };
         let silent_for = now.saturating_sub(heard);
         let deaf = silent_for >= DEAF;
-        let jumped = self.told.is_none() && jumped(&before, status, silent_for);
+        let jumped = !jumps && jumped(&before, status, silent_for);
         let base_is_zero = status.base_deg == 0.0;
         let read_anew = before.rear_deg != status.rear_deg || before.fore_deg != status.fore_deg;
         let turned = before.base_deg != status.base_deg;
@@ -147,4 +153,6 @@ const DEAF: Duration = Duration::from_millis(520);
 const FASTEST_DEG_S: f32 = 300.0;
 /// A status may be as late as this on its way, and the one before was not.
 const LATE_S: f32 = 0.04;
+/// Initial angles wait for their turn behind motions: ten minutes of statuses.
+const AWAITED: u32 = 7500;
 const SAME_DEG: f32 = 0.01;

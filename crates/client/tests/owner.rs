@@ -97,7 +97,7 @@ fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknow
 fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
     let mut session = Session::new(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
-    let again = Duration::from_secs(60);
+    let again = Duration::from_mins(1);
     session.handle_open(again);
     session.send(stroke(5.0)).expect("it is allowed");
     assert_eq!(packets(&mut session), 0);
