@@ -183,6 +183,11 @@ impl Belief {
         self.given = self.sent;
     }
 
+    /// How many commands the arm may still have, urgent ones included.
+    pub(crate) fn under_way(&self) -> usize {
+        self.under_way.len()
+    }
+
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.under_way.is_empty()

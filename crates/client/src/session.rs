@@ -282,16 +282,19 @@ impl Session {
         }
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
-            Some(_) if self.completion.len() >= QUEUE_STALLS_AT => {
-                LINK_TIMEOUT + self.completion.longest_silence()
-            }
+            Some(_) if self.may_be_full() => LINK_TIMEOUT + self.completion.longest_silence(),
             Some(_) | None => LINK_TIMEOUT,
         };
         self.heard + patience
     }
 
+    /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
+    fn may_be_full(&self) -> bool {
+        self.completion.len().max(self.belief.under_way()) >= QUEUE_STALLS_AT
+    }
+
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let had_room = self.completion.len() < QUEUE_STALLS_AT;
+        let had_room = !self.may_be_full();
         self.heard = now;
         self.lost = false;
         self.opened = false;

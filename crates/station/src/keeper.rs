@@ -252,7 +252,7 @@ impl Keeper {
             Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
             self.held.as_ref().map(Held::falls_silent),
             self.laser.ends(),
-            self.halt.as_ref().map(Halt::next),
+            self.halt.as_ref().and_then(Halt::next),
         ]
         .into_iter()
         .flatten()

@@ -310,7 +310,8 @@ impl Owner {
 
     fn take_up(&mut self, found: Found) {
         let now = self.now();
-        self.recording.link(now, &found.address, self.keeper.dialect());
+        self.recording
+            .link(now, &found.address, self.keeper.dialect());
         let address = found.address.to_string();
         self.connecting = None;
         self.link = Some(found.link);

@@ -6,8 +6,8 @@ use std::time::Duration;
 use dobot_client::Address;
 use dobot_record::{About, Record, Recorder, Topic};
 use dobot_wire::Dialect;
-use schemars::generate::SchemaSettings;
 use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
 use crate::words::{Notice, State};

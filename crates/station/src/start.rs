@@ -219,9 +219,7 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     let file = path.display().to_string();
     match std::fs::read_to_string(path) {
         Err(source) => Err(StartError::PolicyFile { file, source }),
-        Ok(text) => {
-            Policy::from_toml(&text).map_err(|source| StartError::Policy { file, source })
-        }
+        Ok(text) => Policy::from_toml(&text).map_err(|source| StartError::Policy { file, source }),
     }
 }
 
@@ -329,4 +327,5 @@ fn open_pty(
     Ok(None)
 }
 
-const OPENED: &str = "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
+const OPENED: &str =
+    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

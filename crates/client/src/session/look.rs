@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_course::{JogAxis, JogCourse, Model};
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
-use super::{OVERDUE, QUEUE_STALLS_AT, Session};
+use super::{OVERDUE, Session};
 use crate::{LinkQuality, Queue, SendError};
 
 impl Session {
@@ -103,7 +103,7 @@ impl Session {
             waiting: self.waiting.len(),
             under_way,
             ahead: self.belief.ahead(self.now),
-            is_full: under_way >= QUEUE_STALLS_AT && silent_for > OVERDUE,
+            is_full: self.may_be_full() && silent_for > OVERDUE,
         }
     }
 

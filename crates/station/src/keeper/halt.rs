@@ -13,11 +13,14 @@ pub(super) struct Halt {
     laser_is_next: bool,
     /// Rounds said already.
     rounds: u32,
+    /// A status came since the last packet: the arm has room for another.
+    heard: bool,
 }
 
 impl Halt {
-    pub(super) const fn next(&self) -> Duration {
-        self.next
+    /// When it has something to say, unless it waits for a status.
+    pub(super) fn next(&self) -> Option<Duration> {
+        self.heard.then_some(self.next)
     }
 }
 
@@ -33,6 +36,7 @@ impl Keeper {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
+            heard: true,
         });
     }
 
@@ -43,12 +47,15 @@ impl Keeper {
             next: self.now + AGAIN,
             laser_is_next: false,
             rounds: 1,
+            heard: false,
         });
     }
 
-    /// Says it again: a stock arm wants a gap between packets, and may have missed one.
+    /// Says it again: a stock arm wants a gap between packets, and may have missed one. What is said
+    /// again waits for a status, so that the arm's queue is not filled up with it.
     pub(super) fn repeat_halt(&mut self) {
-        let Some(halt) = self.halt.filter(|it| it.next <= self.now) else {
+        let due = |it: &Halt| it.next <= self.now && it.heard;
+        let Some(halt) = self.halt.filter(due) else {
             return;
         };
         if !self.is_linked() {
@@ -66,12 +73,16 @@ impl Keeper {
             next: self.now + again,
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
+            heard: false,
         });
     }
 
-    /// At rest there is nothing more to say, once it has been said twice.
+    /// With each status: at rest there is nothing more to say, once it has been said twice.
     pub(super) fn watch_halt(&mut self) {
         let rests = self.is_at_rest();
+        if let Some(halt) = &mut self.halt {
+            halt.heard = true;
+        }
         self.halt = self.halt.filter(|it| !rests || it.rounds < 2);
     }
 }
@@ -85,6 +96,5 @@ pub(super) const LASER_OFF: Command = Command::JointJog(JointJog {
 const GAP: Duration = Duration::from_millis(60);
 /// Two statuses may show that it was heard.
 const AGAIN: Duration = Duration::from_millis(240);
-/// An arm that has not heard it by then does not hear, or finishes a long move first; its queue is
-/// not filled up with more of the same.
+/// An arm that has not heard it by then does not hear.
 const ROUNDS: u32 = 3;

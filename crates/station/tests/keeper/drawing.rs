@@ -101,7 +101,10 @@ fn write([x_mm, y_mm, z_mm]: [f32; 3], mode: WriteMode, laser: bool) -> WriteVec
 pub(crate) fn drawn_mm(rehearsal: &Rehearsal) -> f64 {
     let samples = rehearsal.arm().samples();
     let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
-    let flat = |at: Position| Position { z: Millimeters(0.0), ..at };
+    let flat = |at: Position| Position {
+        z: Millimeters(0.0),
+        ..at
+    };
     samples
         .windows(2)
         .filter(|pair| down(pair[0].position) && down(pair[1].position))

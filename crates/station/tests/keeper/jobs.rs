@@ -62,7 +62,10 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
             it.start(anna, job).unwrap();
         }
         let minutes = it.now() + Duration::from_secs(180);
-        assert!(it.run_until(minutes, |it| is_over(it, job)), "{personality}");
+        assert!(
+            it.run_until(minutes, |it| is_over(it, job)),
+            "{personality}"
+        );
         close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
     }
 }
