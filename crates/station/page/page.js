@@ -255,13 +255,14 @@ function ask(request, answered) {
 
 /** Stops the arm by every way there is. */
 function stop() {
-  letGo();
-  if (socket?.readyState !== WebSocket.OPEN) {
+  if (socket?.readyState === WebSocket.OPEN) {
+    const timer = setTimeout(stopByRequest, 300);
+    ask({ type: "stop" }, () => clearTimeout(timer));
+  } else {
     stopByRequest();
-    return;
   }
-  const timer = setTimeout(stopByRequest, 300);
-  ask({ type: "stop" }, () => clearTimeout(timer));
+  letGo();
+  /** @type {HTMLDialogElement} */ (part("sure")).close();
 }
 
 async function stopByRequest() {
@@ -388,7 +389,9 @@ function sure(title, text, yes, request) {
     dialog.close();
     ask(request);
   };
-  dialog.showModal();
+  // Not a modal one: STOP has to stay within reach.
+  dialog.show();
+  part("sure-no").focus();
 }
 
 function listen() {
@@ -428,7 +431,7 @@ function listenToJog() {
     });
     for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) button.addEventListener(end, letGo);
     button.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") hold(button);
+      if (event.key === "Enter" && !event.repeat) hold(button);
     });
     button.addEventListener("keyup", letGo);
     button.addEventListener("contextmenu", (event) => event.preventDefault());

@@ -213,7 +213,7 @@ fn answer(gives: &Gives, schemas: &mut SchemaGenerator) -> Value {
 fn problem(kinds: &[Kind], schemas: &mut SchemaGenerator) -> Value {
     let lines: Vec<String> = kinds
         .iter()
-        .map(|it| format!("- `{}`: {}", it.kind, it.title))
+        .map(|it| format!("- `{}`: {}", it.name, it.title))
         .collect();
     let mut answer = json!({
         "description": lines.join("\n"),

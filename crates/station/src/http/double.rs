@@ -7,7 +7,10 @@ use tokio::sync::mpsc;
 
 use crate::Handle;
 use crate::handle::{Ends, Message, Rules};
-use crate::words::*;
+use crate::words::{
+    ArmView, ClientId, JobKind, JobPhase, JobView, LaserView, LeaseView, LinkPhase, LinkView, News,
+    Notice, QueueView, Refusal, Reply, Request, Role, State, TrustView,
+};
 
 /// What the stand-in has been asked for so far.
 #[derive(Clone, Debug, Default)]

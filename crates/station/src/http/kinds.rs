@@ -9,7 +9,8 @@ use crate::words::Problem;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub(super) struct Kind {
     /// Its name: the last part of the problem type's address.
-    pub(super) kind: &'static str,
+    #[serde(rename = "kind")]
+    pub(super) name: &'static str,
     /// The problem in words.
     pub(super) title: &'static str,
     /// The HTTP status that comes with it.
@@ -21,7 +22,7 @@ pub(super) struct Kind {
 impl Kind {
     /// A problem of this kind.
     pub(super) fn problem(self, detail: impl Into<String>) -> Problem {
-        Problem::new(self.kind, self.title, self.status, detail)
+        Problem::new(self.name, self.title, self.status, detail)
     }
 
     /// A problem of this kind, and what to do about it.
@@ -35,14 +36,14 @@ impl Kind {
 
 /// The kind of that name.
 pub(super) fn named(name: &str) -> Option<&'static Kind> {
-    ALL.iter().find(|kind| kind.kind == name)
+    ALL.iter().find(|kind| kind.name == name)
 }
 
 macro_rules! kinds {
-    ($($constant:ident = $status:literal $kind:literal $title:literal $explanation:literal;)*) => {
+    ($($constant:ident = $status:literal $name:literal $title:literal $explanation:literal;)*) => {
         $(
             pub(super) const $constant: Kind = Kind {
-                kind: $kind,
+                name: $name,
                 title: $title,
                 status: $status,
                 explanation: $explanation,
@@ -132,7 +133,7 @@ mod tests {
     fn every_kind_has_a_name_of_its_own_and_some_sentences() {
         for (index, kind) in ALL.iter().enumerate() {
             assert!(
-                ALL[..index].iter().all(|it| it.kind != kind.kind),
+                ALL[..index].iter().all(|it| it.name != kind.name),
                 "{kind:?}"
             );
             assert!(kind.explanation.ends_with('.'), "{kind:?}");

@@ -1,9 +1,7 @@
 //! The messages of the WebSocket.
 
 use schemars::JsonSchema;
-use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
 
 use super::kinds::INVALID;
 use super::strict;
@@ -105,13 +103,17 @@ struct Numbered {
 fn stray(text: &[u8], request: &Request) -> Option<String> {
     #[derive(Deserialize)]
     struct Outer {
-        request: HashMap<String, IgnoredAny>,
+        request: serde_json::Map<String, serde_json::Value>,
     }
     if has_fields(request) {
         return None;
     }
     let outer: Outer = serde_json::from_slice(text).ok()?;
-    outer.request.into_keys().find(|key| key != "type")
+    outer
+        .request
+        .into_iter()
+        .map(|(key, _)| key)
+        .find(|key| key != "type")
 }
 
 const fn has_fields(request: &Request) -> bool {

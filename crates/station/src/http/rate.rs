@@ -140,7 +140,7 @@ mod tests {
         for n in 0..u32::try_from(MOST_ADDRESSES).expect("ten thousand is small") {
             let _ = addresses.take(IpAddr::V4(n.into()), Duration::ZERO, 1.0);
         }
-        let later = Duration::from_secs(60);
+        let later = Duration::from_mins(1);
         let _ = addresses.take(IpAddr::from([1, 1, 1, 1]), later, 1.0);
         assert_eq!(addresses.0.lock().map_or(0, |all| all.len()), 1);
     }

@@ -10,7 +10,11 @@ use axum::routing::{delete, get, post, put};
 use super::answer::JOB;
 use super::app::App;
 use super::bodies::{Arming, Granted, Heir, NewCommand, NewStop, Nothing, Press, Speech, Wish};
-use super::kinds::*;
+use super::kinds::{
+    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOB_RUNNING, JOURNAL, Kind, LASER_DISARMED,
+    MALFORMED, NO_LEASE, NO_LINK, NO_SUCH_JOB, NOT_ASKING, NOT_REACHED, OUT_OF_RANGE, POLICY,
+    STILL_MOVING, STOPPED, TOO_MANY, TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
+};
 use super::route::Route;
 use super::{calls, gate, page, socket};
 use crate::words::{JobView, NewJob, Notice, Reply, State};

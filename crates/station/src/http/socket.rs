@@ -1,7 +1,9 @@
 //! WebSockets: from the request to upgrade to the last word.
 
+mod hear;
 mod pace;
 mod talk;
+mod tell;
 
 use std::sync::Arc;
 
@@ -101,7 +103,7 @@ pub(super) async fn upgrade(
         .max_frame_size(largest);
     Ok(upgrade.on_upgrade(move |socket| async move {
         let (mut outgoing, mut incoming) = socket.split();
-        let mut talk = Talk::new(&app, client, name, &wants);
+        let talk = Talk::new(&app, client, name, &wants);
         talk.run(&mut incoming, &mut outgoing).await;
         drop((place, peer));
     }))

@@ -56,7 +56,7 @@ fn culprit<T: DeserializeOwned>(text: &[u8], path: &str, message: &str) -> Optio
     let body: Value = serde_json::from_slice(text).ok()?;
     let mut leaves = Vec::new();
     collect(&body, String::new(), String::new(), &mut leaves);
-    let below = leaves
+    let mut below = leaves
         .into_iter()
         .filter(|leaf| leaf.name.starts_with(path.trim_start_matches('.')));
     let differs = |leaf: &Leaf| {
@@ -67,7 +67,7 @@ fn culprit<T: DeserializeOwned>(text: &[u8], path: &str, message: &str) -> Optio
         serde_json::from_value::<T>(other).map_or_else(|error| bare(&error), |_| String::new())
             != message
     };
-    below.filter(differs).last().map(|leaf| leaf.name)
+    below.rfind(differs).map(|leaf| leaf.name)
 }
 
 const LARGEST_SEARCH: usize = 4096;

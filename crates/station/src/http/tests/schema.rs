@@ -53,9 +53,10 @@ fn object(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
         .iter()
         .map(|(name, field)| {
             let field = instance(document, field);
-            let field = match requires(schema, name) {
-                true => field.prop_map(Some).boxed(),
-                false => prop::option::of(field).boxed(),
+            let field = if requires(schema, name) {
+                field.prop_map(Some).boxed()
+            } else {
+                prop::option::of(field).boxed()
             };
             (Just(name.clone()), field)
         })
@@ -130,6 +131,7 @@ fn has_items(document: &Value, schema: &Value, value: &Value, closely: bool) -> 
 
 fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     let limit = |name: &str| schema[name].as_f64();
+    let length = |name: &str| schema[name].as_u64();
     // Whole numbers below zero are of the wrong type; for others the owner of the arm is asked.
     let is_whole = types(schema).contains(&"integer");
     if let Some(number) = value.as_f64().filter(|_| closely || is_whole) {
@@ -141,9 +143,9 @@ fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
         Value::Array(items) => items.len(),
         _ => return true,
     };
-    let len = len as f64;
-    let least = limit("minLength").or(limit("minItems"));
-    let most = limit("maxLength").or(limit("maxItems"));
+    let len = len as u64;
+    let least = length("minLength").or(length("minItems"));
+    let most = length("maxLength").or(length("maxItems"));
     !closely || (least.is_none_or(|it| len >= it) && most.is_none_or(|it| len <= it))
 }
 
