@@ -270,7 +270,7 @@ async function stopByRequest() {
     const answer = await fetch("api/v1/stop", { method: "POST", headers: authorization() });
     if (!answer.ok) tell(await answer.json());
   } catch {
-    tell({ title: "the arm is not stopped", detail: "the station cannot be reached", hint: "switch the arm off" });
+    tell({ title: "the stop did not reach the station", detail: "nothing answers at its address", hint: "switch the arm off" });
   }
 }
 
