@@ -2,7 +2,7 @@
 // Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
 
 /** @typedef {{client: number, name: string, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
-/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number}} Job */
+/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number | null}} Job */
 /** @typedef {{by: string, reason: string | null, at_rest: boolean}} Stop */
 /** @typedef {{title: string, detail: string, hint?: string}} Problem */
 /** @typedef {{number: number, at_s: number, text: string}} Notice */
@@ -185,7 +185,8 @@ function drawJob(job) {
   const progress = /** @type {HTMLProgressElement} */ (part("job-progress"));
   progress.value = job.commands ? job.completed / job.commands : 0;
   const why = job.reason ? ` It is ${job.phase}: ${job.reason}.` : "";
-  write("job-left", `${job.completed} of ${job.commands} commands; ${span(job.left_s)} left.${why}`);
+  const left = job.left_s === null ? "" : `; ${span(job.left_s)} left`;
+  write("job-left", `${job.completed} of ${job.commands} commands${left}.${why}`);
   show("pause", job.phase === "running");
   show("resume", job.phase === "paused" || job.phase === "queued");
 }

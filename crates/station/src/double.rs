@@ -3,7 +3,7 @@
 use dobot_wire::{Dialect, PACKET_LEN, Packet};
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
-use crate::handle::Message;
+use crate::handle::{Message, Rules};
 use crate::words::{
     ClientId, LaserView, LinkPhase, LinkView, Notice, QueueView, Refusal, Role, State, TrustView,
 };
@@ -31,6 +31,9 @@ impl Double {
             states: state,
             notices,
             packets: statuses.clone(),
+            every: broadcast::Sender::new(16),
+            recent: std::sync::Arc::default(),
+            rules: Rules::of(&dobot_safety::Policy::default()).into(),
         };
         let double = Self {
             messages: received,
@@ -118,38 +121,35 @@ impl Double {
 }
 
 fn snapshot() -> Snapshot {
-    Snapshot {
-        state: State {
-            at_s: 0.0,
-            link: LinkView {
-                address: None,
-                phase: LinkPhase::Searching,
-                problem: None,
-                statuses_per_s: 0.0,
-                lost_statuses: 0,
-                damaged_bytes: 0,
-                latency_ms: None,
-            },
-            arm: None,
-            dialect: Some(Dialect::FIRMWARE_1_1),
-            trust: TrustView {
-                trusted: false,
-                reason: None,
-            },
-            queue: QueueView {
-                waiting: 0,
-                under_way: 0,
-                ahead_s: 0.0,
-            },
-            lease: None,
-            stop: None,
-            laser: LaserView {
-                armed_for_s: 0.0,
-                on: false,
-            },
-            job: None,
-            clients: 0,
+    Snapshot::new(State {
+        at_s: 0.0,
+        link: LinkView {
+            address: None,
+            phase: LinkPhase::Searching,
+            problem: None,
+            statuses_per_s: 0.0,
+            lost_statuses: 0,
+            damaged_bytes: 0,
+            latency_ms: None,
         },
-        json: "{}".into(),
-    }
+        arm: None,
+        dialect: Some(Dialect::FIRMWARE_1_1),
+        trust: TrustView {
+            trusted: false,
+            reason: None,
+        },
+        queue: QueueView {
+            waiting: 0,
+            under_way: 0,
+            ahead_s: 0.0,
+        },
+        lease: None,
+        stop: None,
+        laser: LaserView {
+            armed_for_s: 0.0,
+            on: false,
+        },
+        job: None,
+        clients: 0,
+    })
 }

@@ -30,10 +30,7 @@ impl Asked {
 
 /// A stand-in for the owner, and what tells states and notices in its name.
 pub(super) fn owner() -> (Handle, Arc<Telling>, Asked) {
-    let rules = Rules {
-        policy: serde_json::json!({"jog": {"dead_man_s": 0.15}}),
-        dead_man_s: 0.15,
-    };
+    let rules = Rules::of(&dobot_safety::Policy::default());
     let (handle, mut ends) = Handle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
     let messages = std::mem::replace(&mut ends.messages, nothing);
@@ -88,6 +85,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<Telling>, ask
             Message::Raw { reply, .. } => {
                 let _ = reply.send(Ok(()));
             }
+            Message::Planned { .. } => panic!("it plans no jobs"),
             Message::Jobs(reply) => {
                 let _ = reply.send(vec![job(7)]);
             }
@@ -133,8 +131,8 @@ pub(super) fn job(number: u64) -> JobView {
         reason: None,
         commands: 1200,
         completed: 480,
-        planned_s: 300.0,
-        left_s: 180.0,
+        planned_s: Some(300.0),
+        left_s: Some(180.0),
     }
 }
 

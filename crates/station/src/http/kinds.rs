@@ -88,6 +88,10 @@ kinds! {
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
     JOB_RUNNING = 409 "job-running" "a job has the arm"
         "While a job runs, nothing else moves the arm. Pause it, or wait until it is done.";
+    NO_JOB_RUNS = 409 "no-job-runs" "no job is running"
+        "Only a running job can be paused. `/api/v1/jobs` lists all jobs.";
+    DETECTING = 409 "detecting" "the arm is finding out its dialect"
+        "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
     JOB_PHASE = 409 "job-phase" "the job does not allow this now"
         "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
     CANNOT_RESUME = 409 "cannot-resume" "the job cannot be gone on with"
@@ -102,6 +106,8 @@ kinds! {
         "The body is JSON, but a field is missing, unknown, of the wrong type or too large. The detail names it. Nothing has changed.";
     COMMAND = 422 "command" "the command is not sent"
         "The command breaks its table of the protocol, cannot be reached, or means different things to different arms while the dialect is not known.";
+    DIALECT_NOT_FOUND = 422 "dialect-not-found" "the dialect was not found"
+        "The small motions did not tell which dialect the arm speaks. The detail says why. It can be said by hand, with `PUT /api/v1/dialect`.";
     POLICY = 422 "policy" "the policy does not allow this"
         "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
@@ -166,6 +172,9 @@ mod tests {
                 most: 1,
             },
             Refusal::JobRunning(1),
+            Refusal::Detecting,
+            Refusal::NotFound(String::new()),
+            Refusal::NoJobRuns,
             Refusal::NoSuchJob(1),
             Refusal::JobPhase {
                 job: 1,

@@ -7,13 +7,16 @@ use axum::http::Method;
 use axum::middleware::from_fn_with_state;
 use axum::routing::{delete, get, post, put};
 
+use dobot_safety::Policy;
+
 use super::answer::JOB;
 use super::app::App;
 use super::bodies::{Arming, Granted, Heir, NewCommand, NewStop, Nothing, Press, Speech, Wish};
 use super::kinds::{
-    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOB_RUNNING, JOURNAL, Kind, LASER_DISARMED,
-    MALFORMED, NO_LEASE, NO_LINK, NO_SUCH_JOB, NOT_ASKING, NOT_REACHED, OUT_OF_RANGE, POLICY,
-    STILL_MOVING, STOPPED, TOO_MANY, TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
+    BAD_JOB, CANNOT_RESUME, COMMAND, DETECTING, DIALECT_NOT_FOUND, ENDING, JOB_PHASE, JOB_RUNNING,
+    JOURNAL, Kind, LASER_DISARMED, MALFORMED, NO_JOB_RUNS, NO_LEASE, NO_LINK, NO_SUCH_JOB,
+    NOT_ASKING, NOT_REACHED, OUT_OF_RANGE, POLICY, STILL_MOVING, STOPPED, TOO_MANY,
+    TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
 };
 use super::route::Route;
 use super::{calls, gate, page, socket};
@@ -65,6 +68,7 @@ const MOVES: &[Kind] = &[
     STILL_MOVING,
     LASER_DISARMED,
     JOB_RUNNING,
+    DETECTING,
     COMMAND,
     POLICY,
     OUT_OF_RANGE,
@@ -109,7 +113,7 @@ fn watch_routes() -> Vec<Route> {
         Route::new(GET, "/api/v1/notices", "What happened lately, the oldest first", || get(calls::notices))
             .gives::<Vec<Notice>>(200, "the notices"),
         Route::new(GET, "/api/v1/policy", "The safety policy, as `dobot policy` shows it", || get(calls::policy))
-            .gives::<serde_json::Value>(200, "the policy"),
+            .gives::<Policy>(200, "the policy"),
         Route::new(
             GET,
             "/api/v1/ws",
@@ -259,7 +263,8 @@ fn arm_routes() -> Vec<Route> {
         .asks()
         .may_take::<Nothing>("{}")
         .gives::<Reply>(200, "what was found, and by which evidence")
-        .problems(MOVES),
+        .problems(MOVES)
+        .problems(&[DIALECT_NOT_FOUND]),
     ]
 }
 
@@ -295,6 +300,6 @@ fn job_routes() -> Vec<Route> {
             .asks()
             .may_take::<Nothing>("{}")
             .gives::<Reply>(200, "the job is paused")
-            .problems(&[NO_LEASE, JOB_PHASE, NO_SUCH_JOB, JOURNAL]),
+            .problems(&[NO_LEASE, NO_JOB_RUNS, JOURNAL]),
     ]
 }
