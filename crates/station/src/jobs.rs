@@ -35,6 +35,8 @@ pub(crate) enum Written {
 #[derive(Debug)]
 enum Order {
     Write(Effect, mpsc::UnboundedSender<Written>),
+    /// All that was ordered before is written.
+    Reached(oneshot::Sender<()>),
     /// The last one: the station ends, and the arm is at rest or not.
     End {
         at_rest: bool,
@@ -169,6 +171,7 @@ impl Jobs {
     }
 
     fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
+        self.catch_up();
         let job = self.find(job)?;
         if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
             return Err(Refusal::JobPhase {
@@ -186,7 +189,17 @@ impl Jobs {
         self.begun(&job, model)
     }
 
+    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    fn catch_up(&self) {
+        let (done, reached) = oneshot::channel();
+        if self.orders.send(Order::Reached(done)).is_ok() {
+            // A writer that has ended has written all.
+            let _ = reached.blocking_recv();
+        }
+    }
+
     fn end_waiting(&self, job: u64, by: &str) -> Result<Reply, Refusal> {
+        self.catch_up();
         let job = self.find(job)?;
         if job.state.is_over() {
             return Err(Refusal::JobPhase {
@@ -317,6 +330,10 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
                     // An owner that has ended wants to know nothing more.
                     let _ = written.send(outcome);
                 }
+            }
+            Order::Reached(done) => {
+                // Whoever asked may have left.
+                let _ = done.send(());
             }
             Order::End { at_rest, done } => {
                 if at_rest {
