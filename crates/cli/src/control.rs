@@ -5,7 +5,7 @@ use std::time::Duration;
 use anyhow::anyhow;
 use dobot_station::{ArmView, LinkPhase, Remote, RemoteError, Reply, Request, State};
 use dobot_wire::{Command, Dialect, Status};
-use tokio::time::timeout;
+use tokio::time::{Instant, sleep, timeout, timeout_at};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -26,6 +26,22 @@ pub(crate) async fn arm_laser(
         station.request(Request::ArmLaser { for_s }).await?;
     }
     Ok(())
+}
+
+/// Asks for something that takes an arm at rest, as soon as it is.
+pub(crate) async fn request_at_rest(
+    station: &mut Remote,
+    request: Request,
+) -> Result<Reply, RemoteError> {
+    let until = Instant::now() + PATIENCE;
+    loop {
+        match station.request(request.clone()).await {
+            Err(error) if error.kind() == Some("still-moving") && Instant::now() < until => {
+                sleep(PAUSE).await;
+            }
+            answer => return answer,
+        }
+    }
 }
 
 /// Sends a command and waits until it is over; Ctrl-C stops the arm.
@@ -63,13 +79,21 @@ pub(crate) async fn status(station: &mut Remote) -> Result<Status, Failure> {
     Ok(arm(station).await?.0.status)
 }
 
-/// What the arm tells next, and which dialect it speaks if that is known.
+/// What the arm tells next, and which dialect it speaks if that is known. A station that has just
+/// been started is waited for until its arm tells something.
 pub(crate) async fn arm(station: &mut Remote) -> Result<(ArmView, Option<Dialect>), Failure> {
-    let state = first_state(station).await?;
-    match &state.arm {
-        Some(arm) if state.link.phase == LinkPhase::Up => Ok((arm.clone(), state.dialect)),
-        _ => Err(no_arm(&state)),
+    let mut missing = RemoteError::Silent.into();
+    let until = Instant::now() + PATIENCE;
+    while let Ok(state) = timeout_at(until, station.state()).await {
+        let state = state?;
+        match &state.arm {
+            Some(arm) if state.link.phase == LinkPhase::Up => {
+                return Ok((arm.clone(), state.dialect));
+            }
+            _ => missing = no_arm(&state),
+        }
     }
+    Err(missing)
 }
 
 /// What the arm tells when it has come to rest.
@@ -95,3 +119,5 @@ fn no_arm(state: &State) -> Failure {
 }
 
 const PATIENCE: Duration = Duration::from_secs(5);
+/// A status.
+const PAUSE: Duration = Duration::from_millis(80);

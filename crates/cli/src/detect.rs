@@ -2,7 +2,7 @@
 
 use dobot_station::{Reply, Request};
 
-use crate::control::{stop, take_control};
+use crate::control::{request_at_rest, stop, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -29,7 +29,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut station = args.station.connect("detect").await?;
     take_control(&mut station).await?;
     let reply = tokio::select! {
-        reply = station.request(Request::Detect) => Some(reply?),
+        reply = request_at_rest(&mut station, Request::Detect) => Some(reply?),
         () = interrupt() => None,
     };
     match reply {

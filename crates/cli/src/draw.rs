@@ -105,9 +105,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let (outcome, drawn) = match &mut reached {
         Reached::Station(station) => args.through(station, &prepared, &settings.pen).await,
         Reached::Arm(connected) => {
-            connected.arm.next_status().await?;
-            let commands = prepared.plan.commands();
-            guard::check(&connected.arm, &connected.policy, commands)?;
+            guard::check_all(connected, prepared.plan.commands()).await?;
             if let Some(arm) = &connected.virtual_arm {
                 arm.arm().record(RECORDING_PERIOD);
             }

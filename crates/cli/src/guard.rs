@@ -5,6 +5,7 @@ use dobot_client::{CommandId, Connection};
 use dobot_safety::{Policy, Violation};
 use dobot_wire::Command;
 
+use crate::connect::Connected;
 use crate::failure::Failure;
 
 /// Sends a command, if the policy allows its whole way.
@@ -21,9 +22,21 @@ pub(crate) async fn send(
     Ok(arm.send(command)?)
 }
 
-/// Whether the policy allows the whole way of all these commands, one after the other. What the
-/// session does not send, because it depends on a dialect that nobody knows, is left to it.
-pub(crate) fn check(
+/// Whether the policy allows the whole way of all these commands, one after the other.
+pub(crate) async fn check_all(
+    connected: &mut Connected,
+    commands: impl IntoIterator<Item = Command>,
+) -> Result<(), Failure> {
+    let Connected { arm, policy, .. } = connected;
+    // Whoever sends them tells of an arm that says nothing, and leaves it in order.
+    if arm.session().model().is_some() || arm.next_status().await.is_ok() {
+        check(arm, policy, commands)?;
+    }
+    Ok(())
+}
+
+/// What the session does not send, because it depends on a dialect that nobody knows, is left to it.
+fn check(
     arm: &Connection,
     policy: &Policy,
     commands: impl IntoIterator<Item = Command>,

@@ -9,7 +9,7 @@ use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Stat
 use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
 
 use crate::connect::{Connected, Reached, To};
-use crate::control::{self, arm_laser, carry_out, take_control};
+use crate::control::{self, arm_laser, carry_out, request_at_rest, take_control};
 use crate::failure::Failure;
 use crate::guard;
 use crate::interrupt::interrupt;
@@ -65,6 +65,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 impl Args {
     /// Through a station a button has to be held, and a switch has not.
     async fn through(&self, station: &mut Remote) -> Result<Status, Failure> {
+        control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
         let pressed = self.button.pressed(self.speed);
@@ -106,6 +107,7 @@ impl Args {
 /// Holds a button by saying so again and again, until its time is over or Ctrl-C.
 async fn hold_through(station: &mut Remote, jog: Jog, time: Duration) -> Result<(), RemoteError> {
     let mut interrupt = std::pin::pin!(interrupt());
+    request_at_rest(station, Request::Jog { jog }).await?;
     let until = Instant::now() + time;
     let mut beat = interval(BEAT);
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);

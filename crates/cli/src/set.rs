@@ -130,9 +130,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let command = command(&args.group);
     let status = match args.to.to.reach("set").await? {
         Reached::Station(mut station) => {
+            control::status(&mut station).await?;
             take_control(&mut station).await?;
             carry_out(&mut station, command).await?;
-            control::status(&mut station).await?
+            control::rest(&mut station).await?
         }
         Reached::Arm(mut connected) => {
             let Connected { arm, policy, .. } = &mut *connected;

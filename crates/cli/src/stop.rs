@@ -2,6 +2,7 @@
 
 use dobot_station::{Reply, Request};
 
+use crate::control::request_at_rest;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
@@ -30,7 +31,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut station = args.station.connect("stop").await?;
     if args.reset {
-        station.request(Request::ResetStop).await?;
+        request_at_rest(&mut station, Request::ResetStop).await?;
         return Ok(output::line("the arm may move again")?);
     }
     let reason = args.reason;

@@ -76,7 +76,7 @@ impl Args {
         let command = self.command(&control::status(station).await?)?;
         take_control(station).await?;
         carry_out(station, command).await?;
-        control::status(station).await
+        control::rest(station).await
     }
 
     async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {

@@ -284,7 +284,7 @@ mod tests {
                 reason: Some("a person asked for it".into()),
                 commands: 400,
                 completed: 100,
-                planned_s: 120.0,
+                planned_s: Some(120.0),
                 left_s: Some(83.0),
             });
         });
