@@ -59,10 +59,11 @@ pub struct TlsFiles {
 }
 
 /// Where page and API are served unless told otherwise.
-pub const DEFAULT_HTTP: SocketAddr = loopback(8642);
+pub const DEFAULT_HTTP: SocketAddr =
+    SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, 8642));
 
-/// Where raw packets are served unless told otherwise: where the vendor's bridge was.
-pub const DEFAULT_RAW: SocketAddr = loopback(5555);
+/// Where raw packets are served unless told otherwise: where the vendor's bridge was (note N26).
+pub const DEFAULT_RAW: SocketAddr = dobot_sim::DEFAULT_TCP;
 
 impl Config {
     /// Any arm, page and raw port on loopback, the default policy.
@@ -81,8 +82,4 @@ impl Config {
             tls: None,
         }
     }
-}
-
-const fn loopback(port: u16) -> SocketAddr {
-    SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, port))
 }

@@ -166,7 +166,7 @@ impl Jobs {
         self.note_planned(id.0, planned_s);
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
-        let job = self.journal.job(id).map_err(journal_refusal)?;
+        let job = self.journal.job(id).map_err(|error| journal_refusal(&error))?;
         Ok(self.view(&job))
     }
 
@@ -211,7 +211,7 @@ impl Jobs {
         let reason = format!("ended by {by}");
         self.journal
             .set_state(job.id, &JobState::Stopped { reason })
-            .map_err(journal_refusal)?;
+            .map_err(|error| journal_refusal(&error))?;
         let job = self.find(job.id.0)?;
         Ok(Reply::Job {
             job: self.view(&job),
@@ -221,7 +221,7 @@ impl Jobs {
     fn find(&self, job: u64) -> Result<Job, Refusal> {
         match self.journal.job(JobId(job)) {
             Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
-            found => found.map_err(journal_refusal),
+            found => found.map_err(|error| journal_refusal(&error)),
         }
     }
 
@@ -270,7 +270,7 @@ pub(crate) fn submit(
             created_ms: now_ms,
             commands: plan.commands().to_vec(),
         })
-        .map_err(journal_refusal)?;
+        .map_err(|error| journal_refusal(&error))?;
     Ok((id, plan.planned_s()))
 }
 
@@ -281,7 +281,7 @@ pub(crate) fn look_again(
     job: &Job,
     model: Model,
 ) -> Result<Begun, Refusal> {
-    let commands = journal.commands(job.id).map_err(journal_refusal)?;
+    let commands = journal.commands(job.id).map_err(|error| journal_refusal(&error))?;
     let lift_mm = job.lift_mm.unwrap_or(0.0);
     Ok(Begun {
         job: job.id.0,
@@ -387,7 +387,7 @@ const fn given(effect: &Effect) -> Option<Written> {
     }
 }
 
-pub(crate) fn journal_refusal(error: JournalError) -> Refusal {
+pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
     Refusal::Journal(error.to_string())
 }
 

@@ -189,7 +189,7 @@ impl Owner {
             let bytes = packet.to_bytes();
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
-                self.recording.to_arm(self.started.elapsed(), &bytes);
+                self.recording.sent(self.started.elapsed(), &bytes);
             }
         }
     }
@@ -292,7 +292,7 @@ impl Owner {
     fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
-            self.recording.from_arm(now, &self.incoming);
+            self.recording.heard(now, &self.incoming);
             self.keeper.handle_bytes(now, &self.incoming);
             self.incoming.clear();
         }
@@ -319,7 +319,7 @@ impl Owner {
             self.keeper.handle_known_dialect(dialect);
         }
         self.keeper.handle_link_up(now, &address);
-        self.recording.from_arm(now, &found.bytes);
+        self.recording.heard(now, &found.bytes);
         self.keeper.handle_bytes(now, &found.bytes);
         self.address = Some(address);
     }

@@ -208,9 +208,6 @@ fn reason(served: &str) -> String {
     format!("turned away: {served} has the raw port of the station, which serves one at a time\r\n")
 }
 
-/// The vendor's bridge listens here, so that old programs find the station (note N26).
-pub const DEFAULT_RAW: SocketAddr = dobot_sim::DEFAULT_TCP;
-
 /// A program that comes before the one served was seen to leave waits so long for that.
 const GRACE: Duration = Duration::from_millis(500);
 /// How long one that is turned away may take to read why.

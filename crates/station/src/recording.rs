@@ -38,11 +38,11 @@ impl Recording {
         }
     }
 
-    pub(crate) fn to_arm(&self, at: Duration, bytes: &[u8]) {
+    pub(crate) fn sent(&self, at: Duration, bytes: &[u8]) {
         self.record(at, || Record::ToArm(bytes.to_vec()));
     }
 
-    pub(crate) fn from_arm(&self, at: Duration, bytes: &[u8]) {
+    pub(crate) fn heard(&self, at: Duration, bytes: &[u8]) {
         self.record(at, || Record::FromArm(bytes.to_vec()));
     }
 

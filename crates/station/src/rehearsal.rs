@@ -239,11 +239,11 @@ impl Rehearsal {
     }
 
     fn keeper_now(&self) -> Duration {
-        self.now - self.started
+        self.now.saturating_sub(self.started)
     }
 
     fn recover(&mut self) -> Result<(), Refusal> {
-        let jobs = self.journal.jobs().map_err(jobs::journal_refusal)?;
+        let jobs = self.journal.jobs().map_err(|error| jobs::journal_refusal(&error))?;
         let Some(job) = jobs.into_iter().find(|it| it.state == JobState::Running) else {
             return Ok(());
         };
@@ -258,7 +258,7 @@ impl Rehearsal {
         let job = self
             .journal
             .job(JobId(job))
-            .map_err(jobs::journal_refusal)?;
+            .map_err(|error| jobs::journal_refusal(&error))?;
         jobs::look_again(&self.journal, &self.policy, &job, model)
     }
 

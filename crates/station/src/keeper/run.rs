@@ -277,7 +277,7 @@ impl Keeper {
         if begun.plan.burns() {
             self.check_laser_armed()?;
         }
-        let approach = self.approach(&begun)?;
+        let approach = self.approach(&begun);
         for command in &approach {
             self.session.check(command)?;
         }
@@ -311,16 +311,16 @@ impl Keeper {
 
     /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
     /// and the way there.
-    fn approach(&self, begun: &Begun) -> Result<Vec<Command>, Refusal> {
+    fn approach(&self, begun: &Begun) -> Vec<Command> {
         let mut approach = prelude(begun.plan.commands(), begun.completed);
         let start = begun.plan.start_position(begun.completed);
         let (Some(start), Some(status)) = (start, self.last) else {
-            return Ok(approach);
+            return approach;
         };
         let here = position(&status);
         let aside_mm = Position { z: here.z, ..start }.distance(here).0;
         if start.distance(here).0 <= THERE_MM {
-            return Ok(approach);
+            return approach;
         }
         let held = last_target(&begun.plan.commands()[..begun.completed]);
         approach.push(if aside_mm <= THERE_MM {
@@ -328,7 +328,7 @@ impl Keeper {
         } else {
             hop(start, &status, held)
         });
-        Ok(approach)
+        approach
     }
 
     pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
@@ -449,7 +449,7 @@ impl Keeper {
         let idle = self.session.under_way() == 0 && self.session.waiting() == 0;
         match &run.phase {
             Phase::Locating { window } if self.still >= run.rests_after(window) => {
-                let window = window.clone();
+                let window = *window;
                 self.locate_run(&window);
             }
             Phase::Draining { then, reason, lift } if idle && run.given.is_empty() => {
