@@ -106,6 +106,18 @@ pub(crate) async fn rest(station: &mut Remote) -> Result<Status, Failure> {
     }
 }
 
+/// Waits until nothing is under way any more, or no arm is there to do anything.
+pub(crate) async fn idle(station: &mut Remote) -> Result<(), Failure> {
+    loop {
+        let state = first_state(station).await?;
+        let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+        let busy = moving || state.queue.waiting + state.queue.under_way > 0;
+        if !busy || state.link.phase != LinkPhase::Up {
+            return Ok(());
+        }
+    }
+}
+
 fn no_arm(state: &State) -> Failure {
     let why = match (&state.link.problem, state.link.phase) {
         (Some(problem), _) => problem.clone(),

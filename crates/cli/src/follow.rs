@@ -7,6 +7,7 @@ use anyhow::anyhow;
 use dobot_station::{Heard, JobPhase, JobView, News, Remote, RemoteError, Request, State};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
@@ -25,6 +26,10 @@ pub(crate) async fn start(
         station.request(Request::StartJob { job }).await?;
         let (ended, took_s) = follow(station, job, &mut see).await?;
         spent_s += took_s;
+        if matches!(ended, End::Paused(_) | End::Interrupted) {
+            // What the arm has got already it does, and it lifts the tool.
+            control::idle(station).await?;
+        }
         match ended {
             End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
             End::Over(text) => return Err(anyhow!(text).into()),

@@ -130,8 +130,9 @@ fn peer(act: impl FnOnce(TcpStream) + Send + 'static) -> String {
 }
 
 /// Rear arm upright, forearm level.
+/// An arm that stands with rear arm and forearm at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
 fn status() -> Vec<u8> {
-    let floats: [f32; 10] = [215.07, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let floats: [f32; 10] = [263.6665, 0.0, -17.6777, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0];
     let body = floats.iter().flat_map(|float| float.to_le_bytes());
     [0xA5].into_iter().chain(body).chain([0x5A]).collect()
 }

@@ -230,6 +230,56 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     assert_eq!(paused["phase"], "paused", "{paused}");
     up.dobot(&["jobs", "start", "1"]).succeeds();
     assert_eq!(up.json(&["jobs", "show", "1"])["phase"], "done");
+    up.dobot(&["jobs", "cancel", "1"]).fails(1, &["job 1 is"]);
+}
+
+#[test]
+fn jobs_are_queued_from_files_and_cancelled() {
+    let up = Up::new(&[]);
+    let job = up.folder.path().join("job.json");
+    let file = job.to_str().expect("the path is text");
+    std::fs::write(&job, "{\"title\": \"home\"}").expect("there is room");
+    up.dobot(&["jobs", "submit", file])
+        .fails(1, &["is no job", "kind"]);
+    std::fs::write(&job, HOME).expect("there is room");
+    let queued = up.json(&["jobs", "submit", file]);
+    assert_eq!(queued["phase"], "queued", "{queued}");
+    up.dobot(&["jobs", "cancel", "1"]).succeeds();
+    let shown = up.dobot(&["jobs"]).succeeds().stdout;
+    assert!(
+        shown.contains("stopped") && shown.contains("home"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn what_the_policy_forbids_is_refused_with_the_rule_and_nothing_moves() {
+    let up = Up::new(&[]);
+    up.dobot(&["move", "220", "0", "-90"])
+        .fails(1, &["table", "dobot policy"]);
+    let seen = up.json(&["status", "--count", "1"]);
+    assert!(near(&seen["rear_deg"], 45.0), "{seen}");
+    // An arm of one's own keeps to the same rules.
+    up.dobot(&["move", "220", "0", "-90", "--to", "virtual:"])
+        .fails(1, &["refused by table", "dobot policy"]);
+}
+
+#[test]
+fn another_dialect_or_policy_than_the_stations_is_refused() {
+    let up = Up::new(&[]);
+    up.dobot(&["status", "--dialect", "firmware-1.1"])
+        .fails(1, &["dobot up --dialect"]);
+    up.dobot(&["status", "--policy", "my.toml"])
+        .fails(1, &["dobot up --policy"]);
+    up.dobot(&["status", "--count", "1", "--dialect", "specification"])
+        .succeeds();
+}
+
+#[test]
+fn a_detection_tells_the_dialect_and_what_shows_it() {
+    let up = Up::new(&["--personality", "firmware-1.1"]);
+    let told = up.dobot(&["detect"]).succeeds().stdout;
+    assert!(told.contains("the arm speaks firmware-1.1"), "{told}");
 }
 
 #[test]
@@ -275,3 +325,7 @@ fn a_station_that_was_killed_is_not_waited_for() {
     up.dobot(&["stop"])
         .fails(1, &["there is no station", "dobot up"]);
 }
+
+const HOME: &str = r#"{"title": "home", "kind": "program", "commands": [{"type": "move_joints",
+    "base_deg": 0, "rear_deg": 30, "fore_deg": 40, "servo_deg": 0, "suction": false,
+    "mode": "mov_j", "gripper_deg": 0, "pause_s": 0}]}"#;
