@@ -67,7 +67,7 @@ fn a_client_that_falls_silent_lets_go_of_its_button_after_150_ms() {
         let (silent, packets) = (it.now(), it.packets().len());
         it.run_for(Duration::from_millis(200));
         let (at, _) = it.packets()[packets];
-        let after = at - silent;
+        let after = at.saturating_sub(silent);
         assert!(
             after <= Duration::from_millis(151),
             "{personality}: {after:?}"

@@ -97,7 +97,7 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
     it.start(anna, job).unwrap();
     it.run_for(Duration::from_secs(2));
     it.leave(anna);
-    let minute = it.now() + Duration::from_secs(60);
+    let minute = it.now() + Duration::from_mins(1);
     assert!(it.run_until(minute, |it| is_over(it, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }

@@ -33,13 +33,13 @@ proptest! {
         it.unplug();
         it.run_for(Duration::from_millis(away_ms));
         it.plug();
-        let minute = it.now() + Duration::from_secs(60);
+        let minute = it.now() + Duration::from_mins(1);
         let settled = |it: &Rehearsal| paused(it, job) || it.job(job).unwrap().state.is_over();
         prop_assert!(it.run_until(minute, settled));
         if paused(&it, job) {
             it.start(anna, job).unwrap();
         }
-        let minutes = it.now() + Duration::from_secs(180);
+        let minutes = it.now() + Duration::from_mins(3);
         prop_assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
         let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
         prop_assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
@@ -97,7 +97,7 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
     let drawing = spiral(12);
     let job = it.submit(&drawing).unwrap();
     it.start(anna, job).unwrap();
-    let minutes = it.now() + Duration::from_secs(300);
+    let minutes = it.now() + Duration::from_mins(5);
     assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(

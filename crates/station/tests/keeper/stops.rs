@@ -63,7 +63,7 @@ fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
     it.ask(anna, Request::Stop { reason }).unwrap();
     let refused = it.ask(anna, target(20.0)).unwrap_err();
     assert_eq!(refused.to_string(), "the arm was stopped by Anna: a hand");
-    it.run_for(Duration::from_secs(60));
+    it.run_for(Duration::from_mins(1));
     assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
     it.ask(anna, Request::ResetStop).unwrap();
     it.ask(anna, target(20.0)).unwrap();
@@ -81,7 +81,7 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
         it.ask(anna, Request::ResetStop).unwrap_err().kind(),
         "still-moving"
     );
-    let minute = it.now() + Duration::from_secs(60);
+    let minute = it.now() + Duration::from_mins(1);
     let at_rest = |it: &Rehearsal| it.keeper().state().stop.is_some_and(|stop| stop.at_rest);
     assert!(it.run_until(minute, at_rest));
     it.ask(anna, Request::ResetStop).unwrap();
@@ -98,7 +98,7 @@ fn what_waits_is_never_sent_after_a_stop() {
     it.run_for(Duration::from_millis(500));
     let before = it.packets().len();
     it.ask(anna, STOP).unwrap();
-    it.run_for(Duration::from_secs(60));
+    it.run_for(Duration::from_mins(1));
     let moved = sent_since(&it, before)
         .into_iter()
         .filter(|it| matches!(it, Command::MoveTo(_)))
