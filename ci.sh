@@ -5,8 +5,8 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, which is installed on Debian if it is
-# missing. Cargo fetches the dependencies at the first run.
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz` and Python for `api`, which are installed
+# on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
 #
@@ -19,6 +19,8 @@
 #   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
 # - `fuzz` is a smoke run, on the stable toolchain; FUZZ_SECONDS=3600 makes a night of it. What it
 #   finds stays in `fuzz/artifacts`, and becomes a test.
+# - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
+#   follow its OpenAPI document, and more that break it.
 # - `licences` looks at every dependency on every platform with `cargo tree` alone.
 #
 # Why not others:
@@ -40,6 +42,7 @@ readonly CI_STEPS=(
   "doc          the documentation, warnings are errors"
   "no-std       do wire, arm, motion, course and controller link without the standard library?"
   "examples     run every example; none needs an arm"
+  "api          try a station's API with requests made from its own document"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target"
 )
@@ -49,16 +52,26 @@ readonly OTHER_STEPS=(
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
 # whose files, unchanged here, keep it.
-readonly LICENCES='0BSD OR MIT OR Apache-2.0
-(MIT OR Apache-2.0) AND Unicode-3.0
+readonly LICENCES='(MIT OR Apache-2.0) AND Unicode-3.0
+0BSD OR MIT OR Apache-2.0
+Apache-2.0
+Apache-2.0 / MIT
+Apache-2.0 AND ISC
+Apache-2.0 OR BSL-1.0
+Apache-2.0 OR ISC OR MIT
 Apache-2.0 OR MIT
 Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT
+Apache-2.0/MIT
 BSD-2-Clause
+BSD-2-Clause OR Apache-2.0 OR MIT
 BSD-2-Clause OR MIT OR Apache-2.0
 BSD-3-Clause
+ISC
 MIT
 MIT / Apache-2.0
+MIT AND BSD-3-Clause
 MIT OR Apache-2.0
+MIT OR Apache-2.0 OR LGPL-2.1-or-later
 MIT OR GPL-3.0-only
 MIT OR Zlib OR Apache-2.0
 MIT/Apache-2.0
@@ -122,6 +135,28 @@ step_examples() {
   done
 }
 
+# The station says in a file where it is; its arm is a virtual one.
+step_api() {
+  local folder address station
+  needs_venv
+  cargo build --locked -p dobot-cli
+  folder=$(mktemp -d)
+  "${CARGO_TARGET_DIR:-target}/debug/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
+  station=$!
+  STATION=$station
+  for _ in {1..100}; do
+    address=$(sed -n 's/^address = "\(.*\)"/\1/p' "$folder/station.toml" 2>/dev/null) || true
+    [[ -n $address ]] && break
+    sleep 0.1
+  done
+  [[ -n $address ]] || fail "the station does not start: $(cat "$folder/log")"
+  EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
+  kill -INT "$station"
+  wait "$station"
+  STATION=
+  rm -rf "$folder"
+}
+
 step_bench-check() {
   cargo test --locked --workspace --all-features --bench '*'
 }
@@ -167,6 +202,16 @@ needs_command() {
   fi
   apt-get update -q
   apt-get install -qy --no-install-recommends "$package"
+}
+
+# Python's virtual environments are a package of their own on Debian.
+needs_venv() {
+  needs_command python3 python3
+  if ! python3 -c 'import ensurepip' 2>/dev/null; then
+    [[ $EUID == 0 ]] && command -v apt-get >/dev/null || fail "python3 has no venv; on Debian: apt-get install python3-venv"
+    apt-get update -q
+    apt-get install -qy --no-install-recommends python3-venv
+  fi
 }
 
 needs_component() {
@@ -223,5 +268,6 @@ fail() {
 }
 
 CURRENT=
-trap 'if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
+STATION=
+trap 'if [[ -n $STATION ]]; then kill "$STATION"; fi; if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
 main "$@"
