@@ -20,6 +20,7 @@ use crate::reach::{Station, client_name};
 pub(crate) struct To {
     /// The arm's address.
     #[arg(
+        id = "to",
         long = "to",
         value_name = "ADDRESS",
         global = true,
@@ -28,7 +29,7 @@ pub(crate) struct To {
         long_help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
             Without it, the running station is asked; when none runs, it is virtual:, an arm in this process."
     )]
-    pub(crate) to: Option<Address>,
+    pub(crate) address: Option<Address>,
     /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold
     ///
     /// A virtual arm speaks the specification unless told otherwise; over a port nobody knows until it is
@@ -60,7 +61,7 @@ pub(crate) struct Connected {
 impl To {
     /// Whether the arm, when it is reached from this process, is a virtual one.
     pub(crate) const fn is_virtual(&self) -> bool {
-        matches!(self.to, None | Some(Address::Virtual))
+        matches!(self.address, None | Some(Address::Virtual))
     }
 
     /// The way to the arm: through the station that is named, or that runs here and has this arm,
@@ -73,10 +74,10 @@ impl To {
     }
 
     async fn find_station(&self, verb: &str) -> Result<Option<Remote>, Failure> {
-        if self.to == Some(Address::Virtual) {
+        if self.address == Some(Address::Virtual) {
             return Ok(None);
         }
-        let named = self.to.is_none() && self.station.is_named();
+        let named = self.address.is_none() && self.station.is_named();
         let Some(address) = self.station.address()? else {
             return Ok(None);
         };
@@ -86,11 +87,11 @@ impl To {
             Err(error) if error.is_nobody() && !named => return Ok(None),
             Err(error) => return Err(error.into()),
         };
-        if self.to.is_none() && self.dialect.is_none() && self.policy.is_none() {
+        if self.address.is_none() && self.dialect.is_none() && self.policy.is_none() {
             return Ok(Some(station));
         }
         let state = first_state(&mut station).await?;
-        if let Some(to) = &self.to
+        if let Some(to) = &self.address
             && !owns(&state, to)
         {
             return Ok(None);
@@ -130,7 +131,7 @@ impl To {
             .policy
             .as_deref()
             .map_or(Ok(Policy::default()), policy::read)?;
-        if let Some(address) = self.to.as_ref().filter(|_| !self.is_virtual()) {
+        if let Some(address) = self.address.as_ref().filter(|_| !self.is_virtual()) {
             return Ok(Connected {
                 arm: Connection::open(address, self.dialect).await?,
                 virtual_arm: None,

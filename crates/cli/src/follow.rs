@@ -33,14 +33,14 @@ pub(crate) async fn start(
         match ended {
             End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
             End::Over(text) => return Err(anyhow!(text).into()),
-            End::Paused(text) => return Err(paused(job, text)),
+            End::Paused(text) => return Err(paused(job, &text)),
             End::Interrupted => match ask(job).await {
                 Answer::GoOn => {}
                 Answer::Cancel => {
                     station.request(Request::CancelJob { job }).await?;
                     return Err(anyhow!("job {job} is cancelled; the tool is up").into());
                 }
-                Answer::Leave => return Err(paused(job, "interrupted".to_owned())),
+                Answer::Leave => return Err(paused(job, "interrupted")),
             },
         }
     }
@@ -125,7 +125,7 @@ async fn pause(station: &mut Remote) -> Result<(), RemoteError> {
     }
 }
 
-fn paused(job: u64, text: String) -> Failure {
+fn paused(job: u64, text: &str) -> Failure {
     Failure::new(
         anyhow!("job {job} is paused: {text}"),
         format!("`dobot jobs start {job}` goes on with it, `dobot jobs cancel {job}` ends it"),

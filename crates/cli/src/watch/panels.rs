@@ -116,7 +116,7 @@ fn joint_line(name: &str, deg: f64, range: Range<Degrees>, width: usize) -> Line
     let share = ((deg - min) / (max - min)).clamp(0.0, 1.0);
     let mark = part(share, room.saturating_sub(1));
     let bar = |len| "─".repeat(len);
-    let near = share < NEAR || share > 1.0 - NEAR;
+    let near = !(NEAR..=1.0 - NEAR).contains(&share);
     let color = if near { Color::Yellow } else { Color::Cyan };
     Line::from(vec![
         before.into(),
