@@ -106,16 +106,20 @@ pub(crate) async fn rest(station: &mut Remote) -> Result<Status, Failure> {
     }
 }
 
-/// Waits until nothing is under way any more, or no arm is there to do anything.
+/// Waits until nothing is under way any more, or no arm is there to do anything: three states in a
+/// row say so, for between two commands it looks like that, too.
 pub(crate) async fn idle(station: &mut Remote) -> Result<(), Failure> {
-    loop {
+    let mut idle = 0;
+    while idle < 3 {
         let state = first_state(station).await?;
-        let moving = state.arm.as_ref().is_some_and(|it| it.moving);
-        let busy = moving || state.queue.waiting + state.queue.under_way > 0;
-        if !busy || state.link.phase != LinkPhase::Up {
+        if state.link.phase != LinkPhase::Up {
             return Ok(());
         }
+        let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+        let busy = moving || state.queue.waiting + state.queue.under_way > 0;
+        idle = if busy { 0 } else { idle + 1 };
     }
+    Ok(())
 }
 
 fn no_arm(state: &State) -> Failure {

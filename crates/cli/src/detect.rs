@@ -2,7 +2,7 @@
 
 use dobot_station::{Reply, Request};
 
-use crate::control::{request_at_rest, stop, take_control};
+use crate::control::{self, request_at_rest, stop, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -27,6 +27,7 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut station = args.station.connect("detect").await?;
+    control::status(&mut station).await?;
     take_control(&mut station).await?;
     let reply = tokio::select! {
         reply = request_at_rest(&mut station, Request::Detect) => Some(reply?),

@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use dobot_station::{Heard, JobPhase, JobView, News, Remote, RemoteError, Request, State};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::control;
+use crate::control::{self, request_at_rest};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
@@ -23,7 +23,7 @@ pub(crate) async fn start(
 ) -> Result<Duration, Failure> {
     let mut spent_s = 0.0;
     loop {
-        station.request(Request::StartJob { job }).await?;
+        request_at_rest(station, Request::StartJob { job }).await?;
         let (ended, took_s) = follow(station, job, &mut see).await?;
         spent_s += took_s;
         if matches!(ended, End::Paused(_) | End::Interrupted) {

@@ -9,7 +9,7 @@ use anyhow::{Context, anyhow};
 use clap::Subcommand;
 use dobot_station::{JobView, NewJob, Reply, Request, fetch};
 
-use crate::control::{arm_laser, take_control};
+use crate::control::{self, arm_laser, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::jog::laser_seconds;
@@ -120,6 +120,10 @@ async fn start(args: &Args, job: u64, laser: Option<Duration>) -> Result<(), Fai
 /// Asks, with control of the arm where nobody else has it.
 async fn ask(args: &Args, request: Request, done: &str) -> Result<(), Failure> {
     let mut station = args.station.connect("jobs").await?;
+    if matches!(request, Request::SubmitJob { .. }) {
+        // Its way is planned for the arm that is there.
+        control::status(&mut station).await?;
+    }
     let reply = match station.request(request.clone()).await {
         Err(error) if error.kind() == Some("no-lease") => {
             take_control(&mut station).await?;

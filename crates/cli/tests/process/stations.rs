@@ -328,4 +328,4 @@ fn a_station_that_was_killed_is_not_waited_for() {
 
 const HOME: &str = r#"{"title": "home", "kind": "program", "commands": [{"type": "move_joints",
     "base_deg": 0, "rear_deg": 30, "fore_deg": 40, "servo_deg": 0, "suction": false,
-    "mode": "mov_j", "gripper_deg": 0, "pause_s": 0}]}"#;
+    "mode": "movj", "gripper_deg": 0, "pause_s": 0}]}"#;
