@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 use dobot_client::Link;
+use dobot_course::Model;
 use dobot_wire::Packet;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::Instant;
@@ -277,7 +278,7 @@ impl Owner {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
-            Request::StartJob { job } => match self.keeper.planning_model() {
+            Request::StartJob { job } => match self.startable(job) {
                 Ok(model) => jobs.plan(job, model, client, self.own.clone(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
@@ -287,6 +288,11 @@ impl Owner {
             request => return Some((request, reply)),
         }
         None
+    }
+
+    fn startable(&self, job: u64) -> Result<Model, Refusal> {
+        self.keeper.check_rests(job)?;
+        self.keeper.planning_model()
     }
 
     fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {

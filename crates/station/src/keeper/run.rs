@@ -331,6 +331,24 @@ impl Keeper {
         approach
     }
 
+    /// Whether a job may be started as far as its own last motion goes: one that was paused a
+    /// moment ago still does what the arm has got, and lifts the tool.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::StillMoving`].
+    pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
+        let ending = |run: &Run| {
+            run.job() == job && matches!(run.phase, Phase::Draining { .. } | Phase::Lifting { .. })
+        };
+        if self.run.as_ref().is_some_and(ending) {
+            return Err(Refusal::StillMoving {
+                within_s: self.rests_within().as_secs_f64(),
+            });
+        }
+        Ok(())
+    }
+
     pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         let why = format!("paused by {}", self.name(client));
         if self.run.as_ref().is_none_or(|it| !it.has_the_arm()) {

@@ -99,7 +99,10 @@ impl ConnectError {
         }
     }
 
-    #[expect(clippy::needless_pass_by_value, reason = "errors come here and end here")]
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "errors come here and end here"
+    )]
     pub(super) fn no_station(address: &StationAddress, why: impl ToString) -> Self {
         Self::NoStation {
             address: address.to_string(),
