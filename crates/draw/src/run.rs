@@ -175,7 +175,9 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
 
     /// Laser off, pen holder mounted, acceleration set, and then to the start of the first vector.
     async fn approach(&mut self) -> Result<(), LinkError> {
-        self.arm.next_status().await?;
+        if self.arm.session().model().is_none() {
+            self.arm.next_status().await?;
+        }
         for command in approach(self.plan) {
             self.arm.send(command)?;
         }
