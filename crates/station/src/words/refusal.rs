@@ -162,7 +162,7 @@ impl Refusal {
             Self::Send(error) => return send_hint(error),
             Self::Policy(_) => "`dobot policy` shows the rules".into(),
             Self::LaserDisarmed => {
-                "put the goggles on, then arm the laser for a while: `dobot lease laser --for 600`"
+                "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`"
                     .into()
             }
             Self::TooMany { .. } => "wait until some are over, or send them as a job".into(),
