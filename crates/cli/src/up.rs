@@ -12,8 +12,8 @@ use dobot_client::Address;
 use dobot_controller::Personality;
 use dobot_sim::Speed;
 use dobot_station::{
-    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, RawPortError, Remote, ServeError, StartError,
-    Station, TlsFiles,
+    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, RawPortError, Remote, Role, ServeError,
+    StartError, Station, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -75,6 +75,12 @@ pub(crate) struct Args {
     /// The certificate's private key, a PEM file
     #[arg(long, value_name = "FILE", requires = "tls_cert")]
     tls_key: Option<PathBuf>,
+    /// A name by which others reach this machine, as in lab-pc.local; may be given several times
+    #[arg(long = "name", value_name = "NAME")]
+    names: Vec<String>,
+    /// Ask for a token on this machine, too
+    #[arg(long)]
+    token_required: bool,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
@@ -117,6 +123,8 @@ impl Args {
             #[cfg(unix)]
             pty: self.pty.clone(),
             tls: self.tls(),
+            names: self.names.clone(),
+            without_token: (!self.token_required).then_some(Role::Admin),
             ..Config::new(folders(self.data.clone())?)
         })
     }

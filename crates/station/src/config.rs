@@ -9,6 +9,7 @@ use dobot_sim::Speed;
 use dobot_wire::Dialect;
 
 use crate::Folders;
+use crate::words::Role;
 
 /// What a station is told when it starts.
 ///
@@ -47,6 +48,10 @@ pub struct Config {
     /// Certificate and key of the page and the API. When absent, they are served without TLS on
     /// loopback, and with a certificate that the station makes for itself elsewhere.
     pub tls: Option<TlsFiles>,
+    /// Names that the station goes by on the network, besides its addresses.
+    pub names: Vec<String>,
+    /// What those on this machine may do who come without a token; nothing when absent.
+    pub without_token: Option<Role>,
 }
 
 /// A certificate and its key, as PEM files.
@@ -59,8 +64,7 @@ pub struct TlsFiles {
 }
 
 /// Where page and API are served unless told otherwise.
-pub const DEFAULT_HTTP: SocketAddr =
-    SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, 8642));
+pub const DEFAULT_HTTP: SocketAddr = SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, 8642));
 
 /// Where raw packets are served unless told otherwise: where the vendor's bridge was (note N26).
 pub const DEFAULT_RAW: SocketAddr = dobot_sim::DEFAULT_TCP;
@@ -80,6 +84,8 @@ impl Config {
             raw: Some(DEFAULT_RAW),
             pty: None,
             tls: None,
+            names: Vec::new(),
+            without_token: Some(Role::Admin),
         }
     }
 }

@@ -166,7 +166,10 @@ impl Jobs {
         self.note_planned(id.0, planned_s);
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
-        let job = self.journal.job(id).map_err(|error| journal_refusal(&error))?;
+        let job = self
+            .journal
+            .job(id)
+            .map_err(|error| journal_refusal(&error))?;
         Ok(self.view(&job))
     }
 
@@ -281,7 +284,9 @@ pub(crate) fn look_again(
     job: &Job,
     model: Model,
 ) -> Result<Begun, Refusal> {
-    let commands = journal.commands(job.id).map_err(|error| journal_refusal(&error))?;
+    let commands = journal
+        .commands(job.id)
+        .map_err(|error| journal_refusal(&error))?;
     let lift_mm = job.lift_mm.unwrap_or(0.0);
     Ok(Begun {
         job: job.id.0,

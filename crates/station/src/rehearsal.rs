@@ -243,7 +243,10 @@ impl Rehearsal {
     }
 
     fn recover(&mut self) -> Result<(), Refusal> {
-        let jobs = self.journal.jobs().map_err(|error| jobs::journal_refusal(&error))?;
+        let jobs = self
+            .journal
+            .jobs()
+            .map_err(|error| jobs::journal_refusal(&error))?;
         let Some(job) = jobs.into_iter().find(|it| it.state == JobState::Running) else {
             return Ok(());
         };

@@ -126,8 +126,11 @@ impl Station {
         let raw = raw.map(|port| serve_raw(port, &handle, &mut tasks));
         let pty = open_pty(&config, &handle, &mut tasks)?;
         let web = Web {
+            address: config.http,
             tls: config.tls.clone(),
-            ..Web::new(config.http, config.folders.clone())
+            names: config.names.clone(),
+            without_token: config.without_token,
+            folders: config.folders.clone(),
         };
         match http::serve(&web, handle.clone()).await {
             Ok(http) => Ok(Self {
