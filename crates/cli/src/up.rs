@@ -38,8 +38,12 @@ Examples:
 The other verbs go through the station as long as it runs. Ctrl-C ends it: the laser goes off, and the arm comes
 to rest. A job that was not over can be gone on with after the next start.")]
 pub(crate) struct Args {
-    /// The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: the one that is found, or a virtual one)
-    #[arg(long, value_name = "ADDRESS")]
+    /// The arm's address.
+    #[arg(
+        long,
+        value_name = "ADDRESS",
+        help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: the one that is found, or a virtual one)"
+    )]
     arm: Option<Address>,
     /// A virtual arm, even if one is plugged in
     #[arg(long = "virtual", conflicts_with = "arm")]

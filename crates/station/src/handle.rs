@@ -11,7 +11,7 @@ use tokio::sync::{broadcast, mpsc, oneshot, watch};
 use crate::keeper::Begun;
 use crate::words::{ClientId, JobView, Notice, Refusal, Reply, Request, Role, State};
 
-/// How the rest of the station talks to the [`Owner`](crate::Owner) of the arm; clones share it.
+/// How the rest of the station talks to the task that owns the arm; clones share it.
 #[derive(Clone, Debug)]
 pub struct Handle {
     pub(crate) messages: mpsc::Sender<Message>,

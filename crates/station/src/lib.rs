@@ -1,4 +1,42 @@
 //! The daemon that owns an arm's port and keeps people and arm safe.
+//!
+//! ```text
+//!   browsers, programs      old programs
+//!    http, WebSocket     raw port, virtual port          recordings   journal
+//!          |                     |                           ^           ^
+//!          `------ Handle -------+----> owner ---------------+-----------'
+//!                                         |   the one task that has the port
+//!                                       Keeper          every rule, an engine: no port, no file, no clock
+//!                                         |
+//!                                      Session ----> the arm
+//! ```
+//!
+//! [`Station::start`] puts all of it together. The [`Keeper`] decides; a [`Rehearsal`] lets it decide in
+//! virtual time, with a virtual arm:
+//!
+//! ```
+//! use std::time::Duration;
+//! use dobot_controller::{Personality, PowerUp};
+//! use dobot_safety::Policy;
+//! use dobot_station::{Rehearsal, Request};
+//! use dobot_wire::{MoveTo, MovingMode};
+//!
+//! let mut station = Rehearsal::new(PowerUp::new(Personality::Firmware11), Policy::default());
+//! station.run_for(Duration::from_secs(1));
+//! let anna = station.client("Anna");
+//!
+//! let command = MoveTo {
+//!     x_mm: 220.0, y_mm: 0.0, z_mm: -90.0, rotation_deg: 0.0, suction: false,
+//!     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
+//! };
+//! let into_the_table = Request::Command { command: command.into() };
+//! assert_eq!(station.ask(anna, into_the_table.clone()).unwrap_err().kind(), "no-lease");
+//!
+//! station.ask(anna, Request::TakeLease)?;
+//! let refused = station.ask(anna, into_the_table).unwrap_err();
+//! assert!(refused.to_string().starts_with("z would be -90 mm; table allows -63 mm and more"));
+//! # Ok::<(), dobot_station::Refusal>(())
+//! ```
 
 mod arms;
 mod bridge;
