@@ -4,15 +4,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_client::plausible;
-use dobot_record::{
-    Entry, FROM_ARM, Moment, OpenError, Recording, TO_ARM, default_folder, recordings,
-};
+use dobot_record::{Entry, FROM_ARM, Moment, OpenError, Recording, TO_ARM, recordings};
 use dobot_wire::{Commands, Decoder, Dialect, Status, Statuses};
 use serde_json::json;
 
 use crate::decode::{self, Content, Place};
 use crate::failure::Failure;
 use crate::output;
+use crate::reach::folders;
 
 /// List the recordings, or say what one holds
 #[derive(Debug, clap::Args)]
@@ -87,13 +86,10 @@ fn list(folder: &Path, as_json: bool) -> Result<(), Failure> {
 
 impl Shelf {
     fn folder(&self) -> Result<PathBuf, Failure> {
-        let folder = self.folder.clone().or_else(default_folder);
-        folder.ok_or_else(|| {
-            Failure::new(
-                anyhow!("this system has no place for a program's data"),
-                "say where recordings are: `--folder FOLDER`",
-            )
-        })
+        match &self.folder {
+            Some(folder) => Ok(folder.clone()),
+            None => folders(None).map(|it| it.recordings()),
+        }
     }
 
     /// The file of that name, here or in the folder.

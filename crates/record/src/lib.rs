@@ -29,7 +29,6 @@ mod about;
 mod chapter;
 mod chunk;
 mod fields;
-mod folder;
 mod hex;
 mod keeper;
 mod limits;
@@ -45,7 +44,6 @@ mod shelf;
 mod topic;
 
 pub use about::About;
-pub use folder::default_folder;
 pub use limits::{Limits, StartError};
 pub use moment::{Damage, Entry, Moment};
 pub use record::Record;

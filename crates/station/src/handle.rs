@@ -269,6 +269,11 @@ impl Handle {
         let _ = self.send(Message::Trouble(text)).await;
     }
 
+    /// The same, at once; where very much waits for the owner already, this is left out.
+    pub(crate) fn tell_trouble(&self, text: String) {
+        let _ = self.messages.try_send(Message::Trouble(text));
+    }
+
     /// What happens, from now on.
     #[must_use]
     pub fn notices(&self) -> broadcast::Receiver<Arc<Notice>> {

@@ -24,7 +24,8 @@ use crate::keeper::Keeper;
 use crate::owner::Owner;
 use crate::recording::Recording;
 use crate::{
-    Config, Finder, Found, Handle, RawPort, RawPortError, Search, ServeError, Served, Web,
+    Config, Finder, Found, Handle, ProgramNews, RawPort, RawPortError, Search, ServeError, Served,
+    Web,
 };
 
 /// A station that runs.
@@ -229,9 +230,16 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
 fn serve_raw(port: RawPort, handle: &Handle, tasks: &mut Vec<JoinHandle<()>>) -> SocketAddr {
     let (address, handle) = (port.address(), handle.clone());
     tasks.push(tokio::spawn(async move {
-        port.serve(&handle, |_| ()).await;
+        port.serve(&handle, |news| tell(&handle, &news)).await;
     }));
     address
+}
+
+/// Lets those who watch know what goes wrong with an old program.
+fn tell(handle: &Handle, news: &ProgramNews) {
+    if let Some(trouble) = news.trouble() {
+        handle.tell_trouble(trouble);
+    }
 }
 
 /// Where the arm comes from, and the arm itself where it was looked for and found. Without one there
@@ -313,7 +321,8 @@ fn open_pty(
     let port = VirtualPort::open(link).map_err(StartError::Pty)?;
     let (path, handle) = (port.path().to_owned(), handle.clone());
     tasks.push(tokio::spawn(async move {
-        if let Err(error) = port.serve(&handle, |_| ()).await {
+        let served = port.serve(&handle, |news| tell(&handle, &news)).await;
+        if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
             handle.trouble(text).await;
         }
