@@ -26,9 +26,10 @@ pub(crate) struct Jobs {
 
 /// What came back from the disk.
 #[derive(Debug)]
-pub(crate) enum Written {
-    Given { job: u64, upto: usize },
-    Failed(String),
+pub(crate) struct Written {
+    pub(crate) effect: Effect,
+    /// Why it was not, in one line.
+    pub(crate) outcome: Result<(), String>,
 }
 
 /// What is written in its turn.
@@ -175,21 +176,9 @@ impl Jobs {
 
     fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
         self.catch_up();
-        let job = self.find(job)?;
-        if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
-            return Err(Refusal::JobPhase {
-                job: job.id.0,
-                found: phase(&job.state),
-                allowed: "queued or paused",
-            });
-        }
-        if job.dialect != model.dialect {
-            return Err(Refusal::CannotResume(format!(
-                "it was made for an arm that speaks {}, and this one speaks {}",
-                job.dialect, model.dialect
-            )));
-        }
-        self.begun(&job, model)
+        let begun = startable(&self.journal, &self.policy, job, model)?;
+        self.note_planned(begun.job, begun.plan.planned_s());
+        Ok(begun)
     }
 
     /// Waits until the journal knows what the keeper has told: that a job is paused, say.
@@ -222,10 +211,7 @@ impl Jobs {
     }
 
     fn find(&self, job: u64) -> Result<Job, Refusal> {
-        match self.journal.job(JobId(job)) {
-            Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
-            found => found.map_err(|error| journal_refusal(&error)),
-        }
+        find(&self.journal, job)
     }
 
     fn view(&self, job: &Job) -> JobView {
@@ -277,6 +263,37 @@ pub(crate) fn submit(
     Ok((id, plan.planned_s()))
 }
 
+/// Looks at a job that is to be started or gone on with.
+pub(crate) fn startable(
+    journal: &Journal,
+    policy: &Policy,
+    job: u64,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let job = find(journal, job)?;
+    if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: phase(&job.state),
+            allowed: "queued or paused",
+        });
+    }
+    if job.dialect != model.dialect {
+        return Err(Refusal::CannotResume(format!(
+            "it was made for an arm that speaks {}, and this one speaks {}",
+            job.dialect, model.dialect
+        )));
+    }
+    look_again(journal, policy, &job, model)
+}
+
+fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
+    match journal.job(JobId(job)) {
+        Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
+        found => found.map_err(|error| journal_refusal(&error)),
+    }
+}
+
 /// Looks at a job again: what the keeper needs of it.
 pub(crate) fn look_again(
     journal: &Journal,
@@ -295,6 +312,7 @@ pub(crate) fn look_again(
         dialect: job.dialect,
         plan: JobPlan::new(policy, model, commands, lift_mm, job.window.completed)?,
         completed: job.window.completed,
+        doubt: (job.window.upto > job.window.completed).then(|| job.window.clone()),
     })
 }
 
@@ -327,14 +345,9 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     while let Some(order) = orders.blocking_recv() {
         match order {
             Order::Write(effect, written) => {
-                let outcome = match write(journal, &effect) {
-                    Err(error) => Some(Written::Failed(error.to_string())),
-                    Ok(()) => given(&effect),
-                };
-                if let Some(outcome) = outcome {
-                    // An owner that has ended wants to know nothing more.
-                    let _ = written.send(outcome);
-                }
+                let outcome = write(journal, &effect).map_err(|error| error.to_string());
+                // An owner that has ended wants to know nothing more.
+                let _ = written.send(Written { effect, outcome });
             }
             Order::Reached(done) => {
                 // Whoever asked may have left.
@@ -374,21 +387,14 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             reason,
             window,
         } => {
-            if let Some(window) = window {
+            // One that does not run was given nothing: how far it is has not changed.
+            if let Some(window) = window
+                && journal.job(JobId(*job))?.state == JobState::Running
+            {
                 journal.give(JobId(*job), window)?;
             }
             journal.set_state(JobId(*job), &state(*phase, reason.clone()))
         }
-    }
-}
-
-const fn given(effect: &Effect) -> Option<Written> {
-    match effect {
-        Effect::Give { job, upto, .. } => Some(Written::Given {
-            job: *job,
-            upto: *upto,
-        }),
-        Effect::Phase { .. } => None,
     }
 }
 

@@ -5,10 +5,13 @@ mod halt;
 mod jog;
 mod laser;
 mod lease;
+mod line;
+mod pause;
 mod plan;
 mod raw;
 mod request;
 mod run;
+mod save;
 mod stop;
 mod view;
 
@@ -26,6 +29,7 @@ use self::jog::Held;
 use self::laser::Interlock;
 use self::lease::Lease;
 use self::run::Run;
+use self::save::Unsaved;
 use self::stop::Stop;
 use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Role};
 
@@ -52,12 +56,17 @@ pub struct Keeper {
     held: Option<Held>,
     halt: Option<Halt>,
     run: Option<Run>,
+    /// The last phase of a job that the journal was to keep.
+    kept: Option<Effect>,
+    unsaved: Option<Unsaved>,
     detecting: Option<Detecting>,
     finding: Option<Finding>,
     /// Commands of clients that are not over, and who sent them.
     pending: HashMap<CommandId, ClientId>,
     /// Packets that wait for nothing.
     urgent: VecDeque<Packet>,
+    /// When the packet before is over, and the gap behind it.
+    line_free: Duration,
     effects: VecDeque<Effect>,
     notices: VecDeque<Notice>,
     told: u64,
@@ -112,10 +121,13 @@ impl Keeper {
             held: None,
             halt: None,
             run: None,
+            kept: None,
+            unsaved: None,
             detecting: None,
             finding: None,
             pending: HashMap::new(),
             urgent: VecDeque::new(),
+            line_free: Duration::ZERO,
             effects: VecDeque::new(),
             notices: VecDeque::new(),
             told: 0,
@@ -137,6 +149,7 @@ impl Keeper {
             greeted: false,
         };
         self.session.handle_open(self.now);
+        self.still = 0;
         self.changed = true;
     }
 
@@ -210,14 +223,8 @@ impl Keeper {
         self.watch_dead_man();
         self.watch_laser();
         self.repeat_halt();
+        self.repeat_unsaved();
         self.pump();
-    }
-
-    /// The packet to send now, if there is one.
-    pub fn poll_bytes(&mut self) -> Option<Packet> {
-        self.urgent
-            .pop_front()
-            .or_else(|| self.session.poll_bytes())
     }
 
     /// The next thing that happened, for all who watch.
@@ -253,6 +260,8 @@ impl Keeper {
             self.held.as_ref().map(Held::falls_silent),
             self.laser.ends(),
             self.halt.as_ref().and_then(Halt::next),
+            self.unsaved.as_ref().map(Unsaved::next),
+            self.line_wakeup(),
         ]
         .into_iter()
         .flatten()
@@ -315,6 +324,8 @@ impl Keeper {
         if !self.link.greeted {
             // Whatever was before: a crash, another program, a cable that was out.
             self.link.greeted = true;
+            // What was said last may have got lost with the link.
+            self.laser.forget();
             self.part_from_laser();
         }
         self.statuses.push_back(status);
@@ -344,6 +355,7 @@ impl Keeper {
     /// What was not sent is forgotten; what the arm has, it does.
     fn lose_link(&mut self) {
         self.link.greeted = false;
+        self.still = 0;
         self.part_from_laser();
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
@@ -404,9 +416,14 @@ impl Keeper {
 
     /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
     fn rests_within(&self) -> Duration {
+        let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
+        let question = self
+            .detecting
+            .as_ref()
+            .map_or(Duration::ZERO, |_| detecting::MOTION);
         let within = self.session.rests_within();
         if within < Duration::MAX {
-            return within;
+            return within.max(seconds(unseen)).max(question);
         }
         let run_down_s = self.session.model().map_or(0.0, |it| {
             let teach = it.settings.teach;

@@ -371,10 +371,8 @@ impl Owner {
 
     fn note(&mut self, written: Written) {
         let now = self.now();
-        match written {
-            Written::Given { job, upto } => self.keeper.handle_given(now, job, upto),
-            Written::Failed(why) => self.keeper.handle_journal_failed(now, &why),
-        }
+        let Written { effect, outcome } = written;
+        self.keeper.handle_written(now, &effect, outcome);
     }
 
     /// The station ends: no more of the job, laser off; what is under way gets a moment.
@@ -388,7 +386,8 @@ impl Owner {
 
     fn is_over(&self) -> bool {
         self.ending.is_some_and(|it| {
-            self.link.is_none() || self.keeper.is_at_rest() || it <= Instant::now()
+            let still = self.keeper.is_at_rest() && !self.keeper.is_urgent();
+            self.link.is_none() || still || it <= Instant::now()
         })
     }
 

@@ -6,6 +6,7 @@ use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, JobState, Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_sim::{Line, VirtualArm};
+use dobot_wire::Packet;
 
 use crate::jobs;
 use crate::keeper::{Begun, Effect, Keeper};
@@ -24,6 +25,8 @@ pub struct Rehearsal {
     policy: Policy,
     power_up: PowerUp,
     plugged: bool,
+    /// The arm's port is gone by itself.
+    port_gone: bool,
     now: Duration,
     /// When the keeper that is there now was started.
     started: Duration,
@@ -55,6 +58,17 @@ impl Rehearsal {
     #[must_use]
     pub fn with_arm(arm: VirtualArm, power_up: PowerUp, policy: Policy) -> Self {
         let journal = Journal::in_memory().expect("there is memory");
+        Self::with_journal(arm, power_up, policy, journal)
+    }
+
+    /// The same with a journal of one's own: on a disk that can be full.
+    #[must_use]
+    pub fn with_journal(
+        arm: VirtualArm,
+        power_up: PowerUp,
+        policy: Policy,
+        journal: Journal,
+    ) -> Self {
         let mut rehearsal = Self {
             keeper: Keeper::new(policy.clone(), Some(power_up.personality.dialect())),
             arm,
@@ -62,6 +76,7 @@ impl Rehearsal {
             policy,
             power_up,
             plugged: false,
+            port_gone: false,
             now: Duration::ZERO,
             started: Duration::ZERO,
             disk: Vec::new(),
@@ -98,6 +113,7 @@ impl Rehearsal {
         let next = self.arm.poll_wakeup().min(keeper).min(disk).max(soon);
         self.now = next.min(latest);
         self.arm.handle_time(self.now);
+        self.follow_port();
         self.settle();
     }
 
@@ -169,6 +185,18 @@ impl Rehearsal {
         answer.unwrap_or(Ok(Reply::Done))
     }
 
+    /// A program that speaks the arm's own protocol sends a packet.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    pub fn send_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        let now = self.keeper_now();
+        let taken = self.keeper.handle_raw(now, client, packet);
+        self.settle();
+        taken
+    }
+
     /// Puts a job into the journal.
     ///
     /// # Errors
@@ -187,7 +215,7 @@ impl Rehearsal {
     /// [`Refusal`].
     pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
         let model = self.keeper.planning_model()?;
-        let begun = self.begun(job, model)?;
+        let begun = jobs::startable(&self.journal, &self.policy, job, model)?;
         let now = self.keeper_now();
         let reply = self.keeper.handle_start(now, client, begun);
         self.settle();
@@ -236,6 +264,17 @@ impl Rehearsal {
     #[must_use]
     pub fn packets(&self) -> &[(Duration, [u8; 42])] {
         &self.packets
+    }
+
+    /// A port that is gone by itself is opened again as soon as it is back.
+    fn follow_port(&mut self) {
+        if self.plugged && !self.arm.has_port() {
+            self.port_gone = true;
+            self.unplug();
+        } else if self.port_gone && self.arm.has_port() {
+            self.port_gone = false;
+            self.plug();
+        }
     }
 
     fn keeper_now(&self) -> Duration {
@@ -294,13 +333,8 @@ impl Rehearsal {
         let now = self.keeper_now();
         while self.disk.first().is_some_and(|it| it.0 <= self.now) {
             let (_, effect) = self.disk.remove(0);
-            match (jobs::write(&self.journal, &effect), effect) {
-                (Err(error), _) => self.keeper.handle_journal_failed(now, &error.to_string()),
-                (Ok(()), Effect::Give { job, upto, .. }) => {
-                    self.keeper.handle_given(now, job, upto);
-                }
-                (Ok(()), Effect::Phase { .. }) => {}
-            }
+            let outcome = jobs::write(&self.journal, &effect).map_err(|error| error.to_string());
+            self.keeper.handle_written(now, &effect, outcome);
         }
     }
 }

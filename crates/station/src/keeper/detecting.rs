@@ -1,5 +1,7 @@
 //! Finding out which dialect the arm speaks, while nobody else moves it.
 
+use std::time::Duration;
+
 use dobot_arm::{Joints, Tool};
 use dobot_client::Detection;
 use dobot_course::Place;
@@ -84,3 +86,6 @@ impl Keeper {
         }
     }
 }
+
+/// None of the motions takes longer.
+pub(super) const MOTION: Duration = Duration::from_secs(5);

@@ -26,10 +26,14 @@ impl Halt {
 
 impl Keeper {
     /// Laser off at once; then the release of whatever button is held, until the arm rests. While
-    /// that goes on already, it need not begin anew.
+    /// that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn halt_now(&mut self) {
-        if self.halt.is_some_and(|it| it.rounds == 0) {
+        let waits = self.session.under_way() > 0;
+        if self.halt.is_some_and(|it| it.rounds == 0 || waits) {
             return;
+        }
+        if self.halt.is_none() {
+            self.laser.forget();
         }
         self.part_from_laser();
         self.halt = Some(Halt {
@@ -60,6 +64,13 @@ impl Keeper {
         };
         if !self.is_linked() {
             self.halt = None;
+            return;
+        }
+        if halt.rounds > 0 && self.session.under_way() > 0 {
+            // The arm does one thing after the other: what was said waits there for its turn, and
+            // more of the same would only take up its queue.
+            let next = self.now + AGAIN;
+            self.halt = Some(Halt { next, ..halt });
             return;
         }
         if halt.laser_is_next {

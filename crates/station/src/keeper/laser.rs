@@ -21,6 +21,11 @@ pub(super) struct Interlock {
 }
 
 impl Interlock {
+    /// Nobody knows whether the arm heard that it is to switch the laser off.
+    pub(super) const fn forget(&mut self) {
+        self.off = None;
+    }
+
     pub(super) const fn ends(&self) -> Option<Duration> {
         self.armed_until
     }
@@ -105,11 +110,12 @@ impl Keeper {
         }
     }
 
-    /// Laser off, at once. Said again only after a while, unless it was on: whoever asks for nonsense
-    /// many times must not fill the arm's queue.
+    /// Laser off, at once. Said again only after a while, unless it was on, and only to an arm that
+    /// has nothing else to do first: whoever asks for nonsense many times must not fill its queue.
     pub(super) fn part_from_laser(&mut self) {
         let lately = |off: Duration| self.now.saturating_sub(off) < LATELY;
-        if self.laser.on || !self.laser.off.is_some_and(lately) {
+        let waits = self.session.under_way() > 0;
+        if self.laser.on || !self.laser.off.is_some_and(|off| waits || lately(off)) {
             self.laser.on = false;
             self.laser.off = Some(self.now);
             self.send_urgent(LASER_OFF);

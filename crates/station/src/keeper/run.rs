@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
-use dobot_journal::{Window, locate, model_at, prelude, window_end};
+use dobot_journal::{Unclear, Window, locate, model_at, prelude, window_end};
 use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
 use super::{JobPlan, Keeper};
@@ -15,8 +15,8 @@ use crate::words::{ClientId, JobKind, JobPhase, JobView, News, Refusal, Reply};
 /// What the journal is to keep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
-    /// Before any command below `upto` is sent, this has to be on the disk: [`Keeper::handle_given`]
-    /// says that it is.
+    /// Before any command below `upto` is sent, this has to be on the disk:
+    /// [`Keeper::handle_written`] says that it is.
     Give {
         /// The job.
         job: u64,
@@ -55,13 +55,15 @@ pub struct Begun {
     pub plan: JobPlan,
     /// So many of them are over.
     pub completed: usize,
+    /// What may have been done beyond that, where nobody has found out yet.
+    pub doubt: Option<Window>,
 }
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
 pub(super) struct Run {
     begun: Begun,
-    phase: Phase,
+    pub(super) phase: Phase,
     /// The arm when the job was started or gone on with.
     from: Option<Status>,
     /// The next command to be given to the session.
@@ -75,7 +77,7 @@ pub(super) struct Run {
 }
 
 #[derive(Debug)]
-enum Phase {
+pub(super) enum Phase {
     /// The station was started after a crash: where does the arm rest?
     Locating {
         window: Window,
@@ -133,6 +135,44 @@ impl Run {
         !matches!(self.phase, Phase::Paused { .. })
     }
 
+    /// Whether it gives the arm commands, or is about to.
+    pub(super) const fn is_at_work(&self) -> bool {
+        matches!(self.phase, Phase::Approaching { .. } | Phase::Running)
+    }
+
+    pub(super) const fn burns(&self) -> bool {
+        self.begun.plan.burns()
+    }
+
+    pub(super) const fn lift_mm(&self) -> f32 {
+        self.begun.plan.lift_mm()
+    }
+
+    /// Takes that the journal has what it was asked for.
+    pub(super) fn given_for_good(&mut self, upto: usize) {
+        self.durable = self.durable.max(upto.min(self.asked));
+    }
+
+    /// Comes to rest; gives how far the job is, where that is certain.
+    pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
+        self.next = self.begun.completed;
+        self.phase = Phase::Paused {
+            reason: reason.to_owned(),
+        };
+        self.begun.doubt.is_none().then(|| self.certain())
+    }
+
+    /// How long it may take until all that a station before this one has sent is over.
+    pub(super) fn unseen_s(&self) -> f64 {
+        let Phase::Locating { window } = &self.phase else {
+            return 0.0;
+        };
+        let plan = &self.begun.plan;
+        let given_s = plan.left_s(window.completed) - plan.left_s(window.upto);
+        let commands = u32::try_from(window.upto - window.completed).unwrap_or(u32::MAX);
+        given_s * ROUNDING + f64::from(commands) * COMMAND_S + APPROACH_S
+    }
+
     const fn view_phase(&self) -> JobPhase {
         match &self.phase {
             Phase::Approaching { .. } | Phase::Running => JobPhase::Running,
@@ -149,6 +189,18 @@ impl Run {
             | Phase::Paused { reason } => Some(reason.clone()),
             Phase::Approaching { .. } | Phase::Running => None,
         }
+    }
+
+    /// What is wrong with the place where the arm rests when all is over. A vector leads from
+    /// wherever the arm is: where one was lost, all behind it are displaced.
+    fn misses_end(&self, status: &Status) -> Option<String> {
+        let end = self.begun.plan.start_position(self.begun.plan.len())?;
+        let off_mm = end.distance(position(status)).0;
+        (off_mm > THERE_MM).then(|| {
+            format!(
+                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost on its way, and what came behind it is displaced"
+            )
+        })
     }
 
     /// How far it is when nothing is under way.
@@ -247,28 +299,10 @@ impl Keeper {
         self.run.as_ref().map(Run::view)
     }
 
-    /// Takes that the journal has what [`Effect::Give`] asked for.
-    pub fn handle_given(&mut self, now: Duration, job: u64, upto: usize) {
-        self.handle_time(now);
-        if let Some(run) = self.run.as_mut().filter(|it| it.job() == job) {
-            run.durable = run.durable.max(upto.min(run.asked));
-        }
-        self.pump();
-    }
-
-    /// Takes that the journal cannot be written: no more of the job is sent.
-    pub fn handle_journal_failed(&mut self, now: Duration, why: &str) {
-        self.handle_time(now);
-        self.part_from_laser();
-        let why = format!("the journal of jobs cannot be written: {why}");
-        self.drop_run_waiting(&why);
-        self.interrupt_run(&why);
-        self.tell(News::Trouble, why);
-    }
-
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         self.check_trust()?;
+        self.check_saved()?;
         if self.session.under_way() > 0 || self.session.waiting() > 0 {
             return Err(Refusal::StillMoving {
                 within_s: self.rests_within().as_secs_f64(),
@@ -277,6 +311,7 @@ impl Keeper {
         if begun.plan.burns() {
             self.check_laser_armed()?;
         }
+        let begun = self.located(begun)?;
         let approach = self.approach(&begun);
         for command in &approach {
             self.session.check(command)?;
@@ -299,7 +334,7 @@ impl Keeper {
             given: VecDeque::new(),
         });
         let phase = JobPhase::Running;
-        self.effects.push_back(Effect::Phase {
+        self.keep_phase(Effect::Phase {
             job,
             phase,
             reason: None,
@@ -307,6 +342,16 @@ impl Keeper {
         });
         self.tell(News::Job { job, phase }, text);
         Ok(self.job_reply())
+    }
+
+    /// A job of which nobody knows how far it got goes on only from where the arm rests.
+    fn located(&self, mut begun: Begun) -> Result<Begun, Refusal> {
+        let (Some(window), Some(status)) = (begun.doubt.take(), self.last) else {
+            return Ok(begun);
+        };
+        let located = locate_at(&begun, &window, &status);
+        begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+        Ok(begun)
     }
 
     /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
@@ -349,75 +394,6 @@ impl Keeper {
         Ok(())
     }
 
-    pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        let why = format!("paused by {}", self.name(client));
-        if self.run.as_ref().is_none_or(|it| !it.has_the_arm()) {
-            return Err(Refusal::NoJobRuns);
-        }
-        self.part_from_laser();
-        self.drop_run_waiting(&why);
-        self.drain(JobPhase::Paused, &why, true);
-        Ok(self.job_reply())
-    }
-
-    pub(super) fn cancel_job(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
-        if self.lease.is_some() {
-            self.check_lease(client)?;
-        }
-        if self.run.as_ref().is_none_or(|it| it.job() != job) {
-            return Err(Refusal::NoSuchJob(job));
-        }
-        let why = format!("ended by {}", self.name(client));
-        self.part_from_laser();
-        self.drop_run_waiting(&why);
-        self.drain(JobPhase::Stopped, &why, true);
-        let reply = self.job_reply();
-        self.watch_run();
-        Ok(reply)
-    }
-
-    /// The job goes no further: what is under way comes to its end, then it is paused.
-    pub(super) fn interrupt_run(&mut self, why: &str) {
-        let at_work = |it: &Run| matches!(it.view_phase(), JobPhase::Running);
-        if self.run.as_ref().is_some_and(at_work) {
-            self.drain(JobPhase::Paused, why, false);
-        } else if let Some(run) = &mut self.run
-            && let Phase::Draining { lift, .. } = &mut run.phase
-        {
-            *lift = false;
-        }
-    }
-
-    /// A job that burns goes no further.
-    pub(super) fn interrupt_burning(&mut self, why: &str) {
-        let burns = |it: &Run| it.begun.plan.burns() && it.view_phase() == JobPhase::Running;
-        if self.run.as_ref().is_some_and(burns) {
-            self.drop_run_waiting(why);
-            self.drain(JobPhase::Paused, why, true);
-        }
-    }
-
-    fn drain(&mut self, then: JobPhase, reason: &str, lift: bool) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        let job = run.job();
-        run.phase = Phase::Draining {
-            then,
-            reason: reason.to_owned(),
-            lift,
-        };
-        // The journal keeps it as running until nothing is under way: a crash until then has to find
-        // out how far the job got.
-        let text = format!("job {job} is {}: {reason}", word(then));
-        self.tell(News::Job { job, phase: then }, text);
-    }
-
-    /// Forgets what the session has of the job and has not sent.
-    fn drop_run_waiting(&mut self, why: &str) {
-        self.drop_waiting(why);
-    }
-
     pub(super) fn run_command_forgotten(&mut self, id: CommandId) {
         if let Some(run) = &mut self.run
             && let Some(at) = run.given.iter().position(|(it, _)| *it == id)
@@ -449,7 +425,7 @@ impl Keeper {
             Some(why) if of_job.is_some() || matches!(run.phase, Phase::Approaching { .. }) => {
                 let why = why.to_owned();
                 self.part_from_laser();
-                self.drop_run_waiting(&why);
+                self.drop_waiting(&why);
                 self.interrupt_run(&why);
             }
             None if of_way && matches!(run.phase, Phase::Approaching { .. }) => {
@@ -478,62 +454,34 @@ impl Keeper {
                 let (then, reason) = (*then, reason.clone());
                 self.rest_run(then, reason);
             }
-            Phase::Running if run.begun.completed == run.begun.plan.len() => self.run_done(),
+            Phase::Running if run.begun.completed == run.begun.plan.len() && self.is_at_rest() => {
+                self.run_over();
+            }
             _ => {}
         }
     }
 
-    fn drained(&mut self, then: JobPhase, reason: String, lift: bool) {
-        let up = self.run.as_ref().map_or(0.0, |it| it.begun.plan.lift_mm());
-        if lift && up > 0.0 && self.stop.is_none() && self.is_linked() {
-            let command = straight(up.into());
-            if self.check_way(&command).is_ok()
-                && let Ok(last) = self.session.send(command)
-                && let Some(run) = &mut self.run
-            {
-                run.phase = Phase::Lifting { last, then, reason };
-                return;
-            }
-        }
-        self.rest_run(then, reason);
-    }
-
-    /// Nothing of the job is under way any more: how far it got is certain, and kept.
-    fn rest_run(&mut self, then: JobPhase, reason: String) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        run.next = run.begun.completed;
-        run.phase = Phase::Paused {
-            reason: reason.clone(),
-        };
-        let effect = Effect::Phase {
-            job: run.job(),
-            phase: then,
-            reason: Some(reason),
-            window: Some(run.certain()),
-        };
-        self.effects.push_back(effect);
-        if then.is_over() {
-            self.run = None;
-        }
-        self.changed = true;
-    }
-
-    fn run_done(&mut self) {
+    /// All of the job was seen to be over, and the arm rests: where the job ends?
+    fn run_over(&mut self) {
         let Some(run) = self.run.take() else {
             return;
         };
         self.part_from_laser();
-        let job = run.job();
-        self.effects.push_back(Effect::Phase {
+        let (job, title) = (run.job(), &run.begun.title);
+        let (phase, reason) = match self.last.and_then(|status| run.misses_end(&status)) {
+            None => (JobPhase::Done, None),
+            Some(reason) => (JobPhase::Failed, Some(reason)),
+        };
+        let why = reason
+            .as_ref()
+            .map_or(String::new(), |it| format!(": {it}"));
+        let text = format!("job {job} ({title}) is {}{why}", word(phase));
+        self.keep_phase(Effect::Phase {
             job,
-            phase: JobPhase::Done,
-            reason: None,
+            phase,
+            reason,
             window: Some(run.certain()),
         });
-        let text = format!("job {job} ({}) is done", run.begun.title);
-        let phase = JobPhase::Done;
         self.tell(News::Job { job, phase }, text);
     }
 
@@ -542,35 +490,19 @@ impl Keeper {
         let (Some(run), Some(status)) = (&mut self.run, self.last) else {
             return;
         };
-        let commands = run.begun.plan.commands();
-        let dialect = run.begun.dialect;
-        let model =
-            model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, &status));
-        let lift_mm = run.begun.plan.lift();
-        let located = if window.completed == window.upto {
-            Ok(window.completed)
-        } else {
-            locate(commands, window, &model, lift_mm, position(&status)).map(|it| it.next)
-        };
+        let located = locate_at(&run.begun, window, &status);
         let reason = match located {
             Ok(next) => {
                 run.begun.completed = next;
                 format!("{RESTARTED}; the arm rests where command {next} begins")
             }
-            Err(unclear) => format!("{RESTARTED}; {unclear}"),
+            Err(unclear) => {
+                run.begun.doubt = Some(window.clone());
+                format!("{RESTARTED}; {unclear}")
+            }
         };
         self.rest_run(JobPhase::Paused, reason);
         self.tell_job_paused();
-    }
-
-    fn tell_job_paused(&mut self) {
-        if let Some(JobView {
-            job, phase, reason, ..
-        }) = self.job()
-        {
-            let text = format!("job {job} is paused: {}", reason.unwrap_or_default());
-            self.tell(News::Job { job, phase }, text);
-        }
     }
 
     /// Keeps the session and the journal supplied.
@@ -644,13 +576,24 @@ impl Keeper {
         }
     }
 
-    fn job_reply(&self) -> Reply {
+    pub(super) fn job_reply(&self) -> Reply {
         self.job().map_or(Reply::Done, |job| Reply::Job { job })
     }
 }
 
+/// Which command is the first that was not done, by where the arm rests.
+fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, Unclear> {
+    if window.completed == window.upto {
+        return Ok(window.completed);
+    }
+    let (commands, dialect) = (begun.plan.commands(), begun.dialect);
+    let model = model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, status));
+    let lift_mm = begun.plan.lift();
+    locate(commands, window, &model, lift_mm, position(status)).map(|it| it.next)
+}
+
 /// Straight up or down, slowly, with the laser off.
-fn straight(z_mm: f64) -> Command {
+pub(super) fn straight(z_mm: f64) -> Command {
     WriteVector {
         mode: WriteMode::Writing,
         x_mm: 0.0,
@@ -699,7 +642,7 @@ const fn pause_s(command: &Command) -> f32 {
     }
 }
 
-const fn word(phase: JobPhase) -> &'static str {
+pub(super) const fn word(phase: JobPhase) -> &'static str {
     match phase {
         JobPhase::Queued => "queued",
         JobPhase::Running => "running",
@@ -722,6 +665,11 @@ const THERE_MM: f64 = 0.3;
 const SURELY_AT_REST: u32 = 20;
 const STATUSES_PER_S: f32 = 12.5;
 const A_DAY_S: f32 = 86_400.0;
+/// A stock arm goes in whole ticks, takes a bit for each command, and was perhaps on its way to
+/// where the job goes on.
+const ROUNDING: f64 = 1.02;
+const COMMAND_S: f64 = 0.24;
+const APPROACH_S: f64 = 10.0;
 /// So many commands wait in the session, so that a permit finds one.
 const KEEP_WAITING: usize = 2;
 /// The journal is asked for more when so few are left.

@@ -9,4 +9,5 @@ mod jogs;
 mod lasers;
 mod leases;
 mod links;
+mod pauses;
 mod stops;
