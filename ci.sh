@@ -188,6 +188,8 @@ step_fuzz() {
 }
 
 step_bench() {
+  # A plain byte bridge, to compare the station with.
+  needs_command socat socat
   cargo bench --locked --workspace --bench '*'
 }
 

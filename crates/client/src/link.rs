@@ -1,5 +1,7 @@
 //! The way that bytes travel to an arm and back.
 
+use std::pin::Pin;
+use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
@@ -79,9 +81,25 @@ impl Link {
         }
     }
 
-    /// Takes bytes; they leave while somebody waits in [`Link::receive`] or [`Link::flush`].
+    /// Takes bytes; they leave while somebody waits in [`Link::receive`] or [`Link::flush`], or with
+    /// [`Link::push`].
     pub fn send(&mut self, bytes: &[u8]) {
         self.outgoing.extend_from_slice(bytes);
+    }
+
+    /// Sends at once what the link takes without waiting; the rest leaves as after [`Link::send`].
+    /// What goes wrong is told by whoever waits next.
+    pub fn push(&mut self) {
+        let Way::Stream { stream, .. } = &mut self.way else {
+            return;
+        };
+        let mut nobody = Context::from_waker(Waker::noop());
+        while !self.outgoing.is_empty() {
+            match Pin::new(&mut **stream).poll_write(&mut nobody, &self.outgoing) {
+                Poll::Ready(Ok(sent @ 1..)) => drop(self.outgoing.drain(..sent)),
+                _ => break,
+            }
+        }
     }
 
     /// Sends and receives until bytes came, which are appended to `incoming`, or until `until`.
@@ -177,3 +195,32 @@ async fn wait_until(deadline: Option<Instant>) {
 
 /// Longer than a packet takes at 9600 baud; a port that takes none by then is dead.
 const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn what_is_pushed_leaves_before_anybody_waits() {
+        let (near, mut far) = tokio::io::duplex(64);
+        let mut link = Link::over_stream(near);
+        link.send(b"abc");
+        link.push();
+        let mut bytes = [0; 3];
+        far.read_exact(&mut bytes).await.expect("it has left");
+        assert_eq!(&bytes, b"abc");
+    }
+
+    #[tokio::test]
+    async fn what_the_link_does_not_take_at_once_leaves_later_in_order() {
+        let (near, mut far) = tokio::io::duplex(2);
+        let mut link = Link::over_stream(near);
+        link.send(b"abcde");
+        link.push();
+        let mut bytes = [0; 5];
+        let (read, flushed) = tokio::join!(far.read_exact(&mut bytes), link.flush());
+        read.expect("all of it leaves");
+        flushed.expect("the other end reads");
+        assert_eq!(&bytes, b"abcde");
+    }
+}

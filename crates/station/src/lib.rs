@@ -38,6 +38,7 @@
 //! # Ok::<(), dobot_station::Refusal>(())
 //! ```
 
+mod arm_thread;
 mod arms;
 mod bridge;
 mod config;

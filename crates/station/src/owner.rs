@@ -185,11 +185,13 @@ impl Owner {
         }
     }
 
+    /// Packets leave before anything else is done, answers and recording included.
     fn send(&mut self) {
         while let Some(packet) = self.keeper.poll_bytes() {
             let bytes = packet.to_bytes();
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
+                link.push();
                 self.recording.sent(self.started.elapsed(), &bytes);
             }
         }
@@ -234,6 +236,7 @@ impl Owner {
                 reply,
             } => {
                 let taken = self.keeper.handle_raw(now, client, &packet);
+                self.send();
                 // The program may have left.
                 let _ = reply.send(taken);
             }
@@ -254,7 +257,9 @@ impl Owner {
     fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
         let now = self.now();
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
-            match self.keeper.handle_request(now, client, job) {
+            let answer = self.keeper.handle_request(now, client, job);
+            self.send();
+            match answer {
                 // Whoever asked may have left.
                 Some(answer) => drop(reply.send(answer)),
                 None => drop(self.waiting.insert(client, reply)),

@@ -15,6 +15,7 @@ use tokio::task::JoinHandle;
 
 #[cfg(unix)]
 use crate::VirtualPort;
+use crate::arm_thread::ArmThread;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
 use crate::handle::Rules;
@@ -32,7 +33,7 @@ use crate::{
 #[derive(Debug)]
 pub struct Station {
     handle: Handle,
-    owner: JoinHandle<()>,
+    owner: ArmThread,
     http: Served,
     arm: Option<Address>,
     raw: Option<SocketAddr>,
@@ -86,6 +87,9 @@ pub enum StartError {
     /// The virtual serial port cannot be made.
     #[error("cannot make the virtual serial port")]
     Pty(#[source] std::io::Error),
+    /// The system has no thread left for the arm.
+    #[error("the system gives the arm no thread of its own")]
+    Thread(#[source] std::io::Error),
     /// Page and API cannot be served.
     #[error(transparent)]
     Http(#[from] ServeError),
@@ -123,9 +127,10 @@ impl Station {
         let own = handle.messages.clone();
         let mut owner = Owner::new(keeper, ends, source, arms, jobs, recording, own);
         notes.extend(owner.recover().err());
-        let owner = tokio::spawn(owner.run(found));
-        let raw = raw.map(|port| serve_raw(port, &handle, &mut tasks));
-        let pty = open_pty(&config, &handle, &mut tasks)?;
+        let virtual_port = open_pty(&config)?;
+        let owner = ArmThread::start(owner, found).map_err(StartError::Thread)?;
+        let raw = raw.map(|port| serve_raw(port, &handle, &owner));
+        let pty = virtual_port.map(|port| serve_pty(port, &handle, &owner));
         let web = Web {
             address: config.http,
             tls: config.tls.clone(),
@@ -146,8 +151,7 @@ impl Station {
             }),
             Err(error) => {
                 handle.end().await;
-                // A task that was torn down has nothing to say.
-                let _ = owner.await;
+                owner.ended().await;
                 Err(error.into())
             }
         }
@@ -199,8 +203,7 @@ impl Station {
     /// and the recording are closed.
     pub async fn end(self) {
         self.handle.end().await;
-        // A task that was torn down has nothing to say.
-        let _ = self.owner.await;
+        self.owner.ended().await;
         // The file that says where it runs is found to be stale by those who try to connect.
         let _ = self.http.end().await;
         for task in self.tasks {
@@ -227,11 +230,11 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     }
 }
 
-fn serve_raw(port: RawPort, handle: &Handle, tasks: &mut Vec<JoinHandle<()>>) -> SocketAddr {
+fn serve_raw(port: RawPort, handle: &Handle, thread: &ArmThread) -> SocketAddr {
     let (address, handle) = (port.address(), handle.clone());
-    tasks.push(tokio::spawn(async move {
+    thread.spawn(async move {
         port.serve(&handle, |news| tell(&handle, &news)).await;
-    }));
+    });
     address
 }
 
@@ -309,34 +312,35 @@ fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recor
 
 /// A virtual serial port for programs that speak nothing else.
 #[cfg(unix)]
-fn open_pty(
-    config: &Config,
-    handle: &Handle,
-    tasks: &mut Vec<JoinHandle<()>>,
-) -> Result<Option<PathBuf>, StartError> {
+fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
     let Some(link) = &config.pty else {
         return Ok(None);
     };
     let link = Some(link.as_path()).filter(|it| !it.as_os_str().is_empty());
-    let port = VirtualPort::open(link).map_err(StartError::Pty)?;
+    VirtualPort::open(link).map(Some).map_err(StartError::Pty)
+}
+
+#[cfg(unix)]
+fn serve_pty(port: VirtualPort, handle: &Handle, thread: &ArmThread) -> PathBuf {
     let (path, handle) = (port.path().to_owned(), handle.clone());
-    tasks.push(tokio::spawn(async move {
+    thread.spawn(async move {
         let served = port.serve(&handle, |news| tell(&handle, &news)).await;
         if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
             handle.trouble(text).await;
         }
-    }));
-    Ok(Some(path))
+    });
+    path
 }
 
 #[cfg(not(unix))]
-fn open_pty(
-    _: &Config,
-    _: &Handle,
-    _: &mut Vec<JoinHandle<()>>,
-) -> Result<Option<PathBuf>, StartError> {
+fn open_pty(_: &Config) -> Result<Option<std::convert::Infallible>, StartError> {
     Ok(None)
+}
+
+#[cfg(not(unix))]
+fn serve_pty(port: std::convert::Infallible, _: &Handle, _: &ArmThread) -> PathBuf {
+    match port {}
 }
 
 const OPENED: &str =

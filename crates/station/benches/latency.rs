@@ -1,0 +1,257 @@
+//! What the station adds between a command and the serial port, against a plain byte bridge.
+//!
+//! `cargo bench -p dobot-station --bench latency`: the time from a client's call of `write` to the
+//! last of the 42 bytes at the other end of the serial port (a pseudo-terminal), through the
+//! station's WebSocket and through its raw port, and through `socat` beside it in turn. Station and
+//! `socat` are processes of their own. The station checks every command against the policy, records
+//! it, and has 100 clients that watch 12.5 states in a second. Behind the port is a virtual arm in
+//! real time; the commands are vectors of 0.2 mm, over before the next one comes, so that each
+//! finds a permit.
+
+#[cfg(unix)]
+mod support;
+
+#[cfg(unix)]
+fn main() {
+    if !support::serve() {
+        measure::main();
+    }
+}
+
+#[cfg(not(unix))]
+fn main() {
+    println!("there are no pseudo-terminals here: nothing is measured");
+}
+
+#[cfg(unix)]
+mod measure {
+    use std::io::Write;
+    use std::net::{TcpListener, TcpStream};
+    use std::process::{Child, Command as Program, Stdio};
+    use std::time::{Duration, Instant};
+
+    use dobot_controller::Personality;
+    use dobot_station::Request;
+    use dobot_wire::{Command, Dialect, MoveTo, MovingMode, WriteMode, WriteVector};
+
+    use super::support::{Arm, Crowd, Port, StationProcess, Times, WebSocket, is_measuring, load};
+
+    const CROWD: usize = 100;
+
+    pub(super) fn main() {
+        let samples = if is_measuring() { 1000 } else { 5 };
+        let crowd = if is_measuring() { CROWD } else { 3 };
+        println!("{}", load());
+        let arm = Arm::start(Personality::default());
+        let station = StationProcess::start(&arm.port.path);
+        let mut socket = WebSocket::connect(&station.http, "states=1");
+        get_ready(&mut socket);
+        let crowd = Crowd::gather(crowd, &station.http, "states=12.5&notices=false");
+        let mut bridge = Bridge::start();
+        let mut words = Words::new();
+        let in_turn = |way: &mut dyn Way, bridge: &mut Option<Bridge>, words: &mut Words| {
+            (0..samples)
+                .map(|turn| one_turn(turn, way, bridge.as_mut(), words))
+                .unzip::<_, _, Vec<_>, Vec<_>>()
+        };
+        let mut by_socket = BySocket(socket, &arm.port);
+        let web = in_turn(&mut by_socket, &mut bridge, &mut words);
+        by_socket.0.ask(&Request::ReleaseLease);
+        let mut by_raw = ByTcp(connect(station.raw), &arm.port);
+        let raw = in_turn(&mut by_raw, &mut bridge, &mut words);
+        report("WebSocket", web);
+        report("raw port", raw);
+        let watched = crowd.leave();
+        assert!(watched.iter().all(|it| !it.dropped), "nobody was dropped");
+        println!("{}", load());
+    }
+
+    /// One command through the station and one through the bridge, who comes first by turns.
+    fn one_turn(
+        turn: usize,
+        way: &mut dyn Way,
+        mut bridge: Option<&mut Bridge>,
+        words: &mut Words,
+    ) -> (Duration, Option<Duration>) {
+        let command = words.next();
+        // The statuses come every 80 ms; this falls on all parts of that period.
+        let pause = Duration::from_millis(50 + (turn as u64 * 7) % 20);
+        let mut beside = None;
+        if turn % 2 == 0 {
+            std::thread::sleep(pause);
+            beside = bridge.as_mut().map(|it| it.way.time(&command));
+        }
+        std::thread::sleep(pause);
+        let time = way.time(&command);
+        if turn % 2 == 1 {
+            std::thread::sleep(pause);
+            beside = bridge.as_mut().map(|it| it.way.time(&command));
+        }
+        std::thread::sleep(Duration::from_millis(15));
+        (time, beside)
+    }
+
+    fn report(what: &str, (through, beside): (Vec<Duration>, Vec<Option<Duration>>)) {
+        let through = Times::new(through);
+        through.print(&format!("through the station's {what}"));
+        let beside: Vec<_> = beside.into_iter().flatten().collect();
+        if beside.is_empty() {
+            return;
+        }
+        let beside = Times::new(beside);
+        beside.print("through socat");
+        let ratio = |a: Duration, b: Duration| a.as_secs_f64() / b.as_secs_f64();
+        println!(
+            "the station's {what} to socat: median {:.2} (at most 2), p99 {:.2} (at most 3)",
+            ratio(through.median(), beside.median()),
+            ratio(through.p99(), beside.p99()),
+        );
+    }
+
+    /// A way for a command to a serial port.
+    trait Way {
+        /// How long one takes.
+        fn time(&mut self, command: &Command) -> Duration;
+    }
+
+    struct BySocket<'a>(WebSocket, &'a Port);
+
+    impl Way for BySocket<'_> {
+        fn time(&mut self, command: &Command) -> Duration {
+            let request = Request::Command { command: *command };
+            let message = self.0.message(&request);
+            let packet = command.emit(&dialect()).to_bytes();
+            self.1.forget();
+            let began = Instant::now();
+            self.0.send(message);
+            let arrived = self.1.arrival_of(&packet);
+            let answer = self.0.answer();
+            assert!(answer["problem"].is_null(), "{answer}");
+            arrived.expect("the packet arrives") - began
+        }
+    }
+
+    struct ByTcp<'a>(TcpStream, &'a Port);
+
+    impl Way for ByTcp<'_> {
+        fn time(&mut self, command: &Command) -> Duration {
+            time_tcp(&mut self.0, self.1, command)
+        }
+    }
+
+    fn time_tcp(stream: &mut TcpStream, port: &Port, command: &Command) -> Duration {
+        let packet = command.emit(&dialect()).to_bytes();
+        port.forget();
+        let began = Instant::now();
+        stream.write_all(&packet).expect("somebody listens");
+        port.arrival_of(&packet).expect("the packet arrives") - began
+    }
+
+    /// `socat` between a TCP port and a serial port.
+    struct Bridge {
+        child: Child,
+        way: OwnTcp,
+    }
+
+    struct OwnTcp(TcpStream, Port);
+
+    impl Way for OwnTcp {
+        fn time(&mut self, command: &Command) -> Duration {
+            time_tcp(&mut self.0, &self.1, command)
+        }
+    }
+
+    impl Bridge {
+        /// Starts it, where it is installed.
+        fn start() -> Option<Self> {
+            let port = Port::open(None);
+            let free = TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr());
+            let free = free.expect("there is a free port");
+            let child = Program::new("socat")
+                .arg(format!("TCP-LISTEN:{},bind=127.0.0.1,nodelay", free.port()))
+                .arg(format!("OPEN:{},raw,echo=0", port.path))
+                .stdin(Stdio::null())
+                .spawn();
+            let Ok(child) = child else {
+                println!("socat is not installed: nothing to compare with (apt-get install socat)");
+                return None;
+            };
+            let way = OwnTcp(connect(free), port);
+            Some(Self { child, way })
+        }
+    }
+
+    impl Drop for Bridge {
+        fn drop(&mut self) {
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+        }
+    }
+
+    /// Connects to a program that is about to listen.
+    fn connect(address: std::net::SocketAddr) -> TcpStream {
+        for _ in 0..500 {
+            if let Ok(stream) = TcpStream::connect(address) {
+                stream.set_nodelay(true).expect("it is TCP");
+                return stream;
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        panic!("nobody listens at {address}");
+    }
+
+    /// Waits for the arm, and leads it to where it can write.
+    fn get_ready(socket: &mut WebSocket) {
+        socket.wait(|it| it["state"]["link"]["phase"] == "up");
+        socket.ask(&Request::TakeLease);
+        socket.ask(&Request::ConfirmPose);
+        let command = START.into();
+        let answer = socket.ask(&Request::Command { command });
+        let number = answer["reply"]["command"].clone();
+        socket.wait(|it| {
+            let news = &it["notice"];
+            assert_ne!(news["type"], "command_failed", "{it}");
+            news["type"] == "command_done" && news["command"] == number
+        });
+    }
+
+    /// Commands of which no two in a row are the same.
+    struct Words(u32);
+
+    impl Words {
+        const fn new() -> Self {
+            Self(0)
+        }
+
+        fn next(&mut self) -> Command {
+            self.0 += 1;
+            WriteVector {
+                mode: WriteMode::Writing,
+                x_mm: if self.0 % 2 == 0 { 0.2 } else { -0.2 },
+                y_mm: 0.0,
+                z_mm: 0.0,
+                laser: false,
+                start_speed_mm_s: 0.0,
+                end_speed_mm_s: 0.0,
+                max_speed_mm_s: 20.0,
+                stop: false,
+            }
+            .into()
+        }
+    }
+
+    const START: MoveTo = MoveTo {
+        x_mm: 200.0,
+        y_mm: 0.0,
+        z_mm: 50.0,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::MovJ,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    };
+
+    fn dialect() -> Dialect {
+        Personality::default().dialect()
+    }
+}

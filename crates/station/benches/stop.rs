@@ -1,0 +1,147 @@
+//! How soon a stop reaches the arm while it draws.
+//!
+//! `cargo bench -p dobot-station --bench stop`: the time from the call (the `write` of a WebSocket
+//! client; the `connect` of a client of `POST /api/v1/stop`) to the last byte of the laser-off
+//! packet, with which every stop begins, at the other end of the serial port. The station is a
+//! process of its own, the arm a virtual one in real time at a pseudo-terminal; it draws a job.
+
+#[cfg(unix)]
+mod support;
+
+#[cfg(unix)]
+fn main() {
+    if !support::serve() {
+        measure::main();
+    }
+}
+
+#[cfg(not(unix))]
+fn main() {
+    println!("there are no pseudo-terminals here: nothing is measured");
+}
+
+#[cfg(unix)]
+mod measure {
+    use std::io::{Read, Write};
+    use std::net::TcpStream;
+    use std::time::{Duration, Instant};
+
+    use dobot_controller::Personality;
+    use dobot_station::{JobKind, NewJob, Request};
+    use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector};
+
+    use super::support::{Arm, Port, StationProcess, Times, WebSocket, is_measuring, load};
+
+    pub(super) fn main() {
+        let stops = if is_measuring() { 100 } else { 2 };
+        println!("{}", load());
+        let arm = Arm::start(Personality::default());
+        let station = StationProcess::start(&arm.port.path);
+        let mut socket = WebSocket::connect(&station.http, "states=20");
+        socket.wait(|it| it["state"]["link"]["phase"] == "up");
+        socket.ask(&Request::TakeLease);
+        socket.ask(&Request::ConfirmPose);
+        let job = drawing(20 * stops + 100);
+        let answer = socket.ask(&Request::SubmitJob { job });
+        let job = answer["reply"]["job"]["job"].as_u64().expect("its number");
+        let (mut by_socket, mut by_post) = (Vec::new(), Vec::new());
+        for turn in 0..stops {
+            draw(&mut socket, job, turn);
+            if turn % 2 == 0 {
+                by_socket.push(stop_by_socket(&mut socket, &arm.port));
+            } else {
+                by_post.push(stop_by_post(&station.http, &arm.port));
+            }
+            reset(&mut socket);
+        }
+        Times::new(by_socket).print("stop over the WebSocket (p99 at most 5 ms)");
+        Times::new(by_post).print("POST /api/v1/stop (p99 at most 5 ms)");
+        println!("{}", load());
+    }
+
+    /// Lets the arm draw for a while: a stop falls into any part of a vector.
+    fn draw(socket: &mut WebSocket, job: u64, turn: usize) {
+        socket.ask(&Request::StartJob { job });
+        socket.wait(|it| it["state"]["job"]["phase"] == "running");
+        std::thread::sleep(Duration::from_millis(900 + (turn as u64 * 37) % 160));
+    }
+
+    fn stop_by_socket(socket: &mut WebSocket, port: &Port) -> Duration {
+        let message = socket.message(&Request::Stop { reason: None });
+        port.forget();
+        let began = Instant::now();
+        socket.send(message);
+        let arrived = port.arrival_of(&laser_off());
+        socket.answer();
+        arrived.expect("the arm is told") - began
+    }
+
+    fn stop_by_post(station: &str, port: &Port) -> Duration {
+        let request = format!(
+            "POST /api/v1/stop HTTP/1.1\r\nHost: {station}\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
+        );
+        port.forget();
+        let began = Instant::now();
+        let mut stream = TcpStream::connect(station).expect("the station listens");
+        stream.write_all(request.as_bytes()).expect("it reads");
+        let arrived = port.arrival_of(&laser_off());
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("it answers");
+        assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+        arrived.expect("the arm is told") - began
+    }
+
+    /// Waits until the arm rests, and lets it move again.
+    fn reset(socket: &mut WebSocket) {
+        socket.wait(|it| it["state"]["stop"]["at_rest"] == true);
+        socket.ask(&Request::ResetStop);
+    }
+
+    /// A zigzag of strokes of 1 mm.
+    fn drawing(strokes: usize) -> NewJob {
+        let ways = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+        let vectors = ways.into_iter().cycle().take(strokes);
+        let commands = std::iter::once(START.into()).chain(vectors.map(stroke));
+        NewJob {
+            title: "zigzag".into(),
+            kind: JobKind::Drawing,
+            commands: commands.collect(),
+            lift_mm: 0.0,
+        }
+    }
+
+    fn stroke([x_mm, y_mm]: [f32; 2]) -> Command {
+        WriteVector {
+            mode: WriteMode::Writing,
+            x_mm,
+            y_mm,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: 20.0,
+            stop: false,
+        }
+        .into()
+    }
+
+    fn laser_off() -> [u8; 42] {
+        let command: Command = JointJog {
+            axis: JointJogAxis::LaserOff,
+            speed_percent: 0.0,
+        }
+        .into();
+        command.emit(&Personality::default().dialect()).to_bytes()
+    }
+
+    const START: MoveTo = MoveTo {
+        x_mm: 200.0,
+        y_mm: 0.0,
+        z_mm: 50.0,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::MovJ,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    };
+}

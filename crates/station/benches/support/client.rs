@@ -1,0 +1,80 @@
+//! A WebSocket client without any machinery of its own that could be measured along.
+
+use std::net::TcpStream;
+use std::time::Duration;
+
+use dobot_station::Request;
+use serde_json::{Value, json};
+use tokio_tungstenite::tungstenite::{Message, WebSocket as Socket, client};
+
+/// A client that waits for each answer.
+pub(crate) struct WebSocket {
+    socket: Socket<TcpStream>,
+    id: u64,
+}
+
+impl WebSocket {
+    /// Connects.
+    pub(crate) fn connect(station: &str, query: &str) -> Self {
+        let stream = TcpStream::connect(station).expect("the station listens");
+        stream.set_nodelay(true).expect("it is TCP");
+        let patience = Some(Duration::from_secs(30));
+        stream.set_read_timeout(patience).expect("it is a time");
+        let url = format!("ws://{station}/api/v1/ws?{query}");
+        let (socket, _) = client(url, stream).expect("the station speaks WebSocket");
+        Self { socket, id: 0 }
+    }
+
+    /// A message that [`WebSocket::send`] sends.
+    pub(crate) fn message(&mut self, request: &Request) -> Message {
+        self.id += 1;
+        Message::text(json!({ "id": self.id, "request": request }).to_string())
+    }
+
+    /// Sends a message.
+    pub(crate) fn send(&mut self, message: Message) {
+        self.socket.send(message).expect("the station takes it");
+    }
+
+    /// The answer to the last request.
+    pub(crate) fn answer(&mut self) -> Value {
+        loop {
+            let said = self.hear();
+            if said["id"] == self.id {
+                return said;
+            }
+        }
+    }
+
+    /// Asks for something that is granted.
+    pub(crate) fn ask(&mut self, request: &Request) -> Value {
+        let answer = self.try_ask(request);
+        assert!(answer["problem"].is_null(), "{request:?}: {answer}");
+        answer
+    }
+
+    /// Asks for something.
+    pub(crate) fn try_ask(&mut self, request: &Request) -> Value {
+        let message = self.message(request);
+        self.send(message);
+        self.answer()
+    }
+
+    /// Waits for a state or notice that is as it should be.
+    pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
+        loop {
+            let said = self.hear();
+            if is_it(&said) {
+                return said;
+            }
+        }
+    }
+
+    fn hear(&mut self) -> Value {
+        loop {
+            if let Message::Text(text) = self.socket.read().expect("the station is there") {
+                return serde_json::from_str(&text).expect("the station speaks JSON");
+            }
+        }
+    }
+}
