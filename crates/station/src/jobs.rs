@@ -312,7 +312,7 @@ pub(crate) fn look_again(
         dialect: job.dialect,
         plan: JobPlan::new(policy, model, commands, lift_mm, job.window.completed)?,
         completed: job.window.completed,
-        doubt: (job.window.upto > job.window.completed).then(|| job.window.clone()),
+        doubt: (job.window.upto > job.window.completed).then_some(job.window),
     })
 }
 

@@ -497,7 +497,7 @@ impl Keeper {
                 format!("{RESTARTED}; the arm rests where command {next} begins")
             }
             Err(unclear) => {
-                run.begun.doubt = Some(window.clone());
+                run.begun.doubt = Some(*window);
                 format!("{RESTARTED}; {unclear}")
             }
         };
