@@ -59,8 +59,8 @@ mod measure {
         let share = |cpu: Duration| 100.0 * cpu.as_secs_f64() / (ended - began).as_secs_f64();
         println!(
             "share of a core: station {:.0} % (at most 100 %), clients and arm {:.0} %",
-            share(station_after - station_before),
-            share(own_after - own_before)
+            share(station_after.saturating_sub(station_before)),
+            share(own_after.saturating_sub(own_before))
         );
         println!("{}", load());
         assert_eq!((lost, dropped), (0, 0), "nothing is to be lost");
