@@ -16,6 +16,10 @@ if [[ ! -x $FOLDER/bin/schemathesis ]]; then
   "$FOLDER/bin/pip" install --quiet "schemathesis==$VERSION"
 fi
 
+# It keeps what it found beside itself: not in this project.
+mkdir -p "$FOLDER/work"
+cd "$FOLDER/work"
+
 # What the document allows may still be refused by lease, policy or link: that is not checked. The
 # WebSocket has tests of its own.
 "$FOLDER/bin/schemathesis" run "$ADDRESS/api/v1/openapi.json" \

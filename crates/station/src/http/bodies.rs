@@ -28,7 +28,6 @@ pub(super) struct NewCommand {
 pub(super) struct NewStop {
     /// Why, for those who find the arm stopped.
     #[serde(default)]
-    #[schemars(length(max = 200))]
     pub(super) reason: Option<String>,
 }
 

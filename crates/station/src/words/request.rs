@@ -25,9 +25,9 @@ pub enum Request {
     Release,
     /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
     Stop {
-        /// Why, for those who find the arm stopped.
+        /// Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
+        /// is not refused.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        #[schemars(length(max = 200))]
         reason: Option<String>,
     },
     /// Let the arm move again after a stop: a person has looked at it.
