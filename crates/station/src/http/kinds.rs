@@ -120,10 +120,10 @@ kinds! {
         "Requests come faster than the station takes them from one address. Wait as long as the Retry-After header says.";
     TOO_MANY = 429 "too-many" "too much waits already"
         "The station holds back only a few commands of a client. Wait until some are over, or send them as a job.";
+    TOO_MANY_CLIENTS = 429 "too-many-clients" "too many clients"
+        "The station serves as many clients as it can. Try again later.";
     NO_LINK = 503 "no-link" "there is no arm"
         "The station has no link to an arm. The state says what it waits for.";
-    TOO_MANY_CLIENTS = 503 "too-many-clients" "too many clients"
-        "The station serves as many clients as it can. Try again later.";
     ENDING = 503 "ending" "the station is shutting down"
         "The station ends. The laser is off.";
     JOURNAL = 507 "journal" "the journal cannot be written"

@@ -128,7 +128,7 @@ async fn there_is_an_end_to_how_many_are_kept() {
     }
     lab.bare("POST", "/api/v1/lease/ask")
         .await
-        .is(503)
+        .is(429)
         .is_problem("too-many-clients");
 }
 
