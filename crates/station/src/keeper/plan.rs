@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use dobot_arm::Position;
+use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
-use dobot_course::Model;
+use dobot_course::{Model, Place};
 use dobot_safety::{Policy, burns};
 use dobot_wire::{Command, Configuration, Status};
 
@@ -49,6 +49,8 @@ impl JobPlan {
         for (index, command) in commands.iter().enumerate() {
             let bad = |why: String| Refusal::BadJob { index, why };
             let course = if index == first && completed > first {
+                // To stand there already is no reason to refuse what is done.
+                model.place = somewhere(model.tool);
                 model
                     .course(command)
                     .map_err(|error| bad(error.to_string()))?
@@ -144,6 +146,11 @@ impl JobPlan {
         let over = index.checked_sub(1).and_then(|it| self.steps.get(it));
         self.planned_s() - over.map_or(0.0, |it| it.until_s)
     }
+}
+
+/// A place from which every target can be come to.
+fn somewhere(tool: Tool) -> Place {
+    Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool)
 }
 
 /// What is relative needs to know where it begins, wherever the arm was before: the first command

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_controller::Personality;
 use dobot_station::{ClientId, JobPhase, Jog, NewJob, Rehearsal, Request};
-use dobot_wire::{Command, Packet, WriteVector};
+use dobot_wire::{Command, MoveTo, MovingMode, Packet, WriteVector};
 
 use crate::drawing::{drawn_mm, is_over, rehearsal, spiral, wanted_mm};
 
@@ -210,4 +210,38 @@ fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
     let there = it.arm().mechanics().joints_at(it.now());
     it.run_for(Duration::from_secs(10));
     assert_eq!(there, it.arm().mechanics().joints_at(it.now()));
+}
+
+#[test]
+fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
+    let mut it = rehearsal(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let target = |y_mm| {
+        Command::from(MoveTo {
+            x_mm: 220.0,
+            y_mm,
+            z_mm: 20.0,
+            rotation_deg: 0.0,
+            suction: false,
+            mode: MovingMode::MovL,
+            gripper_deg: 0.0,
+            pause_s: 0.5,
+        })
+    };
+    let program = NewJob {
+        commands: vec![target(0.0), target(40.0)],
+        lift_mm: 0.0,
+        ..spiral(1)
+    };
+    let job = it.submit(&program).unwrap();
+    it.start(anna, job).unwrap();
+    let second = it.now() + Duration::from_secs(1);
+    assert!(it.run_until(second, |it| it.keeper().session().under_way() == 1));
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    assert_eq!(it.keeper().job().unwrap().completed, 1);
+    it.start(anna, job).unwrap();
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(it.run_until(minute, |it| is_over(it, job)));
 }
