@@ -5,6 +5,8 @@ mod conformance;
 mod decoding;
 mod drawing;
 #[cfg(unix)]
+mod killing;
+#[cfg(unix)]
 mod links;
 mod policy;
 mod program;

@@ -1,0 +1,310 @@
+//! A station that is killed while the laser burns, and started again: as processes, in real time.
+
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::path::Path;
+use std::process::{Child, ChildStdout, Stdio};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+use std::time::Duration;
+
+use dobot_station::{JobKind, NewJob};
+use dobot_wire::{
+    Command, Configuration, Decoder, Dialect, EndEffector, JointJog, JointJogAxis, MoveTo,
+    MovingMode, Packet, WriteMode, WriteVector,
+};
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::program::{command, command_at, run};
+
+const DIALECT: Dialect = Dialect::SPECIFICATION;
+const LASER_OFF: Command = Command::JointJog(JointJog {
+    axis: JointJogAxis::LaserOff,
+    speed_percent: 0.0,
+});
+
+/// A program that goes on; it ends with the test.
+struct Going {
+    child: Child,
+    output: BufReader<ChildStdout>,
+}
+
+impl Going {
+    fn new(mut command: std::process::Command) -> Self {
+        let mut child = command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let output = BufReader::new(child.stdout.take().expect("it is piped"));
+        Self { child, output }
+    }
+
+    /// Reads until a line with this text.
+    fn reads(&mut self, text: &str) -> String {
+        loop {
+            let mut line = String::new();
+            let read = self.output.read_line(&mut line).expect("it prints text");
+            assert!(read > 0, "it ended before `{text}`");
+            if line.contains(text) {
+                return line;
+            }
+        }
+    }
+
+    /// As `SIGKILL` does.
+    fn kill(mut self) {
+        self.child.kill().expect("it is there");
+        self.child.wait().expect("it ends");
+    }
+}
+
+impl Drop for Going {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// What passes the wire to the arm.
+enum Passed {
+    Opened,
+    Command(Command),
+}
+
+/// A wire to the arm that tells what passes it.
+fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = listener.local_addr().expect("it has an address");
+    let (tell, passed) = mpsc::channel();
+    thread::spawn(move || {
+        for station in listener.incoming() {
+            let station = station.expect("it comes");
+            let arm = TcpStream::connect(arm).expect("the arm is there");
+            let _ = tell.send(Passed::Opened);
+            let (from, to) = (arm.try_clone(), station.try_clone());
+            let back = (from.expect("a handle"), to.expect("a handle"));
+            thread::spawn(move || copy(back.0, back.1, |_| ()));
+            let tell = tell.clone();
+            thread::spawn(move || {
+                let mut decoder = Decoder::commands();
+                copy(station, arm, |bytes| tell_all(&tell, &mut decoder, bytes));
+            });
+        }
+    });
+    (address, passed)
+}
+
+fn tell_all(tell: &Sender<Passed>, decoder: &mut Decoder<dobot_wire::Commands>, bytes: &[u8]) {
+    for frame in decoder.feed(bytes) {
+        let packet = Packet::from(frame);
+        if let Ok(command) = Command::parse(&packet, &DIALECT) {
+            // A test that is over listens no more.
+            let _ = tell.send(Passed::Command(command));
+        }
+    }
+}
+
+/// Carries bytes until one end is gone, and closes the other one.
+fn copy(mut from: TcpStream, mut to: TcpStream, mut look: impl FnMut(&[u8])) {
+    let mut bytes = [0; 4096];
+    loop {
+        let read = match from.read(&mut bytes) {
+            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+            Ok(0) | Err(_) => break,
+            Ok(read) => read,
+        };
+        look(&bytes[..read]);
+        if to.write_all(&bytes[..read]).is_err() {
+            break;
+        }
+    }
+    let _ = to.shutdown(std::net::Shutdown::Both);
+    let _ = from.shutdown(std::net::Shutdown::Both);
+}
+
+/// A spiral to be burnt: no two of its points are near each other.
+fn spiral() -> NewJob {
+    let mut commands: Vec<Command> = vec![
+        Configuration::EndEffector {
+            tool: EndEffector::Laser,
+        }
+        .into(),
+        MoveTo {
+            x_mm: 220.0,
+            y_mm: 0.0,
+            z_mm: -20.0,
+            rotation_deg: 0.0,
+            suction: false,
+            mode: MovingMode::Jump,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        }
+        .into(),
+        vector([0.0, 0.0, -10.0], false),
+    ];
+    commands.extend((0_u8..16).map(|line| {
+        let side_mm = 4.0 + f32::from(line / 2) * 2.0;
+        let way = [
+            [side_mm, 0.0],
+            [0.0, side_mm],
+            [-side_mm, 0.0],
+            [0.0, -side_mm],
+        ];
+        let [x, y] = way[usize::from(line % 4)];
+        vector([x, y, 0.0], true)
+    }));
+    commands.push(vector([0.0, 0.0, 10.0], false));
+    NewJob {
+        title: "a burnt spiral".into(),
+        kind: JobKind::Drawing,
+        commands,
+        lift_mm: 0.0,
+    }
+}
+
+fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
+    WriteVector {
+        mode: if laser {
+            WriteMode::Laser
+        } else {
+            WriteMode::Writing
+        },
+        x_mm,
+        y_mm,
+        z_mm,
+        laser,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 40.0,
+        stop: false,
+    }
+    .into()
+}
+
+fn burns(command: &Command) -> bool {
+    matches!(command, Command::WriteVector(it) if it.laser)
+}
+
+/// A bench with an arm, a wire that listens, and the data of a station.
+struct Bench {
+    _arm: Going,
+    wire: SocketAddr,
+    passed: Receiver<Passed>,
+    folder: TempDir,
+    burnt: Vec<Command>,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0", "--speed", "4"]));
+        let line = arm.reads("127.0.0.1");
+        let address = line.split_whitespace().next().expect("an address");
+        let address = address.trim_start_matches("tcp:");
+        let (wire, passed) = wire(address.parse().expect("an address"));
+        Self {
+            _arm: arm,
+            wire,
+            passed,
+            folder: tempfile::tempdir().expect("there is room"),
+            burnt: Vec::new(),
+        }
+    }
+
+    fn station(&self) -> Going {
+        let arm = format!("tcp:{}", self.wire);
+        let ports = ["--http", "127.0.0.1:0", "--raw", "off"];
+        let arm = ["up", "--dialect", "specification", "--arm", &arm];
+        let arguments = [&arm[..], &ports].concat();
+        let mut station = Going::new(command_at(self.folder.path(), &arguments));
+        station.reads("Ctrl-C");
+        station
+    }
+
+    fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    fn job(&self) -> Value {
+        let show = ["jobs", "show", "1", "--json"];
+        let outcome = run(&mut command_at(self.folder(), &show), b"").succeeds();
+        serde_json::from_str(&outcome.stdout).expect("it is JSON")
+    }
+
+    /// Waits for the next command on the wire, and keeps those that burn.
+    fn next(&mut self) -> Passed {
+        let next = self.passed.recv_timeout(Duration::from_secs(60));
+        let next = next.expect("something passes the wire within a minute");
+        if let Passed::Command(command) = &next
+            && burns(command)
+        {
+            self.burnt.push(*command);
+        }
+        next
+    }
+
+    /// The first command after the wire was opened.
+    fn first_of_station(&mut self) -> Command {
+        while !matches!(self.next(), Passed::Opened) {}
+        match self.next() {
+            Passed::Command(command) => command,
+            Passed::Opened => panic!("the wire was opened twice"),
+        }
+    }
+
+    /// A person has looked at the arm, and has the job go on.
+    fn start(&self) -> Going {
+        run(&mut command_at(self.folder(), &["confirm", "--yes"]), b"").succeeds();
+        let start = ["jobs", "start", "1", "--arm-laser", "600"];
+        Going::new(command_at(self.folder(), &start))
+    }
+
+    fn wait_until(&self, so: impl Fn(&Value) -> bool) {
+        loop {
+            let job = self.job();
+            assert_ne!(job["phase"], "failed", "{job}");
+            if so(&job) {
+                return;
+            }
+        }
+    }
+}
+
+#[test]
+fn a_station_that_is_killed_while_it_burns_switches_the_laser_off_first_and_finishes_the_job() {
+    let mut bench = Bench::new();
+    let job = spiral();
+    let file = bench.folder().join("job.json");
+    let text = serde_json::to_string(&job).expect("it is JSON");
+    std::fs::write(&file, text).expect("there is room");
+    let mut station = bench.station();
+    assert_eq!(bench.first_of_station(), LASER_OFF);
+    let submit = ["jobs", "submit", file.to_str().expect("the path is text")];
+    run(&mut command_at(bench.folder(), &submit), b"").succeeds();
+    for kill in 1..=3 {
+        let _follower = bench.start();
+        while bench.burnt.len() < 4 * kill {
+            bench.next();
+        }
+        station.kill();
+        station = bench.station();
+        assert_eq!(bench.first_of_station(), LASER_OFF, "after kill {kill}");
+        // The job is paused from the first moment on; where the arm rests is found out later.
+        bench.wait_until(|job| {
+            let reason = job["reason"].as_str().unwrap_or_default();
+            job["phase"] == "paused" && reason.contains("the arm rests where command")
+        });
+    }
+    let _follower = bench.start();
+    bench.wait_until(|job| job["phase"] == "done");
+    station.kill();
+    while let Ok(passed) = bench.passed.try_recv() {
+        if let Passed::Command(command) = passed {
+            bench.burnt.extend(Some(command).filter(burns));
+        }
+    }
+    let wanted: Vec<Command> = job.commands.into_iter().filter(burns).collect();
+    assert_eq!(bench.burnt, wanted, "every vector once, in its order");
+}
