@@ -1,0 +1,35 @@
+//! How measured times are spread.
+
+use std::fmt;
+
+/// Measured values, to be told by their least, middle and greatest.
+#[derive(Clone, Debug, Default)]
+pub struct Spread(Vec<f64>);
+
+impl Spread {
+    /// Takes a value.
+    pub fn add(&mut self, value: f64) {
+        self.0.push(value);
+    }
+
+    /// The greatest value; 0 where there is none.
+    pub fn most(&self) -> f64 {
+        self.0.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The value that so many of a hundred are not above.
+    pub fn percent(&self, percent: usize) -> f64 {
+        let mut sorted = self.0.clone();
+        sorted.sort_by(f64::total_cmp);
+        let last = sorted.len().saturating_sub(1);
+        sorted.get(last * percent / 100).copied().unwrap_or(0.0)
+    }
+}
+
+/// As cells of a table: least, middle, 99 of 100, most.
+impl fmt::Display for Spread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|it| self.percent(it));
+        write!(f, "{least:.2} | {middle:.2} | {nearly:.2} | {most:.2}")
+    }
+}

@@ -1,0 +1,76 @@
+//! Everything that can go wrong, a few times each: `examples/reliability` does it thousands of times.
+
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+#[path = "../../examples/reliability/cases/mod.rs"]
+mod cases;
+
+use cases::{cables, clients, disks, floods, kills, lines, stops};
+
+/// Fails with the first thing that should not be, and says how many there are.
+fn right(wrong: &[String]) {
+    assert!(wrong.is_empty(), "{} of them: {}", wrong.len(), wrong[0]);
+}
+
+#[test]
+fn a_killed_station_loses_nothing_repeats_nothing_and_switches_the_laser_off_first() {
+    let it = kills::run(60);
+    right(&it.wrong);
+    assert_eq!((it.lost, it.repeated, it.unclear), (0, 0, 0));
+    assert_eq!((it.not_off_first, it.burnt_at_rest), (0, 0));
+    assert!(it.at_work > 40 && it.burning > 5, "{it:?}");
+}
+
+#[test]
+fn a_cable_may_be_pulled_in_every_phase_of_a_job() {
+    for it in cables::run(18) {
+        right(&it.wrong);
+        assert_eq!((it.lost, it.repeated), (0, 0), "{}", it.during);
+    }
+}
+
+#[test]
+fn a_bad_line_never_spoils_a_drawing_silently() {
+    for it in lines::run(12) {
+        right(&it.wrong);
+        assert_eq!(it.silently_wrong, 0, "{}: {:?}", it.fault, it.example);
+        if it.fault.ends_with(":from") {
+            assert_eq!(it.done, it.drawings, "{}: {:?}", it.fault, it.reason);
+        }
+    }
+}
+
+#[test]
+fn an_arm_whose_client_vanishes_is_stopped() {
+    for it in clients::run(16) {
+        right(&it.wrong);
+        assert!(it.packet_s.most() <= 0.21, "{}: {}", it.how, it.packet_s);
+        assert!(it.over_s.most() < 2.5, "{}: {}", it.how, it.over_s);
+        assert_eq!(it.not_free, 0, "{}", it.how);
+    }
+}
+
+#[test]
+fn a_flood_overruns_neither_arm_nor_station() {
+    for it in floods::run(4) {
+        right(&it.wrong);
+        assert_eq!((it.overrun, it.not_served), (0, 0), "{}", it.who);
+        assert!(it.most_waiting <= 64, "{}: {}", it.who, it.most_waiting);
+    }
+}
+
+#[test]
+fn a_full_disk_pauses_the_job_and_it_goes_on_when_there_is_room() {
+    let it = disks::run(24);
+    right(&it.wrong);
+    assert_eq!((it.lost, it.repeated), (0, 0));
+    assert!(it.paused > 8, "{it:?}");
+}
+
+#[test]
+fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
+    for it in stops::run(30) {
+        right(&it.wrong);
+        assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
+    }
+}
