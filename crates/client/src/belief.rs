@@ -19,6 +19,8 @@ pub(crate) struct Belief {
     given: Option<Model>,
     under_way: VecDeque<Foreseen>,
     last: Option<Status>,
+    /// Until then the arm may pause once more where the last command ended (note N47).
+    paused_until: Duration,
 }
 
 /// When a command under way should be over.
@@ -27,6 +29,8 @@ struct Foreseen {
     /// `None` for one that left beside the session: nobody tells when it is over.
     command: Option<CommandId>,
     duration: Duration,
+    /// The pause in that.
+    pause: Duration,
     /// Whether it goes on until told otherwise.
     endless: bool,
     /// Whether the base stands at 0 when it is over.
@@ -46,6 +50,7 @@ impl Belief {
             given: None,
             under_way: VecDeque::new(),
             last: None,
+            paused_until: Duration::ZERO,
         }
     }
 
@@ -139,10 +144,12 @@ impl Belief {
         let bound = before
             .map_or(Duration::ZERO, |it| it.bound)
             .max(now + LATEST)
+            .max(self.paused_until)
             + most;
         self.under_way.push_back(Foreseen {
             command: id,
             duration,
+            pause: seconds_of(pause_s),
             endless,
             ends_ahead: course
                 .and_then(|it| it.end())
@@ -155,6 +162,8 @@ impl Belief {
 
     /// A command, and all before it, is over.
     pub(crate) fn handle_over(&mut self, now: Duration, id: CommandId) {
+        let last = self.under_way.iter().find(|it| it.command == Some(id));
+        self.paused_until = now + last.map_or(Duration::ZERO, |it| it.pause);
         self.under_way
             .retain(|it| it.command.is_none_or(|it| it > id));
         // What follows began before that was seen. It may have begun long before: a target passed
@@ -179,6 +188,7 @@ impl Belief {
     /// The arm was reset: nothing that was told to it counts any more.
     pub(crate) fn handle_reset(&mut self, status: &Status) {
         self.under_way.clear();
+        self.paused_until = Duration::ZERO;
         self.sent = Some(Model::new(self.dialect, status));
         self.given = self.sent;
     }
