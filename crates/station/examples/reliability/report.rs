@@ -6,7 +6,7 @@ use crate::cases::{cables, clients, disks, floods, kills, lines, stops};
 
 /// The document, and what should not be.
 #[derive(Debug, Default)]
-pub struct Report {
+pub(crate) struct Report {
     /// Markdown.
     pub text: String,
     /// What should not be, a line each.
@@ -15,7 +15,7 @@ pub struct Report {
 
 impl Report {
     /// All figures, with so many times fewer cases.
-    pub fn all(&mut self, fewer: u64) {
+    pub(crate) fn all(&mut self, fewer: u64) {
         self.line(HEAD);
         self.kills(1_000 / fewer);
         self.cables(200 / fewer);
@@ -31,7 +31,7 @@ impl Report {
         let it = kills::run(usize::try_from(kills).unwrap_or(usize::MAX));
         self.line(KILLS);
         self.table(["", ""], &[]);
-        self.row("kills", it.kills);
+        self.row("kills", it.times);
         self.row("while a job had the arm", it.at_work);
         self.row("while the laser burnt", it.burning);
         self.row("jobs, all of them done in the end", it.jobs);
@@ -159,7 +159,7 @@ impl Report {
 
     fn stops(&mut self, stops: u64) {
         let all = stops::run(stops);
-        let sum: usize = all.iter().map(|it| it.stops).sum();
+        let sum: usize = all.iter().map(|it| it.times).sum();
         self.line(STOPS);
         self.line(&format!("{sum} stops in all.\n"));
         self.table(
@@ -180,7 +180,7 @@ impl Report {
         for it in all {
             let cells = format!(
                 "{} | {} | {} | {} | {}",
-                it.stops, it.late, it.burnt, it.promised_s, it.took_s
+                it.times, it.late, it.burnt, it.promised_s, it.took_s
             );
             self.row(it.doing, cells);
             self.wrong(it.wrong);

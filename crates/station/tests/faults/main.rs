@@ -1,7 +1,5 @@
 //! Everything that can go wrong, a few times each: `examples/reliability` does it thousands of times.
 
-#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
-
 #[path = "../../examples/reliability/cases/mod.rs"]
 mod cases;
 

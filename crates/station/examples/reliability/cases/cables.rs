@@ -14,7 +14,7 @@ use super::spread::Spread;
 
 /// What the job does when the cable is pulled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum During {
+pub(crate) enum During {
     /// On the way to where it begins.
     Approach,
     /// Somewhere in it.
@@ -31,7 +31,7 @@ pub enum During {
 
 impl During {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; 6] = [
         Self::Approach,
         Self::Running,
         Self::Draining,
@@ -56,7 +56,7 @@ impl fmt::Display for During {
 
 /// What became of the jobs whose cable was pulled.
 #[derive(Debug)]
-pub struct Cables {
+pub(crate) struct Cables {
     /// What the job did.
     pub during: During,
     /// So often the cable was pulled.
@@ -74,7 +74,7 @@ pub struct Cables {
 }
 
 /// Pulls cables so often for each phase.
-pub fn run(pulls: u64) -> Vec<Cables> {
+pub(crate) fn run(pulls: u64) -> Vec<Cables> {
     During::ALL.map(|during| of(during, pulls)).into()
 }
 
@@ -113,7 +113,9 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
         return Err(Wrong("the laser burns on".into()));
     }
     if burnt {
-        figures.dark_s.add((scene.it.now() - back).as_secs_f64());
+        figures
+            .dark_s
+            .add(scene.it.now().saturating_sub(back).as_secs_f64());
     }
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));

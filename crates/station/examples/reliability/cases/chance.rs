@@ -4,16 +4,16 @@ use std::time::Duration;
 
 /// Numbers that look like chance; the same seed gives the same ones (`SplitMix64`).
 #[derive(Clone, Debug)]
-pub struct Chance(u64);
+pub(crate) struct Chance(u64);
 
 impl Chance {
     /// Begins with a seed.
-    pub const fn new(seed: u64) -> Self {
+    pub(crate) const fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15))
     }
 
     /// Any number.
-    pub const fn number(&mut self) -> u64 {
+    pub(crate) const fn number(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut it = self.0;
         it = (it ^ (it >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -22,25 +22,25 @@ impl Chance {
     }
 
     /// A number below `end`.
-    pub const fn below(&mut self, end: u64) -> u64 {
+    pub(crate) const fn below(&mut self, end: u64) -> u64 {
         self.number() % end
     }
 
     /// A length or an angle from `from` to `to`, in steps of a hundredth of that.
     #[expect(clippy::cast_precision_loss, reason = "a hundred is exact")]
-    pub fn between(&mut self, from: f32, to: f32) -> f32 {
+    pub(crate) fn between(&mut self, from: f32, to: f32) -> f32 {
         let share = self.below(101) as f32 / 100.0;
         from + (to - from) * share
     }
 
     /// A time below `end`, to the microsecond.
-    pub fn time(&mut self, end: Duration) -> Duration {
+    pub(crate) fn time(&mut self, end: Duration) -> Duration {
         let most = u64::try_from(end.as_micros()).unwrap_or(u64::MAX);
         Duration::from_micros(self.below(most.max(1)))
     }
 
     /// One of some.
-    pub fn one<T: Copy>(&mut self, of: &[T]) -> T {
+    pub(crate) fn one<T: Copy>(&mut self, of: &[T]) -> T {
         let at = self.below(of.len() as u64);
         of[usize::try_from(at).unwrap_or_default()]
     }

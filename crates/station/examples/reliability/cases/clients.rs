@@ -14,7 +14,7 @@ use super::spread::Spread;
 
 /// What became of the arm when its client vanished.
 #[derive(Debug)]
-pub struct Clients {
+pub(crate) struct Clients {
     /// How it vanished.
     pub how: &'static str,
     /// So often.
@@ -36,7 +36,7 @@ const GONE: &str = "gone while it jogs";
 const BURNING: &str = "gone while its job burns";
 
 /// Lets so many clients vanish in each way.
-pub fn run(times: u64) -> Vec<Clients> {
+pub(crate) fn run(times: u64) -> Vec<Clients> {
     [SILENT, GONE, BURNING].map(|how| of(how, times)).into()
 }
 
@@ -113,9 +113,12 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
     if sent.first() != Some(&LASER_OFF) {
         return Err(Wrong(format!("the first packet is {:?}", sent.first())));
     }
-    figures
-        .packet_s
-        .add((scene.it.packets()[packets].0 - at).as_secs_f64());
+    figures.packet_s.add(
+        scene.it.packets()[packets]
+            .0
+            .saturating_sub(at)
+            .as_secs_f64(),
+    );
     let mut lit = if scene.burns() { scene.it.now() } else { at };
     let note = |it: &Rehearsal| {
         if burns(it) {
@@ -124,7 +127,7 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
         false
     };
     scene.it.run_until(at + Duration::from_secs(20), note);
-    figures.over_s.add((lit - at).as_secs_f64());
+    figures.over_s.add(lit.saturating_sub(at).as_secs_f64());
     note_lease(figures, &scene);
     figures.times += 1;
     Ok(())

@@ -15,7 +15,7 @@ use super::spread::Spread;
 
 /// What became of the jobs whose journal could not be written.
 #[derive(Debug, Default)]
-pub struct Disks {
+pub(crate) struct Disks {
     /// So many jobs.
     pub jobs: usize,
     /// The job was paused for it, with the reason.
@@ -33,7 +33,7 @@ pub struct Disks {
 }
 
 /// Fills the disk in so many jobs.
-pub fn run(jobs: u64) -> Disks {
+pub(crate) fn run(jobs: u64) -> Disks {
     let mut figures = Disks::default();
     for (personality, sort, seed) in cases(jobs) {
         if let Err(wrong) = one(&mut figures, personality, sort, seed) {
@@ -75,7 +75,7 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 
 /// Until the job works no more, and a bit: is it dark then?
 fn wait(figures: &mut Disks, scene: &mut Scene) {
-    let latest = scene.it.now() + Duration::from_secs(60);
+    let latest = scene.it.now() + Duration::from_mins(1);
     let works = |it: &Rehearsal| it.keeper().job().is_some_and(|it| it.reason.is_none());
     scene.it.run_until(latest, |it| !works(it));
     let (paused, burnt) = (scene.it.now(), scene.burns());
@@ -83,7 +83,9 @@ fn wait(figures: &mut Disks, scene: &mut Scene) {
         .it
         .run_until(paused + Duration::from_secs(20), |it| !burns(it));
     if burnt {
-        figures.dark_s.add((scene.it.now() - paused).as_secs_f64());
+        figures
+            .dark_s
+            .add(scene.it.now().saturating_sub(paused).as_secs_f64());
     }
     scene.it.run_for(Duration::from_secs(5));
 }

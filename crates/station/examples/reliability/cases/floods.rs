@@ -12,11 +12,11 @@ use super::scene::{Scene, Wrong};
 
 /// What became of the arm and the others when somebody sent too much.
 #[derive(Debug)]
-pub struct Floods {
+pub(crate) struct Floods {
     /// Who sent what.
     pub who: &'static str,
     /// So many times.
-    pub floods: usize,
+    pub times: usize,
     /// Requests or packets in all.
     pub sent: usize,
     /// So many packets went on to the arm meanwhile.
@@ -39,7 +39,7 @@ const STRANGER_RAW: &str = "raw packets of somebody else, while a job runs";
 const STOPS: &str = "stops, one after the other";
 
 /// Floods so often in each way, with so many requests for each moment.
-pub fn run(floods: u64) -> Vec<Floods> {
+pub(crate) fn run(floods: u64) -> Vec<Floods> {
     [HOLDER, NONSENSE, RAW, STRANGER, STRANGER_RAW, STOPS]
         .map(|who| of(who, floods))
         .into()
@@ -48,7 +48,7 @@ pub fn run(floods: u64) -> Vec<Floods> {
 fn of(who: &'static str, floods: u64) -> Floods {
     let mut figures = Floods {
         who,
-        floods: 0,
+        times: 0,
         sent: 0,
         passed_on: 0,
         overrun: 0,
@@ -104,7 +104,7 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
     overruns(figures, &mut scene.it);
     let holds = scene.it.keeper().state().stop.is_some_and(|it| it.at_rest);
     figures.not_served += usize::from(!holds);
-    figures.floods += 1;
+    figures.times += 1;
     Ok(())
 }
 

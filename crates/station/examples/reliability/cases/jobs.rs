@@ -9,7 +9,7 @@ use super::chance::Chance;
 
 /// What a job is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sort {
+pub(crate) enum Sort {
     /// A pen drawing: closed loops, some of them of tiny vectors.
     Pen,
     /// The same, burnt.
@@ -20,10 +20,10 @@ pub enum Sort {
 
 impl Sort {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Pen, Self::Burn, Self::Program];
+    pub(crate) const ALL: [Self; 3] = [Self::Pen, Self::Burn, Self::Program];
 
     /// A job of this sort.
-    pub fn job(self, chance: &mut Chance) -> NewJob {
+    pub(crate) fn job(self, chance: &mut Chance) -> NewJob {
         let (commands, kind) = match self {
             Self::Pen => (loops(chance, false), JobKind::Drawing),
             Self::Burn => (loops(chance, true), JobKind::Drawing),
@@ -50,7 +50,7 @@ impl fmt::Display for Sort {
 
 /// Whether a command leaves something on the paper, or moves things: none of these may be lost or
 /// repeated. The station's own lifts go straight up and its own ways do not pause.
-pub fn counts(command: &Command) -> bool {
+pub(crate) fn counts(command: &Command) -> bool {
     match command {
         Command::WriteVector(it) => it.x_mm != 0.0 || it.y_mm != 0.0,
         Command::MoveTo(it) => it.pause_s > 0.0,
@@ -59,7 +59,7 @@ pub fn counts(command: &Command) -> bool {
 }
 
 /// Where the pen draws.
-pub const DOWN_MM: f32 = -30.0;
+pub(crate) const DOWN_MM: f32 = -30.0;
 const UP_MM: f32 = -22.0;
 
 /// Closed loops, with the pen lifted between them.

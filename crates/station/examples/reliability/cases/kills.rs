@@ -13,9 +13,9 @@ use super::spread::Spread;
 
 /// What became of the jobs whose station was killed.
 #[derive(Debug, Default)]
-pub struct Kills {
+pub(crate) struct Kills {
     /// So often the station was killed.
-    pub kills: usize,
+    pub times: usize,
     /// While a job had the arm.
     pub at_work: usize,
     /// While the laser burnt.
@@ -39,10 +39,10 @@ pub struct Kills {
 }
 
 /// Kills stations at random moments until there were `kills` of them.
-pub fn run(kills: usize) -> Kills {
+pub(crate) fn run(kills: usize) -> Kills {
     let mut figures = Kills::default();
     for (personality, sort, seed) in cases(u64::MAX) {
-        if figures.kills >= kills {
+        if figures.times >= kills {
             break;
         }
         if let Err(wrong) = one(&mut figures, personality, sort, seed) {
@@ -83,7 +83,7 @@ fn one(figures: &mut Kills, personality: Personality, sort: Sort, seed: u64) -> 
 
 /// Kills the station, starts it again, and looks at the laser.
 fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
-    figures.kills += 1;
+    figures.times += 1;
     figures.burning += usize::from(scene.burns());
     let before = scene.it.packets().len();
     scene.it.crash(chance.time(Duration::from_secs(5)))?;
@@ -96,11 +96,13 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
         }
         it.keeper().is_at_rest() && it.now() > began + Duration::from_secs(1)
     };
-    if !scene.it.run_until(began + Duration::from_secs(60), rests) {
+    if !scene.it.run_until(began + Duration::from_mins(1), rests) {
         return Err(Wrong("the arm did not come to rest".into()));
     }
     if burnt {
-        figures.off_after_s.add((last - began).as_secs_f64());
+        figures
+            .off_after_s
+            .add(last.saturating_sub(began).as_secs_f64());
     }
     figures.burnt_at_rest += usize::from(scene.burns());
     let first = scene.sent(before).first().copied();

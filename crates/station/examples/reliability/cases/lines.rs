@@ -10,7 +10,7 @@ use super::scene::{Scene, Wrong};
 
 /// What became of pen drawings on a bad line, with nobody who goes on with one that is paused.
 #[derive(Debug)]
-pub struct Lines {
+pub(crate) struct Lines {
     /// What is wrong with the line.
     pub fault: &'static str,
     /// So many drawings were started.
@@ -35,7 +35,7 @@ pub struct Lines {
 
 /// What is wrong with the lines. A packet has 42 bytes: where one byte of a thousand is lost, so is
 /// one packet of 24.
-pub const FAULTS: [&str; 9] = [
+pub(crate) const FAULTS: [&str; 9] = [
     "drop=0.1%:from",
     "drop=1%:from",
     "flip=0.1%:from",
@@ -48,7 +48,7 @@ pub const FAULTS: [&str; 9] = [
 ];
 
 /// Draws so many drawings with each fault.
-pub fn run(drawings: u64) -> Vec<Lines> {
+pub(crate) fn run(drawings: u64) -> Vec<Lines> {
     FAULTS.map(|fault| of(fault, drawings)).into()
 }
 

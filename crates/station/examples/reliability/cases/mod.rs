@@ -1,14 +1,14 @@
 //! What can go wrong, in virtual time: each case gives its figures.
 
-pub mod cables;
-pub mod chance;
-pub mod clients;
-pub mod disks;
-pub mod floods;
-pub mod jobs;
-pub mod kills;
-pub mod lines;
-pub mod paper;
-pub mod scene;
-pub mod spread;
-pub mod stops;
+pub(crate) mod cables;
+pub(crate) mod chance;
+pub(crate) mod clients;
+pub(crate) mod disks;
+pub(crate) mod floods;
+pub(crate) mod jobs;
+pub(crate) mod kills;
+pub(crate) mod lines;
+pub(crate) mod paper;
+pub(crate) mod scene;
+pub(crate) mod spread;
+pub(crate) mod stops;

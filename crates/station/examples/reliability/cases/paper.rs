@@ -9,7 +9,7 @@ use super::jobs::DOWN_MM;
 
 /// How far the ink is from the lines that were wanted.
 #[derive(Clone, Copy, Debug)]
-pub struct Paper {
+pub(crate) struct Paper {
     /// The greatest distance of the ink from the lines that were wanted.
     pub aside_mm: f64,
     /// The length of all the ink, less what was wanted.
@@ -20,7 +20,7 @@ pub struct Paper {
 
 impl Paper {
     /// Looks at the ink of a drawing.
-    pub fn of(samples: &[Sample], job: &NewJob) -> Self {
+    pub(crate) fn of(samples: &[Sample], job: &NewJob) -> Self {
         let wanted = wanted(job);
         let ink: Vec<[Position; 2]> = samples
             .windows(2)
@@ -43,7 +43,7 @@ impl Paper {
 
     /// Whether it is the drawing that was wanted. The steps of the motors make each line a bit
     /// longer.
-    pub fn is_right(&self) -> bool {
+    pub(crate) fn is_right(&self) -> bool {
         let teeth_mm = 0.1 * f64::from(self.lines);
         self.aside_mm < ASIDE_MM && (-ASIDE_MM..=teeth_mm).contains(&self.longer_mm)
     }
@@ -84,7 +84,7 @@ fn flat(at: Position) -> Position {
 }
 
 /// Ink that is nearer than this to its line is where it was wanted.
-pub const ASIDE_MM: f64 = 0.3;
+pub(crate) const ASIDE_MM: f64 = 0.3;
 
 /// How far a point is from a line between two others.
 fn distance_mm(point: Position, [from, to]: [Position; 2]) -> f64 {

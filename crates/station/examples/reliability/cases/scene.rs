@@ -15,7 +15,7 @@ use super::paper::Paper;
 
 /// An arm, its station and a person who has control.
 #[derive(Debug)]
-pub struct Scene {
+pub(crate) struct Scene {
     /// What happens.
     pub it: Rehearsal,
     /// The person.
@@ -27,7 +27,7 @@ pub struct Scene {
 
 /// What should not be, in one line.
 #[derive(Debug)]
-pub struct Wrong(pub String);
+pub(crate) struct Wrong(pub String);
 
 impl fmt::Display for Wrong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -49,7 +49,7 @@ impl From<JournalError> for Wrong {
 
 /// How often the commands of a job were given to the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Given {
+pub(crate) struct Given {
     /// Never.
     pub lost: usize,
     /// More often than once.
@@ -58,18 +58,22 @@ pub struct Given {
 
 impl Scene {
     /// An arm that was just switched on.
-    pub fn new(personality: Personality) -> Result<Self, Wrong> {
+    pub(crate) fn new(personality: Personality) -> Result<Self, Wrong> {
         Self::faulty(personality, &[], 0)
     }
 
     /// The same with faults.
-    pub fn faulty(personality: Personality, faults: &[&str], seed: u64) -> Result<Self, Wrong> {
+    pub(crate) fn faulty(
+        personality: Personality,
+        faults: &[&str],
+        seed: u64,
+    ) -> Result<Self, Wrong> {
         let journal = Journal::in_memory()?;
         Self::with_journal(personality, faults, seed, journal)
     }
 
     /// The same with a journal of one's own.
-    pub fn with_journal(
+    pub(crate) fn with_journal(
         personality: Personality,
         faults: &[&str],
         seed: u64,
@@ -96,7 +100,7 @@ impl Scene {
     }
 
     /// Keeps a job and starts it.
-    pub fn begin(&mut self, job: &NewJob) -> Result<u64, Wrong> {
+    pub(crate) fn begin(&mut self, job: &NewJob) -> Result<u64, Wrong> {
         self.since = self.it.packets().len();
         let number = self.it.submit(job)?;
         self.start(number)?;
@@ -104,7 +108,7 @@ impl Scene {
     }
 
     /// Starts a job or goes on with it, as a person does who has looked: the laser is armed.
-    pub fn start(&mut self, job: u64) -> Result<(), Wrong> {
+    pub(crate) fn start(&mut self, job: u64) -> Result<(), Wrong> {
         self.it.ask(self.anna, Request::ConfirmPose)?;
         self.it.ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
         self.it.start(self.anna, job)?;
@@ -112,20 +116,20 @@ impl Scene {
     }
 
     /// A person comes to a station that was started again.
-    pub fn come_back(&mut self) -> Result<(), Wrong> {
+    pub(crate) fn come_back(&mut self) -> Result<(), Wrong> {
         self.anna = self.it.client("Anna");
         self.it.ask(self.anna, Request::TakeLease)?;
         Ok(())
     }
 
     /// How long a job takes.
-    pub fn planned(&self) -> Duration {
+    pub(crate) fn planned(&self) -> Duration {
         let planned_s = self.it.keeper().job().and_then(|it| it.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
     }
 
     /// Waits until a job can be started or is over, and the arm rests.
-    pub fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
+    pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
         let latest = self.it.now() + PATIENCE;
         let works = |it: &Rehearsal| {
             it.keeper()
@@ -151,7 +155,7 @@ impl Scene {
     }
 
     /// Goes on with a job until it is over, however often that takes.
-    pub fn finish(&mut self, job: u64) -> Result<(), Wrong> {
+    pub(crate) fn finish(&mut self, job: u64) -> Result<(), Wrong> {
         for _ in 0..8 {
             match self.settle(job)? {
                 JobState::Done => return Ok(()),
@@ -163,7 +167,7 @@ impl Scene {
     }
 
     /// What the arm was given of a job.
-    pub fn given(&self, job: &NewJob) -> Given {
+    pub(crate) fn given(&self, job: &NewJob) -> Given {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
         let given = self
             .sent(self.since)
@@ -189,7 +193,7 @@ impl Scene {
     }
 
     /// Whether all of a job was given once, and is on the paper.
-    pub fn check(&self, job: &NewJob) -> Result<(), Wrong> {
+    pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
         let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
         if given == Given::default() && paper.is_right() {
             return Ok(());
@@ -198,7 +202,7 @@ impl Scene {
     }
 
     /// The commands that were put on the wire since then.
-    pub fn sent(&self, since: usize) -> Vec<Command> {
+    pub(crate) fn sent(&self, since: usize) -> Vec<Command> {
         let packets = self.it.packets()[since..].iter();
         let dialect: Dialect = self.personality.dialect();
         packets
@@ -208,12 +212,12 @@ impl Scene {
     }
 
     /// Whether the laser burns.
-    pub fn burns(&self) -> bool {
+    pub(crate) fn burns(&self) -> bool {
         burns(&self.it)
     }
 
     /// When the arm came to rest last, as the machine has it, in seconds.
-    pub fn rested_s(&self) -> f64 {
+    pub(crate) fn rested_s(&self) -> f64 {
         let samples = self.it.arm().samples();
         let Some(last) = samples.last() else {
             return 0.0;
@@ -229,13 +233,13 @@ impl Scene {
     }
 
     /// The personality of the arm.
-    pub const fn personality(&self) -> Personality {
+    pub(crate) const fn personality(&self) -> Personality {
         self.personality
     }
 }
 
 /// Whether the laser burns.
-pub fn burns(it: &Rehearsal) -> bool {
+pub(crate) fn burns(it: &Rehearsal) -> bool {
     it.arm().controller().outputs().laser
 }
 
@@ -244,7 +248,7 @@ fn state(it: &Rehearsal, job: u64) -> Option<JobState> {
 }
 
 /// A figure for both personalities and all sorts of jobs.
-pub fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)> {
+pub(crate) fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)> {
     (0..count).map(|seed| {
         let at = usize::try_from(seed).unwrap_or_default();
         let personality = Personality::ALL[at % 2];
@@ -253,8 +257,8 @@ pub fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)> {
 }
 
 /// What switches the laser off.
-pub const LASER_OFF: Command = Command::JointJog(JointJog {
+pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog {
     axis: JointJogAxis::LaserOff,
     speed_percent: 0.0,
 });
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_mins(2);

@@ -4,21 +4,21 @@ use std::fmt;
 
 /// Measured values, to be told by their least, middle and greatest.
 #[derive(Clone, Debug, Default)]
-pub struct Spread(Vec<f64>);
+pub(crate) struct Spread(Vec<f64>);
 
 impl Spread {
     /// Takes a value.
-    pub fn add(&mut self, value: f64) {
+    pub(crate) fn add(&mut self, value: f64) {
         self.0.push(value);
     }
 
     /// The greatest value; 0 where there is none.
-    pub fn most(&self) -> f64 {
+    pub(crate) fn most(&self) -> f64 {
         self.0.iter().copied().fold(0.0, f64::max)
     }
 
     /// The value that so many of a hundred are not above.
-    pub fn percent(&self, percent: usize) -> f64 {
+    pub(crate) fn percent(&self, percent: usize) -> f64 {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);
         let last = sorted.len().saturating_sub(1);

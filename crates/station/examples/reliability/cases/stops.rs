@@ -14,7 +14,7 @@ use super::spread::Spread;
 
 /// What the arm does when it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Doing {
+pub(crate) enum Doing {
     /// A job, from its start to its end.
     Job(Sort),
     /// Targets of a client, as many as wait.
@@ -29,7 +29,7 @@ pub enum Doing {
 
 impl Doing {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self::Job(Sort::Pen),
         Self::Job(Sort::Burn),
         Self::Job(Sort::Program),
@@ -54,11 +54,11 @@ impl fmt::Display for Doing {
 
 /// What the stops of one doing were like.
 #[derive(Debug)]
-pub struct Stops {
+pub(crate) struct Stops {
     /// What the arm did.
     pub doing: Doing,
     /// So often it was stopped.
-    pub stops: usize,
+    pub times: usize,
     /// At rest later than was promised.
     pub late: usize,
     /// The laser was on later than that.
@@ -74,14 +74,14 @@ pub struct Stops {
 }
 
 /// Stops the arm so often for each doing.
-pub fn run(stops: u64) -> Vec<Stops> {
+pub(crate) fn run(stops: u64) -> Vec<Stops> {
     Doing::ALL.map(|doing| of(doing, stops)).into()
 }
 
 fn of(doing: Doing, stops: u64) -> Stops {
     let mut figures = Stops {
         doing,
-        stops: 0,
+        times: 0,
         late: 0,
         burnt: 0,
         promised_s: Spread::default(),
@@ -140,15 +140,15 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
         note,
     );
     let took_s = (scene.rested_s() - at.as_secs_f64()).max(0.0);
-    figures.stops += 1;
+    figures.times += 1;
     figures.promised_s.add(promised.as_secs_f64());
     figures.took_s.add(took_s);
     if burnt {
-        figures.dark_s.add((lit - at).as_secs_f64());
+        figures.dark_s.add(lit.saturating_sub(at).as_secs_f64());
     }
     // The last packets say it again, and again; they need not have been heard by then.
     let dark_by = promised.max(Duration::from_millis(200));
-    figures.burnt += usize::from(lit - at > dark_by);
+    figures.burnt += usize::from(lit.saturating_sub(at) > dark_by);
     if took_s > promised.as_secs_f64() {
         figures.late += 1;
         let text = format!("promised {promised:?}, took {took_s} s");
@@ -178,7 +178,7 @@ fn pause(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
-    for _ in 0..1 + chance.below(5) {
+    for _ in 0..=chance.below(5) {
         let command: Command = MoveTo {
             x_mm: chance.between(200.0, 235.0),
             y_mm: chance.between(-90.0, 90.0),
