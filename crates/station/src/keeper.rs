@@ -67,6 +67,8 @@ pub struct Keeper {
     urgent: VecDeque<Packet>,
     /// When the packet before is over, and the gap behind it.
     line_free: Duration,
+    /// The next urgent packet does not wait for that.
+    at_once: bool,
     effects: VecDeque<Effect>,
     notices: VecDeque<Notice>,
     told: u64,
@@ -128,6 +130,7 @@ impl Keeper {
             pending: HashMap::new(),
             urgent: VecDeque::new(),
             line_free: Duration::ZERO,
+            at_once: false,
             effects: VecDeque::new(),
             notices: VecDeque::new(),
             told: 0,

@@ -268,7 +268,8 @@ const FLOODS: &str = "
 ## Somebody sends too much
 
 Forty requests or packets in 50 ms, 60 times, while the arm is at a long command or a job. What the arm loses is what it
-has no room for, or what came too soon behind another packet. \"Others\" are a job of another client, which has to be
+has no room for, or what came too soon behind another packet; of stops only the former, for the first packet of a stop
+does not wait until the line is free, and is said again. \"Others\" are a job of another client, which has to be
 drawn, and somebody who may only watch and stops the arm.
 ";
 

@@ -32,10 +32,11 @@ impl Keeper {
         if self.halt.is_some_and(|it| it.rounds == 0 || waits) {
             return;
         }
-        if self.halt.is_none() {
-            self.laser.forget();
-        }
+        // What was urgent before is said again in its turn.
+        self.urgent.clear();
+        self.laser.forget();
         self.part_from_laser();
+        self.at_once = true;
         self.halt = Some(Halt {
             next: self.now + GAP,
             laser_is_next: false,

@@ -8,16 +8,18 @@ use super::Keeper;
 
 impl Keeper {
     /// The packet to send now, if there is one. What is urgent goes first; but nothing goes while
-    /// the packet before is still on the line, for a stock arm would lose both.
+    /// the packet before is still on the line, for a stock arm may lose both. Only the first packet
+    /// of a stop does not wait: it is said again anyway.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        if self.now < self.line_free {
+        if self.now < self.line_free && !std::mem::take(&mut self.at_once) {
             return None;
         }
         let packet = self
             .urgent
             .pop_front()
             .or_else(|| self.session.poll_bytes())?;
-        self.line_free = self.now + PACKET_AND_GAP;
+        self.at_once = false;
+        self.line_free = self.now.max(self.line_free) + PACKET_AND_GAP;
         Some(packet)
     }
 

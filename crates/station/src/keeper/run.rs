@@ -1,16 +1,21 @@
 //! The job that the arm is at: one vector after the other, none twice, none left out.
 
+mod approach;
+mod supply;
+
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::Position;
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
-use dobot_journal::{Unclear, Window, locate, model_at, prelude, window_end};
-use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
+use dobot_journal::{Unclear, Window, locate, model_at, window_end};
+use dobot_wire::{Command, Dialect, Status};
 
 use super::{JobPlan, Keeper};
-use crate::words::{ClientId, JobKind, JobPhase, JobView, News, Refusal, Reply};
+use crate::words::{JobKind, JobPhase, JobView, News, Reply};
+
+use self::approach::THERE_MM;
+pub(super) use self::approach::straight;
 
 /// What the journal is to keep.
 #[derive(Clone, Debug, PartialEq)]
@@ -255,26 +260,6 @@ impl Run {
 }
 
 impl Keeper {
-    /// Begins a job, or goes on with a paused one.
-    ///
-    /// # Errors
-    ///
-    /// [`Refusal`]; nothing has moved then.
-    pub fn handle_start(
-        &mut self,
-        now: Duration,
-        client: ClientId,
-        begun: Begun,
-    ) -> Result<Reply, Refusal> {
-        self.handle_time(now);
-        let started = self.start(client, begun);
-        if let Err(refusal) = &started {
-            self.tell_refused(client, refusal);
-        }
-        self.pump();
-        started
-    }
-
     /// Takes a job that was at work when the station ended without saying so: the laser goes off,
     /// and where the arm comes to rest tells how far the job got.
     pub fn handle_recovered(&mut self, now: Duration, begun: Begun, window: Window) {
@@ -297,142 +282,6 @@ impl Keeper {
     #[must_use]
     pub fn job(&self) -> Option<JobView> {
         self.run.as_ref().map(Run::view)
-    }
-
-    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
-        self.check_may_move(client)?;
-        self.check_trust()?;
-        self.check_saved()?;
-        if self.session.under_way() > 0 || self.session.waiting() > 0 {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
-        }
-        if begun.plan.burns() {
-            self.check_laser_armed()?;
-        }
-        let begun = self.located(begun)?;
-        let approach = self.approach(&begun);
-        for command in &approach {
-            self.session.check(command)?;
-        }
-        let mut last = None;
-        for command in approach {
-            self.check_way(&command)?;
-            last = Some(self.session.send(command)?);
-        }
-        self.halt = None;
-        let (job, completed) = (begun.job, begun.completed);
-        let text = format!("job {job} ({}) is under way", begun.title);
-        self.run = Some(Run {
-            begun,
-            phase: Phase::Approaching { last },
-            from: self.last,
-            next: completed,
-            durable: completed,
-            asked: completed,
-            given: VecDeque::new(),
-        });
-        let phase = JobPhase::Running;
-        self.keep_phase(Effect::Phase {
-            job,
-            phase,
-            reason: None,
-            window: None,
-        });
-        self.tell(News::Job { job, phase }, text);
-        Ok(self.job_reply())
-    }
-
-    /// A job of which nobody knows how far it got goes on only from where the arm rests.
-    fn located(&self, mut begun: Begun) -> Result<Begun, Refusal> {
-        let (Some(window), Some(status)) = (begun.doubt.take(), self.last) else {
-            return Ok(begun);
-        };
-        let located = locate_at(&begun, &window, &status);
-        begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
-        Ok(begun)
-    }
-
-    /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
-    /// and the way there.
-    fn approach(&self, begun: &Begun) -> Vec<Command> {
-        let mut approach = prelude(begun.plan.commands(), begun.completed);
-        let start = begun.plan.start_position(begun.completed);
-        let (Some(start), Some(status)) = (start, self.last) else {
-            return approach;
-        };
-        let here = position(&status);
-        let aside_mm = Position { z: here.z, ..start }.distance(here).0;
-        if start.distance(here).0 <= THERE_MM {
-            return approach;
-        }
-        let held = last_target(&begun.plan.commands()[..begun.completed]);
-        approach.push(if aside_mm <= THERE_MM {
-            straight(start.z.0 - here.z.0)
-        } else {
-            hop(start, &status, held)
-        });
-        approach
-    }
-
-    /// Whether a job may be started as far as its own last motion goes: one that was paused a
-    /// moment ago still does what the arm has got, and lifts the tool.
-    ///
-    /// # Errors
-    ///
-    /// [`Refusal::StillMoving`].
-    pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
-        let ending = |run: &Run| {
-            run.job() == job && matches!(run.phase, Phase::Draining { .. } | Phase::Lifting { .. })
-        };
-        if self.run.as_ref().is_some_and(ending) {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
-        }
-        Ok(())
-    }
-
-    pub(super) fn run_command_forgotten(&mut self, id: CommandId) {
-        if let Some(run) = &mut self.run
-            && let Some(at) = run.given.iter().position(|(it, _)| *it == id)
-        {
-            let (_, index) = run.given[at];
-            run.given.truncate(at);
-            run.next = run.next.min(index);
-        }
-    }
-
-    /// Takes that a command is over: of the job, or on the way to it.
-    pub(super) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        let of_job = run.given.iter().position(|(it, _)| *it == id);
-        let of_way = match &run.phase {
-            Phase::Approaching { last } => *last == Some(id),
-            Phase::Lifting { last, .. } => *last == id,
-            _ => false,
-        };
-        if let Some(at) = of_job {
-            let (_, index) = run.given.remove(at).expect("it was found there");
-            if failed.is_none() && run.begun.completed == index {
-                run.begun.completed = index + 1;
-            }
-        }
-        match failed {
-            Some(why) if of_job.is_some() || matches!(run.phase, Phase::Approaching { .. }) => {
-                let why = why.to_owned();
-                self.part_from_laser();
-                self.drop_waiting(&why);
-                self.interrupt_run(&why);
-            }
-            None if of_way && matches!(run.phase, Phase::Approaching { .. }) => {
-                run.phase = Phase::Running;
-            }
-            _ => {}
-        }
     }
 
     /// With each status: is the job located, drained, lifted, done?
@@ -505,77 +354,6 @@ impl Keeper {
         self.tell_job_paused();
     }
 
-    /// Keeps the session and the journal supplied.
-    pub(super) fn pump(&mut self) {
-        if !matches!(
-            self.run,
-            Some(Run {
-                phase: Phase::Approaching { last: None } | Phase::Running,
-                ..
-            })
-        ) {
-            return;
-        }
-        if let Some(Run {
-            phase: phase @ Phase::Approaching { .. },
-            ..
-        }) = &mut self.run
-        {
-            *phase = Phase::Running;
-        }
-        self.ask_journal();
-        while self.session.waiting() < KEEP_WAITING
-            && let Some(command) = self.next_of_run()
-        {
-            if let Err(refusal) = self.give(&command) {
-                let why = refusal.to_string();
-                self.part_from_laser();
-                self.drain(JobPhase::Paused, &why, true);
-                return;
-            }
-        }
-    }
-
-    fn next_of_run(&self) -> Option<Command> {
-        let run = self.run.as_ref()?;
-        let commands = &run.begun.plan.commands()[..run.durable];
-        commands.get(run.next).copied()
-    }
-
-    fn give(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.check_laser(command)?;
-        self.check_way(command)?;
-        let id = self.session.send(*command)?;
-        self.note_laser(command);
-        let run = self.run.as_mut().expect("the command is of the run");
-        run.given.push_back((id, run.next));
-        run.next += 1;
-        Ok(())
-    }
-
-    /// The journal is asked in time, so that the arm does not wait for the disk.
-    fn ask_journal(&mut self) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
-            return;
-        }
-        let Some(upto) = self.last.map(|status| run.window_end(&status)) else {
-            return;
-        };
-        if upto > run.asked {
-            run.asked = upto;
-            let effect = Effect::Give {
-                job: run.job(),
-                completed: run.begun.completed,
-                upto,
-                start: run.start(),
-            };
-            self.effects.push_back(effect);
-        }
-    }
-
     pub(super) fn job_reply(&self) -> Reply {
         self.job().map_or(Reply::Done, |job| Reply::Job { job })
     }
@@ -590,48 +368,6 @@ fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, U
     let model = model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = begun.plan.lift();
     locate(commands, window, &model, lift_mm, position(status)).map(|it| it.next)
-}
-
-/// Straight up or down, slowly, with the laser off.
-pub(super) fn straight(z_mm: f64) -> Command {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: 0.0,
-        y_mm: 0.0,
-        z_mm: single(z_mm),
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 20.0,
-        stop: false,
-    }
-    .into()
-}
-
-/// Up, across and down, holding what is held.
-fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Command {
-    let base_deg = to.y.0.atan2(to.x.0).to_degrees();
-    MoveTo {
-        x_mm: single(to.x.0),
-        y_mm: single(to.y.0),
-        z_mm: single(to.z.0),
-        rotation_deg: single(base_deg) + status.servo_deg,
-        suction,
-        mode: MovingMode::Jump,
-        gripper_deg,
-        pause_s: 0.0,
-    }
-    .into()
-}
-
-/// What the last target did with suction and gripper.
-fn last_target(commands: &[Command]) -> (bool, f32) {
-    let target = |it: &Command| match it {
-        Command::MoveTo(it) => Some((it.suction, it.gripper_deg)),
-        Command::MoveJoints(it) => Some((it.suction, it.gripper_deg)),
-        _ => None,
-    };
-    commands.iter().rev().find_map(target).unwrap_or_default()
 }
 
 const fn pause_s(command: &Command) -> f32 {
@@ -653,14 +389,7 @@ pub(super) const fn word(phase: JobPhase) -> &'static str {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
 const RESTARTED: &str = "the station was restarted in the middle of the job";
-/// As near as this the arm is where it should be.
-const THERE_MM: f64 = 0.3;
 /// So many statuses in a row that tell the same: whatever was under way is over.
 const SURELY_AT_REST: u32 = 20;
 const STATUSES_PER_S: f32 = 12.5;
@@ -670,9 +399,5 @@ const A_DAY_S: f32 = 86_400.0;
 const ROUNDING: f64 = 1.02;
 const COMMAND_S: f64 = 0.24;
 const APPROACH_S: f64 = 10.0;
-/// So many commands wait in the session, so that a permit finds one.
-const KEEP_WAITING: usize = 2;
-/// The journal is asked for more when so few are left.
-const LOW_WATER: usize = 12;
 /// So many commands may be sent at the most before the journal knows that those before are over.
 const WINDOW: usize = 32;

@@ -41,7 +41,7 @@ const LASER_OFF: Command = Command::JointJog(JointJog {
 });
 
 #[test]
-fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_as_soon_as_the_line_is_free() {
+fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {
     for stop_ms in (3_300..3_500).step_by(10) {
         let mut it = rehearsal(Personality::Firmware11);
         let (anna, ben) = (it.client("Anna"), it.client("Ben"));
@@ -51,11 +51,12 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_as_soon_as_the_line_
         it.run_for(Duration::from_millis(stop_ms));
         let (before, at) = (it.packets().len(), it.now());
         it.ask(ben, STOP).unwrap();
-        it.run_for(Duration::from_millis(60));
         assert_eq!(sent_since(&it, before)[0], LASER_OFF);
-        // A packet takes 43.68 ms, and a stock arm wants a gap behind it.
-        let free = it.packets()[before - 1].0 + Duration::from_millis(55);
-        assert_eq!(it.packets()[before].0, at.max(free), "after {stop_ms} ms");
+        assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
+        // A packet that left just before may have spoilt it: it is said again.
+        it.run_for(Duration::from_secs(10));
+        let said = sent_since(&it, before);
+        assert!(said.iter().filter(|it| **it == LASER_OFF).count() >= 2);
     }
 }
 

@@ -164,10 +164,11 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
 
 fn overruns(figures: &mut Floods, it: &mut Rehearsal) {
     while let Some(refused) = it.arm_mut().poll_refused() {
-        let lost = matches!(
-            refused,
-            Refused::QueueFull | Refused::TooLong | Refused::BadTail
-        );
+        let lost = match refused {
+            // The first packet of a stop does not wait for the line; it is said again.
+            Refused::TooLong => figures.who != STOPS,
+            _ => matches!(refused, Refused::QueueFull | Refused::BadTail),
+        };
         figures.overrun += usize::from(lost);
         if lost {
             figures.wrong.push(format!("{refused}"));

@@ -1,0 +1,180 @@
+//! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_client::position;
+use dobot_journal::prelude;
+use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
+
+use super::{Begun, Effect, Phase, Run, locate_at};
+use crate::keeper::Keeper;
+use crate::words::{ClientId, JobPhase, News, Refusal, Reply};
+
+impl Keeper {
+    /// Begins a job, or goes on with a paused one.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; nothing has moved then.
+    pub fn handle_start(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        begun: Begun,
+    ) -> Result<Reply, Refusal> {
+        self.handle_time(now);
+        let started = self.start(client, begun);
+        if let Err(refusal) = &started {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        started
+    }
+
+    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
+        self.check_may_move(client)?;
+        self.check_trust()?;
+        self.check_saved()?;
+        if self.session.under_way() > 0 || self.session.waiting() > 0 {
+            return Err(Refusal::StillMoving {
+                within_s: self.rests_within().as_secs_f64(),
+            });
+        }
+        if begun.plan.burns() {
+            self.check_laser_armed()?;
+        }
+        let begun = self.located(begun)?;
+        let approach = self.approach(&begun);
+        for command in &approach {
+            self.session.check(command)?;
+        }
+        let mut last = None;
+        for command in approach {
+            self.check_way(&command)?;
+            last = Some(self.session.send(command)?);
+        }
+        self.halt = None;
+        let (job, completed) = (begun.job, begun.completed);
+        let text = format!("job {job} ({}) is under way", begun.title);
+        self.run = Some(Run {
+            begun,
+            phase: Phase::Approaching { last },
+            from: self.last,
+            next: completed,
+            durable: completed,
+            asked: completed,
+            given: VecDeque::new(),
+        });
+        let phase = JobPhase::Running;
+        self.keep_phase(Effect::Phase {
+            job,
+            phase,
+            reason: None,
+            window: None,
+        });
+        self.tell(News::Job { job, phase }, text);
+        Ok(self.job_reply())
+    }
+
+    /// A job of which nobody knows how far it got goes on only from where the arm rests.
+    fn located(&self, mut begun: Begun) -> Result<Begun, Refusal> {
+        let (Some(window), Some(status)) = (begun.doubt.take(), self.last) else {
+            return Ok(begun);
+        };
+        let located = locate_at(&begun, &window, &status);
+        begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+        Ok(begun)
+    }
+
+    /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
+    /// and the way there.
+    fn approach(&self, begun: &Begun) -> Vec<Command> {
+        let mut approach = prelude(begun.plan.commands(), begun.completed);
+        let start = begun.plan.start_position(begun.completed);
+        let (Some(start), Some(status)) = (start, self.last) else {
+            return approach;
+        };
+        let here = position(&status);
+        let aside_mm = Position { z: here.z, ..start }.distance(here).0;
+        if start.distance(here).0 <= THERE_MM {
+            return approach;
+        }
+        let held = last_target(&begun.plan.commands()[..begun.completed]);
+        approach.push(if aside_mm <= THERE_MM {
+            straight(start.z.0 - here.z.0)
+        } else {
+            hop(start, &status, held)
+        });
+        approach
+    }
+
+    /// Whether a job may be started as far as its own last motion goes: one that was paused a
+    /// moment ago still does what the arm has got, and lifts the tool.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::StillMoving`].
+    pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
+        let ending = |run: &Run| {
+            run.job() == job && matches!(run.phase, Phase::Draining { .. } | Phase::Lifting { .. })
+        };
+        if self.run.as_ref().is_some_and(ending) {
+            return Err(Refusal::StillMoving {
+                within_s: self.rests_within().as_secs_f64(),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Straight up or down, slowly, with the laser off.
+pub(in crate::keeper) fn straight(z_mm: f64) -> Command {
+    WriteVector {
+        mode: WriteMode::Writing,
+        x_mm: 0.0,
+        y_mm: 0.0,
+        z_mm: single(z_mm),
+        laser: false,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 20.0,
+        stop: false,
+    }
+    .into()
+}
+
+/// Up, across and down, holding what is held.
+fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Command {
+    let base_deg = to.y.0.atan2(to.x.0).to_degrees();
+    MoveTo {
+        x_mm: single(to.x.0),
+        y_mm: single(to.y.0),
+        z_mm: single(to.z.0),
+        rotation_deg: single(base_deg) + status.servo_deg,
+        suction,
+        mode: MovingMode::Jump,
+        gripper_deg,
+        pause_s: 0.0,
+    }
+    .into()
+}
+
+/// What the last target did with suction and gripper.
+fn last_target(commands: &[Command]) -> (bool, f32) {
+    let target = |it: &Command| match it {
+        Command::MoveTo(it) => Some((it.suction, it.gripper_deg)),
+        Command::MoveJoints(it) => Some((it.suction, it.gripper_deg)),
+        _ => None,
+    };
+    commands.iter().rev().find_map(target).unwrap_or_default()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// As near as this the arm is where it should be.
+pub(super) const THERE_MM: f64 = 0.3;
