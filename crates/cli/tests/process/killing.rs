@@ -11,7 +11,7 @@ use std::time::Duration;
 use dobot_station::{JobKind, NewJob};
 use dobot_wire::{
     Command, Configuration, Decoder, Dialect, EndEffector, JointJog, JointJogAxis, MoveTo,
-    MovingMode, Packet, WriteMode, WriteVector,
+    MovingMode, WriteMode, WriteVector,
 };
 use serde_json::Value;
 use tempfile::TempDir;
@@ -98,8 +98,7 @@ fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
 }
 
 fn tell_all(tell: &Sender<Passed>, decoder: &mut Decoder<dobot_wire::Commands>, bytes: &[u8]) {
-    for frame in decoder.feed(bytes) {
-        let packet = Packet::from(frame);
+    for packet in decoder.feed(bytes) {
         if let Ok(command) = Command::parse(&packet, &DIALECT) {
             // A test that is over listens no more.
             let _ = tell.send(Passed::Command(command));
@@ -235,7 +234,7 @@ impl Bench {
 
     /// Waits for the next command on the wire, and keeps those that burn.
     fn next(&mut self) -> Passed {
-        let next = self.passed.recv_timeout(Duration::from_secs(60));
+        let next = self.passed.recv_timeout(Duration::from_mins(1));
         let next = next.expect("something passes the wire within a minute");
         if let Passed::Command(command) = &next
             && burns(command)
