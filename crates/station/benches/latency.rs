@@ -77,7 +77,7 @@ mod measure {
         // The statuses come every 80 ms; this falls on all parts of that period.
         let pause = Duration::from_millis(50 + (turn as u64 * 7) % 20);
         let mut beside = None;
-        if turn % 2 == 0 {
+        if turn.is_multiple_of(2) {
             std::thread::sleep(pause);
             beside = bridge.as_mut().map(|it| it.way.time(&command));
         }
@@ -227,7 +227,7 @@ mod measure {
             self.0 += 1;
             WriteVector {
                 mode: WriteMode::Writing,
-                x_mm: if self.0 % 2 == 0 { 0.2 } else { -0.2 },
+                x_mm: if self.0.is_multiple_of(2) { 0.2 } else { -0.2 },
                 y_mm: 0.0,
                 z_mm: 0.0,
                 laser: false,
