@@ -136,8 +136,9 @@ impl Completion {
         }
         if over > 0 {
             self.first_since = now;
-        } else if let Some((expected, command, reason)) =
-            self.not_reached(status).or_else(|| self.timed_out(now))
+        } else if let Some((expected, command, reason)) = self
+            .not_reached(now, status)
+            .or_else(|| self.timed_out(now))
         {
             self.finish_first();
             self.first_since = now;
@@ -264,12 +265,20 @@ impl Completion {
     }
 
     /// The first command and its end, if the arm rests elsewhere for so long that it gave up.
-    fn not_reached(&self, status: &Status) -> Option<(Position, CommandId, NotReached)> {
+    /// Statuses that come in a heap, after the computer stood still, tell of a time before.
+    fn not_reached(
+        &self,
+        now: Duration,
+        status: &Status,
+    ) -> Option<(Position, CommandId, NotReached)> {
         self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
         let first = self
             .under_way
             .front()
             .filter(|it| it.statuses >= GIVEN_UP)?;
+        if now.saturating_sub(first.sent.max(self.first_since)) < GIVEN_UP_AFTER {
+            return None;
+        }
         let end = first.end()?;
         let reason = if first.leaves_limits || is_at_limit(status, self.tool) {
             NotReached::AtLimit
@@ -451,6 +460,8 @@ const SEEN_AFTER: u32 = 2;
 const AT_REST: u32 = 2;
 /// That many equal statuses in a row, more than a second: the arm will not go on by itself.
 const GIVEN_UP: u32 = 15;
+/// The time in which they come.
+const GIVEN_UP_AFTER: Duration = Duration::from_secs(1);
 /// Longer than the slowest motion, and not over.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// By then a command has arrived that left with a status, and a status has come that left after

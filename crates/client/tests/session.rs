@@ -368,6 +368,21 @@ fn an_arm_that_comes_to_rest_elsewhere_has_not_reached_its_target() {
 }
 
 #[test]
+fn statuses_that_come_in_a_heap_tell_of_no_command_that_was_lost() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .send(target(MovingMode::MovL, 220.0, 10.0))
+        .expect("it is allowed");
+    // The computer stood still, and what came meanwhile is read at once.
+    desk.now += PERIOD;
+    let heap = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(20);
+    desk.session.handle_bytes(desk.now, &heap);
+    let lost = |it: &Event| matches!(it, Event::NotReached { .. });
+    assert!(!desk.events().iter().any(lost));
+}
+
+#[test]
 fn a_second_of_silence_is_a_lost_link() {
     let mut desk = Desk::new(None);
     desk.status_at(200.0, 0.0, 0.0);

@@ -205,7 +205,7 @@ fn a_raw_program_shares_the_arm_with_the_others() {
 
 #[test]
 fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
-    let up = Up::new(&["--speed", "20"]);
+    let up = Up::new(&["--speed", "5"]);
     let report = up.json(&["draw", &example("square.svg"), "--pen-down", "-40"]);
     assert_eq!(report["measured_from"], "the statuses");
     assert!(
