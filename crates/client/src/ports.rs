@@ -1,6 +1,5 @@
 //! The serial ports of this machine.
 
-use serde::{Deserialize, Serialize};
 use tokio_serial::{SerialPortType, UsbPortInfo, available_ports};
 
 /// A serial port of this machine.
@@ -15,7 +14,8 @@ pub struct Port {
 }
 
 /// A USB chip with a serial port.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Usb {
     /// Whose chip it is, by the number that the USB organisation gave him.
     pub vendor: u16,
