@@ -31,6 +31,7 @@
 //! so that together they keep it. Arcs come from the SVG reader as cubic curves, which lie within
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
+mod artwork;
 mod commands;
 mod deviation;
 mod index;
@@ -47,6 +48,7 @@ mod run;
 mod simplify;
 mod svg;
 
+pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use deviation::{Deviation, Worst, deviation};
 pub use ink::{ink, ink_seen};
 pub use lookahead::{Cornering, Run};

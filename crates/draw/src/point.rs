@@ -80,6 +80,12 @@ impl Point {
     }
 }
 
+impl FromIterator<Point> for Bounds {
+    fn from_iter<I: IntoIterator<Item = Point>>(points: I) -> Self {
+        Self::of(points)
+    }
+}
+
 impl Add for Point {
     type Output = Self;
     fn add(self, by: Self) -> Self {
