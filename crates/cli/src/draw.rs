@@ -253,7 +253,7 @@ impl Args {
     }
 
     fn prepare(&self, svg: &str, settings: &Settings) -> Result<Prepared, Failure> {
-        prepare(svg, settings, reachable).map_err(|error| {
+        prepare(&svg.into(), settings, reachable).map_err(|error| {
             let hint = hint(&error);
             let error = anyhow::Error::from(error).context(format!("{}", self.file.display()));
             match hint {

@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{
-    Cornering, Drawing, LinkRate, Pen, Placement, Plan, Point, Run, Settings, Size, Stroke,
-    SvgOptions, deviation, order, prepare, simplify,
+    Cornering, LinkRate, Pen, Placement, Plan, Point, ReadOptions, Run, Settings, Size, Source,
+    Stroke, deviation, order, prepare, simplify,
 };
 
 fn main() {
@@ -50,26 +50,27 @@ fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
 /// Reading and flattening; before merging it has four times as many.
 #[divan::bench]
 fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let svg = waves();
-    let options = SvgOptions::default();
-    let (drawing, _) = Drawing::from_svg(&svg, &options).expect("a drawing");
-    let vectors: usize = drawing.strokes.iter().map(|s| s.points.len() - 1).sum();
+    let source = Source::Svg(waves());
+    let options = ReadOptions::default();
+    let (drawing, _) = source.read(&options).expect("a drawing");
+    let strokes = &drawing.layers[0].strokes;
+    let vectors: usize = strokes.iter().map(|s| s.points.len() - 1).sum();
     bencher
         .counter(ItemsCount::new(vectors))
-        .bench_local(|| Drawing::from_svg(&svg, &options));
+        .bench_local(|| source.read(&options));
 }
 
 /// The whole way, from the text of the file to the plan.
 #[divan::bench(sample_count = 20)]
 fn prepare_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let svg = waves();
+    let source = Source::Svg(waves());
     let mut settings = Settings::default();
     settings.placement.size = Size::Fit;
     let reach = |_| Ok::<(), String>(());
-    let plan = prepare(&svg, &settings, reach).expect("a drawing").plan;
+    let plan = prepare(&source, &settings, reach).expect("a drawing").plan;
     bencher
         .counter(ItemsCount::new(plan.moves.len()))
-        .bench_local(|| prepare(&svg, &settings, reach));
+        .bench_local(|| prepare(&source, &settings, reach));
 }
 
 #[divan::bench(sample_count = 10)]

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::fs;
 
 use dobot_arm::Position;
-use dobot_draw::{MoveKind, Picture, Settings, View, prepare};
+use dobot_draw::{MoveKind, Picture, Settings, Source, View, prepare};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         129.0..=321.0 => Ok(()),
         reach => Err(format!("reach is {reach:.1} mm, allowed are 129 to 321")),
     };
-    let prepared = prepare(&fs::read_to_string(&file)?, &settings, reach)?;
+    let prepared = prepare(&Source::of_file(&file, fs::read(&file)?)?, &settings, reach)?;
     let summary = prepared.plan.summary();
     println!("{summary:#?}");
     let png = Picture {

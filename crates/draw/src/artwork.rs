@@ -1,6 +1,6 @@
 //! What a file shows: lines and areas in layers, on a page.
 
-use crate::point::{Bounds, Point, Stroke};
+use crate::point::{Point, Stroke};
 
 /// A page with layers of lines and areas: x to the right, y down, in millimetres.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,10 +14,9 @@ pub struct Artwork {
 }
 
 impl Artwork {
-    /// The smallest rectangle that holds all lines and areas.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds {
-        self.layers.iter().flat_map(Layer::points).collect()
+    /// The corners of all lines and areas.
+    pub fn points(&self) -> impl Iterator<Item = Point> {
+        self.layers.iter().flat_map(Layer::points)
     }
 }
 
@@ -51,6 +50,15 @@ impl Layer {
             .iter()
             .flat_map(|it| it.rings.iter().flatten().copied());
         lines.chain(areas)
+    }
+
+    pub(crate) fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
+        let lines = self.strokes.iter_mut().flat_map(|it| &mut it.points);
+        lines.chain(
+            self.areas
+                .iter_mut()
+                .flat_map(|it| it.rings.iter_mut().flatten()),
+        )
     }
 }
 

@@ -16,7 +16,7 @@
 //!     <rect x="5" y="5" width="30" height="30" fill="none" stroke="black"/>
 //! </svg>"#;
 //! let anywhere = |_| Ok::<(), String>(());
-//! let prepared = prepare(svg, &Settings::default(), anywhere)?;
+//! let prepared = prepare(&svg.into(), &Settings::default(), anywhere)?;
 //!
 //! let summary = prepared.plan.summary();
 //! assert_eq!(summary.strokes, 1);
@@ -46,7 +46,7 @@ mod point;
 mod prepare;
 mod run;
 mod simplify;
-mod svg;
+mod source;
 
 pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use deviation::{Deviation, Worst, deviation};
@@ -61,5 +61,5 @@ pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use simplify::{MIN_VECTOR_MM, simplify};
-pub use svg::{Drawing, Place, SvgError, SvgOptions, Warning, WarningKind};
+pub use source::{LayersBy, Place, ReadOptions, Source, SourceError, SvgError, Warning};
 pub use usvg::fontdb;

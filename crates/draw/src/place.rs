@@ -5,9 +5,10 @@ use std::fmt;
 use dobot_arm::Position;
 use thiserror::Error;
 
+use crate::artwork::{Artwork, Layer};
 use crate::pen::Pen;
 use crate::plan::Plan;
-use crate::point::{Bounds, Point, Stroke};
+use crate::point::{Bounds, Point};
 
 /// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
 pub const AREA: Bounds = Bounds {
@@ -20,42 +21,62 @@ pub const AREA: Bounds = Bounds {
 pub struct Placement {
     /// The part of the base frame that is for drawing, in mm.
     pub area: Bounds,
+    /// How much of the area stays empty along its edges, in mm, from 0 up.
+    pub margin_mm: f64,
     /// How large the drawing becomes.
     pub size: Size,
+    /// Turns the drawing on the paper, counterclockwise, in degrees.
+    pub rotate_deg: f64,
     /// Where its middle goes, in the base frame; the middle of the area if not given.
     pub center: Option<Point>,
 }
 
 impl Placement {
-    /// Places strokes of a sheet in the base frame.
+    /// Places what is on a page in the base frame.
     ///
     /// To a person behind the arm, looking forward, the drawing lies upright: its right is -Y and
     /// its down is -X. What counts is the ink, not the page around it.
     ///
     /// # Errors
     ///
-    /// [`PlaceError`] where the scale is no number above 0, or the drawing is larger than the area
-    /// and neither fitted into it nor sent to a place of its own.
-    pub fn place(&self, strokes: &[Stroke]) -> Result<Placed, PlaceError> {
-        let ink = Bounds::of_strokes(strokes);
+    /// [`PlaceError`] where a setting is no number or out of range, or the drawing is larger than
+    /// the area and neither fitted into it nor sent to a place of its own.
+    pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
+        let (sin, cos) = self.turn()?;
+        let turned = |p: Point| Point::new(p.x * cos + p.y * sin, p.y * cos - p.x * sin);
+        let ink: Bounds = artwork.points().map(turned).collect();
         let scale = self.scale(ink)?;
         let (from, to) = (ink.center(), self.center.unwrap_or(self.area.center()));
-        let place = |p: &Point| {
-            let way = (*p - from) * scale;
-            Point::new(to.x - way.y, to.y - way.x)
+        let place = |p: &mut Point| {
+            let way = (turned(*p) - from) * scale;
+            *p = Point::new(to.x - way.y, to.y - way.x);
         };
-        let strokes = strokes.iter().map(|stroke| Stroke {
-            points: stroke.points.iter().map(place).collect(),
-            closed: stroke.closed,
-        });
-        Ok(Placed {
-            strokes: strokes.collect(),
-            scale,
+        let mut layers = artwork.layers;
+        layers
+            .iter_mut()
+            .flat_map(Layer::points_mut)
+            .for_each(place);
+        Ok(Placed { layers, scale })
+    }
+
+    /// Sine and cosine of the turn.
+    fn turn(&self) -> Result<(f64, f64), PlaceError> {
+        let rotate_deg = self.rotate_deg;
+        if !rotate_deg.is_finite() {
+            return Err(PlaceError::Rotate { rotate_deg });
+        }
+        // Quarters are exact.
+        Ok(match rotate_deg.rem_euclid(360.0) {
+            0.0 => (0.0, 1.0),
+            90.0 => (1.0, 0.0),
+            180.0 => (0.0, -1.0),
+            270.0 => (-1.0, 0.0),
+            turn => turn.to_radians().sin_cos(),
         })
     }
 
     fn scale(&self, ink: Bounds) -> Result<f64, PlaceError> {
-        let (wide, deep) = (self.area.height(), self.area.width());
+        let [wide, deep] = self.room()?;
         let fitting = (wide / ink.width()).min(deep / ink.height());
         let scale = match self.size {
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
@@ -74,14 +95,27 @@ impl Placement {
         }
         Ok(scale)
     }
+
+    /// Width and depth of the area without its margins.
+    fn room(&self) -> Result<[f64; 2], PlaceError> {
+        let margin_mm = self.margin_mm;
+        let [wide, deep] = [self.area.height(), self.area.width()].map(|it| it - 2.0 * margin_mm);
+        if margin_mm >= 0.0 && wide > 0.0 && deep > 0.0 {
+            return Ok([wide, deep]);
+        }
+        let most_mm = self.area.height().min(self.area.width()) / 2.0;
+        Err(PlaceError::Margin { margin_mm, most_mm })
+    }
 }
 
 impl Default for Placement {
-    /// True size in the middle of [`AREA`].
+    /// True size, upright in the middle of [`AREA`], without margins.
     fn default() -> Self {
         Self {
             area: AREA,
+            margin_mm: 0.0,
             size: Size::True,
+            rotate_deg: 0.0,
             center: None,
         }
     }
@@ -98,12 +132,12 @@ pub enum Size {
     Fit,
 }
 
-/// Strokes in the base frame.
+/// Layers in the base frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
     /// What to draw, in mm.
-    pub strokes: Vec<Stroke>,
-    /// How much larger than the sheet they are.
+    pub layers: Vec<Layer>,
+    /// How much larger than on the page they are.
     pub scale: f64,
 }
 
@@ -116,6 +150,20 @@ pub enum PlaceError {
     Scale {
         /// What it is.
         factor: f64,
+    },
+    /// The turn is no number.
+    #[error("the drawing is turned by {rotate_deg} degrees; it must be a number")]
+    Rotate {
+        /// What it is.
+        rotate_deg: f64,
+    },
+    /// The margin leaves no room.
+    #[error("the margin is {margin_mm} mm; it must be from 0 to below {most_mm} mm")]
+    Margin {
+        /// What it is.
+        margin_mm: f64,
+        /// What leaves no room at all.
+        most_mm: f64,
     },
     /// The drawing is larger than the area.
     #[error(
@@ -184,6 +232,20 @@ const STEP_MM: f64 = 2.0;
 mod tests {
     use super::*;
     use crate::pen::LinkRate;
+    use crate::point::Stroke;
+
+    fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
+        let layer = Layer {
+            strokes: vec![stroke],
+            ..Layer::default()
+        };
+        let artwork = Artwork {
+            layers: vec![layer],
+            ..Artwork::default()
+        };
+        let placed = placement.place(artwork)?;
+        Ok((placed.layers[0].strokes.clone(), placed.scale))
+    }
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -191,11 +253,11 @@ mod tests {
 
     #[test]
     fn right_on_the_sheet_is_to_the_right_of_the_arm_and_down_is_towards_it() {
-        let sheet = [line(&[(0.0, 0.0), (20.0, 0.0), (20.0, 10.0)])];
-        let placed = Placement::default().place(&sheet).unwrap();
+        let sheet = line(&[(0.0, 0.0), (20.0, 0.0), (20.0, 10.0)]);
+        let placed = place(&Placement::default(), sheet).unwrap();
         // The middle of the area is x 210, y 0.
         let expected = line(&[(215.0, 10.0), (215.0, -10.0), (205.0, -10.0)]);
-        assert_eq!((placed.strokes, placed.scale), (vec![expected], 1.0));
+        assert_eq!(placed, (vec![expected], 1.0));
     }
 
     #[test]
@@ -204,28 +266,62 @@ mod tests {
             size: Size::Fit,
             ..Placement::default()
         };
-        let wide = fit.place(&[line(&[(0.0, 0.0), (400.0, 10.0)])]).unwrap();
-        assert_eq!(wide.scale, 0.5);
-        let small = fit.place(&[line(&[(0.0, 0.0), (10.0, 10.0)])]).unwrap();
-        assert_eq!(small.scale, 12.0);
-        assert_eq!(
-            Bounds::of_strokes(&small.strokes).min,
-            Point::new(150.0, -60.0)
-        );
-        let dot = fit.place(&[line(&[(7.0, 7.0)])]).unwrap();
-        assert_eq!(dot.strokes, [line(&[(210.0, 0.0)])]);
+        let wide = place(&fit, line(&[(0.0, 0.0), (400.0, 10.0)])).unwrap();
+        assert_eq!(wide.1, 0.5);
+        let small = place(&fit, line(&[(0.0, 0.0), (10.0, 10.0)])).unwrap();
+        assert_eq!(small.1, 12.0);
+        assert_eq!(Bounds::of_strokes(&small.0).min, Point::new(150.0, -60.0));
+        let dot = place(&fit, line(&[(7.0, 7.0)])).unwrap();
+        assert_eq!(dot.0, [line(&[(210.0, 0.0)])]);
     }
 
     #[test]
     fn a_drawing_larger_than_the_area_is_refused_with_both_sizes() {
-        let error = Placement::default()
-            .place(&[line(&[(0.0, 0.0), (400.0, 10.0)])])
-            .unwrap_err();
+        let wide = line(&[(0.0, 0.0), (400.0, 10.0)]);
+        let error = place(&Placement::default(), wide).unwrap_err();
         assert_eq!(
             error.to_string(),
             "the drawing is 400.0 x 10.0 mm and the drawing area 200.0 x 120.0 mm; \
              shrink it into the area with --fit"
         );
+    }
+
+    #[test]
+    fn a_quarter_turn_counterclockwise_makes_right_up() {
+        let turned = Placement {
+            rotate_deg: 90.0,
+            ..Placement::default()
+        };
+        // Up on the paper is away from the arm: +X.
+        let (strokes, _) = place(&turned, line(&[(0.0, 0.0), (20.0, 0.0)])).unwrap();
+        assert_eq!(strokes, [line(&[(200.0, 0.0), (220.0, 0.0)])]);
+        let endless = Placement {
+            rotate_deg: f64::INFINITY,
+            ..Placement::default()
+        };
+        let error = place(&endless, line(&[(0.0, 0.0), (20.0, 0.0)])).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the drawing is turned by inf degrees; it must be a number"
+        );
+    }
+
+    #[test]
+    fn a_margin_stays_empty_and_must_leave_room() {
+        let within = |margin_mm| Placement {
+            margin_mm,
+            size: Size::Fit,
+            ..Placement::default()
+        };
+        let square = || line(&[(0.0, 0.0), (10.0, 10.0)]);
+        let (strokes, scale) = place(&within(10.0), square()).unwrap();
+        assert_eq!(scale, 10.0);
+        assert_eq!(Bounds::of_strokes(&strokes).min, Point::new(160.0, -50.0));
+        for margin_mm in [-1.0, 60.0, f64::NAN] {
+            let error = place(&within(margin_mm), square()).unwrap_err();
+            let told = format!("the margin is {margin_mm} mm; it must be from 0 to below 60 mm");
+            assert_eq!(error.to_string(), told);
+        }
     }
 
     #[test]
@@ -235,9 +331,7 @@ mod tests {
                 size: Size::Scaled(factor),
                 ..Placement::default()
             };
-            let error = placement
-                .place(&[line(&[(0.0, 0.0), (4.0, 1.0)])])
-                .unwrap_err();
+            let error = place(&placement, line(&[(0.0, 0.0), (4.0, 1.0)])).unwrap_err();
             assert!(error.to_string().starts_with("the scale is "));
         }
     }

@@ -13,7 +13,7 @@ use crate::place::{PlaceError, Placed, Placement, check_reach};
 use crate::plan::Plan;
 use crate::point::{Point, Stroke};
 use crate::simplify::{MIN_VECTOR_MM, simplify};
-use crate::svg::{Drawing, SvgError, SvgOptions, Warning};
+use crate::source::{LayersBy, ReadOptions, Source, SourceError, Warning};
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
@@ -26,6 +26,8 @@ pub struct Settings {
     pub pen: Pen,
     /// How fast vectors come.
     pub link: LinkRate,
+    /// What makes a layer of an SVG file.
+    pub layers: LayersBy,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
 }
@@ -38,6 +40,7 @@ impl Default for Settings {
             placement: Placement::default(),
             pen: Pen::default(),
             link: LinkRate::default(),
+            layers: LayersBy::default(),
             fonts: Arc::default(),
         }
     }
@@ -56,14 +59,14 @@ pub struct Prepared {
     pub warnings: Vec<Warning>,
 }
 
-/// Reads an SVG file, places it, puts its strokes in order, merges what the tolerance allows and
+/// Reads a source, places it, puts its strokes in order, merges what the tolerance allows and
 /// plans the vectors. `reachable` tells which places the arm gets to.
 ///
 /// # Errors
 ///
 /// [`PrepareError`] with the step that failed.
 pub fn prepare<E: fmt::Display>(
-    svg: &str,
+    source: &Source,
     settings: &Settings,
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
@@ -72,8 +75,9 @@ pub fn prepare<E: fmt::Display>(
         return Err(PrepareError::Tolerance { tolerance_mm });
     }
     let flatten_mm = tolerance_mm * FLATTEN_SHARE;
-    let (placed, warnings) = read(svg, settings, flatten_mm)?;
-    let wanted = order(placed.strokes, home(settings));
+    let (placed, warnings) = read(source, settings, flatten_mm)?;
+    let strokes = placed.layers.into_iter().flat_map(|it| it.strokes);
+    let wanted = order(strokes.collect(), home(settings));
     let merge = |stroke: &Stroke| simplify(stroke, tolerance_mm - flatten_mm);
     let merged: Vec<Stroke> = wanted.iter().map(merge).collect();
     let plan = Plan::new(&merged, &settings.pen, settings.link)?;
@@ -96,9 +100,9 @@ pub enum PrepareError {
         /// What was asked for.
         tolerance_mm: f64,
     },
-    /// The file cannot be drawn.
+    /// The source cannot be drawn.
     #[error(transparent)]
-    Svg(#[from] SvgError),
+    Source(#[from] SourceError),
     /// It does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
@@ -107,25 +111,28 @@ pub enum PrepareError {
     Plan(#[from] PlanError),
 }
 
-/// The strokes on the paper, within `flatten_mm` of the curves there.
+/// The layers on the paper, within `flatten_mm` of the curves there.
 fn read(
-    svg: &str,
+    source: &Source,
     settings: &Settings,
     flatten_mm: f64,
 ) -> Result<(Placed, Vec<Warning>), PrepareError> {
-    let mut options = SvgOptions {
+    let mut options = ReadOptions {
         tolerance_mm: flatten_mm,
+        layers: settings.layers,
         fonts: Arc::clone(&settings.fonts),
+        ..ReadOptions::default()
     };
-    let (mut drawing, warnings) = Drawing::from_svg(svg, &options)?;
-    let mut placed = settings.placement.place(&drawing.strokes)?;
-    if placed.scale > 1.0 {
-        // What is enlarged must be read more finely; the size is known only now.
-        options.tolerance_mm = (flatten_mm / placed.scale).max(1e-6);
-        drawing = Drawing::from_svg(svg, &options)?.0;
-        placed = settings.placement.place(&drawing.strokes)?;
+    let (artwork, warnings) = source.read(&options)?;
+    let placed = settings.placement.place(artwork)?;
+    if placed.scale <= 1.0 {
+        return Ok((placed, warnings));
     }
-    Ok((placed, warnings))
+    // What is enlarged must be read more finely; the size is known only now.
+    options.scale = placed.scale;
+    options.tolerance_mm = (flatten_mm / placed.scale).max(1e-6);
+    let (artwork, warnings) = source.read(&options)?;
+    Ok((settings.placement.place(artwork)?, warnings))
 }
 
 /// Where the pen is taken to come from: the upper left corner of the area.
@@ -170,7 +177,7 @@ mod tests {
     #[test]
     fn the_examples_are_planned_within_tolerance_and_reach() {
         for svg in EXAMPLES {
-            let prepared = prepare(svg, &Settings::default(), in_reach).unwrap();
+            let prepared = prepare(&svg.into(), &Settings::default(), in_reach).unwrap();
             let planned = prepared.plan.paths(MoveKind::Draw);
             let worst = deviation(&prepared.wanted, &planned);
             assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
@@ -184,7 +191,7 @@ mod tests {
             <path d="M0 2C0 0 2 0 2 2" stroke="red" fill="none"/></svg>"#;
         let mut settings = Settings::default();
         settings.placement.size = Size::Fit;
-        let prepared = prepare(svg, &settings, anywhere).unwrap();
+        let prepared = prepare(&svg.into(), &settings, anywhere).unwrap();
         assert!((prepared.scale - 80.0).abs() < 0.1, "{}", prepared.scale);
         // The curve is 2 mm wide and 1.5 mm high, its top at t = 1/2; the area is 120 mm deep.
         let top = prepared.wanted[0]
@@ -203,7 +210,7 @@ mod tests {
             tolerance_mm: 0.01,
             ..Settings::default()
         };
-        let error = prepare(EXAMPLES[2], &settings, anywhere).unwrap_err();
+        let error = prepare(&EXAMPLES[2].into(), &settings, anywhere).unwrap_err();
         assert_eq!(
             error.to_string(),
             "the tolerance is 0.01 mm; it must be a number from 0.02 mm up"
@@ -214,7 +221,7 @@ mod tests {
     fn what_is_out_of_reach_is_refused() {
         let mut settings = Settings::default();
         settings.placement.center = Some(Point::new(320.0, 0.0));
-        let error = prepare(EXAMPLES[2], &settings, in_reach).unwrap_err();
+        let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
         assert!(
             matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
             "{error}"

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::point::{Bounds, Point};
 
-fn options() -> SvgOptions {
-    SvgOptions::default()
+fn options() -> ReadOptions {
+    ReadOptions::default()
 }
 
 fn page(content: &str) -> String {
@@ -17,7 +17,7 @@ fn page(content: &str) -> String {
     )
 }
 
-fn draw(content: &str) -> (Vec<Stroke>, Vec<Warning>) {
+fn draw(content: &str) -> (Vec<Stroke>, Vec<Unshown>) {
     let (drawing, warnings) = Drawing::from_svg(&page(content), &options()).unwrap();
     (drawing.strokes, warnings)
 }
@@ -149,7 +149,10 @@ fn what_a_pen_cannot_show_is_counted() {
         <image href="cat.png" width="5" height="5"/>
         <image href="data:image/png;base64,AAAA" width="5" height="5"/>"#,
     );
-    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let texts: Vec<String> = warnings
+        .iter()
+        .map(|it| Warning::from(*it).to_string())
+        .collect();
     assert_eq!(
         texts,
         [
@@ -312,7 +315,7 @@ fn a_billion_dashes_are_refused() {
 #[test]
 fn a_tolerance_must_be_a_positive_length() {
     for tolerance_mm in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let options = SvgOptions {
+        let options = ReadOptions {
             tolerance_mm,
             ..options()
         };
@@ -323,12 +326,12 @@ fn a_tolerance_must_be_a_positive_length() {
 
 #[test]
 fn text_becomes_outlines_where_fonts_are() {
-    let mut fonts = fontdb::Database::new();
+    let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
     if fonts.is_empty() {
         return; // A machine without fonts cannot show this.
     }
-    let options = SvgOptions {
+    let options = ReadOptions {
         fonts: Arc::new(fonts),
         ..options()
     };
@@ -349,7 +352,7 @@ proptest! {
         length in 0..40_usize,
         filler in proptest::sample::select(vec!["", "<", "\"", "9e99", "-", "url(#frame)", "&", "0", "é"]),
     ) {
-        let text = include_str!("../../../../examples/drawings/harbour.svg");
+        let text = include_str!("../../../../../examples/drawings/harbour.svg");
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

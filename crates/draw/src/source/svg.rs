@@ -14,35 +14,48 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use usvg::roxmltree::{Document, ParsingOptions};
-use usvg::{FontResolver, ImageHrefResolver, Tree, fontdb};
+use usvg::{FontResolver, ImageHrefResolver, Tree};
 
-pub use self::error::{Place, SvgError, Warning, WarningKind};
+pub use self::error::SvgError;
+use self::error::{Unshown, WarningKind};
+use super::error::MAX_SEGMENTS;
+use super::{ReadOptions, SourceError, Warning};
+use crate::artwork::{Artwork, Layer};
 use crate::point::Stroke;
+
+/// Reads an SVG file as a browser does, at 96 dots per inch.
+///
+/// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
+/// dashed; text gives the outlines of its letters. What a clip path or the edge of the page hides
+/// is cut off. What a pen cannot show comes back as warnings.
+pub(crate) fn read(
+    text: &str,
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let (drawing, unshown) = Drawing::from_svg(text, options)?;
+    let artwork = Artwork {
+        width_mm: drawing.width_mm,
+        height_mm: drawing.height_mm,
+        layers: vec![Layer {
+            strokes: drawing.strokes,
+            ..Layer::default()
+        }],
+    };
+    Ok((artwork, unshown.into_iter().map(Warning::from).collect()))
+}
 
 /// The lines of a page: x to the right, y down, from the upper left corner, in millimetres.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawing {
-    /// The page's width in millimetres.
-    pub width_mm: f64,
-    /// The page's height in millimetres.
-    pub height_mm: f64,
+struct Drawing {
+    width_mm: f64,
+    height_mm: f64,
     /// What to draw, in the order of the file; never empty.
-    pub strokes: Vec<Stroke>,
+    strokes: Vec<Stroke>,
 }
 
 impl Drawing {
-    /// Reads an SVG file as a browser does, at 96 dots per inch.
-    ///
-    /// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
-    /// dashed; text gives the outlines of its letters. What a clip path or the edge of the page
-    /// hides is cut off. What a pen cannot show comes back as warnings.
-    ///
-    /// # Errors
-    ///
-    /// [`SvgError`] where the file is not an SVG file, holds values that browsers skip or cut short
-    /// in silence, shows nothing, or is too large.
-    pub fn from_svg(text: &str, options: &SvgOptions) -> Result<(Self, Vec<Warning>), SvgError> {
-        let tolerance_mm = options.checked_tolerance_mm()?;
+    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
+        let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
         let unseen = Unseen::default();
         let tree = parse(text, options, &unseen)?;
         let mut walk = walk::Walk::new(&tree, tolerance_mm, Budget::new(MAX_SEGMENTS));
@@ -62,34 +75,12 @@ impl Drawing {
     }
 }
 
-/// How to read an SVG file.
-#[derive(Clone, Debug)]
-pub struct SvgOptions {
-    /// How far a line may leave the curve that it stands for, in millimetres on the page; from
-    /// 1e-6 up.
-    pub tolerance_mm: f64,
-    /// The fonts that text is drawn with.
-    pub fonts: Arc<fontdb::Database>,
-}
-
-impl SvgOptions {
-    fn checked_tolerance_mm(&self) -> Result<f64, SvgError> {
-        let (found_mm, least_mm) = (self.tolerance_mm, 1e-6);
-        if found_mm >= least_mm && found_mm.is_finite() {
-            return Ok(found_mm);
-        }
-        Err(SvgError::Tolerance { found_mm, least_mm })
+fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
+    let least_mm = 1e-6;
+    if found_mm >= least_mm && found_mm.is_finite() {
+        return Ok(found_mm);
     }
-}
-
-impl Default for SvgOptions {
-    /// 0.005 mm, and no fonts.
-    fn default() -> Self {
-        Self {
-            tolerance_mm: 0.005,
-            fonts: Arc::default(),
-        }
-    }
+    Err(SvgError::Tolerance { found_mm, least_mm })
 }
 
 /// How many segments may still come: the guard against drawings that would fill the memory.
@@ -144,13 +135,13 @@ impl Unseen {
         }
     }
 
-    fn warn(&self, warnings: &mut Vec<Warning>) {
+    fn warn(&self, warnings: &mut Vec<Unshown>) {
         let counts = [
             (WarningKind::Image, &self.images),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
-        let found = counts.map(|(kind, count)| Warning {
+        let found = counts.map(|(kind, count)| Unshown {
             kind,
             count: count.load(Ordering::Relaxed),
         });
@@ -163,7 +154,7 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-fn parse(text: &str, options: &SvgOptions, unseen: &Unseen) -> Result<Tree, SvgError> {
+fn parse(text: &str, options: &ReadOptions, unseen: &Unseen) -> Result<Tree, SvgError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile);
     }
@@ -218,24 +209,23 @@ fn unreadable(error: &usvg::Error) -> SvgError {
     }
 }
 
-fn nothing_to_draw(warnings: &[Warning]) -> SvgError {
+fn nothing_to_draw(warnings: &[Unshown]) -> SvgError {
     if warnings.is_empty() {
         let reason = "no visible shape or text on the page".to_owned();
         return SvgError::NothingToDraw { reason };
     }
-    let only_text = |warning: &Warning| warning.kind == WarningKind::TextWithoutFont;
+    let only_text = |warning: &Unshown| warning.kind == WarningKind::TextWithoutFont;
     if warnings.iter().all(only_text) {
         return SvgError::NoFont;
     }
-    let reasons: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let texts = warnings.iter().map(|it| Warning::from(*it).to_string());
+    let reasons: Vec<String> = texts.collect();
     SvgError::NothingToDraw {
         reason: reasons.join("; "),
     }
 }
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
-/// A drawing of that many vectors takes the arm two days.
-const MAX_SEGMENTS: usize = 2_000_000;
 const MAX_NODES: u32 = 2_000_000;
 /// Larger numbers are a mistake, and would overflow further on.
 const MAX_NUMBER: f64 = 1e9;

@@ -1,17 +1,8 @@
 //! What can be wrong with a drawing, and what is left out of one.
 
-use std::fmt;
-
 use thiserror::Error;
 
-/// A place in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// From 1.
-    pub line: u32,
-    /// In characters, from 1.
-    pub column: u32,
-}
+use crate::source::{Place, Warning};
 
 impl From<usvg::roxmltree::TextPos> for Place {
     fn from(at: usvg::roxmltree::TextPos) -> Self {
@@ -19,12 +10,6 @@ impl From<usvg::roxmltree::TextPos> for Place {
             line: at.row,
             column: at.col,
         }
-    }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.line, self.column)
     }
 }
 
@@ -141,27 +126,30 @@ pub enum SvgError {
     },
 }
 
-/// Something in the file that is drawn otherwise than a browser would show it.
+/// What a pen does not show as a browser does, counted by kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Warning {
+pub(crate) struct Unshown {
     /// What it is.
-    pub kind: WarningKind,
+    pub(crate) kind: WarningKind,
     /// How many of it.
-    pub count: usize,
+    pub(crate) count: usize,
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (what, instead) = self.kind.words();
-        let plural = if self.count == 1 { "" } else { "s" };
-        write!(f, "{} {what}{plural}: {instead}", self.count)
+impl From<Unshown> for Warning {
+    fn from(Unshown { kind, count }: Unshown) -> Self {
+        let (what, instead) = kind.words();
+        Self {
+            place: None,
+            what: what.to_owned(),
+            instead: instead.to_owned(),
+            count,
+        }
     }
 }
 
 /// What a pen cannot draw, or not yet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum WarningKind {
+pub(crate) enum WarningKind {
     /// A bitmap or another file.
     Image,
     /// A mask.

@@ -9,7 +9,7 @@ use super::Budget;
 use super::affine::Affine;
 use super::clip::{Area, Region};
 use super::dash::dash;
-use super::error::{SvgError, Warning, WarningKind};
+use super::error::{SvgError, Unshown, WarningKind};
 use super::flatten::flatten;
 use crate::point::{Bounds, Point, Stroke};
 
@@ -44,9 +44,9 @@ impl Walk {
         self.group(tree.root(), Affine::scale(MM_PER_PX), &mut Vec::new())
     }
 
-    pub(crate) fn finish(self) -> (Vec<Stroke>, Vec<Warning>) {
+    pub(crate) fn finish(self) -> (Vec<Stroke>, Vec<Unshown>) {
         let warnings = self.warnings.into_iter();
-        let warnings = warnings.map(|(kind, count)| Warning { kind, count });
+        let warnings = warnings.map(|(kind, count)| Unshown { kind, count });
         (self.strokes, warnings.collect())
     }
 

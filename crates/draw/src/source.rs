@@ -1,0 +1,109 @@
+//! What can be drawn: files of several kinds, pictures and texts, each read as [`Artwork`].
+
+mod error;
+mod svg;
+
+use std::sync::Arc;
+
+use usvg::fontdb;
+
+pub use self::error::{Place, SourceError, Warning};
+pub use self::svg::SvgError;
+use crate::artwork::Artwork;
+
+/// Something to be drawn, not yet read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// An SVG file.
+    Svg(String),
+}
+
+impl Source {
+    /// Takes the contents of a file for what its name says, or else its first bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
+    /// holds no text.
+    pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        match ending.to_ascii_lowercase().as_str() {
+            "svg" => Ok(Self::Svg(text(bytes)?)),
+            _ => Self::of_contents(name, bytes),
+        }
+    }
+
+    fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
+        if bytes.is_empty() || start.contains("<svg") || start.trim_start().starts_with("<?xml") {
+            return Ok(Self::Svg(text(bytes)?));
+        }
+        Err(SourceError::UnknownKind {
+            name: name.to_owned(),
+        })
+    }
+
+    /// Reads it as layers of lines and areas, with what a pen cannot show as warnings.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError`] with the place, what was found there and what is allowed.
+    pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
+        match self {
+            Self::Svg(text) => svg::read(text, options),
+        }
+    }
+}
+
+impl From<&str> for Source {
+    fn from(svg: &str) -> Self {
+        Self::Svg(svg.to_owned())
+    }
+}
+
+/// How a source is read.
+#[derive(Clone, Debug)]
+pub struct ReadOptions {
+    /// How far a line may leave the curve that it stands for, in millimetres on the page; from
+    /// 1e-6 up.
+    pub tolerance_mm: f64,
+    /// How many millimetres on the paper become of one on the page: what is to be so far apart on
+    /// the paper (the lines of a shaded picture) is that much nearer on the page.
+    pub scale: f64,
+    /// What makes a layer of an SVG file.
+    pub layers: LayersBy,
+    /// The fonts that text is drawn with.
+    pub fonts: Arc<fontdb::Database>,
+}
+
+impl Default for ReadOptions {
+    /// 0.005 mm at true size, a layer for each colour, no fonts.
+    fn default() -> Self {
+        Self {
+            tolerance_mm: 0.005,
+            scale: 1.0,
+            layers: LayersBy::default(),
+            fonts: Arc::default(),
+        }
+    }
+}
+
+/// What makes a layer of an SVG file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LayersBy {
+    /// Each colour: of the line, or of the fill where there is no line.
+    #[default]
+    Color,
+    /// Each outermost group.
+    Group,
+    /// All of it is one layer.
+    Nothing,
+}
+
+fn text(bytes: Vec<u8>) -> Result<String, SourceError> {
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let lines = valid.split(|&byte| byte == b'\n').count();
+        SourceError::NotText { line: lines }
+    })
+}
