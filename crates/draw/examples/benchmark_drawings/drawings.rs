@@ -1,0 +1,269 @@
+//! The benchmark drawings, on a page of 200 x 120 mm.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+use dobot_lettering::{Anchor, lettering};
+
+/// All of them.
+pub(crate) const ALL: [Benchmark; 10] = [
+    Benchmark::new("hilbert", hilbert),
+    Benchmark::new("hilbert-shuffled", || shuffled(hilbert_segments())),
+    Benchmark::new("spirograph", spirograph),
+    Benchmark::new("spirograph-shuffled", || shuffled(spirograph_pieces())),
+    Benchmark::new("text", text),
+    Benchmark::new("text-shuffled", || shuffled(text())),
+    Benchmark::new("stipple", stipple),
+    Benchmark::new("stipple-shuffled", || shuffled(stipple())),
+    Benchmark::new("hatch", hatch),
+    Benchmark::new("hatch-shuffled", || shuffled(hatch())),
+];
+
+/// A drawing to measure with.
+pub(crate) struct Benchmark {
+    /// What its file is called.
+    pub(crate) name: &'static str,
+    /// Makes its `path` elements, one for each stroke.
+    paths: fn() -> Vec<String>,
+}
+
+impl Benchmark {
+    const fn new(name: &'static str, paths: fn() -> Vec<String>) -> Self {
+        Self { name, paths }
+    }
+
+    /// The drawing as the text of an SVG file.
+    pub(crate) fn svg(&self) -> String {
+        format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH_MM}mm" height="{HEIGHT_MM}mm" viewBox="0 0 {WIDTH_MM} {HEIGHT_MM}" fill="none" stroke="black" stroke-width="0.3" stroke-linecap="round">
+{}
+</svg>
+"#,
+            (self.paths)().join("\n")
+        )
+    }
+}
+
+/// A Hilbert curve of 65,535 segments as one stroke, in a square of 118 mm.
+fn hilbert() -> Vec<String> {
+    vec![path(&hilbert_points(), "")]
+}
+
+/// The same curve, each segment by itself.
+fn hilbert_segments() -> Vec<String> {
+    let segments = hilbert_points();
+    segments.windows(2).map(|pair| path(pair, "")).collect()
+}
+
+fn hilbert_points() -> Vec<[f64; 2]> {
+    let cells = 1_u32 << HILBERT_ORDER;
+    let step = 118.0 / f64::from(cells - 1);
+    let at = |i| hilbert_cell(i).map(|cell| f64::from(cell) * step);
+    let points = (0..cells * cells).map(at);
+    points.map(|[x, y]| [41.0 + x, 1.0 + y]).collect()
+}
+
+/// Column and row of the i-th cell that the curve goes through.
+fn hilbert_cell(i: u32) -> [u32; 2] {
+    let [mut x, mut y] = [0, 0];
+    for level in 0..HILBERT_ORDER {
+        let (side, quarter) = (1 << level, (i >> (2 * level)) & 3);
+        [x, y] = match quarter {
+            0 => [y, x],
+            1 => [x, y + side],
+            2 => [x + side, y + side],
+            _ => [2 * side - 1 - y, side - 1 - x],
+        };
+    }
+    [x, y]
+}
+
+/// One closed stroke of 20,000 segments: a point on a wheel that rolls inside of a ring.
+fn spirograph() -> Vec<String> {
+    let mut points = spirograph_points();
+    points.pop();
+    vec![path(&points, "Z")]
+}
+
+/// The same figure in 2,000 pieces of ten segments.
+fn spirograph_pieces() -> Vec<String> {
+    let points = spirograph_points();
+    let pieces = (0..2000).map(|piece| &points[10 * piece..=10 * piece + 10]);
+    pieces.map(|piece| path(piece, "")).collect()
+}
+
+fn spirograph_points() -> Vec<[f64; 2]> {
+    // The wheel has 53 teeth, the ring 120: after 53 rounds the pen is back.
+    let (ring, wheel, arm) = (120.0, 53.0, 44.0);
+    let scale = 59.0 / (ring - wheel + arm);
+    let at = |i: u32| {
+        let angle = TAU * wheel * f64::from(i) / 20_000.0;
+        let turned = angle * (ring - wheel) / wheel;
+        let x = (ring - wheel) * angle.cos() + arm * turned.cos();
+        let y = (ring - wheel) * angle.sin() - arm * turned.sin();
+        [100.0 + scale * x, 60.0 + scale * y]
+    };
+    (0..=20_000).map(at).collect()
+}
+
+/// 2,000 strokes of lettering: words in lines, as a letter has them.
+fn text() -> Vec<String> {
+    let mut random = Random(7);
+    let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
+    while strokes.len() < 2000 {
+        let word = WORDS[random.below(WORDS.len())];
+        if dobot_lettering::width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
+            strokes.append(&mut letters(&line, y));
+            line.clear();
+            y += 5.3;
+        }
+        line += if line.is_empty() { "" } else { " " };
+        line += word;
+    }
+    strokes.truncate(2000);
+    strokes
+}
+
+/// Every stroke of a line of text as an element of its own.
+fn letters(line: &str, y: f64) -> Vec<String> {
+    let group = lettering(line, Anchor::Left, 5.0, y, LETTER_MM);
+    let mut parts = group.split(r#"transform=""#).skip(1);
+    let transform = |part: &str| part.split('"').next().unwrap_or_default().to_owned();
+    let line = parts.next().map(transform).unwrap_or_default();
+    let strokes_of = |part: &str| {
+        let data = part.split(r#"d=""#).nth(1).unwrap_or_default();
+        let data = data.split('"').next().unwrap_or_default();
+        let strokes = data.split('M').skip(1);
+        let letter = transform(part);
+        strokes
+            .map(|data| format!(r#"<path transform="{line} {letter}" d="M{data}"/>"#))
+            .collect::<Vec<_>>()
+    };
+    parts.flat_map(strokes_of).collect()
+}
+
+/// 10,000 dots that shade two balls, in the order of a scan from the top.
+fn stipple() -> Vec<String> {
+    let mut random = Random(11);
+    let mut dots = Vec::new();
+    while dots.len() < 10_000 {
+        let dot = [2.0 + 196.0 * random.share(), 2.0 + 116.0 * random.share()];
+        if random.share() < darkness(dot).powi(2) {
+            dots.push(dot);
+        }
+    }
+    let row = |dot: &[f64; 2]| (dot[1] / 1.5).floor();
+    dots.sort_by(|a, b| row(a).total_cmp(&row(b)).then(a[0].total_cmp(&b[0])));
+    let element = |[x, y]: [f64; 2]| format!(r#"<path d="M{x:.3} {y:.3}h0"/>"#);
+    dots.into_iter().map(element).collect()
+}
+
+/// 5,000 hatch lines that shade the same balls: the darker a place, the more directions cross.
+fn hatch() -> Vec<String> {
+    let mut lines = Vec::new();
+    for (family, least) in [0.15, 0.3, 0.45, 0.6, 0.75].into_iter().enumerate() {
+        let angle = TAU * (0.08 + 0.1 * f64::from(u8::try_from(family).unwrap_or_default()));
+        hatch_family(angle, least, &mut lines);
+    }
+    // The longest 5,000, in the order they were found.
+    let mut lengths: Vec<f64> = lines.iter().map(length).collect();
+    lengths.sort_by(|a, b| b.total_cmp(a));
+    let least = lengths[4999];
+    lines.retain(|line| length(line) >= least);
+    lines.truncate(5000);
+    lines.iter().map(|line| path(line, "")).collect()
+}
+
+/// Parallel lines, broken where it is not dark enough for them.
+fn hatch_family(angle: f64, least: f64, lines: &mut Vec<[[f64; 2]; 2]>) {
+    let (sin, cos) = angle.sin_cos();
+    for row in -200..200 {
+        let mut from = None;
+        for step in -1200..=1200 {
+            let (along, across) = (0.1 * f64::from(step), 0.6 * f64::from(row));
+            let p = [
+                100.0 + cos * along - sin * across,
+                60.0 + sin * along + cos * across,
+            ];
+            // A grain in the tone breaks the lines up, as the grain of a photograph does.
+            let grain = 0.2 * ((1.7 * p[0]).sin() * (1.3 * p[1] + 0.4 * p[0]).cos());
+            if on_page(p) && darkness(p) + grain > least {
+                let start = from.map_or(p, |line: [[f64; 2]; 2]| line[0]);
+                from = Some([start, p]);
+            } else {
+                lines.extend(from.take());
+            }
+        }
+        lines.extend(from);
+    }
+}
+
+/// How dark the picture is at a place, from 0 to 1: two balls lit from the left and above.
+fn darkness(p: [f64; 2]) -> f64 {
+    let ball = |x: f64, y: f64, radius: f64| {
+        let [dx, dy] = [(p[0] - x) / radius, (p[1] - y) / radius];
+        let height2 = 1.0 - dx * dx - dy * dy;
+        let light = (0.64 * height2.max(0.0).sqrt() - 0.48 * dx - 0.6 * dy).max(0.0);
+        (height2 > 0.0).then_some(1.0 - 0.9 * light)
+    };
+    ball(66.0, 62.0, 50.0)
+        .or_else(|| ball(152.0, 78.0, 36.0))
+        .unwrap_or(0.1 + 0.1 * p[1] / HEIGHT_MM)
+}
+
+fn on_page(p: [f64; 2]) -> bool {
+    (2.0..=WIDTH_MM - 2.0).contains(&p[0]) && (2.0..=HEIGHT_MM - 2.0).contains(&p[1])
+}
+
+fn length([a, b]: &[[f64; 2]; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// A `path` element through these points.
+fn path(points: &[[f64; 2]], end: &str) -> String {
+    let mut element = r#"<path d="M"#.to_owned();
+    for [x, y] in points {
+        write!(element, "{x:.4} {y:.4} ").expect("a string takes all");
+    }
+    element + end + r#""/>"#
+}
+
+fn shuffled(mut paths: Vec<String>) -> Vec<String> {
+    let mut random = Random(3);
+    for i in (1..paths.len()).rev() {
+        paths.swap(i, random.below(i + 1));
+    }
+    paths
+}
+
+/// A small generator (`SplitMix64`), so that the drawings are the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// From 0 to 1.
+    fn share(&mut self) -> f64 {
+        f64::from((self.next() >> 32) as u32) / f64::from(u32::MAX)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        ((self.next() >> 32) as usize * count) >> 32
+    }
+}
+
+const WIDTH_MM: f64 = 200.0;
+const HEIGHT_MM: f64 = 120.0;
+const HILBERT_ORDER: u32 = 8;
+const LETTER_MM: f64 = 3.0;
+const WORDS: [&str; 32] = [
+    "the", "arm", "draws", "a", "line", "and", "lifts", "its", "pen", "where", "one", "stroke",
+    "ends", "before", "it", "goes", "on", "with", "next", "of", "paper", "ink", "far", "quick",
+    "joint", "by", "elbow", "vector", "zigzag", "home", "to", "rests",
+];
