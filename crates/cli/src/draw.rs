@@ -10,8 +10,9 @@ use anyhow::{Context, anyhow};
 use dobot_arm::{Limits, Pose, Position, Tool, Unreachable};
 use dobot_client::position;
 use dobot_draw::{
-    Deviation, Parting, Pen, Picture, Placement, Point, PrepareError, Prepared, Progress, Settings,
-    Size, Stopped, Stroke, View, deviation, fontdb, ink, ink_seen, prepare,
+    Deviation, Machine, Paper, Parting, Pen, Picture, Placement, Plan, Point, PrepareError,
+    Prepared, Progress, Settings, Size, Stopped, Stroke, View, deviation, fontdb, ink, ink_seen,
+    prepare,
 };
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::{JobKind, NewJob, Remote, Reply, Request, State};
@@ -63,9 +64,9 @@ pub(crate) struct Args {
     /// Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
     #[arg(long, value_name = "Z")]
     pen_down: Option<f64>,
-    /// Z where the pen travels, in mm (default: 10 mm higher)
-    #[arg(long, value_name = "Z")]
-    pen_up: Option<f64>,
+    /// How high above the paper the pen travels, in mm
+    #[arg(long, value_name = "MM", default_value_t = Pen::default().lift_mm)]
+    pen_lift: f64,
     /// Speed while drawing, in mm/s
     #[arg(long, value_name = "MM/S", default_value_t = Pen::default().draw_speed_mm_s)]
     speed: f64,
@@ -73,7 +74,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "MM/S", default_value_t = Pen::default().travel_speed_mm_s)]
     travel_speed: f64,
     /// Acceleration, in mm/s²
-    #[arg(long, value_name = "MM/S2", default_value_t = Pen::default().acceleration_mm_s2)]
+    #[arg(long, value_name = "MM/S2", default_value_t = Machine::default().acceleration_mm_s2)]
     acceleration: f64,
     /// How far the drawn path may leave the wanted one, in mm
     #[arg(long, value_name = "MM", default_value_t = Settings::default().tolerance_mm)]
@@ -98,18 +99,19 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         eprintln!("warning: {warning}");
     }
     let mut reached = args.to.reach("draw").await?;
-    if let Some(pen) = args.pen_of(&mut reached).await? {
-        settings.pen = pen;
+    if let Some((paper, dialect)) = args.paper_of(&mut reached).await? {
+        settings.paper = paper;
+        settings.machine = args.machine(dialect);
         prepared = args.prepare(&svg, &settings)?;
     }
     let (outcome, drawn) = match &mut reached {
-        Reached::Station(station) => args.through(station, &prepared, &settings.pen).await,
+        Reached::Station(station) => args.through(station, &prepared, &settings.paper).await,
         Reached::Arm(connected) => {
             guard::check_all(connected, prepared.plan.commands()).await?;
             if let Some(arm) = &connected.virtual_arm {
                 arm.arm().record(RECORDING_PERIOD);
             }
-            draw(connected, &prepared, &settings.pen).await
+            draw(connected, &prepared, &settings).await
         }
     };
     let report = Report::new(&prepared, &drawn, outcome.as_ref().ok().copied());
@@ -135,7 +137,7 @@ struct Drawn {
 async fn draw(
     connected: &mut Connected,
     prepared: &Prepared,
-    pen: &Pen,
+    settings: &Settings,
 ) -> (Result<Duration, Failure>, Drawn) {
     let bar = progress_bar(prepared);
     let total_s = prepared.plan.duration_s();
@@ -144,7 +146,8 @@ async fn draw(
         bar.set_message(clock(total_s - progress.planned_s));
     };
 
-    let outcome = dobot_draw::run(&mut connected.arm, &prepared.plan, pen, interrupt(), tell).await;
+    let (plan, pen) = (&prepared.plan, &settings.pen);
+    let outcome = dobot_draw::run(&mut connected.arm, plan, pen, interrupt(), tell).await;
     bar.finish_and_clear();
     let seen = match &outcome {
         Ok(finished) => &finished.seen,
@@ -153,9 +156,9 @@ async fn draw(
     let strokes = match &connected.virtual_arm {
         Some(arm) => ink(
             arm.arm().samples().iter().map(|it| it.position),
-            pen.down_z_mm,
+            down_z_mm(&settings.paper),
         ),
-        None => ink_seen(seen.iter().copied(), pen.down_z_mm),
+        None => ink_seen(seen.iter().copied(), down_z_mm(&settings.paper)),
     };
     let drawn = Drawn::new(prepared, strokes, connected.virtual_arm.is_some());
     (outcome.map(|it| it.time).map_err(stopped), drawn)
@@ -167,14 +170,14 @@ impl Args {
         &self,
         station: &mut Remote,
         prepared: &Prepared,
-        pen: &Pen,
+        paper: &Paper,
     ) -> (Result<Duration, Failure>, Drawn) {
         let mut seen = Vec::new();
         let see = |state: &State| {
             seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
         };
-        let outcome = self.job(station, prepared, pen, see).await;
-        let strokes = ink_seen(seen.iter().copied(), pen.down_z_mm);
+        let outcome = self.job(station, prepared, see).await;
+        let strokes = ink_seen(seen.iter().copied(), down_z_mm(paper));
         (outcome, Drawn::new(prepared, strokes, false))
     }
 
@@ -182,7 +185,6 @@ impl Args {
         &self,
         station: &mut Remote,
         prepared: &Prepared,
-        pen: &Pen,
         see: impl FnMut(&State),
     ) -> Result<Duration, Failure> {
         // Nothing is queued that cannot be started.
@@ -191,7 +193,7 @@ impl Args {
             title: self.title(),
             kind: JobKind::Drawing,
             commands: prepared.plan.commands().collect(),
-            lift_mm: lift_mm(pen),
+            lift_mm: lift_mm(&prepared.plan),
         };
         match station.request(Request::SubmitJob { job }).await? {
             Reply::Job { job } => follow::start(station, job.job, see).await,
@@ -199,8 +201,11 @@ impl Args {
         }
     }
 
-    /// The pen, where it depends on the arm.
-    async fn pen_of(&self, reached: &mut Reached) -> Result<Option<Pen>, Failure> {
+    /// Paper and dialect, where they depend on the arm.
+    async fn paper_of(
+        &self,
+        reached: &mut Reached,
+    ) -> Result<Option<(Paper, Option<Dialect>)>, Failure> {
         let (z_mm, dialect) = match reached {
             Reached::Station(station) => {
                 let (arm, dialect) = control::arm(station).await?;
@@ -212,7 +217,7 @@ impl Args {
             Reached::Arm(_) => return Ok(None),
         };
         let down_z_mm = self.pen_down.unwrap_or(z_mm.into());
-        Ok(Some(self.pen(down_z_mm, dialect)))
+        Ok(Some((Paper::level(down_z_mm), dialect)))
     }
 
     fn settings(&self, svg: &str) -> Settings {
@@ -229,26 +234,28 @@ impl Args {
                 center,
                 ..Placement::default()
             },
-            pen: self.pen(
-                self.pen_down.unwrap_or(Pen::default().down_z_mm),
-                self.to.dialect,
-            ),
+            paper: self.pen_down.map_or_else(Paper::default, Paper::level),
+            pen: self.pen(),
+            machine: self.machine(self.to.dialect),
             fonts: fonts(svg),
             ..Settings::default()
         }
     }
 
-    fn pen(&self, down_z_mm: f64, dialect: Option<Dialect>) -> Pen {
-        let lift_mm = Pen::default().up_z_mm - Pen::default().down_z_mm;
+    fn pen(&self) -> Pen {
         Pen {
-            down_z_mm,
-            up_z_mm: self.pen_up.unwrap_or(down_z_mm + lift_mm),
+            lift_mm: self.pen_lift,
             draw_speed_mm_s: self.speed,
             travel_speed_mm_s: self.travel_speed,
+            ..Pen::default()
+        }
+    }
+
+    fn machine(&self, dialect: Option<Dialect>) -> Machine {
+        Machine {
             acceleration_mm_s2: self.acceleration,
             // Nobody knows better over a port until it is told.
-            stops_at_corners: dialect.is_some_and(|it| !it.uses_start_speed),
-            ..Pen::default()
+            ..dialect.map_or_else(Machine::default, Machine::of)
         }
     }
 
@@ -443,7 +450,7 @@ fn hint(error: &PrepareError) -> Option<String> {
             Some("`--fit` makes it as large as the drawing area allows".into())
         }
         PrepareError::Place(PlaceError::OutOfReach { .. }) => Some(
-            "`--fit` without `--at` places it inside reach; `--pen-down` and `--pen-up` set the heights".into(),
+            "`--fit` without `--at` places it inside reach; `--pen-down` and `--pen-lift` set the heights".into(),
         ),
         _ => None,
     }
@@ -467,8 +474,13 @@ fn progress_bar(prepared: &Prepared) -> ProgressBar {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "as the job holds it")]
-fn lift_mm(pen: &Pen) -> f32 {
-    (pen.up_z_mm - pen.down_z_mm) as f32
+fn lift_mm(plan: &Plan) -> f32 {
+    plan.lift_mm() as f32
+}
+
+/// Where ink is looked for, on paper that is level.
+fn down_z_mm(paper: &Paper) -> f64 {
+    paper.z_at(Point::default())
 }
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {

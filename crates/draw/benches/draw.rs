@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{
-    Cornering, LinkRate, Pen, Placement, Plan, Point, ReadOptions, Run, Settings, Size, Source,
-    Stroke, deviation, order, prepare, simplify,
+    Cornering, Machine, Paper, Pass, Placement, Plan, Point, ReadOptions, Run, Settings, Size,
+    Source, Stroke, Tool, deviation, order, prepare, simplify,
 };
 
 fn main() {
@@ -41,10 +41,10 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
 /// Rounding, look-ahead and speeds of one stroke.
 #[divan::bench]
 fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let strokes = [spiral(50_000)];
+    let passes = [Pass::new(Tool::default(), vec![spiral(50_000)])];
     bencher
         .counter(ItemsCount::new(50_000_usize))
-        .bench_local(|| Plan::new(&strokes, &Pen::default(), LinkRate::default()));
+        .bench_local(|| Plan::new(&passes, &Paper::default(), &Machine::default()));
 }
 
 /// Reading and flattening; before merging it has four times as many.

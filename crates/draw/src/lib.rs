@@ -32,13 +32,10 @@
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
 mod artwork;
-mod commands;
 mod deviation;
 mod index;
 mod ink;
-mod lookahead;
 mod order;
-mod pen;
 mod picture;
 mod place;
 mod plan;
@@ -51,12 +48,13 @@ mod source;
 pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use deviation::{Deviation, Worst, deviation};
 pub use ink::{ink, ink_seen};
-pub use lookahead::{Cornering, Run};
 pub use order::{order, travel_mm};
-pub use pen::{LinkRate, Pen, PlanError};
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
-pub use plan::{MoveKind, Plan, PlannedVector, Summary};
+pub use plan::{
+    Break, Cornering, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen, Plan,
+    PlanError, PlannedPass, PlannedVector, Run, Summary, Tool,
+};
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};

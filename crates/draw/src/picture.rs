@@ -292,7 +292,7 @@ const DRAWN: &str = r##"stroke="#1b2a41" stroke-width="0.42""##;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::pen::{LinkRate, Pen};
+    use crate::plan::{Machine, Paper, Pass, Tool};
 
     fn strokes() -> Vec<Stroke> {
         let line = |points: &[(f64, f64)]| {
@@ -306,7 +306,8 @@ mod tests {
 
     fn picture<T>(view: View, look: impl Fn(&Picture<'static>) -> T) -> T {
         let drawn = Box::leak(Box::new(strokes()));
-        let plan = Plan::new(drawn, &Pen::default(), LinkRate::default()).unwrap();
+        let pass = Pass::new(Tool::default(), drawn.clone());
+        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
         look(&Picture {
             title: "a < test & more",
             figures: Box::leak(Box::new([("strokes".to_owned(), "2".to_owned())])),

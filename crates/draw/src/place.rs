@@ -6,8 +6,7 @@ use dobot_arm::Position;
 use thiserror::Error;
 
 use crate::artwork::{Artwork, Layer};
-use crate::pen::Pen;
-use crate::plan::Plan;
+use crate::plan::{Paper, Plan};
 use crate::point::{Bounds, Point};
 
 /// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
@@ -203,14 +202,16 @@ pub enum PlaceError {
 /// [`PlaceError::OutOfReach`] with the first place that `reachable` refuses, and its reason.
 pub fn check_reach<E: fmt::Display>(
     plan: &Plan,
-    pen: &Pen,
+    paper: &Paper,
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<(), PlaceError> {
     let mut here = Point::new(plan.start[0], plan.start[1]);
+    let lift_mm = plan.lift_mm();
     for [x, y, _] in plan.positions() {
         let there = Point::new(x, y);
         for p in here.steps_to(there, STEP_MM) {
-            for z_mm in [pen.down_z_mm, pen.up_z_mm] {
+            let down_mm = paper.z_at(p);
+            for z_mm in [down_mm, down_mm + lift_mm] {
                 let place = Position::new(p.x, p.y, z_mm);
                 reachable(place).map_err(|reason| PlaceError::OutOfReach {
                     x_mm: p.x,
@@ -231,7 +232,7 @@ const STEP_MM: f64 = 2.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::pen::LinkRate;
+    use crate::plan::{Machine, Pass, Tool};
     use crate::point::Stroke;
 
     fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
@@ -338,9 +339,10 @@ mod tests {
 
     #[test]
     fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
-        let pen = Pen::default();
+        let paper = Paper::default();
         let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
-        let plan = Plan::new(&ends_fine, &pen, LinkRate::default()).unwrap();
+        let pass = Pass::new(Tool::default(), ends_fine.to_vec());
+        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
         let reachable = |p: Position| {
             if p.reach().0 < 129.0 {
                 Err("too near")
@@ -348,7 +350,7 @@ mod tests {
                 Ok(())
             }
         };
-        let error = check_reach(&plan, &pen, reachable).unwrap_err();
+        let error = check_reach(&plan, &paper, reachable).unwrap_err();
         assert!(
             error
                 .to_string()
@@ -356,6 +358,6 @@ mod tests {
             "{error}"
         );
         assert!(error.to_string().contains("mm: too near; fit the drawing"));
-        check_reach(&plan, &pen, |_| Ok::<(), String>(())).unwrap();
+        check_reach(&plan, &paper, |_| Ok::<(), String>(())).unwrap();
     }
 }

@@ -1,33 +1,51 @@
 //! From strokes to vectors that arm and link can carry.
 
-use dobot_motion::Profile;
+mod commands;
+mod error;
+mod lookahead;
+mod machine;
+mod paper;
+mod pass;
+mod planner;
+mod summary;
+mod tool;
+mod vector;
 
-use crate::lookahead::{Cornering, Run};
-use crate::pen::{LinkRate, Pen, PlanError};
+pub(crate) use commands::{LASER_OFF, approach, single, to_start, write};
+pub use error::PlanError;
+pub use lookahead::{Cornering, Run};
+pub use machine::{LinkRate, Machine};
+pub use paper::{Paper, PaperError};
+pub use pass::{Break, Pass, PlannedPass};
+pub use summary::Summary;
+pub use tool::{Laser, Pen, Tool};
+pub use vector::{MoveKind, PlannedVector};
+
+use planner::Planner;
+
 use crate::point::{Point, Stroke};
 
 /// Everything the arm does for a drawing, vector by vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Where the first vector begins, pen up: X, Y, Z in the base frame, in mm. The arm must be
-    /// brought here before.
+    /// Where the first vector begins, pen up or laser off: X, Y, Z in the base frame, in mm. The
+    /// arm must be brought here before.
     pub start: [f64; 3],
     /// The vectors in order; each begins where the one before ends.
     pub moves: Vec<PlannedVector>,
-    acceleration_mm_s2: f64,
+    /// The passes that have strokes, in order.
+    pub passes: Vec<PlannedPass>,
+    /// Where the arm waits for a person: before each pass that has a message.
+    pub breaks: Vec<Break>,
+    machine: Machine,
 }
 
 impl Plan {
-    /// Plans the strokes, given in the base frame, in their order.
+    /// Plans the passes in their order, on this paper.
     ///
-    /// ```text
-    ///   up    ----> Travel ----.                     .---- Travel ---->
-    ///                          | Lower          Lift |
-    ///   down                   '-- Draw Draw Draw ---'
-    /// ```
-    ///
-    /// 1. The pen stands still before and after it is lowered or lifted, and draws each stroke in
-    ///    one go, with the corner speeds of [`Cornering::speeds`].
+    /// 1. A pen stands still before and after it is lowered or lifted, and draws each stroke in
+    ///    one go, with the corner speeds of [`Cornering::speeds`]. A laser is switched on and off
+    ///    in full motion, on straight ways into the stroke and out of it.
     /// 2. A vector costs one packet: it is never over before the link can bring the next one, so
     ///    short vectors are slow.
     /// 3. Every number is rounded to single precision as the packet will hold it, before speeds
@@ -39,36 +57,67 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where there is nothing to draw or a setting makes no sense.
-    pub fn new(strokes: &[Stroke], pen: &Pen, link: LinkRate) -> Result<Self, PlanError> {
-        pen.check()?;
-        link.check()?;
-        let mut strokes = strokes.iter().filter(|s| !s.points.is_empty()).peekable();
-        let first = strokes.peek().ok_or(PlanError::NoStrokes)?.points[0];
-        let start = [first.x, first.y, pen.up_z_mm];
-        let mut planner = Planner::new(start, *pen, link);
-        for (id, stroke) in (0..).zip(strokes) {
-            planner.stroke(id, stroke);
-        }
-        Ok(Self {
+    /// [`PlanError`] where there is nothing to draw, a setting makes no sense, a laser is to burn
+    /// on a slope, or the passes mix pens and lasers.
+    pub fn new(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
+        check(passes, paper, machine)?;
+        let start = start(passes, paper)?;
+        let mut planner = Planner::new(start, paper, machine);
+        let mut plan = Self {
             start,
-            moves: planner.moves,
-            acceleration_mm_s2: pen.acceleration_mm_s2,
-        })
+            moves: Vec::new(),
+            passes: Vec::new(),
+            breaks: Vec::new(),
+            machine: *machine,
+        };
+        for (number, pass) in (0..).zip(passes.iter().filter(|it| it.has_strokes())) {
+            let before = planner.moves.len();
+            planner.pass(number, pass);
+            let message = pass.message.clone();
+            plan.breaks
+                .extend(message.map(|message| Break { before, message }));
+            plan.passes.push(PlannedPass {
+                name: pass.name.clone(),
+                tool: pass.tool,
+                moves: before..planner.moves.len(),
+            });
+        }
+        plan.moves = planner.moves;
+        Ok(plan)
     }
 
     /// How long each vector takes, in seconds.
     pub fn durations(&self) -> impl Iterator<Item = f64> {
-        let acceleration = self.acceleration_mm_s2;
+        let acceleration = self.machine.acceleration_mm_s2;
         self.moves
             .iter()
             .map(move |vector| vector.duration_s(acceleration))
     }
 
-    /// The acceleration that it was planned with, in mm/s2.
+    pub(crate) fn duration_of(&self, vector: usize) -> f64 {
+        self.moves[vector].duration_s(self.machine.acceleration_mm_s2)
+    }
+
+    /// How high above the paper the pen travels at most, in mm; 0 for a laser.
     #[must_use]
-    pub const fn acceleration_mm_s2(&self) -> f64 {
-        self.acceleration_mm_s2
+    pub fn lift_mm(&self) -> f64 {
+        let lift_mm = |pass: &PlannedPass| match pass.tool {
+            Tool::Pen(pen) => pen.lift_mm,
+            Tool::Laser(_) => 0.0,
+        };
+        self.passes.iter().map(lift_mm).fold(0.0, f64::max)
+    }
+
+    /// What it was planned for.
+    #[must_use]
+    pub const fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// Whether it burns with a laser; otherwise it draws with a pen.
+    #[must_use]
+    pub fn burns(&self) -> bool {
+        matches!(self.passes[0].tool, Tool::Laser(_))
     }
 
     /// How long the whole plan takes, in seconds.
@@ -104,211 +153,40 @@ impl Plan {
         }
         paths
     }
+}
 
-    /// The figures of the plan.
-    #[must_use]
-    pub fn summary(&self) -> Summary {
-        let total = |kind| {
-            let vectors = self.moves.iter().filter(|vector| vector.kind == kind);
-            vectors
-                .map(PlannedVector::length_mm)
-                .fold(0.0, |sum, length| sum + length)
-        };
-        Summary {
-            strokes: self
-                .moves
-                .last()
-                .map_or(0, |vector| vector.stroke as usize + 1),
-            vectors: self.moves.len(),
-            drawn_mm: total(MoveKind::Draw),
-            travelled_mm: total(MoveKind::Travel),
-            duration_s: self.duration_s(),
+/// Where the first stroke begins, pen up or laser off.
+fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
+    let mut firsts = passes.iter().flat_map(|pass| {
+        let points = pass
+            .strokes
+            .iter()
+            .filter_map(|stroke| stroke.points.first());
+        points.map(|&first| (pass.tool, first))
+    });
+    let (tool, first) = firsts.next().ok_or(PlanError::NoStrokes)?;
+    let above_mm = match tool {
+        Tool::Pen(pen) => pen.lift_mm,
+        Tool::Laser(_) => 0.0,
+    };
+    Ok([first.x, first.y, paper.z_at(first) + above_mm])
+}
+
+fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanError> {
+    machine.check()?;
+    paper.check()?;
+    let burns = |pass: &Pass| matches!(pass.tool, Tool::Laser(_));
+    for (pass, it) in (1..).zip(passes) {
+        it.tool.check()?;
+        if burns(it) && !paper.is_level() {
+            return Err(PlanError::SlopingLaser { pass });
+        }
+        if burns(it) != burns(&passes[0]) {
+            return Err(PlanError::MixedTools { pass });
         }
     }
+    Ok(())
 }
-
-/// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.6).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlannedVector {
-    /// Forward, in mm.
-    pub x_mm: f32,
-    /// To the left, in mm.
-    pub y_mm: f32,
-    /// Up, in mm.
-    pub z_mm: f32,
-    /// The speed to begin with: the end speed of the vector before, in mm/s.
-    pub start_speed_mm_s: f32,
-    /// The speed to end with, in mm/s.
-    pub end_speed_mm_s: f32,
-    /// The speed not to pass in between, in mm/s.
-    pub max_speed_mm_s: f32,
-    /// What the pen does.
-    pub kind: MoveKind,
-    /// Which stroke it belongs to, from 0; a travel to the stroke that it leads to.
-    pub stroke: u32,
-}
-
-impl PlannedVector {
-    /// The increments along X, Y and Z in mm.
-    #[must_use]
-    pub fn increments(&self) -> [f64; 3] {
-        [self.x_mm, self.y_mm, self.z_mm].map(f64::from)
-    }
-
-    /// The length in mm.
-    #[must_use]
-    pub fn length_mm(&self) -> f64 {
-        length(self.increments())
-    }
-
-    /// How long it takes in seconds: accelerate, keep the largest speed for a while if it is
-    /// reached, brake.
-    #[must_use]
-    pub(crate) fn duration_s(&self, acceleration_mm_s2: f64) -> f64 {
-        let speeds = [
-            self.start_speed_mm_s,
-            self.end_speed_mm_s,
-            self.max_speed_mm_s,
-        ];
-        let [start, end, max] = speeds.map(f64::from);
-        Profile::new(self.length_mm(), start, end, max, acceleration_mm_s2)
-            .expect("a plan keeps its own limits")
-            .duration_s()
-    }
-}
-
-/// What the pen does on a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MoveKind {
-    /// Goes to the next stroke, up.
-    Travel,
-    /// Goes down to the paper.
-    Lower,
-    /// Draws.
-    Draw,
-    /// Goes up from the paper.
-    Lift,
-}
-
-/// The figures of a plan.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Summary {
-    /// How often the pen is lowered.
-    pub strokes: usize,
-    /// How many vectors, and so packets.
-    pub vectors: usize,
-    /// How far the pen goes down on the paper, in mm.
-    pub drawn_mm: f64,
-    /// How far it goes between strokes, in mm.
-    pub travelled_mm: f64,
-    /// How long all of it takes, in seconds.
-    pub duration_s: f64,
-}
-
-struct Planner {
-    pen: Pen,
-    link: LinkRate,
-    cornering: Cornering,
-    /// Where the vectors so far lead, rounding included.
-    here: [f64; 3],
-    moves: Vec<PlannedVector>,
-    /// What follows is reused from stroke to stroke.
-    chain: Vec<Run>,
-    speeds: Vec<f64>,
-}
-
-impl Planner {
-    fn new(start: [f64; 3], pen: Pen, link: LinkRate) -> Self {
-        let cornering = Cornering {
-            // The spared part keeps rounded speeds within the acceleration.
-            acceleration_mm_s2: pen.acceleration_mm_s2 * (1.0 - 1e-5),
-            deviation_mm: pen.corner_deviation_mm,
-            stops: pen.stops_at_corners,
-        };
-        Self {
-            pen,
-            link,
-            cornering,
-            here: start,
-            moves: Vec::new(),
-            chain: Vec::new(),
-            speeds: Vec::new(),
-        }
-    }
-
-    fn stroke(&mut self, id: u32, stroke: &Stroke) {
-        let Pen {
-            up_z_mm: up,
-            down_z_mm: down,
-            ..
-        } = self.pen;
-        let (first, rest) = (&stroke.points[..1], &stroke.points[1..]);
-        let last = &stroke.points[stroke.points.len() - 1..];
-        self.chain(MoveKind::Travel, id, first, up, self.pen.travel_speed_mm_s);
-        self.chain(MoveKind::Lower, id, first, down, self.pen.lift_speed_mm_s);
-        self.chain(MoveKind::Draw, id, rest, down, self.pen.draw_speed_mm_s);
-        self.chain(MoveKind::Lift, id, last, up, self.pen.lift_speed_mm_s);
-    }
-
-    /// Vectors through these points at this height, at rest before and after.
-    fn chain(&mut self, kind: MoveKind, stroke: u32, points: &[Point], z_mm: f64, limit_mm_s: f64) {
-        self.chain.clear();
-        let begin = self.moves.len();
-        for p in points {
-            self.vector(kind, stroke, [p.x, p.y, z_mm], limit_mm_s);
-        }
-        self.cornering.speeds(&self.chain, &mut self.speeds);
-        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
-            vector.start_speed_mm_s = round_down(self.speeds[i]);
-            vector.end_speed_mm_s = round_down(self.speeds[i + 1]);
-        }
-    }
-
-    fn vector(&mut self, kind: MoveKind, stroke: u32, to: [f64; 3], limit_mm_s: f64) {
-        let here = self.here;
-        #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-        let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
-        let way = [x_mm, y_mm, z_mm].map(f64::from);
-        let length_mm = length(way);
-        if length_mm < LEAST_VECTOR_MM {
-            return;
-        }
-        self.here = [0, 1, 2].map(|i| here[i] + way[i]);
-        let max_speed_mm_s = round_down(limit_mm_s.min(length_mm / self.link.period_s));
-        self.chain.push(Run {
-            direction: way.map(|d| d / length_mm),
-            length_mm,
-            limit_mm_s: f64::from(max_speed_mm_s),
-        });
-        self.moves.push(PlannedVector {
-            x_mm,
-            y_mm,
-            z_mm,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s,
-            kind,
-            stroke,
-        });
-    }
-}
-
-/// The largest single-precision number that is not above `value`.
-fn round_down(value: f64) -> f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
-    let nearest = value as f32;
-    if f64::from(nearest) > value {
-        nearest.next_down()
-    } else {
-        nearest
-    }
-}
-
-fn length([x, y, z]: [f64; 3]) -> f64 {
-    (x * x + y * y + z * z).sqrt()
-}
-
-const LEAST_VECTOR_MM: f64 = 0.001;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -324,7 +202,12 @@ mod tests {
     }
 
     fn plan(strokes: &[Stroke], link: LinkRate) -> Plan {
-        Plan::new(strokes, &Pen::default(), link).unwrap()
+        let machine = Machine {
+            link,
+            ..Machine::default()
+        };
+        let pass = Pass::new(Tool::default(), strokes.to_vec());
+        Plan::new(&[pass], &Paper::default(), &machine).unwrap()
     }
 
     #[test]
@@ -379,8 +262,132 @@ mod tests {
     }
 
     #[test]
+    fn on_a_slope_the_pen_keeps_its_height_above_the_paper() {
+        let touched = [
+            [150.0, 0.0, -40.0],
+            [250.0, 0.0, -38.0],
+            [150.0, 50.0, -41.0],
+        ];
+        let paper = Paper::through(touched).unwrap();
+        let strokes = vec![line(&[(150.0, 0.0), (250.0, 50.0)]), line(&[(200.0, 0.0)])];
+        let pass = Pass::new(Tool::default(), strokes);
+        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        for ([x, y, z], vector) in plan.positions().zip(&plan.moves) {
+            let above = paper.height_mm(dobot_arm::Position::new(x, y, z));
+            let wanted = match vector.kind {
+                MoveKind::Draw | MoveKind::Lower => 0.0,
+                _ => 10.0,
+            };
+            assert!((above - wanted).abs() < 1e-5, "{vector:?} ends at {above}");
+        }
+    }
+
+    #[test]
+    fn a_pass_with_a_message_begins_behind_a_break() {
+        let mut red = Pass::new(Tool::default(), vec![line(&[(200.0, 0.0), (210.0, 0.0)])]);
+        let mut blue = red.clone();
+        red.name = "red".into();
+        blue.message = Some("put the blue pen in".into());
+        let plan = Plan::new(&[red, blue], &Paper::default(), &Machine::default()).unwrap();
+        assert_eq!(plan.passes[0].name, "red");
+        // Lower, draw, lift; travel, lower, draw, lift.
+        assert_eq!(plan.passes[1].moves, 3..7);
+        let breaks: Vec<_> = plan.breaks_in_commands().collect();
+        assert_eq!(breaks, [(7, "put the blue pen in")]);
+        let waits = plan.commands().nth(7).unwrap();
+        assert_eq!(waits, write(&plan.moves[3]).into());
+    }
+
+    fn burned(strokes: Vec<Stroke>, times: u32) -> Plan {
+        let laser = Laser {
+            times,
+            ..Laser::default()
+        };
+        let pass = Pass::new(Tool::Laser(laser), strokes);
+        Plan::new(&[pass], &Paper::level(-50.0), &Machine::default()).unwrap()
+    }
+
+    #[test]
+    fn a_laser_gets_to_its_speed_before_a_stroke_and_loses_it_behind() {
+        use MoveKind::{Brake, Burn, RunOut, RunUp, Travel};
+        let plan = burned(vec![line(&[(200.0, 0.0), (210.0, 0.0)])], 2);
+        let kinds: Vec<MoveKind> = plan.moves.iter().map(|it| it.kind).collect();
+        let once = [Travel, RunUp, Burn, RunOut, Brake];
+        assert_eq!(kinds, [once, once].concat());
+        for vector in plan.moves.iter().filter(|it| it.kind == Burn) {
+            let speeds = [
+                vector.start_speed_mm_s,
+                vector.end_speed_mm_s,
+                vector.max_speed_mm_s,
+            ];
+            assert!(speeds.iter().all(|v| (v - 10.0).abs() < 1e-5), "{speeds:?}");
+            assert_eq!([vector.x_mm, vector.y_mm, vector.z_mm], [10.0, 0.0, 0.0]);
+        }
+        let [least, most] = plan.summary().burn_share.unwrap();
+        assert!(least > 0.99999 && most < 1.00001, "{least} {most}");
+        assert_eq!(plan.summary().strokes, 2);
+        assert_eq!(plan.commands().last(), Some(LASER_OFF.into()));
+    }
+
+    #[test]
+    fn a_laser_on_a_slope_and_a_laser_beside_a_pen_are_refused() {
+        let strokes = vec![line(&[(200.0, 0.0), (210.0, 0.0)])];
+        let laser = Pass::new(Tool::Laser(Laser::default()), strokes.clone());
+        let touched = [
+            [150.0, 0.0, -40.0],
+            [250.0, 0.0, -38.0],
+            [150.0, 50.0, -41.0],
+        ];
+        let slope = Paper::through(touched).unwrap();
+        let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
+        assert_eq!(error, Err(PlanError::SlopingLaser { pass: 1 }));
+        let passes = [Pass::new(Tool::default(), strokes), laser];
+        let error = Plan::new(&passes, &Paper::default(), &Machine::default());
+        assert_eq!(error, Err(PlanError::MixedTools { pass: 2 }));
+    }
+
+    #[test]
+    fn settings_that_make_no_sense_are_refused_with_what_was_found() {
+        let refused = |tool: Tool, machine: Machine| {
+            let pass = Pass::new(tool, vec![line(&[(200.0, 0.0)])]);
+            Plan::new(&[pass], &Paper::default(), &machine)
+                .unwrap_err()
+                .to_string()
+        };
+        let pen = |change: fn(&mut Pen)| {
+            let mut pen = Pen::default();
+            change(&mut pen);
+            refused(Tool::Pen(pen), Machine::default())
+        };
+        assert_eq!(
+            pen(|it| it.draw_speed_mm_s = 0.0),
+            "draw speed is 0 mm/s; it must be a number above 0"
+        );
+        assert_eq!(
+            pen(|it| it.lift_mm = -1.0),
+            "the pen is lifted by -1 mm; it must be at least 0.1 mm"
+        );
+        let machine = Machine {
+            acceleration_mm_s2: f64::NAN,
+            ..Machine::default()
+        };
+        assert_eq!(
+            refused(Tool::default(), machine),
+            "acceleration is NaN mm/s2; it must be a number above 0"
+        );
+        let machine = Machine {
+            link: LinkRate { period_s: -1.0 },
+            ..Machine::default()
+        };
+        assert_eq!(
+            refused(Tool::default(), machine),
+            "link period is -1 s; it must be a number from 0 up"
+        );
+    }
+
+    #[test]
     fn nothing_to_draw_is_refused() {
-        let planned = Plan::new(&[], &Pen::default(), NO_LINK);
+        let planned = Plan::new(&[], &Paper::default(), &Machine::default());
         assert_eq!(planned, Err(PlanError::NoStrokes));
     }
 
@@ -404,7 +411,6 @@ mod tests {
             strokes in strokes(),
             period_s in prop_oneof![Just(0.0), Just(0.084)],
         ) {
-            let pen = Pen::default();
             let plan = plan(&strokes, LinkRate { period_s });
             let mut speed = 0.0_f32;
             for (vector, duration) in plan.moves.iter().zip(plan.durations()) {
@@ -416,9 +422,9 @@ mod tests {
                 prop_assert!(vector.start_speed_mm_s.max(speed) <= vector.max_speed_mm_s);
                 let v2 = |v: f32| f64::from(v) * f64::from(v);
                 let needed = (v2(speed) - v2(vector.start_speed_mm_s)).abs() / (2.0 * vector.length_mm());
-                prop_assert!(needed <= pen.acceleration_mm_s2, "{needed}");
+                prop_assert!(needed <= plan.machine().acceleration_mm_s2, "{needed}");
                 prop_assert!(vector.max_speed_mm_s <= 80.0 && duration >= period_s, "{duration}");
-                prop_assert!(vector.length_mm() >= LEAST_VECTOR_MM);
+                prop_assert!(vector.length_mm() >= planner::LEAST_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);
         }

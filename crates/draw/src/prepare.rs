@@ -8,9 +8,8 @@ use thiserror::Error;
 use usvg::fontdb;
 
 use crate::order::order;
-use crate::pen::{LinkRate, Pen, PlanError};
 use crate::place::{PlaceError, Placed, Placement, check_reach};
-use crate::plan::Plan;
+use crate::plan::{Machine, Paper, Pass, Pen, Plan, PlanError, Tool};
 use crate::point::{Point, Stroke};
 use crate::simplify::{MIN_VECTOR_MM, simplify};
 use crate::source::{LayersBy, ReadOptions, Source, SourceError, Warning};
@@ -22,10 +21,12 @@ pub struct Settings {
     pub tolerance_mm: f64,
     /// Where on the paper, and how large.
     pub placement: Placement,
-    /// Heights and speeds.
+    /// Where the paper lies.
+    pub paper: Paper,
+    /// Lift and speeds.
     pub pen: Pen,
-    /// How fast vectors come.
-    pub link: LinkRate,
+    /// What arm and link can do.
+    pub machine: Machine,
     /// What makes a layer of an SVG file.
     pub layers: LayersBy,
     /// The fonts that text is drawn with.
@@ -38,8 +39,9 @@ impl Default for Settings {
         Self {
             tolerance_mm: 0.05,
             placement: Placement::default(),
+            paper: Paper::default(),
             pen: Pen::default(),
-            link: LinkRate::default(),
+            machine: Machine::default(),
             layers: LayersBy::default(),
             fonts: Arc::default(),
         }
@@ -80,8 +82,9 @@ pub fn prepare<E: fmt::Display>(
     let wanted = order(strokes.collect(), home(settings));
     let merge = |stroke: &Stroke| simplify(stroke, tolerance_mm - flatten_mm);
     let merged: Vec<Stroke> = wanted.iter().map(merge).collect();
-    let plan = Plan::new(&merged, &settings.pen, settings.link)?;
-    check_reach(&plan, &settings.pen, reachable)?;
+    let pass = Pass::new(Tool::Pen(settings.pen), merged);
+    let plan = Plan::new(&[pass], &settings.paper, &settings.machine)?;
+    check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         wanted,
         plan,

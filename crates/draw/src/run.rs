@@ -10,9 +10,7 @@ use dobot_client::{CommandId, Connection, Event, LinkError, SendError, position}
 use dobot_wire::{WriteMode, WriteVector};
 use thiserror::Error;
 
-use crate::commands::{LASER_OFF, approach, single, to_start, write};
-use crate::pen::Pen;
-use crate::plan::{MoveKind, Plan};
+use crate::plan::{LASER_OFF, MoveKind, Pen, Plan, approach, single, to_start, write};
 
 /// How far a drawing has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -198,7 +196,7 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
     }
 
     fn duration_s(&self, index: usize) -> f64 {
-        self.plan.moves[index].duration_s(self.plan.acceleration_mm_s2())
+        self.plan.duration_of(index)
     }
 
     fn completed(&mut self, id: CommandId) {

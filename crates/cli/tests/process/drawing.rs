@@ -134,7 +134,7 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
         ("--speed", "-5", "speed"),
         ("--acceleration", "inf", "acceleration"),
         ("--scale", "0", "scale"),
-        ("--pen-up", "-50", "pen up"),
+        ("--pen-lift", "-10", "lifted"),
         ("--pen-down", "200", "z"),
     ] {
         dobot(&["draw", &square, option, value]).fails(1, &[part]);

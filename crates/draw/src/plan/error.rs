@@ -1,0 +1,81 @@
+//! Why strokes cannot be planned.
+
+use thiserror::Error;
+
+use super::PaperError;
+
+/// Why strokes cannot be planned.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// There is no stroke.
+    #[error("there is no stroke to plan")]
+    NoStrokes,
+    /// A setting that must be positive is not.
+    #[error("{name} is {found} {unit}; it must be a number above 0")]
+    NotPositive {
+        /// Which setting.
+        name: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// What it is.
+        found: f64,
+    },
+    /// A setting that may be zero is less.
+    #[error("{name} is {found} {unit}; it must be a number from 0 up")]
+    Negative {
+        /// Which setting.
+        name: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// What it is.
+        found: f64,
+    },
+    /// The pen would not leave the paper.
+    #[error("the pen is lifted by {lift_mm} mm; it must be at least 0.1 mm")]
+    Lift {
+        /// How far it would be lifted.
+        lift_mm: f64,
+    },
+    /// There is no such paper.
+    #[error(transparent)]
+    Paper(#[from] PaperError),
+    /// In laser mode a stock arm holds its height.
+    #[error(
+        "pass {pass} burns with the laser, and the paper slopes; a stock arm holds its height in laser mode (note N48): lay the material level"
+    )]
+    SlopingLaser {
+        /// Which pass, from 1.
+        pass: usize,
+    },
+    /// A pen and a laser do not stand at the same height.
+    #[error(
+        "pass {pass} has another kind of tool than those before; a pen and a laser are drawn one after the other, each with its own height"
+    )]
+    MixedTools {
+        /// Which pass, from 1.
+        pass: usize,
+    },
+}
+
+pub(super) fn positive(
+    name: &'static str,
+    found: f64,
+    unit: &'static str,
+) -> Result<(), PlanError> {
+    if found > 0.0 && found.is_finite() {
+        return Ok(());
+    }
+    Err(PlanError::NotPositive { name, unit, found })
+}
+
+pub(super) fn not_negative(
+    name: &'static str,
+    found: f64,
+    unit: &'static str,
+) -> Result<(), PlanError> {
+    if found >= 0.0 && found.is_finite() {
+        return Ok(());
+    }
+    Err(PlanError::Negative { name, unit, found })
+}

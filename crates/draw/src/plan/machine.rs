@@ -1,0 +1,69 @@
+//! What arm and link can do.
+
+use dobot_wire::Dialect;
+
+use super::PlanError;
+use super::error::{not_negative, positive};
+
+/// What arm and link can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Machine {
+    /// Largest acceleration of the tool, along its path and across it, in mm/s2.
+    pub acceleration_mm_s2: f64,
+    /// How far an imagined arc may cut a corner, in mm; see [`Cornering`](crate::Cornering).
+    pub corner_deviation_mm: f64,
+    /// How fast vectors come.
+    pub link: LinkRate,
+    /// Whether the arm cuts each vector into whole ticks of 20 ms and begins it with the end speed
+    /// of the one before, as a stock arm does (notes N5 and N48).
+    pub has_ticks: bool,
+}
+
+impl Machine {
+    /// An arm that speaks this dialect.
+    #[must_use]
+    pub fn of(dialect: Dialect) -> Self {
+        Self {
+            has_ticks: !dialect.uses_start_speed,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), PlanError> {
+        positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
+        positive("corner deviation", self.corner_deviation_mm, "mm")?;
+        self.link.check()
+    }
+}
+
+impl Default for Machine {
+    /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2.
+    fn default() -> Self {
+        Self {
+            acceleration_mm_s2: 100.0,
+            corner_deviation_mm: 0.02,
+            link: LinkRate::default(),
+            has_ticks: false,
+        }
+    }
+}
+
+/// How fast the link brings vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkRate {
+    /// Seconds from one vector to the next; 0 where the link does not matter.
+    pub period_s: f64,
+}
+
+impl LinkRate {
+    fn check(self) -> Result<(), PlanError> {
+        not_negative("link period", self.period_s, "s")
+    }
+}
+
+impl Default for LinkRate {
+    /// One vector per status, which a stock arm sends every 80 ms, and 5 % to spare.
+    fn default() -> Self {
+        Self { period_s: 0.084 }
+    }
+}

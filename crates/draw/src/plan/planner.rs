@@ -1,0 +1,218 @@
+//! From strokes to vectors: the ways of the tool, chain by chain.
+
+use super::lookahead::{Cornering, Run};
+use super::vector::length;
+use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
+use crate::point::{Point, Stroke};
+
+/// Plans one way after the other. A chain is a way between two rests.
+pub(super) struct Planner<'a> {
+    paper: &'a Paper,
+    machine: &'a Machine,
+    cornering: Cornering,
+    /// Where the vectors so far lead, rounding included.
+    here: [f64; 3],
+    pub(super) moves: Vec<PlannedVector>,
+    /// Which stroke and pass the next vectors belong to.
+    stroke: u32,
+    pass: u32,
+    /// The runs since the last rest; reused.
+    chain: Vec<Run>,
+    speeds: Vec<f64>,
+}
+
+impl<'a> Planner<'a> {
+    pub(super) const fn new(start: [f64; 3], paper: &'a Paper, machine: &'a Machine) -> Self {
+        let cornering = Cornering {
+            // The spared part keeps rounded speeds within the acceleration.
+            acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
+            deviation_mm: machine.corner_deviation_mm,
+            stops: machine.has_ticks,
+        };
+        Self {
+            paper,
+            machine,
+            cornering,
+            here: start,
+            moves: Vec::new(),
+            stroke: 0,
+            pass: 0,
+            chain: Vec::new(),
+            speeds: Vec::new(),
+        }
+    }
+
+    pub(super) fn pass(&mut self, number: u32, pass: &Pass) {
+        self.pass = number;
+        let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
+        match &pass.tool {
+            Tool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
+            Tool::Laser(laser) => (0..laser.times)
+                .flat_map(|_| strokes.clone())
+                .for_each(|stroke| self.burn(stroke, laser)),
+        }
+    }
+
+    /// ```text
+    ///   up    ----> Travel ----.                     .---- Travel ---->
+    ///                          | Lower          Lift |
+    ///   down                   '-- Draw Draw Draw ---'
+    /// ```
+    fn draw(&mut self, stroke: &Stroke, pen: &Pen) {
+        let (first, last) = (stroke.points[0], stroke.points[stroke.points.len() - 1]);
+        self.go(MoveKind::Travel, first, pen.lift_mm, pen.travel_speed_mm_s);
+        self.rest();
+        if pen.touch_mm > 0.0 && pen.touch_mm < pen.lift_mm {
+            self.go(MoveKind::Lower, first, pen.touch_mm, pen.lift_speed_mm_s);
+            let slow_mm_s = pen.touch_speed_mm_s.min(pen.lift_speed_mm_s);
+            self.go(MoveKind::Lower, first, 0.0, slow_mm_s);
+        } else {
+            self.go(MoveKind::Lower, first, 0.0, pen.lift_speed_mm_s);
+        }
+        self.rest();
+        for &p in &stroke.points[1..] {
+            self.go(MoveKind::Draw, p, 0.0, pen.draw_speed_mm_s);
+        }
+        self.rest();
+        self.go(MoveKind::Lift, last, pen.lift_mm, pen.lift_speed_mm_s);
+        self.rest();
+        self.stroke += 1;
+    }
+
+    /// ```text
+    ///   off  -- Travel --> RunUp .                   . RunOut Brake -- Travel -->
+    ///   on                       '- Burn Burn Burn --'
+    /// ```
+    fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
+        let Laser {
+            burn_speed_mm_s: speed,
+            travel_speed_mm_s: travel,
+            ..
+        } = *laser;
+        let ways = Ways::of(stroke, self.here, speed, self.machine);
+        self.go(MoveKind::Travel, ways.run_up, 0.0, travel);
+        self.rest();
+        self.go(MoveKind::RunUp, stroke.points[0], 0.0, speed);
+        for &p in &stroke.points[1..] {
+            self.go(MoveKind::Burn, p, 0.0, speed);
+        }
+        if stroke.points.len() == 1 {
+            self.go(MoveKind::Burn, ways.end, 0.0, speed);
+        }
+        self.go(MoveKind::RunOut, ways.run_out, 0.0, speed);
+        self.go(MoveKind::Brake, ways.brake, 0.0, speed);
+        self.rest();
+        self.stroke += 1;
+    }
+
+    /// A vector to a place so high above the paper.
+    fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
+        let to = [to.x, to.y, self.paper.z_at(to) + above_mm];
+        let here = self.here;
+        #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+        let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
+        let way = [x_mm, y_mm, z_mm].map(f64::from);
+        let length_mm = length(way);
+        if length_mm < LEAST_VECTOR_MM {
+            return;
+        }
+        self.here = [0, 1, 2].map(|i| here[i] + way[i]);
+        let max_speed_mm_s = round_down(limit_mm_s.min(length_mm / self.machine.link.period_s));
+        self.chain.push(Run {
+            direction: way.map(|d| d / length_mm),
+            length_mm,
+            limit_mm_s: f64::from(max_speed_mm_s),
+        });
+        self.moves.push(PlannedVector {
+            x_mm,
+            y_mm,
+            z_mm,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s,
+            kind,
+            stroke: self.stroke,
+            pass: self.pass,
+        });
+    }
+
+    /// The chain ends: its speeds can be planned.
+    fn rest(&mut self) {
+        let begin = self.moves.len() - self.chain.len();
+        self.cornering.speeds(&self.chain, &mut self.speeds);
+        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
+            vector.start_speed_mm_s = round_down(self.speeds[i]);
+            vector.end_speed_mm_s = round_down(self.speeds[i + 1]);
+        }
+        self.chain.clear();
+    }
+}
+
+/// Where a laser gets to its speed before a stroke, and where it loses it behind.
+struct Ways {
+    run_up: Point,
+    end: Point,
+    run_out: Point,
+    brake: Point,
+}
+
+impl Ways {
+    fn of(stroke: &Stroke, here: [f64; 3], speed_mm_s: f64, machine: &Machine) -> Self {
+        let points = &stroke.points;
+        let (first, last) = (points[0], points[points.len() - 1]);
+        let come = Point::new(first.x - here[0], first.y - here[1]);
+        let into = way_of(stroke.segments()).or_else(|| unit(come));
+        let into = into.unwrap_or(Point::new(1.0, 0.0));
+        let out = way_of(
+            stroke
+                .points
+                .windows(2)
+                .rev()
+                .map(|pair| (pair[0], pair[1])),
+        )
+        .unwrap_or(into);
+        let end = if points.len() == 1 {
+            first + into * DOT_MM
+        } else {
+            last
+        };
+        let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
+        let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
+        let gain_mm = gain_mm.max(packet_mm);
+        let run_out = end + out * packet_mm.max(LEAST_RUN_OUT_MM);
+        Self {
+            run_up: first - into * gain_mm,
+            end,
+            run_out,
+            brake: run_out + out * gain_mm,
+        }
+    }
+}
+
+/// The direction of the first piece that has one.
+fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Point> {
+    segments.find_map(|(a, b)| unit(b - a))
+}
+
+fn unit(way: Point) -> Option<Point> {
+    let length = way.length();
+    (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
+}
+
+/// The largest single-precision number that is not above `value`.
+pub(super) fn round_down(value: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
+    let nearest = value as f32;
+    if f64::from(nearest) > value {
+        nearest.next_down()
+    } else {
+        nearest
+    }
+}
+
+pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
+/// A laser burns a dot as a line, as long as its spot is wide.
+const DOT_MM: f64 = 0.1;
+const LEAST_RUN_OUT_MM: f64 = 0.1;
+/// Ways to get faster and slower are a little longer than they have to be, for rounding.
+const RUN_SPARE: f64 = 1.01;

@@ -1,0 +1,92 @@
+//! One vector of a plan.
+
+use dobot_motion::Profile;
+
+/// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlannedVector {
+    /// Forward, in mm.
+    pub x_mm: f32,
+    /// To the left, in mm.
+    pub y_mm: f32,
+    /// Up, in mm.
+    pub z_mm: f32,
+    /// The speed to begin with: the end speed of the vector before, in mm/s.
+    pub start_speed_mm_s: f32,
+    /// The speed to end with, in mm/s.
+    pub end_speed_mm_s: f32,
+    /// The speed not to pass in between, in mm/s.
+    pub max_speed_mm_s: f32,
+    /// What the tool does.
+    pub kind: MoveKind,
+    /// Which stroke it belongs to, from 0, counted through all passes; a travel to the stroke that
+    /// it leads to.
+    pub stroke: u32,
+    /// Which pass it belongs to, from 0.
+    pub pass: u32,
+}
+
+impl PlannedVector {
+    /// The increments along X, Y and Z in mm.
+    #[must_use]
+    pub fn increments(&self) -> [f64; 3] {
+        [self.x_mm, self.y_mm, self.z_mm].map(f64::from)
+    }
+
+    /// The length in mm.
+    #[must_use]
+    pub fn length_mm(&self) -> f64 {
+        length(self.increments())
+    }
+
+    /// How long it takes in seconds: accelerate, keep the largest speed for a while if it is
+    /// reached, brake.
+    #[must_use]
+    pub(crate) fn duration_s(&self, acceleration_mm_s2: f64) -> f64 {
+        self.profile(acceleration_mm_s2).duration_s()
+    }
+
+    pub(crate) fn profile(&self, acceleration_mm_s2: f64) -> Profile {
+        let speeds = [
+            self.start_speed_mm_s,
+            self.end_speed_mm_s,
+            self.max_speed_mm_s,
+        ];
+        let [start, end, max] = speeds.map(f64::from);
+        Profile::new(self.length_mm(), start, end, max, acceleration_mm_s2)
+            .expect("a plan keeps its own limits")
+    }
+}
+
+/// What the tool does on a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MoveKind {
+    /// The pen goes to the next stroke, up; the laser, off.
+    Travel,
+    /// The pen goes down to the paper.
+    Lower,
+    /// The pen draws.
+    Draw,
+    /// The pen goes up from the paper.
+    Lift,
+    /// The laser, off, gets to its speed on a straight way into the stroke.
+    RunUp,
+    /// The laser burns.
+    Burn,
+    /// The laser is switched off in full motion, straight on behind the stroke.
+    RunOut,
+    /// The laser, off, comes to rest.
+    Brake,
+}
+
+impl MoveKind {
+    /// Whether it leaves a trace on the paper.
+    #[must_use]
+    pub const fn marks(self) -> bool {
+        matches!(self, Self::Draw | Self::Burn)
+    }
+}
+
+pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
+    (x * x + y * y + z * z).sqrt()
+}
