@@ -146,7 +146,7 @@ async fn draw(
         bar.set_message(clock(total_s - progress.planned_s));
     };
 
-    let (plan, pen) = (&prepared.plan, &settings.pen);
+    let (plan, pen) = (&prepared.plan, &pen_of(settings));
     let outcome = dobot_draw::run(&mut connected.arm, plan, pen, interrupt(), tell).await;
     bar.finish_and_clear();
     let seen = match &outcome {
@@ -235,7 +235,7 @@ impl Args {
                 ..Placement::default()
             },
             paper: self.pen_down.map_or_else(Paper::default, Paper::level),
-            pen: self.pen(),
+            tool: dobot_draw::Tool::Pen(self.pen()),
             machine: self.machine(self.to.dialect),
             fonts: fonts(svg),
             ..Settings::default()
@@ -433,6 +433,13 @@ fn fonts(svg: &str) -> Arc<fontdb::Database> {
         fonts.load_system_fonts();
     }
     Arc::new(fonts)
+}
+
+const fn pen_of(settings: &Settings) -> Pen {
+    match settings.tool {
+        dobot_draw::Tool::Pen(pen) => pen,
+        dobot_draw::Tool::Laser(_) => panic!("no option asks for a laser yet"),
+    }
 }
 
 fn reachable(position: Position) -> Result<(), Unreachable> {

@@ -1,58 +1,30 @@
-//! The whole way from a file's text to a plan.
+//! The whole way from a source to a plan.
+
+mod layers;
+mod settings;
 
 use std::fmt;
 use std::sync::Arc;
 
 use dobot_arm::Position;
 use thiserror::Error;
-use usvg::fontdb;
 
+pub use self::settings::Settings;
+use crate::artwork::Layer;
 use crate::order::order;
-use crate::place::{PlaceError, Placed, Placement, check_reach};
-use crate::plan::{Machine, Paper, Pass, Pen, Plan, PlanError, Tool};
+use crate::place::{PlaceError, Placed, check_reach};
+use crate::plan::{Pass, Plan, PlanError};
 use crate::point::{Point, Stroke};
 use crate::simplify::{MIN_VECTOR_MM, simplify};
-use crate::source::{LayersBy, ReadOptions, Source, SourceError, Warning};
-
-/// How a drawing is to be made.
-#[derive(Clone, Debug)]
-pub struct Settings {
-    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 up.
-    pub tolerance_mm: f64,
-    /// Where on the paper, and how large.
-    pub placement: Placement,
-    /// Where the paper lies.
-    pub paper: Paper,
-    /// Lift and speeds.
-    pub pen: Pen,
-    /// What arm and link can do.
-    pub machine: Machine,
-    /// What makes a layer of an SVG file.
-    pub layers: LayersBy,
-    /// The fonts that text is drawn with.
-    pub fonts: Arc<fontdb::Database>,
-}
-
-impl Default for Settings {
-    /// 0.05 mm, true size, a stock arm's link, no fonts.
-    fn default() -> Self {
-        Self {
-            tolerance_mm: 0.05,
-            placement: Placement::default(),
-            paper: Paper::default(),
-            pen: Pen::default(),
-            machine: Machine::default(),
-            layers: LayersBy::default(),
-            fonts: Arc::default(),
-        }
-    }
-}
+use crate::source::{ReadOptions, Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prepared {
     /// The path wanted: the file's curves in the base frame, within a tenth of the tolerance.
     pub wanted: Vec<Stroke>,
+    /// What is drawn with one tool each, in order.
+    pub passes: Vec<Pass>,
     /// What the arm is to do.
     pub plan: Plan,
     /// How much larger than the file says it becomes.
@@ -77,18 +49,32 @@ pub fn prepare<E: fmt::Display>(
         return Err(PrepareError::Tolerance { tolerance_mm });
     }
     let flatten_mm = tolerance_mm * FLATTEN_SHARE;
-    let (placed, warnings) = read(source, settings, flatten_mm)?;
-    let strokes = placed.layers.into_iter().flat_map(|it| it.strokes);
-    let wanted = order(strokes.collect(), home(settings));
-    let merge = |stroke: &Stroke| simplify(stroke, tolerance_mm - flatten_mm);
-    let merged: Vec<Stroke> = wanted.iter().map(merge).collect();
-    let pass = Pass::new(Tool::Pen(settings.pen), merged);
-    let plan = Plan::new(&[pass], &settings.paper, &settings.machine)?;
+    let (Placed { layers, scale }, warnings) = read(source, settings, flatten_mm)?;
+    let (mut wanted, mut passes) = (Vec::new(), Vec::<Pass>::new());
+    let mut here = settings.placement.area.max;
+    for layer in layers::chosen(layers, settings)? {
+        let (tool, message) = (
+            layers::tool(&layer, settings),
+            layers::message(&layer, passes.last(), settings),
+        );
+        let name = layer.name.clone();
+        let mut strokes = lines(layer, here);
+        here = strokes.last().and_then(Stroke::last).unwrap_or(here);
+        passes.push(Pass {
+            name,
+            tool,
+            strokes: merged(&strokes, tolerance_mm - flatten_mm),
+            message,
+        });
+        wanted.append(&mut strokes);
+    }
+    let plan = Plan::new(&passes, &settings.paper, &settings.machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         wanted,
+        passes,
         plan,
-        scale: placed.scale,
+        scale,
         warnings,
     })
 }
@@ -106,6 +92,14 @@ pub enum PrepareError {
     /// The source cannot be drawn.
     #[error(transparent)]
     Source(#[from] SourceError),
+    /// No layer has this name.
+    #[error("there is no layer {name:?}; the layers are {layers}")]
+    NoSuchLayer {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        layers: String,
+    },
     /// It does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
@@ -122,7 +116,7 @@ fn read(
 ) -> Result<(Placed, Vec<Warning>), PrepareError> {
     let mut options = ReadOptions {
         tolerance_mm: flatten_mm,
-        layers: settings.layers,
+        layers: settings.layers.unwrap_or_default(),
         fonts: Arc::clone(&settings.fonts),
         ..ReadOptions::default()
     };
@@ -138,14 +132,20 @@ fn read(
     Ok((settings.placement.place(artwork)?, warnings))
 }
 
-/// Where the pen is taken to come from: the upper left corner of the area.
-fn home(settings: &Settings) -> Point {
-    settings.placement.area.max
+/// The lines of a layer in a good order, for a tool that comes from `here`.
+fn lines(layer: Layer, here: Point) -> Vec<Stroke> {
+    order(layer.strokes, here)
+}
+
+fn merged(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Stroke> {
+    strokes
+        .iter()
+        .map(|stroke| simplify(stroke, tolerance_mm))
+        .collect()
 }
 
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
-
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {

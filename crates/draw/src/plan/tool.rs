@@ -13,6 +13,21 @@ pub enum Tool {
 }
 
 impl Tool {
+    /// The same tool, drawing or burning at this speed, in mm/s.
+    #[must_use]
+    pub const fn at_speed(self, speed_mm_s: f64) -> Self {
+        match self {
+            Self::Pen(pen) => Self::Pen(Pen {
+                draw_speed_mm_s: speed_mm_s,
+                ..pen
+            }),
+            Self::Laser(laser) => Self::Laser(Laser {
+                burn_speed_mm_s: speed_mm_s,
+                ..laser
+            }),
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), PlanError> {
         match self {
             Self::Pen(pen) => pen.check(),

@@ -1,0 +1,65 @@
+//! Which layers are drawn, with what, one after the other.
+
+use super::{PrepareError, Settings};
+use crate::artwork::Layer;
+use crate::plan::{Pass, Tool};
+
+/// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
+///
+/// Layers of different speeds stay apart: the file says how each is to be drawn.
+pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Layer>, PrepareError> {
+    let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
+    let names = || layers.iter().map(|it| it.name.clone()).collect::<Vec<_>>();
+    let tools = settings.tools.iter().map(|(name, _)| name);
+    for name in settings.only.iter().chain(tools) {
+        if !layers.iter().any(|it| it.name == *name) {
+            return Err(PrepareError::NoSuchLayer {
+                name: name.clone(),
+                layers: names().join(", "),
+            });
+        }
+    }
+    if settings.layers.is_none() {
+        return Ok(merged(layers));
+    }
+    let wanted = |it: &Layer| settings.only.is_empty() || settings.only.contains(&it.name);
+    Ok(layers.into_iter().filter(wanted).collect())
+}
+
+/// Neighbours of the same speed become one.
+fn merged(layers: Vec<Layer>) -> Vec<Layer> {
+    let mut merged: Vec<Layer> = Vec::new();
+    for mut layer in layers {
+        match merged.last_mut() {
+            Some(last) if last.speed_mm_s == layer.speed_mm_s => {
+                last.strokes.append(&mut layer.strokes);
+                last.areas.append(&mut layer.areas);
+            }
+            _ => merged.push(layer),
+        }
+    }
+    merged
+}
+
+/// What draws a layer: its own tool, or the one of all; at the file's speed, where it says one.
+pub(super) fn tool(layer: &Layer, settings: &Settings) -> Tool {
+    let own = settings.tools.iter().find(|(name, _)| *name == layer.name);
+    let Some((_, tool)) = own else {
+        return match layer.speed_mm_s {
+            Some(speed_mm_s) => settings.tool.at_speed(speed_mm_s),
+            None => settings.tool,
+        };
+    };
+    *tool
+}
+
+/// What a person has to do before a layer: between layers that are drawn each for itself, the pen
+/// is changed. A laser needs nobody.
+pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
+    let changes = settings.layers.is_some() && matches!(settings.tool, Tool::Pen(_));
+    let before = before.filter(|it| changes && it.name != layer.name)?;
+    Some(format!(
+        "put in the pen for {}; that of {} is done",
+        layer.name, before.name
+    ))
+}

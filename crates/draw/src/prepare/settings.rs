@@ -1,0 +1,49 @@
+//! How a drawing is to be made.
+
+use std::sync::Arc;
+
+use usvg::fontdb;
+
+use crate::place::Placement;
+use crate::plan::{Machine, Paper, Tool};
+use crate::source::LayersBy;
+
+/// How a drawing is to be made.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 up.
+    pub tolerance_mm: f64,
+    /// Where on the paper, and how large.
+    pub placement: Placement,
+    /// Where the paper lies.
+    pub paper: Paper,
+    /// What arm and link can do.
+    pub machine: Machine,
+    /// What draws.
+    pub tool: Tool,
+    /// Whether layers are drawn each for itself, and what makes them; otherwise all are one.
+    pub layers: Option<LayersBy>,
+    /// The layers to draw, by name; all of them if none is named.
+    pub only: Vec<String>,
+    /// What draws the layers that have tools of their own, by name.
+    pub tools: Vec<(String, Tool)>,
+    /// The fonts that text is drawn with.
+    pub fonts: Arc<fontdb::Database>,
+}
+
+impl Default for Settings {
+    /// 0.05 mm, true size, a pen on level paper, all layers as one, no fonts.
+    fn default() -> Self {
+        Self {
+            tolerance_mm: 0.05,
+            placement: Placement::default(),
+            paper: Paper::default(),
+            machine: Machine::default(),
+            tool: Tool::default(),
+            layers: None,
+            only: Vec::new(),
+            tools: Vec::new(),
+            fonts: Arc::default(),
+        }
+    }
+}
