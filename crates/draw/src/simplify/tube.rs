@@ -1,0 +1,116 @@
+//! One vector and the points it has to pass.
+
+use crate::point::Point;
+
+/// A stroke, and how far from its points a vector may pass.
+#[derive(Debug)]
+pub(super) struct Tube<'a> {
+    /// The points, in the order in which they are passed.
+    pub(super) points: &'a [Point],
+    /// Ends where it began.
+    pub(super) closed: bool,
+    /// The radius of the discs around the points that have to be hit in order.
+    pub(super) radius: f64,
+}
+
+impl<'a> Tube<'a> {
+    pub(super) fn new(points: &'a [Point], closed: bool, radius: f64) -> Self {
+        Self {
+            closed: closed && points.len() > 2 && points.first() == points.last(),
+            points,
+            radius,
+        }
+    }
+
+    /// The two places beside a point, across the stroke.
+    pub(super) fn beside(&self, i: usize) -> [Point; 2] {
+        let last = self.points.len() - 1;
+        let (before, after) = match i {
+            0 if self.closed => (last - 1, 1),
+            _ => (i.saturating_sub(1), (i + 1).min(last)),
+        };
+        let here = self.points[i];
+        let unit = |way: Point| way * (1.0 / way.length());
+        let (came, goes) = (here - self.points[before], self.points[after] - here);
+        let along = match (came.length2() > 0.0, goes.length2() > 0.0) {
+            (true, true) => unit(came) + unit(goes),
+            (true, false) => came,
+            (false, _) => goes,
+        };
+        let across = Point::new(-along.y, along.x);
+        let length = across.length();
+        // Where the stroke turns right back there is no across.
+        let off = if length > 1e-6 {
+            across * (self.radius / length)
+        } else {
+            Point::default()
+        };
+        [here + off, here - off]
+    }
+
+    /// Whether the vector from `a` to `b` hits the discs of the points `first..=last` in order.
+    pub(super) fn passes(&self, a: Point, b: Point, first: usize, last: usize) -> bool {
+        let length = a.distance(b);
+        if length == 0.0 {
+            return false;
+        }
+        let along = (b - a) * (1.0 / length);
+        let mut least: f64 = 0.0;
+        self.points[first..=last].iter().all(|&p| {
+            let Some((enter, leave)) = self.disc_on_ray(a, along, p) else {
+                return false;
+            };
+            least = least.max(enter);
+            // A hair's breadth, for a disc that is only touched.
+            least <= leave.min(length) + HAIR
+        })
+    }
+
+    /// Where a ray with a direction of length 1 enters and leaves the disc of a point.
+    fn disc_on_ray(&self, from: Point, along: Point, p: Point) -> Option<(f64, f64)> {
+        let way = p - from;
+        let (middle, off) = (way.dot(along), way.cross(along));
+        let half2 = self.radius * self.radius - off * off;
+        (half2 >= -HAIR * self.radius).then(|| {
+            let half = half2.max(0.0).sqrt();
+            (middle - half, middle + half)
+        })
+    }
+
+    /// The farthest point of a ray that lies within the tolerance of the segment that begins with
+    /// point `i`, the disc of which it hits.
+    pub(super) fn exit(&self, from: Point, along: Point, i: usize) -> Option<Point> {
+        let (a, b) = (self.points[i], *self.points.get(i + 1)?);
+        let along = along * (1.0 / along.length());
+        let (_, mut farthest) = self.disc_on_ray(from, along, a)?;
+        if let Some((_, leave)) = self.disc_on_ray(from, along, b) {
+            farthest = farthest.max(leave);
+        }
+        if let Some(leave) = self.strip_on_ray(from, along, (a, b)) {
+            farthest = farthest.max(leave);
+        }
+        (farthest > 0.0).then(|| from + along * farthest)
+    }
+
+    /// Where a ray leaves the rectangle around a segment, its sides the tolerance away.
+    fn strip_on_ray(&self, from: Point, along: Point, (a, b): (Point, Point)) -> Option<f64> {
+        let length = a.distance(b);
+        let unit = (b - a) * (1.0 / length);
+        let across = Point::new(-unit.y, unit.x);
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        let sides = [(unit, 0.0, length), (across, -self.radius, self.radius)];
+        for (axis, low, high) in sides {
+            let (here, speed) = ((from - a).dot(axis), along.dot(axis));
+            let (t, u) = ((low - here) / speed, (high - here) / speed);
+            if speed.abs() > HAIR {
+                enter = enter.max(t.min(u));
+                leave = leave.min(t.max(u));
+            } else if here < low || here > high {
+                return None;
+            }
+        }
+        (enter <= leave && leave.is_finite()).then_some(leave)
+    }
+}
+
+const HAIR: f64 = 1e-9;
