@@ -57,6 +57,11 @@ impl SegmentIndex {
         }
     }
 
+    /// All items, in the order given.
+    pub(crate) fn segments(&self) -> &[(Point, Point)] {
+        &self.segments
+    }
+
     /// The two ends of an item.
     pub(crate) fn segment(&self, item: u32) -> (Point, Point) {
         self.segments[item as usize]

@@ -1,15 +1,23 @@
-//! Reading SVG files: visible outlines as strokes in true millimetres.
+//! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
 
 mod affine;
 mod check;
 mod clip;
+mod color;
 mod dash;
 mod entities;
 mod error;
 mod expand;
 mod flatten;
+mod groups;
+mod ink;
+mod layers;
+mod polygon;
+mod sheet;
 mod walk;
 
+use std::borrow::Cow;
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -18,61 +26,39 @@ use usvg::{FontResolver, ImageHrefResolver, Tree};
 
 pub use self::error::SvgError;
 use self::error::{Unshown, WarningKind};
+use self::groups::Groups;
+use self::sheet::Sheet;
+use self::walk::Walk;
 use super::error::MAX_SEGMENTS;
-use super::{ReadOptions, SourceError, Warning};
-use crate::artwork::{Artwork, Layer};
-use crate::point::Stroke;
+use super::{LayersBy, ReadOptions, SourceError, Warning};
+use crate::artwork::Artwork;
 
 /// Reads an SVG file as a browser does, at 96 dots per inch.
 ///
 /// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
-/// dashed; text gives the outlines of its letters. What a clip path or the edge of the page hides
-/// is cut off. What a pen cannot show comes back as warnings.
+/// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
+/// letters. What a clip path or the edge of the page hides is cut off. What a pen cannot show comes
+/// back as warnings.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    let (drawing, unshown) = Drawing::from_svg(text, options)?;
-    let artwork = Artwork {
-        width_mm: drawing.width_mm,
-        height_mm: drawing.height_mm,
-        layers: vec![Layer {
-            strokes: drawing.strokes,
-            ..Layer::default()
-        }],
-    };
+    let (artwork, unshown) = draw(text, options)?;
     Ok((artwork, unshown.into_iter().map(Warning::from).collect()))
 }
 
-/// The lines of a page: x to the right, y down, from the upper left corner, in millimetres.
-#[derive(Clone, Debug, PartialEq)]
-struct Drawing {
-    width_mm: f64,
-    height_mm: f64,
-    /// What to draw, in the order of the file; never empty.
-    strokes: Vec<Stroke>,
-}
-
-impl Drawing {
-    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
-        let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
-        let unseen = Unseen::default();
-        let tree = parse(text, options, &unseen)?;
-        let mut walk = walk::Walk::new(&tree, tolerance_mm, Budget::new(MAX_SEGMENTS));
-        walk.tree(&tree)?;
-        let (strokes, mut warnings) = walk.finish();
-        unseen.warn(&mut warnings);
-        if strokes.is_empty() {
-            return Err(nothing_to_draw(&warnings));
-        }
-        let [width_mm, height_mm] = walk::page_mm(&tree);
-        let drawing = Self {
-            width_mm,
-            height_mm,
-            strokes,
-        };
-        Ok((drawing, warnings))
+fn draw(text: &str, options: &ReadOptions) -> Result<(Artwork, Vec<Unshown>), SvgError> {
+    let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
+    let unseen = Unseen::default();
+    let (tree, groups) = parse(text, options, &unseen)?;
+    let mut sheet = Sheet::new(walk::page_mm(&tree), options.layers);
+    Walk::new(&mut sheet, tolerance_mm, &groups).tree(&tree)?;
+    let (artwork, mut warnings) = sheet.finish();
+    unseen.warn(&mut warnings);
+    if artwork.layers.is_empty() {
+        return Err(nothing_to_draw(&warnings));
     }
+    Ok((artwork, warnings))
 }
 
 fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
@@ -154,7 +140,12 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-fn parse(text: &str, options: &ReadOptions, unseen: &Unseen) -> Result<Tree, SvgError> {
+/// The tree of shapes, and the names of its outermost groups where they are layers.
+fn parse(
+    text: &str,
+    options: &ReadOptions,
+    unseen: &Unseen,
+) -> Result<(Tree, HashMap<String, String>), SvgError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile);
     }
@@ -168,13 +159,22 @@ fn parse(text: &str, options: &ReadOptions, unseen: &Unseen) -> Result<Tree, Svg
     check_root(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
-    let options = usvg::Options {
+    let usvg_options = usvg::Options {
         fontdb: Arc::clone(&options.fonts),
         font_resolver: unseen.font_resolver(),
         image_href_resolver: unseen.image_resolver(),
         ..usvg::Options::default()
     };
-    Tree::from_xmltree(&doc, &options).map_err(|error| unreadable(&error))
+    if options.layers != LayersBy::Group {
+        let tree = Tree::from_xmltree(&doc, &usvg_options).map_err(|error| unreadable(&error));
+        return Ok((tree?, HashMap::new()));
+    }
+    let Groups { names, text } = Groups::new(&doc, text);
+    let tree = match text {
+        Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
+        Cow::Owned(text) => Tree::from_str(&text, &usvg_options),
+    };
+    Ok((tree.map_err(|error| unreadable(&error))?, names))
 }
 
 fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
@@ -230,5 +230,7 @@ const MAX_NODES: u32 = 2_000_000;
 /// Larger numbers are a mistake, and would overflow further on.
 const MAX_NUMBER: f64 = 1e9;
 
+#[cfg(test)]
+mod layer_tests;
 #[cfg(test)]
 mod tests;

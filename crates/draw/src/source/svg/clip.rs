@@ -1,21 +1,40 @@
 //! Hidden parts: strokes cut at the edges of what shows.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
-
-use usvg::FillRule;
 
 use super::Budget;
 use super::error::SvgError;
+use super::polygon::Polygons;
+use crate::artwork::FillRule;
 use crate::index::SegmentIndex;
 use crate::point::{Bounds, Point, Stroke};
 
 /// What a clip path shows: the union of some areas.
 #[derive(Debug, Default)]
 pub(crate) struct Region {
-    pub(crate) areas: Vec<Area>,
+    areas: Vec<Area>,
+    /// The same as polygons, once they are wanted; `None` where they are too entangled.
+    polygons: OnceCell<Option<Polygons>>,
 }
 
 impl Region {
+    pub(crate) fn new(areas: Vec<Area>) -> Self {
+        Self {
+            areas,
+            polygons: OnceCell::new(),
+        }
+    }
+
+    /// What shows, as polygons; `None` where they are too entangled.
+    pub(crate) fn polygons(&self) -> Option<&Polygons> {
+        let all = || {
+            let mut areas = self.areas.iter().map(Area::polygons);
+            areas.try_fold(Polygons::default(), |all, area| all.or(&area?))
+        };
+        self.polygons.get_or_init(all).as_ref()
+    }
+
     /// The parts of a stroke that show. What runs along an edge shows, as half of its ink does in
     /// a browser.
     pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
@@ -73,11 +92,12 @@ impl Region {
         cuts.dedup();
     }
 
-    fn shows(&self, p: Point) -> bool {
+    pub(crate) fn shows(&self, p: Point) -> bool {
         self.areas.iter().any(|area| area.shows(p))
     }
 
-    fn has_edge_in(&self, bounds: Bounds) -> bool {
+    /// Whether an edge lies in these bounds.
+    pub(crate) fn has_edge_in(&self, bounds: Bounds) -> bool {
         let mut found = false;
         self.each_area(&mut |area| area.edges.touching(bounds, &mut |_| found = true));
         found
@@ -96,6 +116,7 @@ impl Region {
 /// One filled outline, which may be clipped itself.
 #[derive(Debug)]
 pub(crate) struct Area {
+    rings: Vec<Vec<Point>>,
     edges: SegmentIndex,
     rule: FillRule,
     within: Vec<Rc<Region>>,
@@ -109,10 +130,17 @@ impl Area {
             outline.segments().chain(closing)
         });
         Self {
+            rings: outlines.iter().map(|it| it.points.clone()).collect(),
             edges: SegmentIndex::new(edges.filter(|(a, b)| a != b).collect()),
             rule,
             within,
         }
+    }
+
+    fn polygons(&self) -> Option<Polygons> {
+        let whole = Polygons::new(&self.rings, self.rule);
+        let mut within = self.within.iter();
+        within.try_fold(whole?, |shown, region| shown.and(region.polygons()?))
     }
 
     fn shows(&self, p: Point) -> bool {
@@ -215,9 +243,7 @@ mod tests {
     }
 
     fn region(outlines: &[Stroke], rule: FillRule) -> Region {
-        Region {
-            areas: vec![Area::new(outlines, rule, Vec::new())],
-        }
+        Region::new(vec![Area::new(outlines, rule, Vec::new())])
     }
 
     fn cut(region: &Region, stroke: Stroke) -> Vec<Stroke> {

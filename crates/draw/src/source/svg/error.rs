@@ -160,6 +160,10 @@ pub(crate) enum WarningKind {
     Gradient,
     /// A pattern as paint.
     Pattern,
+    /// A shape filled with white and without a line.
+    Paper,
+    /// A fill that crosses itself too often to be clipped.
+    Entangled,
     /// A piece of text and no font at all.
     TextWithoutFont,
     /// A character that no font has.
@@ -172,8 +176,13 @@ impl WarningKind {
             Self::Image => ("image", "left out; trace it to paths to draw it"),
             Self::Mask => ("mask", "ignored, what it hides is drawn"),
             Self::Filter => ("filter", "ignored, the shape is drawn as it is"),
-            Self::Gradient => ("gradient", "only the outline is drawn"),
-            Self::Pattern => ("pattern", "only the outline is drawn"),
+            Self::Gradient => ("gradient", "drawn as one colour, that of its first stop"),
+            Self::Pattern => ("pattern", "left out, its area is drawn as one"),
+            Self::Paper => ("white shape", "left out, white is the paper"),
+            Self::Entangled => (
+                "filled shape",
+                "not hatched, it crosses itself too often to be clipped",
+            ),
             Self::TextWithoutFont => (
                 "text",
                 "left out, no font was found; install a font or convert it to paths",

@@ -5,7 +5,29 @@ use std::fmt::Write as _;
 use proptest::prelude::*;
 
 use super::*;
-use crate::point::{Bounds, Point};
+
+use crate::point::{Bounds, Point, Stroke};
+
+#[derive(Debug)]
+struct Drawing {
+    width_mm: f64,
+    strokes: Vec<Stroke>,
+}
+
+impl Drawing {
+    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
+        let (artwork, warnings) = super::draw(text, options)?;
+        let drawing = Self {
+            width_mm: artwork.width_mm,
+            strokes: artwork
+                .layers
+                .into_iter()
+                .flat_map(|it| it.strokes)
+                .collect(),
+        };
+        Ok((drawing, warnings))
+    }
+}
 
 fn options() -> ReadOptions {
     ReadOptions::default()
@@ -158,7 +180,7 @@ fn what_a_pen_cannot_show_is_counted() {
         [
             "1 mask: ignored, what it hides is drawn",
             "1 filter: ignored, the shape is drawn as it is",
-            "1 gradient: only the outline is drawn",
+            "1 gradient: drawn as one colour, that of its first stop",
             "2 images: left out; trace it to paths to draw it",
         ]
     );

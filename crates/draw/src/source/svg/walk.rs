@@ -1,53 +1,45 @@
-//! From the tree of shapes to strokes on the page.
+//! From the tree of shapes to the sheet.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::rc::Rc;
 
-use usvg::{ClipPath, FillRule, Group, LineCap, Node, Paint, Path, Tree};
+use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
 
-use super::Budget;
 use super::affine::Affine;
 use super::clip::{Area, Region};
-use super::dash::dash;
-use super::error::{SvgError, Unshown, WarningKind};
+use super::error::{SvgError, WarningKind};
 use super::flatten::flatten;
-use crate::point::{Bounds, Point, Stroke};
+use super::ink::{Color, Dashes, Fill, Ink, Line};
+use super::sheet::{Sheet, place};
+use crate::artwork::FillRule;
+use crate::point::Stroke;
 
-/// Collects the strokes of a tree.
-pub(crate) struct Walk {
+/// Goes through a tree and draws on a sheet what it meets.
+pub(crate) struct Walk<'a> {
+    sheet: &'a mut Sheet,
     tolerance_mm: f64,
-    budget: Budget,
-    page: Region,
-    page_bounds: Bounds,
-    strokes: Vec<Stroke>,
-    warnings: BTreeMap<WarningKind, usize>,
+    /// The names of the outermost groups, by their `id`.
+    groups: &'a HashMap<String, String>,
+    /// Inside one of them.
+    in_group: bool,
 }
 
-impl Walk {
-    pub(crate) fn new(tree: &Tree, tolerance_mm: f64, budget: Budget) -> Self {
-        let [w, h] = page_mm(tree);
-        let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| Point::new(x, y));
-        let outline = Stroke::open(corners.to_vec());
+impl<'a> Walk<'a> {
+    pub(crate) const fn new(
+        sheet: &'a mut Sheet,
+        tolerance_mm: f64,
+        groups: &'a HashMap<String, String>,
+    ) -> Self {
         Self {
+            sheet,
             tolerance_mm,
-            budget,
-            page: Region {
-                areas: vec![Area::new(&[outline], FillRule::NonZero, Vec::new())],
-            },
-            page_bounds: Bounds::of(corners),
-            strokes: Vec::new(),
-            warnings: BTreeMap::new(),
+            groups,
+            in_group: false,
         }
     }
 
     pub(crate) fn tree(&mut self, tree: &Tree) -> Result<(), SvgError> {
         self.group(tree.root(), Affine::scale(MM_PER_PX), &mut Vec::new())
-    }
-
-    pub(crate) fn finish(self) -> (Vec<Stroke>, Vec<Unshown>) {
-        let warnings = self.warnings.into_iter();
-        let warnings = warnings.map(|(kind, count)| Unshown { kind, count });
-        (self.strokes, warnings.collect())
     }
 
     fn group(
@@ -56,11 +48,30 @@ impl Walk {
         parent: Affine,
         clips: &mut Vec<Rc<Region>>,
     ) -> Result<(), SvgError> {
+        let name = self.groups.get(group.id()).filter(|_| !self.in_group);
+        let Some(name) = name else {
+            return self.contents(group, parent, clips);
+        };
+        self.in_group = true;
+        self.sheet.layers.enter(Some(name.clone()));
+        self.contents(group, parent, clips)?;
+        self.sheet.layers.enter(None);
+        self.in_group = false;
+        Ok(())
+    }
+
+    fn contents(
+        &mut self,
+        group: &Group,
+        parent: Affine,
+        clips: &mut Vec<Rc<Region>>,
+    ) -> Result<(), SvgError> {
         if group.opacity().get() == 0.0 {
             return Ok(());
         }
-        self.warn(WarningKind::Mask, usize::from(group.mask().is_some()));
-        self.warn(WarningKind::Filter, group.filters().len());
+        let has_mask = usize::from(group.mask().is_some());
+        self.sheet.warn(WarningKind::Mask, has_mask);
+        self.sheet.warn(WarningKind::Filter, group.filters().len());
         let transform = parent.of(group.transform());
         let outer = clips.len();
         if let Some(clip) = group.clip_path() {
@@ -84,7 +95,8 @@ impl Walk {
             Node::Path(path) => self.path(path, transform, clips),
             Node::Text(text) => self.group(text.flattened(), transform, clips),
             Node::Image(image) => {
-                self.warn(WarningKind::Image, usize::from(image.is_visible()));
+                let is_visible = usize::from(image.is_visible());
+                self.sheet.warn(WarningKind::Image, is_visible);
                 Ok(())
             }
         }
@@ -96,58 +108,35 @@ impl Walk {
         transform: Affine,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        let stroke = path.stroke().filter(|s| s.opacity().get() > 0.0);
-        let fill = path.fill().filter(|f| f.opacity().get() > 0.0);
-        if !path.is_visible() || (stroke.is_none() && fill.is_none()) {
+        let ink = self.ink(path);
+        if !path.is_visible() || ink == Ink::default() {
             return Ok(());
         }
-        self.paint(stroke.map(usvg::Stroke::paint));
-        self.paint(fill.map(usvg::Fill::paint));
-        let dashes = stroke.and_then(|s| Some((s.dasharray()?, f64::from(s.dashoffset()))));
-        for outline in self.flatten(path, transform)? {
-            let pieces = match dashes {
-                Some((lengths, offset)) => dash(outline, lengths, offset, &mut self.budget)?,
-                None => vec![outline],
-            };
-            for piece in pieces.into_iter().filter(|piece| has_ink(piece, stroke)) {
-                self.show(piece, transform, clips)?;
-            }
+        if ink.is_paper() {
+            self.sheet.warn(WarningKind::Paper, 1);
+            return Ok(());
         }
-        Ok(())
+        let outlines = self.flatten(path, transform)?;
+        self.sheet.shape(outlines, transform, &ink, clips)
+    }
+
+    fn ink(&mut self, path: &Path) -> Ink {
+        let line = path.stroke().filter(|it| it.opacity().get() > 0.0);
+        let fill = path.fill().filter(|it| it.opacity().get() > 0.0);
+        if path.is_visible() {
+            self.warn_of_paint(line.map(usvg::Stroke::paint));
+            self.warn_of_paint(fill.map(usvg::Fill::paint));
+        }
+        Ink {
+            line: line.map(read_line),
+            fill: fill.map(read_fill),
+        }
     }
 
     fn flatten(&mut self, path: &Path, transform: Affine) -> Result<Vec<Stroke>, SvgError> {
         let stretch = transform.max_stretch().max(f64::MIN_POSITIVE);
-        flatten(path.data(), self.tolerance_mm / stretch, &mut self.budget)
-    }
-
-    /// Puts a stroke on the page, as far as it shows.
-    fn show(
-        &mut self,
-        mut stroke: Stroke,
-        transform: Affine,
-        clips: &[Rc<Region>],
-    ) -> Result<(), SvgError> {
-        place(&mut stroke, transform)?;
-        let mut pieces = if self.leaves_page(&stroke) {
-            self.page.cut(stroke, &mut self.budget)?
-        } else {
-            vec![stroke]
-        };
-        for clip in clips {
-            let mut shown = Vec::new();
-            for piece in pieces {
-                shown.append(&mut clip.cut(piece, &mut self.budget)?);
-            }
-            pieces = shown;
-        }
-        self.strokes.append(&mut pieces);
-        Ok(())
-    }
-
-    fn leaves_page(&self, stroke: &Stroke) -> bool {
-        let (page, ink) = (self.page_bounds, Bounds::of(stroke.points.iter().copied()));
-        page.with(ink.min).with(ink.max) != page
+        let tolerance = self.tolerance_mm / stretch;
+        flatten(path.data(), tolerance, &mut self.sheet.budget)
     }
 
     /// The regions of which all must show a point.
@@ -157,10 +146,10 @@ impl Walk {
         transform: Affine,
         regions: &mut Vec<Rc<Region>>,
     ) -> Result<(), SvgError> {
-        let mut region = Region::default();
+        let mut areas = Vec::new();
         let own = transform.of(clip.transform());
-        self.areas(clip.root(), own, &[], &mut region.areas)?;
-        regions.push(Rc::new(region));
+        self.areas(clip.root(), own, &[], &mut areas)?;
+        regions.push(Rc::new(Region::new(areas)));
         match clip.clip_path() {
             Some(outer) => self.regions(outer, transform, regions),
             None => Ok(()),
@@ -200,25 +189,19 @@ impl Walk {
     ) -> Result<Area, SvgError> {
         let mut outlines = self.flatten(path, transform)?;
         for outline in &mut outlines {
-            place(outline, transform)?;
+            place(&mut outline.points, transform)?;
         }
-        let rule = path.fill().map_or(FillRule::NonZero, usvg::Fill::rule);
+        let rule = path.fill().map_or(FillRule::NonZero, |it| rule(it.rule()));
         Ok(Area::new(&outlines, rule, within))
     }
 
-    fn paint(&mut self, paint: Option<&Paint>) {
+    fn warn_of_paint(&mut self, paint: Option<&Paint>) {
         match paint {
             None | Some(Paint::Color(_)) => {}
-            Some(Paint::Pattern(_)) => self.warn(WarningKind::Pattern, 1),
+            Some(Paint::Pattern(_)) => self.sheet.warn(WarningKind::Pattern, 1),
             Some(Paint::LinearGradient(_) | Paint::RadialGradient(_)) => {
-                self.warn(WarningKind::Gradient, 1);
+                self.sheet.warn(WarningKind::Gradient, 1);
             }
-        }
-    }
-
-    fn warn(&mut self, kind: WarningKind, count: usize) {
-        if count > 0 {
-            *self.warnings.entry(kind).or_default() += count;
         }
     }
 }
@@ -229,26 +212,43 @@ pub(crate) fn page_mm(tree: &Tree) -> [f64; 2] {
     [size.width(), size.height()].map(|px| f64::from(px) * MM_PER_PX)
 }
 
-/// A line without length is a dot where its ends are drawn, and nothing where they are cut off.
-fn has_ink(line: &Stroke, stroke: Option<&usvg::Stroke>) -> bool {
-    let has_ends = stroke.is_some_and(|stroke| stroke.linecap() != LineCap::Butt);
-    has_ends || line.points.iter().any(|p| *p != line.points[0])
+fn read_line(line: &usvg::Stroke) -> Line {
+    let dashes = line.dasharray().map(|lengths| Dashes {
+        lengths: lengths.to_vec(),
+        offset: f64::from(line.dashoffset()),
+    });
+    Line {
+        color: color(line.paint()),
+        has_ends: line.linecap() != LineCap::Butt,
+        dashes,
+    }
 }
 
-fn place(stroke: &mut Stroke, transform: Affine) -> Result<(), SvgError> {
-    for p in &mut stroke.points {
-        *p = transform.apply(*p);
-        if p.x.abs().max(p.y.abs()) > LIMIT_MM || !(p.x + p.y).is_finite() {
-            return Err(SvgError::TooFar {
-                x_mm: p.x,
-                y_mm: p.y,
-                limit_mm: LIMIT_MM,
-            });
-        }
+fn read_fill(fill: &usvg::Fill) -> Fill {
+    Fill {
+        color: color(fill.paint()),
+        rule: rule(fill.rule()),
     }
-    Ok(())
+}
+
+/// A gradient counts as the colour that it begins with.
+fn color(paint: &Paint) -> Color {
+    let stops = match paint {
+        Paint::Color(color) => return Some([color.red, color.green, color.blue]),
+        Paint::LinearGradient(gradient) => gradient.stops(),
+        Paint::RadialGradient(gradient) => gradient.stops(),
+        Paint::Pattern(_) => &[],
+    };
+    let first = stops.first()?.color();
+    Some([first.red, first.green, first.blue])
+}
+
+const fn rule(rule: usvg::FillRule) -> FillRule {
+    match rule {
+        usvg::FillRule::NonZero => FillRule::NonZero,
+        usvg::FillRule::EvenOdd => FillRule::EvenOdd,
+    }
 }
 
 /// A browser's pixel: 96 to the inch.
-const MM_PER_PX: f64 = 25.4 / 96.0;
-const LIMIT_MM: f64 = 1_000_000.0;
+pub(crate) const MM_PER_PX: f64 = 25.4 / 96.0;

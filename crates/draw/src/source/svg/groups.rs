@@ -1,0 +1,130 @@
+//! The outermost groups of a file, which drawing programs use as layers.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use usvg::roxmltree::{Document, Node};
+
+/// What people call the outermost groups, by the `id` that they have or get in the text.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct Groups<'a> {
+    pub(crate) names: HashMap<String, String>,
+    /// The file, in which each of them has an `id`.
+    pub(crate) text: Cow<'a, str>,
+}
+
+impl<'a> Groups<'a> {
+    pub(crate) fn new(doc: &Document<'_>, text: &'a str) -> Self {
+        let mut names = HashMap::new();
+        let mut missing = Vec::new();
+        let unused = unused(text);
+        for (group, number) in outermost(doc).zip(1..) {
+            let id = id(group).map_or_else(
+                || {
+                    let id = format!("{unused}{number}");
+                    missing.push((group, id.clone()));
+                    id
+                },
+                str::to_owned,
+            );
+            names.entry(id).or_insert_with(|| name(group, number));
+        }
+        let text = if missing.is_empty() {
+            Cow::Borrowed(text)
+        } else {
+            Cow::Owned(with_ids(text, &missing))
+        };
+        Self { names, text }
+    }
+}
+
+/// The groups in the root of a file.
+pub(crate) fn outermost<'a>(doc: &'a Document<'_>) -> impl Iterator<Item = Node<'a, 'a>> {
+    let is_group = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "g";
+    doc.root_element().children().filter(is_group)
+}
+
+/// What people call the group: its label, its `id` or its number from 1.
+pub(crate) fn name(group: Node<'_, '_>, number: usize) -> String {
+    let label = group.attribute((INKSCAPE, "label"));
+    match label.filter(|it| !it.trim().is_empty()).or(id(group)) {
+        Some(name) => name.trim().to_owned(),
+        None => format!("group {number}"),
+    }
+}
+
+fn id<'a>(group: Node<'a, '_>) -> Option<&'a str> {
+    group.attribute("id").filter(|id| !id.is_empty())
+}
+
+/// The beginning of an `id` that stands nowhere in the file.
+fn unused(text: &str) -> String {
+    let mut start = "outermost-".to_owned();
+    while text.contains(&start) {
+        start.push('-');
+    }
+    start
+}
+
+fn with_ids(text: &str, missing: &[(Node<'_, '_>, String)]) -> String {
+    let mut whole = String::with_capacity(text.len() + 32 * missing.len());
+    let mut done = 0;
+    for (group, id) in missing {
+        let (at, words) = match group.attribute_node("id") {
+            Some(empty) => (empty.range_value().start, id.clone()),
+            None => (
+                after_tag(text, group.range().start),
+                format!(" id=\"{id}\""),
+            ),
+        };
+        // What an entity holds stands in the file once, wherever it is used.
+        if at > done || done == 0 {
+            whole += &text[done..at];
+            whole += &words;
+            done = at;
+        }
+    }
+    whole + &text[done..]
+}
+
+/// Where the name of an element ends.
+fn after_tag(text: &str, start: usize) -> usize {
+    let is_end = |c: char| c.is_whitespace() || c == '>' || c == '/';
+    text[start..]
+        .find(is_end)
+        .map_or(text.len(), |end| start + end)
+}
+
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_get_the_ids_that_they_lack() {
+        let text = r#"<svg><g><g/></g><g id="sea"/><g id=""/><g
+            fill="red"/></svg>"#;
+        let doc = Document::parse(text).unwrap();
+        let groups = Groups::new(&doc, text);
+        assert_eq!(
+            groups.text,
+            r#"<svg><g id="outermost-1"><g/></g><g id="sea"/><g id="outermost-3"/><g id="outermost-4"
+            fill="red"/></svg>"#
+        );
+        let mut names: Vec<&String> = groups.names.values().collect();
+        names.sort();
+        assert_eq!(names, ["group 1", "group 3", "group 4", "sea"]);
+    }
+
+    #[test]
+    fn a_label_is_preferred_to_an_id() {
+        let text = r#"<svg xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
+            <g id="layer1" inkscape:label=" Red pen "/></svg>"#;
+        let doc = Document::parse(text).unwrap();
+        let groups = Groups::new(&doc, text);
+        assert_eq!(groups.names["layer1"], "Red pen");
+        assert_eq!(groups.text, text);
+    }
+}
