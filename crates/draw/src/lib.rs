@@ -59,5 +59,8 @@ pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use simplify::{MIN_VECTOR_MM, simplify};
-pub use source::{LayersBy, Place, ReadOptions, Source, SourceError, SvgError, Warning};
+pub use source::{
+    ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError, Style, SvgError,
+    Warning,
+};
 pub use usvg::fontdb;

@@ -1,6 +1,7 @@
 //! What can be drawn: files of several kinds, pictures and texts, each read as [`Artwork`].
 
 mod error;
+mod picture;
 mod svg;
 
 use std::sync::Arc;
@@ -8,14 +9,18 @@ use std::sync::Arc;
 use usvg::fontdb;
 
 pub use self::error::{Place, SourceError, Warning};
+pub use self::picture::{ImageError, Shading, Style};
 pub use self::svg::SvgError;
 use crate::artwork::Artwork;
+use crate::point::Point;
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// An SVG file.
     Svg(String),
+    /// A PNG or JPEG file.
+    Picture(Vec<u8>),
 }
 
 impl Source {
@@ -29,11 +34,15 @@ impl Source {
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
         match ending.to_ascii_lowercase().as_str() {
             "svg" => Ok(Self::Svg(text(bytes)?)),
+            "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
             _ => Self::of_contents(name, bytes),
         }
     }
 
     fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        if picture::is_picture(&bytes) {
+            return Ok(Self::Picture(bytes));
+        }
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
         if bytes.is_empty() || start.contains("<svg") || start.trim_start().starts_with("<?xml") {
             return Ok(Self::Svg(text(bytes)?));
@@ -51,6 +60,20 @@ impl Source {
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
         match self {
             Self::Svg(text) => svg::read(text, options),
+            Self::Picture(bytes) => picture::read(bytes, options),
+        }
+    }
+
+    /// Width and height of a picture's page, in millimetres: what its strokes look like depends on
+    /// how large it becomes, so that this has to be known first. Other sources have none.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError::Picture`] where the file is damaged or too large.
+    pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
+        match self {
+            Self::Picture(bytes) => picture::page(bytes).map(Some),
+            Self::Svg(_) => Ok(None),
         }
     }
 }
@@ -74,16 +97,19 @@ pub struct ReadOptions {
     pub layers: LayersBy,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
+    /// How the tones of a picture become lines or dots.
+    pub shading: Shading,
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, no fonts.
+    /// 0.005 mm at true size, a layer for each colour, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
             scale: 1.0,
             layers: LayersBy::default(),
             fonts: Arc::default(),
+            shading: Shading::default(),
         }
     }
 }

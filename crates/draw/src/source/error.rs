@@ -4,6 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::picture::ImageError;
 use super::svg::SvgError;
 
 /// A place in a text file.
@@ -26,7 +27,7 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum SourceError {
     /// Neither name nor contents tell what it is.
-    #[error("{name:?} is of no kind that can be drawn; known are .svg files")]
+    #[error("{name:?} is of no kind that can be drawn; known are .svg, .png and .jpg files")]
     UnknownKind {
         /// The file's name.
         name: String,
@@ -40,6 +41,9 @@ pub enum SourceError {
     /// An SVG file that cannot be drawn.
     #[error(transparent)]
     Svg(#[from] SvgError),
+    /// A picture that cannot be drawn.
+    #[error(transparent)]
+    Picture(#[from] ImageError),
     /// A text file that goes wrong somewhere.
     #[error("{place}: found {found}; expected {expected}")]
     Found {

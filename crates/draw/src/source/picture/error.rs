@@ -1,0 +1,53 @@
+//! Why a picture cannot be drawn.
+
+use thiserror::Error;
+
+/// Why a picture cannot be drawn.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ImageError {
+    /// The file breaks off, or is not what its first bytes say.
+    #[error("the {format} picture cannot be read: {problem}; save it anew as PNG or JPEG")]
+    Damaged {
+        /// PNG or JPEG.
+        format: &'static str,
+        /// What the decoder says.
+        problem: String,
+    },
+    /// More pixels than are ever needed.
+    #[error(
+        "the picture has {width} x {height} pixels; at most {limit} million are allowed: make it smaller"
+    )]
+    TooManyPixels {
+        /// From left to right.
+        width: usize,
+        /// From top to bottom.
+        height: usize,
+        /// In millions.
+        limit: usize,
+    },
+    /// A setting of the shading is out of range.
+    #[error("the {setting} of the shading is {found}; it must be {allowed}")]
+    Setting {
+        /// Which.
+        setting: &'static str,
+        /// What it is.
+        found: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// Lines so near to each other on so large a paper that drawing them would take days.
+    #[error(
+        "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; it must be at least {least_mm:.2} mm, or the picture smaller"
+    )]
+    TooFine {
+        /// The spacing asked for, on the paper.
+        spacing_mm: f64,
+        /// The smallest for this size.
+        least_mm: f64,
+        /// The picture on the paper, left to right.
+        width_mm: f64,
+        /// The picture on the paper, top to bottom.
+        height_mm: f64,
+    },
+}

@@ -1,0 +1,98 @@
+//! Straight lines, in the more directions the darker it is.
+
+use super::rows::{Rows, woven};
+use super::shading::Shading;
+use super::tone::{Tone, count};
+use crate::point::{Point, Stroke};
+
+/// Hatches a page: from each level on one more direction.
+///
+/// The lines of a direction lie on one grid for the whole page, so that levels fit to each other.
+/// `spacing_mm` is on the page. Pieces and gaps shorter than a spacing are not drawn.
+pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let tone = tone.blurred(SOFTNESS * spacing_mm);
+    let levels = 0..shading.levels;
+    levels
+        .flat_map(|level| {
+            let rows = Rows {
+                page: tone.page(),
+                margin_mm: 0.0,
+                spacing_mm,
+                angle_deg: shading.angle_deg + turn_deg(level),
+            };
+            set(&tone, &rows, threshold(level, shading.levels))
+        })
+        .collect()
+}
+
+/// The darkness from which on a level is hatched.
+fn threshold(level: u8, levels: u8) -> f64 {
+    let share = (f64::from(level) + 0.5) / f64::from(levels);
+    share.powf(0.9)
+}
+
+/// Each direction halves the widest gap between those before: 0, 90, 45, 135, then those between.
+fn turn_deg(level: u8) -> f64 {
+    const TURNS_DEG: [f64; 8] = [0.0, 90.0, 45.0, 135.0, 22.5, 112.5, 67.5, 157.5];
+    TURNS_DEG[usize::from(level) % TURNS_DEG.len()]
+}
+
+fn set(tone: &Tone, rows: &Rows, threshold: f64) -> Vec<Stroke> {
+    let pieces = |[a, b]: [Point; 2]| {
+        let runs = runs(tone, [a, b], threshold);
+        let whole = cleaned(runs, rows.spacing_mm);
+        let place = |mm: f64| a + rows.along() * mm;
+        let piece = |(from, to)| vec![place(from), place(to)];
+        whole.into_iter().map(piece).collect()
+    };
+    let lines = rows.lines().into_iter().map(pieces).collect();
+    woven(lines, REACH * rows.spacing_mm)
+}
+
+/// Where a line is darker than the threshold: from and to, in millimetres from its start.
+fn runs(tone: &Tone, [a, b]: [Point; 2], threshold: f64) -> Vec<(f64, f64)> {
+    let length_mm = a.distance(b);
+    let step_mm = tone.cell.x.min(tone.cell.y);
+    let steps = (length_mm / step_mm).ceil().max(1.0);
+    let mut runs = Vec::new();
+    let mut began = None;
+    let mut before = 0.0;
+    for (i, p) in a.steps_to(b, step_mm).enumerate() {
+        let at_mm = length_mm * count(i) / steps;
+        let ink = tone.at(p);
+        let crossing_mm = || at_mm - step_mm * ((ink - threshold) / (ink - before)).clamp(0.0, 1.0);
+        match began {
+            None if ink >= threshold => {
+                began = Some(if i == 0 { 0.0 } else { crossing_mm() });
+            }
+            Some(from) if ink < threshold => {
+                runs.push((from, crossing_mm()));
+                began = None;
+            }
+            _ => {}
+        }
+        before = ink;
+    }
+    runs.extend(began.map(|from| (from, length_mm)));
+    runs
+}
+
+/// Bridges short gaps, then drops short pieces.
+fn cleaned(runs: Vec<(f64, f64)>, spacing_mm: f64) -> Vec<(f64, f64)> {
+    let mut whole: Vec<(f64, f64)> = Vec::with_capacity(runs.len());
+    for run in runs {
+        match whole.last_mut() {
+            Some(before) if run.0 - before.1 < SHORTEST_GAP * spacing_mm => before.1 = run.1,
+            _ => whole.push(run),
+        }
+    }
+    whole.retain(|(from, to)| to - from >= spacing_mm);
+    whole
+}
+
+/// How far tones are mixed before they are told apart, in spacings.
+const SOFTNESS: f64 = 0.5;
+/// How far it may be from one piece to the next for the pen to stay down, in spacings.
+const REACH: f64 = 1.6;
+/// Of a gap, in spacings.
+const SHORTEST_GAP: f64 = 0.75;

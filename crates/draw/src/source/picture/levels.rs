@@ -1,0 +1,151 @@
+//! Tones as a drawing needs them: from white to black, with all between.
+
+use super::shading::Shading;
+use super::tone::{Tone, as_ink, count};
+
+/// Stretches the tones to the full range, balances the middle, and turns them over if asked to.
+///
+/// Dull photos become rich, dark and light ones are drawn half the way to the middle; black and
+/// white stay what they are.
+pub(super) fn levelled(tone: &Tone, shading: &Shading) -> Tone {
+    let turned = if shading.invert {
+        tone.map(|ink| 1.0 - ink)
+    } else {
+        tone.clone()
+    };
+    let stretched = stretched(&turned);
+    let exponent = as_ink(balance(&stretched) / shading.darkness);
+    stretched.map(|ink| ink.powf(exponent))
+}
+
+fn stretched(tone: &Tone) -> Tone {
+    let histogram = Histogram::of(tone);
+    let [mut low, mut high] = [EXTREMES, 1.0 - EXTREMES].map(|share| histogram.below(share));
+    if high - low < 1.0 / MOST_GAIN {
+        // A few thin lines on a page of one tone: they are all there is.
+        [low, high] = [histogram.below(0.0), histogram.below(1.0)];
+    }
+    let range = high - low;
+    if range < LEAST_RANGE {
+        return tone.clone();
+    }
+    let gain = (1.0 / range).min(MOST_GAIN);
+    // What cannot be stretched over the whole range keeps its own place in it.
+    let zero = low - low * (1.0 - gain * range) / (1.0 - range).max(1e-9) / gain;
+    let [gain, zero] = [gain, zero].map(as_ink);
+    tone.map(|ink| ((ink - zero) * gain).clamp(0.0, 1.0))
+}
+
+/// The exponent that brings the mean half the way to [`MIDDLE`].
+fn balance(tone: &Tone) -> f64 {
+    let between = || tone.ink.iter().filter(|&&ink| ink > 0.03 && ink < 0.97);
+    let number = between().count();
+    if count(number) < 0.2 * count(tone.ink.len()) {
+        return 1.0;
+    }
+    let mean = between().copied().map(f64::from).sum::<f64>() / count(number);
+    (MIDDLE.ln() / mean.ln()).sqrt().clamp(0.6, 1.7)
+}
+
+/// How many cells have which tone.
+pub(super) struct Histogram {
+    pub(super) bins: [usize; BINS],
+    total: usize,
+}
+
+impl Histogram {
+    pub(super) fn of(tone: &Tone) -> Self {
+        let mut bins = [0; BINS];
+        for &ink in &tone.ink {
+            let place = f64::from(ink) * count(BINS - 1) + 0.5;
+            bins[super::tone::cell(place, BINS)] += 1;
+        }
+        Self {
+            bins,
+            total: tone.ink.len(),
+        }
+    }
+
+    /// The tone that a share of all cells does not exceed.
+    fn below(&self, share: f64) -> f64 {
+        let wanted = share * count(self.total);
+        let mut sum = 0;
+        let bin = self.bins.iter().position(|&bin| {
+            sum += bin;
+            sum > 0 && count(sum) >= wanted
+        });
+        Self::tone(bin.unwrap_or(BINS - 1))
+    }
+
+    /// The tone of a bin.
+    pub(super) fn tone(bin: usize) -> f64 {
+        count(bin) / count(BINS - 1)
+    }
+
+    /// The borders between at most `levels` + 1 tones that stand for all of the picture (the
+    /// k-means of its cells). A tone between others that hardly any cell has is none.
+    pub(super) fn thresholds(&self, levels: u8) -> Vec<f64> {
+        let tones = usize::from(levels) + 1;
+        let mut means: Vec<f64> = (0..tones)
+            .map(|i| self.below((count(i) + 0.5) / count(tones)))
+            .collect();
+        let (low, high) = (self.below(0.0), self.below(1.0));
+        if high - low < LEAST_RANGE {
+            return Vec::new();
+        }
+        for (i, mean) in means.iter_mut().enumerate() {
+            // Between the median way and the even way: both ends are sure to be met.
+            *mean = (*mean + low + (high - low) * count(i) / count(tones - 1)) / 2.0;
+        }
+        for _ in 0..ROUNDS {
+            means = self
+                .means(&means)
+                .into_iter()
+                .map(|(mean, _)| mean)
+                .collect();
+        }
+        let least = LEAST_SHARE * count(self.total);
+        let means = self.means(&means).into_iter().enumerate();
+        let kept =
+            means.filter(|&(i, (_, cells))| i == 0 || i + 1 == tones || count(cells) >= least);
+        let kept: Vec<f64> = kept.map(|(_, (mean, _))| mean).collect();
+        borders(&kept)
+    }
+
+    /// The mean and the number of the cells nearest to each of these tones, which ascend.
+    fn means(&self, tones: &[f64]) -> Vec<(f64, usize)> {
+        let borders = borders(tones);
+        let mut sums = vec![(0.0, 0); tones.len()];
+        for (bin, &cells) in self.bins.iter().enumerate() {
+            let tone = Self::tone(bin);
+            let (sum, number) = &mut sums[borders.partition_point(|&border| border < tone)];
+            *sum += tone * count(cells);
+            *number += cells;
+        }
+        let mean = |(&(sum, cells), &tone): (&(f64, usize), &f64)| {
+            let mean = if cells > 0 { sum / count(cells) } else { tone };
+            (mean, cells)
+        };
+        sums.iter().zip(tones).map(mean).collect()
+    }
+}
+
+fn borders(tones: &[f64]) -> Vec<f64> {
+    tones
+        .windows(2)
+        .map(|it| f64::midpoint(it[0], it[1]))
+        .collect()
+}
+
+const BINS: usize = 256;
+/// The share of the cells that may become plain white, and plain black.
+const EXTREMES: f64 = 0.005;
+/// Noise is not made a picture.
+const MOST_GAIN: f64 = 5.0;
+/// Less than that is a page of one tone.
+const LEAST_RANGE: f64 = 0.02;
+/// How much ink the middle of a drawing wants.
+const MIDDLE: f64 = 0.45;
+const ROUNDS: usize = 30;
+/// The share of cells that makes a tone of its own.
+const LEAST_SHARE: f64 = 0.03;

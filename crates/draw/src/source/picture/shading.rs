@@ -1,0 +1,96 @@
+//! How tone becomes ink.
+
+use super::error::ImageError;
+
+/// How the tones of a picture become lines or dots.
+///
+/// [`Shading::new`] gives each style the values that make a good drawing of most photos.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shading {
+    /// Lines of which kind, or dots.
+    pub style: Style,
+    /// How near lines or dots come to each other, in millimetres on the paper; what is smaller
+    /// than half of it is not drawn. About twice the width of the pen, or more.
+    pub spacing_mm: f64,
+    /// How many tones beside white are told apart by [`Style::Outline`] and [`Style::Hatch`], from
+    /// 1 to 8. Outlines are drawn of as many as the picture really has.
+    pub levels: u8,
+    /// Where [`Style::Outline`] draws its only line: a darkness between 0 (white) and 1 (black).
+    /// Without it the picture decides, and there are `levels` of them.
+    pub threshold: Option<f64>,
+    /// Which way lines run, in degrees, counterclockwise from the page's horizontal.
+    pub angle_deg: f64,
+    /// More ink in the middle tones above 1, less below; from 0.1 to 10.
+    pub darkness: f64,
+    /// Draws what is light: for a white pen on black paper.
+    pub invert: bool,
+    /// Another number scatters the dots of [`Style::Stipple`] anew.
+    pub seed: u64,
+}
+
+impl Shading {
+    /// The best values for a style.
+    #[must_use]
+    pub const fn new(style: Style) -> Self {
+        let (spacing_mm, angle_deg, levels) = match style {
+            Style::Outline => (1.0, 0.0, 4),
+            Style::Lines => (1.8, 0.0, 4),
+            Style::Stipple => (1.0, 0.0, 4),
+            Style::Hatch => (1.2, 45.0, 4),
+        };
+        Self {
+            style,
+            spacing_mm,
+            levels,
+            threshold: None,
+            angle_deg,
+            darkness: 1.0,
+            invert: false,
+            seed: 1,
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), ImageError> {
+        let in_range = |setting, found: f64, allowed, fine: bool| {
+            let wrong = ImageError::Setting {
+                setting,
+                found,
+                allowed,
+            };
+            if fine { Ok(()) } else { Err(wrong) }
+        };
+        let spacing = self.spacing_mm;
+        let fine = spacing > 0.0 && spacing.is_finite();
+        in_range("spacing", spacing, "a number of mm above 0", fine)?;
+        let fine = (1..=8).contains(&self.levels);
+        in_range("levels", self.levels.into(), "from 1 to 8", fine)?;
+        let darkness = self.darkness;
+        let fine = (0.1..=10.0).contains(&darkness);
+        in_range("darkness", darkness, "from 0.1 to 10", fine)?;
+        let fine = self.angle_deg.is_finite();
+        in_range("angle", self.angle_deg, "a number of degrees", fine)?;
+        let threshold = self.threshold.unwrap_or(0.5);
+        let fine = threshold > 0.0 && threshold < 1.0;
+        in_range("threshold", threshold, "between 0 and 1", fine)
+    }
+}
+
+impl Default for Shading {
+    /// [`Style::Hatch`]: of all it asks for the fewest vectors.
+    fn default() -> Self {
+        Self::new(Style::Hatch)
+    }
+}
+
+/// What is drawn of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// The borders between its tones, as closed lines.
+    Outline,
+    /// Parallel lines that swing the wider and the faster the darker it is.
+    Lines,
+    /// Dots, the denser the darker it is.
+    Stipple,
+    /// Straight lines, in the more directions the darker it is.
+    Hatch,
+}
