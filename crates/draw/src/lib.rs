@@ -32,9 +32,12 @@
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
 mod artwork;
+mod card;
 mod deviation;
+mod frame;
 mod index;
 mod ink;
+mod material;
 mod order;
 mod picture;
 mod place;
@@ -44,10 +47,14 @@ mod prepare;
 mod run;
 mod simplify;
 mod source;
+mod start;
 
 pub use artwork::{Area, Artwork, FillRule, Layer};
+pub use card::{Card, CardError};
 pub use deviation::{Deviation, Worst, deviation};
+pub use frame::{FrameShape, frame};
 pub use ink::{ink, ink_seen};
+pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use order::{order, travel_mm};
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
@@ -63,4 +70,5 @@ pub use source::{
     ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError, Style, SvgError,
     Warning,
 };
+pub use start::{StartError, StartFrom};
 pub use usvg::fontdb;

@@ -1,0 +1,394 @@
+//! The laser's test card: which speed and how many passes does this material want?
+
+use std::fmt::Write as _;
+use std::ops::RangeInclusive;
+
+use dobot_lettering::{Anchor, lettering, width};
+use thiserror::Error;
+
+use crate::plan::{Laser, Pass, Tool};
+use crate::point::{Bounds, Point, Stroke};
+use crate::source::{LayersBy, ReadOptions, Source};
+
+/// A grid of small hatched squares, each burned with another speed and number of passes. Below each
+/// square is a line, which shows where the material is cut through.
+///
+/// ```text
+///            3    5    8   12      mm/s, to the right
+///     1×    ▒▒   ▒▒   ░░   ░░
+///           --   --   --   --
+///     2×    ▓▓   ▒▒   ▒▒   ░░
+///           --   --   --   --      passes, downwards, as seen from behind the arm
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Card {
+    /// A column for each speed, in mm/s; from 0.1 to 500, each above the one before, at most 20.
+    pub speeds_mm_s: Vec<f64>,
+    /// A row for each number of passes, from 1 to this; at most 20.
+    pub most_passes: u32,
+    /// How wide and how high a square is, in mm; from 3 to 50.
+    pub cell_mm: f64,
+    /// From square to square, in mm; from 1 to 50.
+    pub gap_mm: f64,
+    /// From line to line in a square, in mm; from 0.05 to 5.
+    pub spacing_mm: f64,
+    /// Between the strokes, in mm/s; from 0.1 to 500.
+    pub travel_speed_mm_s: f64,
+    /// At which speed the labels are burned, once, in mm/s; from 0.1 to 500.
+    pub label_speed_mm_s: f64,
+    /// Where its middle goes, in the base frame.
+    pub center: Point,
+}
+
+impl Card {
+    /// The labels and then each square, the one that burns least first: whoever sees it burn too
+    /// much can stop.
+    ///
+    /// # Errors
+    ///
+    /// [`CardError`] where a setting is outside what its field says.
+    pub fn to_passes(&self) -> Result<Vec<Pass>, CardError> {
+        self.check()?;
+        let mut cells: Vec<(u32, usize)> = (1..=self.most_passes)
+            .flat_map(|times| (0..self.speeds_mm_s.len()).map(move |column| (times, column)))
+            .collect();
+        let dose = |&(times, column): &(u32, usize)| f64::from(times) / self.speeds_mm_s[column];
+        cells.sort_by(|a, b| dose(a).total_cmp(&dose(b)));
+        let labels = self.pass("labels".to_owned(), self.label_speed_mm_s, 1, self.labels());
+        let cells = cells.into_iter().map(|(times, column)| {
+            let speed_mm_s = self.speeds_mm_s[column];
+            let name = format!("{speed_mm_s} mm/s, {times} times");
+            self.pass(name, speed_mm_s, times, self.cell(column, times))
+        });
+        Ok([labels].into_iter().chain(cells).collect())
+    }
+
+    fn pass(&self, name: String, speed_mm_s: f64, times: u32, strokes: Vec<Stroke>) -> Pass {
+        let laser = Laser {
+            burn_speed_mm_s: speed_mm_s,
+            travel_speed_mm_s: self.travel_speed_mm_s,
+            times,
+        };
+        let strokes = strokes.into_iter().map(|it| self.placed(it)).collect();
+        Pass {
+            name,
+            ..Pass::new(Tool::Laser(laser), strokes)
+        }
+    }
+
+    fn check(&self) -> Result<(), CardError> {
+        let speeds = &self.speeds_mm_s;
+        counted("number of speeds", speeds.len(), MOST)?;
+        counted("number of passes", self.most_passes as usize, MOST)?;
+        for &speed in speeds {
+            ranged("speed", speed, SPEED, "mm/s")?;
+        }
+        if let Some([a, b]) = speeds.array_windows().find(|[a, b]| a >= b) {
+            return Err(CardError {
+                name: "order of speeds",
+                found: format!("{a} mm/s before {b} mm/s"),
+                allowed: "rising speeds".to_owned(),
+            });
+        }
+        ranged("cell", self.cell_mm, 3.0..=50.0, "mm")?;
+        ranged("gap", self.gap_mm, 1.0..=50.0, "mm")?;
+        ranged("spacing", self.spacing_mm, 0.05..=5.0, "mm")?;
+        ranged("travel speed", self.travel_speed_mm_s, SPEED, "mm/s")?;
+        ranged("label speed", self.label_speed_mm_s, SPEED, "mm/s")
+    }
+
+    /// A square of lines back and forth, and the line below it, on the page.
+    fn cell(&self, column: usize, times: u32) -> Vec<Stroke> {
+        let corner = self.corner(column, times);
+        let (right, size) = (corner.x + self.cell_mm, self.cell_mm);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most 1000"
+        )]
+        let lines = (size / self.spacing_mm + 1e-9) as u32;
+        let mut rows: Vec<f64> = (0..=lines)
+            .map(|line| corner.y + f64::from(line) * self.spacing_mm)
+            .collect();
+        rows.push(corner.y + size + BELOW_MM);
+        let ends = [corner.x, right];
+        (0..)
+            .zip(rows)
+            .map(|(row, y)| {
+                let [from, to] = [ends[row % 2], ends[1 - row % 2]];
+                Stroke::open(vec![Point::new(from, y), Point::new(to, y)])
+            })
+            .collect()
+    }
+
+    /// The upper left corner of a square on the page.
+    fn corner(&self, column: usize, times: u32) -> Point {
+        #[expect(clippy::cast_precision_loss, reason = "at most 20")]
+        let column = column as f64;
+        Point::new(
+            LEFT_MM + column * (self.cell_mm + self.gap_mm),
+            ABOVE_MM + f64::from(times - 1) * (self.cell_mm + BELOW_MM + self.gap_mm),
+        )
+    }
+
+    /// Speeds above the columns, numbers of passes beside the rows.
+    fn labels(&self) -> Vec<Stroke> {
+        let speeds: Vec<String> = self.speeds_mm_s.iter().map(f64::to_string).collect();
+        let room_mm = self.cell_mm + self.gap_mm - 1.0;
+        let widest_mm = speeds
+            .iter()
+            .map(|it| width(it, LABEL_MM))
+            .fold(0.0, f64::max);
+        let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
+        let half = Point::new(self.cell_mm / 2.0, self.cell_mm / 2.0);
+        let mut words = lettering("mm/s", Anchor::Left, 0.0, LABEL_MM, LABEL_MM * 0.8);
+        for (column, speed) in speeds.iter().enumerate() {
+            let x = self.corner(column, 1).x + half.x;
+            words += &lettering(speed, Anchor::Middle, x, LABEL_MM, height_mm);
+        }
+        for times in 1..=self.most_passes {
+            let y = self.corner(0, times).y + half.y + LABEL_MM / 2.0;
+            let label = format!("{times}\u{d7}");
+            words += &lettering(&label, Anchor::Right, LEFT_MM - 2.0, y, LABEL_MM);
+        }
+        strokes(&words, self.page())
+    }
+
+    /// Where the last square ends on the page.
+    fn page(&self) -> Point {
+        let last = self.corner(self.speeds_mm_s.len() - 1, self.most_passes);
+        last + Point::new(self.cell_mm, self.cell_mm + BELOW_MM)
+    }
+
+    /// From the page into the base frame.
+    fn placed(&self, mut stroke: Stroke) -> Stroke {
+        let middle = Bounds::of([Point::default(), self.page()]).center();
+        for p in &mut stroke.points {
+            let way = *p - middle;
+            *p = self.center + Point::new(-way.y, -way.x);
+        }
+        stroke
+    }
+}
+
+impl Default for Card {
+    /// Six speeds from 3 to 30 mm/s, one to three passes: 57 x 34 mm, about a quarter of an hour.
+    fn default() -> Self {
+        Self {
+            speeds_mm_s: vec![3.0, 5.0, 8.0, 12.0, 20.0, 30.0],
+            most_passes: 3,
+            cell_mm: 6.0,
+            gap_mm: 2.0,
+            spacing_mm: 0.25,
+            travel_speed_mm_s: Laser::default().travel_speed_mm_s,
+            label_speed_mm_s: 8.0,
+            center: crate::place::AREA.center(),
+        }
+    }
+}
+
+/// A setting that makes no test card.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("the {name} of the test card is {found}; allowed is {allowed}")]
+pub struct CardError {
+    /// Which setting.
+    pub name: &'static str,
+    /// What it is.
+    pub found: String,
+    /// What it may be.
+    pub allowed: String,
+}
+
+fn counted(name: &'static str, found: usize, most: usize) -> Result<(), CardError> {
+    if (1..=most).contains(&found) {
+        return Ok(());
+    }
+    Err(CardError {
+        name,
+        found: found.to_string(),
+        allowed: format!("a number from 1 to {most}"),
+    })
+}
+
+fn ranged(
+    name: &'static str,
+    found: f64,
+    allowed: RangeInclusive<f64>,
+    unit: &str,
+) -> Result<(), CardError> {
+    if allowed.contains(&found) {
+        return Ok(());
+    }
+    let (least, most) = allowed.into_inner();
+    Err(CardError {
+        name,
+        found: format!("{found} {unit}"),
+        allowed: format!("a number from {least} to {most} {unit}"),
+    })
+}
+
+/// The lines of SVG lettering on a page of this size.
+fn strokes(words: &str, page: Point) -> Vec<Stroke> {
+    let Point { x, y } = page;
+    let mut svg = String::new();
+    write!(
+        svg,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{x}mm" height="{y}mm" viewBox="0 0 {x} {y}"><g fill="none" stroke="black">{words}</g></svg>"#
+    )
+    .expect("writing to a string works");
+    let options = ReadOptions {
+        tolerance_mm: LABEL_TOLERANCE_MM,
+        layers: LayersBy::Nothing,
+        ..ReadOptions::default()
+    };
+    let (artwork, _) = Source::Svg(svg).read(&options).expect("lettering is SVG");
+    artwork
+        .layers
+        .into_iter()
+        .flat_map(|it| it.strokes)
+        .collect()
+}
+
+const MOST: usize = 20;
+const SPEED: RangeInclusive<f64> = 0.1..=500.0;
+/// From a square to the line below it.
+const BELOW_MM: f64 = 1.5;
+/// Room for the labels.
+const LEFT_MM: f64 = 11.0;
+const ABOVE_MM: f64 = 5.0;
+const LABEL_MM: f64 = 2.5;
+const LABEL_TOLERANCE_MM: f64 = 0.02;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn laser(pass: &Pass) -> Laser {
+        match pass.tool {
+            Tool::Laser(laser) => laser,
+            Tool::Pen(pen) => panic!("{pen:?}"),
+        }
+    }
+
+    /// The square of a pass: the bounds of all its lines but the one below.
+    fn square(pass: &Pass) -> Bounds {
+        Bounds::of_strokes(&pass.strokes[..pass.strokes.len() - 1])
+    }
+
+    #[test]
+    fn each_cell_is_burned_at_its_speed_so_often_the_mildest_first() {
+        let card = Card {
+            speeds_mm_s: vec![4.0, 10.0],
+            most_passes: 2,
+            ..Card::default()
+        };
+        let passes = card.to_passes().unwrap();
+        let names: Vec<&str> = passes.iter().map(|it| it.name.as_str()).collect();
+        assert_eq!(
+            names,
+            [
+                "labels",
+                "10 mm/s, 1 times",
+                "10 mm/s, 2 times",
+                "4 mm/s, 1 times",
+                "4 mm/s, 2 times",
+            ]
+        );
+        let burned: Vec<(f64, u32)> = passes
+            .iter()
+            .map(|it| (laser(it).burn_speed_mm_s, laser(it).times))
+            .collect();
+        assert_eq!(burned[1..], [(10.0, 1), (10.0, 2), (4.0, 1), (4.0, 2)]);
+    }
+
+    #[test]
+    fn speeds_go_to_the_right_and_passes_down_as_seen_from_behind_the_arm() {
+        let passes = Card::default().to_passes().unwrap();
+        let square_of = |name: &str| square(passes.iter().find(|it| it.name == name).unwrap());
+        let [first, right, below] = ["3 mm/s, 1 times", "5 mm/s, 1 times", "3 mm/s, 2 times"]
+            .map(|name| square_of(name).center());
+        // Right is -Y and down is -X; columns are 6 + 2 mm apart, rows another 1.5 for the line.
+        assert!((right - first - Point::new(0.0, -8.0)).length() < 1e-9);
+        assert!((below - first - Point::new(-9.5, 0.0)).length() < 1e-9);
+    }
+
+    #[test]
+    fn a_square_has_the_size_and_the_spacing_asked_for() {
+        let card = Card {
+            cell_mm: 8.0,
+            spacing_mm: 0.5,
+            ..Card::default()
+        };
+        let passes = card.to_passes().unwrap();
+        let cell = &passes[1];
+        // Lines at 0, 0.5 .. 8 mm, and one below.
+        assert_eq!(cell.strokes.len(), 18);
+        assert!(
+            cell.strokes
+                .iter()
+                .all(|it| (it.length_mm() - 8.0).abs() < 1e-9)
+        );
+        assert!((square(cell).width() - 8.0).abs() < 1e-9);
+        assert!((square(cell).height() - 8.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_card_lies_around_its_middle_with_the_labels_on_it() {
+        let center = Point::new(200.0, 30.0);
+        let card = Card {
+            center,
+            ..Card::default()
+        };
+        let strokes: Vec<Stroke> = card
+            .to_passes()
+            .unwrap()
+            .into_iter()
+            .flat_map(|it| it.strokes)
+            .collect();
+        let bounds = Bounds::of_strokes(&strokes);
+        assert!((bounds.center() - center).length() < 3.0, "{bounds:?}");
+        let [deep, wide] = [bounds.width(), bounds.height()];
+        assert!(
+            (30.0..35.0).contains(&deep) && (53.0..58.0).contains(&wide),
+            "{bounds:?}"
+        );
+        let labels = &card.to_passes().unwrap()[0].strokes;
+        // "mm/s", 3 5 8 12 20 30, 1x 2x 3x.
+        assert!(labels.len() >= 18, "{}", labels.len());
+    }
+
+    #[test]
+    fn settings_that_make_no_card_are_told_with_what_is_allowed() {
+        let error = |card: Card| card.to_passes().unwrap_err().to_string();
+        let card = Card::default;
+        assert_eq!(
+            error(Card {
+                speeds_mm_s: vec![],
+                ..card()
+            }),
+            "the number of speeds of the test card is 0; allowed is a number from 1 to 20"
+        );
+        assert_eq!(
+            error(Card {
+                speeds_mm_s: vec![5.0, 3.0],
+                ..card()
+            }),
+            "the order of speeds of the test card is 5 mm/s before 3 mm/s; allowed is rising speeds"
+        );
+        assert_eq!(
+            error(Card {
+                most_passes: 0,
+                ..card()
+            }),
+            "the number of passes of the test card is 0; allowed is a number from 1 to 20"
+        );
+        assert_eq!(
+            error(Card {
+                cell_mm: f64::NAN,
+                ..card()
+            }),
+            "the cell of the test card is NaN mm; allowed is a number from 3 to 50 mm"
+        );
+    }
+}

@@ -1,0 +1,226 @@
+//! Once around a drawing before it is made: does it lie where it should?
+
+use crate::plan::{Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, Tool};
+use crate::point::{Bounds, Point, Stroke};
+
+/// What is gone around.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FrameShape {
+    /// The upright rectangle around the ink.
+    #[default]
+    Rectangle,
+    /// The shortest line around the ink.
+    Hull,
+}
+
+/// A plan that goes once around what the passes draw, at their travel speed: the pen up, or the
+/// laser off at the height at which it burns. It ends where it begins. Around a single dot there is
+/// no way: the plan only goes there.
+///
+/// # Errors
+///
+/// [`PlanError`] where there is nothing to go around or a setting makes no sense.
+pub fn frame(
+    passes: &[Pass],
+    paper: &Paper,
+    machine: &Machine,
+    shape: FrameShape,
+) -> Result<Plan, PlanError> {
+    let strokes = || passes.iter().flat_map(|it| &it.strokes);
+    let points: Vec<Point> = strokes().flat_map(|it| it.points.iter().copied()).collect();
+    let first = passes.first().filter(|_| !points.is_empty());
+    let tool = first.ok_or(PlanError::NoStrokes)?.tool;
+    let outline = match shape {
+        FrameShape::Rectangle => rectangle(Bounds::of(points)),
+        FrameShape::Hull => hull(points),
+    };
+    let (pen, above_mm) = in_the_air(passes, tool);
+    let pass = Pass {
+        name: "frame".to_owned(),
+        ..Pass::new(Tool::Pen(pen), vec![outline])
+    };
+    let plan = Plan::new(&[pass], &paper.raised(above_mm - pen.lift_mm), machine)?;
+    Ok(without_ink(plan, tool))
+}
+
+/// A pen that is never lowered in the end, and how high it travels.
+fn in_the_air(passes: &[Pass], tool: Tool) -> (Pen, f64) {
+    let highest_mm = |highest: f64, pass: &Pass| match pass.tool {
+        Tool::Pen(pen) => highest.max(pen.lift_mm),
+        Tool::Laser(_) => highest,
+    };
+    let speed_mm_s = match tool {
+        Tool::Pen(pen) => pen.travel_speed_mm_s,
+        Tool::Laser(laser) => laser.travel_speed_mm_s,
+    };
+    let pen = Pen {
+        lift_mm: LIFT_MM,
+        draw_speed_mm_s: speed_mm_s,
+        touch_mm: 0.0,
+        ..Pen::default()
+    };
+    (pen, passes.iter().fold(0.0, highest_mm))
+}
+
+/// The plan without lowering and lifting: all of it is travel, with the tool it is made for.
+fn without_ink(mut plan: Plan, tool: Tool) -> Plan {
+    plan.moves.retain(|vector| vector.kind.marks());
+    for vector in &mut plan.moves {
+        vector.kind = MoveKind::Travel;
+    }
+    for pass in &mut plan.passes {
+        pass.tool = tool;
+        pass.moves = 0..plan.moves.len();
+    }
+    plan
+}
+
+fn rectangle(Bounds { min, max }: Bounds) -> Stroke {
+    let corners = [
+        (max.x, max.y),
+        (max.x, min.y),
+        (min.x, min.y),
+        (min.x, max.y),
+    ];
+    closed(corners.map(|(x, y)| Point::new(x, y)).to_vec())
+}
+
+/// The convex hull: lower and upper chain of the points from left to right.
+fn hull(mut points: Vec<Point>) -> Stroke {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return closed(points);
+    }
+    let mut around = chain(points.iter().copied());
+    around.pop();
+    around.extend(chain(points.iter().rev().copied()));
+    around.pop();
+    closed(around)
+}
+
+/// The points between which all others lie to the left.
+fn chain(points: impl Iterator<Item = Point>) -> Vec<Point> {
+    let mut chain: Vec<Point> = Vec::new();
+    for p in points {
+        while let [.., a, b] = chain[..]
+            && (b - a).cross(p - a) <= 0.0
+        {
+            chain.pop();
+        }
+        chain.push(p);
+    }
+    chain
+}
+
+fn closed(mut points: Vec<Point>) -> Stroke {
+    points.extend(points.first().copied());
+    Stroke {
+        points,
+        closed: true,
+    }
+}
+
+/// The least that a pen may be lifted; taken out of the plan again.
+const LIFT_MM: f64 = 0.1;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_wire::Command;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::plan::Laser;
+
+    fn cross() -> Vec<Stroke> {
+        let line = |points: [(f64, f64); 2]| {
+            Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+        };
+        vec![
+            line([(200.0, 0.0), (220.0, 0.0)]),
+            line([(210.0, -30.0), (210.0, 30.0)]),
+        ]
+    }
+
+    fn around(tool: Tool, shape: FrameShape) -> Plan {
+        let passes = [Pass::new(tool, cross())];
+        frame(&passes, &Paper::level(-40.0), &Machine::default(), shape).unwrap()
+    }
+
+    #[test]
+    fn a_pen_goes_around_the_rectangle_without_touching_the_paper() {
+        let pen = Pen {
+            lift_mm: 7.0,
+            ..Pen::default()
+        };
+        let plan = around(Tool::Pen(pen), FrameShape::Rectangle);
+        assert!((plan.start[2] + 33.0).abs() < 1e-9, "{:?}", plan.start);
+        let corners: Vec<[f64; 3]> = plan.positions().collect();
+        assert!(
+            corners.iter().all(|it| (it[2] + 33.0).abs() < 1e-5),
+            "{corners:?}"
+        );
+        let seen = Bounds::of(corners.iter().map(|it| Point::new(it[0], it[1])));
+        assert_eq!(seen.min, Point::new(200.0, -30.0));
+        assert_eq!(seen.max, Point::new(220.0, 30.0));
+        assert_eq!(corners.len(), 4);
+        assert_eq!(corners[3][..2], plan.start[..2]);
+        assert_eq!(plan.summary().drawn_mm, 0.0);
+        assert_eq!(plan.summary().travelled_mm.round(), 160.0);
+    }
+
+    #[test]
+    fn a_laser_goes_around_switched_off_as_high_as_it_burns() {
+        let plan = around(Tool::Laser(Laser::default()), FrameShape::Rectangle);
+        assert!(plan.burns());
+        assert!((plan.start[2] + 40.0).abs() < 1e-9, "{:?}", plan.start);
+        for command in plan.commands() {
+            if let Command::WriteVector(vector) = command {
+                assert!(!vector.laser && vector.z_mm.abs() < 1e-6, "{vector:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_hull_is_shorter_than_the_rectangle() {
+        let plan = around(Tool::default(), FrameShape::Hull);
+        // A rhombus with half diagonals of 10 and 30 mm.
+        let length = 4.0 * 10.0_f64.hypot(30.0);
+        assert!((plan.summary().travelled_mm - length).abs() < 1e-3);
+        assert_eq!(plan.moves.len(), 4);
+    }
+
+    #[test]
+    fn there_is_no_way_around_a_dot_and_nothing_around_nothing() {
+        let around = |strokes, shape| {
+            let passes = [Pass::new(Tool::default(), strokes)];
+            frame(&passes, &Paper::default(), &Machine::default(), shape)
+        };
+        for shape in [FrameShape::Rectangle, FrameShape::Hull] {
+            let dot = vec![Stroke::open(vec![Point::new(200.0, 3.0)])];
+            let plan = around(dot, shape).unwrap();
+            assert_eq!((plan.moves.len(), plan.start), (0, [200.0, 3.0, -30.0]));
+            assert_eq!(around(vec![], shape), Err(PlanError::NoStrokes));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn the_hull_is_convex_and_holds_every_point(
+            points in proptest::collection::vec((-9..9_i32, -9..9_i32), 1..40),
+        ) {
+            let points: Vec<Point> = points
+                .into_iter()
+                .map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
+                .collect();
+            let hull = hull(points.clone());
+            for (a, b) in hull.segments() {
+                for &p in &points {
+                    prop_assert!((b - a).cross(p - a) >= 0.0, "{:?} {:?}", hull, p);
+                }
+            }
+            prop_assert!(hull.points.iter().all(|it| points.contains(it)));
+        }
+    }
+}

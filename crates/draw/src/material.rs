@@ -1,0 +1,172 @@
+//! What is drawn or burned with, and how: named settings for pens and lasers.
+
+mod error;
+mod read;
+
+use std::collections::BTreeMap;
+
+pub use self::error::{MaterialError, UnknownMaterial};
+use crate::plan::Tool;
+
+/// How a pen or a laser is used on a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Speeds, and for a pen how it is lifted, for a laser how often it burns.
+    pub tool: Tool,
+    /// From one line of a hatched area to the next, in mm.
+    pub spacing_mm: f64,
+}
+
+/// Materials by name.
+///
+/// A file of materials is TOML, in which each has a table of its own:
+///
+/// ```
+/// use dobot_draw::{Materials, Tool};
+///
+/// let mine = Materials::from_toml("
+///     [materials.plywood-3mm]
+///     tool = 'laser'
+///     speed_mm_s = 4
+///     passes = 3
+///     spacing_mm = 0.15
+/// ")?;
+/// let materials = Materials::built_in().with(mine);
+/// let plywood = materials.get("plywood-3mm")?;
+/// assert!(matches!(plywood.tool, Tool::Laser(laser) if laser.times == 3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// | key | for | unit | from | to | if not given |
+/// |---|---|---|---|---|---|
+/// | `tool` | | | `"pen"` | `"laser"` | an error |
+/// | `speed_mm_s` | both | mm/s | 0.1 | 500 | an error |
+/// | `travel_speed_mm_s` | both | mm/s | 0.1 | 500 | 80 |
+/// | `spacing_mm` | both | mm | 0.05 | 20 | 0.5 |
+/// | `passes` | laser | | 1 | 100 | 1 |
+/// | `lift_mm` | pen | mm | 0.1 | 100 | as [`Pen`](crate::Pen) |
+/// | `lift_speed_mm_s` | pen | mm/s | 0.1 | 500 | as [`Pen`](crate::Pen) |
+/// | `touch_mm` | pen | mm | 0 | 20 | as [`Pen`](crate::Pen) |
+/// | `touch_speed_mm_s` | pen | mm/s | 0.1 | 500 | as [`Pen`](crate::Pen) |
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Materials {
+    named: BTreeMap<String, Material>,
+}
+
+impl Materials {
+    /// The built-in materials as a file, with what each key means.
+    pub const BUILT_IN_TOML: &str = include_str!("../materials.toml");
+
+    /// What is known without a file: a few pens, and a few materials for a diode laser of about
+    /// 500 mW that is on or off. They are starting points; a [`Card`](crate::Card) finds the right
+    /// numbers.
+    #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "the file is part of the program")]
+    pub fn built_in() -> Self {
+        Self::from_toml(Self::BUILT_IN_TOML).expect("a test reads the built-in file")
+    }
+
+    /// Reads a file of materials.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError`] with the line: no TOML, an unknown key, a value of another kind or outside
+    /// its range, or a key that is missing.
+    pub fn from_toml(text: &str) -> Result<Self, MaterialError> {
+        let named = read::materials(text)?;
+        Ok(Self { named })
+    }
+
+    /// These and others; where both have a name, the other's.
+    #[must_use]
+    pub fn with(mut self, others: Self) -> Self {
+        self.named.extend(others.named);
+        self
+    }
+
+    /// The material of that name.
+    ///
+    /// # Errors
+    ///
+    /// [`UnknownMaterial`], which tells the names that there are.
+    pub fn get(&self, name: &str) -> Result<&Material, UnknownMaterial> {
+        self.named.get(name).ok_or_else(|| UnknownMaterial {
+            name: name.to_owned(),
+            known: self.named.keys().cloned().collect(),
+        })
+    }
+
+    /// All of them with their names, in the order of the alphabet.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Material)> {
+        self.named.iter().map(|(name, it)| (name.as_str(), it))
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::{Laser, Pen};
+
+    #[test]
+    fn the_built_in_materials_are_a_few_pens_and_a_few_for_the_laser() {
+        let materials = Materials::built_in();
+        let lasers = materials
+            .iter()
+            .filter(|(_, it)| matches!(it.tool, Tool::Laser(_)));
+        assert!(lasers.count() >= 5);
+        for pen in ["fineliner", "ballpoint", "pencil", "brush-pen", "marker"] {
+            assert!(
+                matches!(materials.get(pen).unwrap().tool, Tool::Pen(_)),
+                "{pen}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_a_file_does_not_say_is_as_for_any_pen_or_laser() {
+        let text = "[materials.a]\ntool = 'pen'\nspeed_mm_s = 7.5\n\
+                    [materials.b]\ntool = 'laser'\nspeed_mm_s = 2\npasses = 3\nspacing_mm = 0.1\n";
+        let materials = Materials::from_toml(text).unwrap();
+        let pen = Pen {
+            draw_speed_mm_s: 7.5,
+            ..Pen::default()
+        };
+        assert_eq!(materials.get("a").unwrap().tool, Tool::Pen(pen));
+        let laser = Laser {
+            burn_speed_mm_s: 2.0,
+            times: 3,
+            ..Laser::default()
+        };
+        let burned = Material {
+            tool: Tool::Laser(laser),
+            spacing_mm: 0.1,
+        };
+        assert_eq!(materials.get("b"), Ok(&burned));
+    }
+
+    #[test]
+    fn a_material_of_ones_own_replaces_the_built_in_one_of_its_name() {
+        let mine = "[materials.fineliner]\ntool = 'pen'\nspeed_mm_s = 11\n";
+        let mine = Materials::from_toml(mine).unwrap();
+        let both = Materials::built_in().with(mine.clone());
+        assert_eq!(both.get("fineliner"), mine.get("fineliner"));
+        assert!(both.get("pencil").is_ok());
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_known_ones() {
+        let text = "[materials.felt]\ntool = 'pen'\nspeed_mm_s = 7\n\
+                    [materials.slate]\ntool = 'laser'\nspeed_mm_s = 7\n";
+        let error = Materials::from_toml(text).unwrap().get("slat").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "there is no material 'slat'; did you mean 'slate'? there are: felt, slate"
+        );
+        let error = Materials::from_toml("").unwrap().get("felt").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "there is no material 'felt'; there are none"
+        );
+    }
+}

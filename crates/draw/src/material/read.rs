@@ -1,0 +1,365 @@
+//! Reading a file of materials.
+
+use std::collections::BTreeMap;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{Material, MaterialError};
+use crate::plan::{Laser, Pen, Tool};
+
+/// The materials of a file.
+pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, MaterialError> {
+    let document = DeTable::parse(text).map_err(|error| MaterialError::Toml {
+        line: line_at(text, error.span().map_or(0, |span| span.start)),
+        reason: error.message().trim().replace('\n', ", "),
+    })?;
+    let root = Table::new(text, String::new(), document.get_ref(), 0);
+    root.knows(&["materials"])?;
+    let Some(all) = root.table("materials")? else {
+        return Ok(BTreeMap::new());
+    };
+    let names = all.keys.keys().map(|name| name.get_ref().to_string());
+    names
+        .map(|name| {
+            let table = all.table(&name)?.expect("the name is one of its keys");
+            Ok((name, material(&table)?))
+        })
+        .collect()
+}
+
+fn material(table: &Table<'_>) -> Result<Material, MaterialError> {
+    let tool = match table.text("tool")?.as_deref() {
+        Some("pen") => pen(table)?,
+        Some("laser") => laser(table)?,
+        Some(other) => return Err(table.wrong("tool", &format!("\"{other}\""), TOOLS)),
+        None => return Err(table.missing("tool", TOOLS)),
+    };
+    let spacing_mm = table.number("spacing_mm", SPACING)?;
+    let spacing_mm = spacing_mm.unwrap_or(SPACING_MM);
+    Ok(Material { tool, spacing_mm })
+}
+
+fn pen(table: &Table<'_>) -> Result<Tool, MaterialError> {
+    table.knows(&[
+        "tool",
+        "speed_mm_s",
+        "travel_speed_mm_s",
+        "spacing_mm",
+        "lift_mm",
+        "lift_speed_mm_s",
+        "touch_mm",
+        "touch_speed_mm_s",
+    ])?;
+    let mut pen = Pen {
+        draw_speed_mm_s: table.speed()?,
+        ..Pen::default()
+    };
+    for (key, range, value) in [
+        ("travel_speed_mm_s", SPEED, &mut pen.travel_speed_mm_s),
+        ("lift_mm", LIFT, &mut pen.lift_mm),
+        ("lift_speed_mm_s", SPEED, &mut pen.lift_speed_mm_s),
+        ("touch_mm", TOUCH, &mut pen.touch_mm),
+        ("touch_speed_mm_s", SPEED, &mut pen.touch_speed_mm_s),
+    ] {
+        *value = table.number(key, range)?.unwrap_or(*value);
+    }
+    Ok(Tool::Pen(pen))
+}
+
+fn laser(table: &Table<'_>) -> Result<Tool, MaterialError> {
+    table.knows(&[
+        "tool",
+        "speed_mm_s",
+        "travel_speed_mm_s",
+        "spacing_mm",
+        "passes",
+    ])?;
+    let laser = Laser::default();
+    Ok(Tool::Laser(Laser {
+        burn_speed_mm_s: table.speed()?,
+        travel_speed_mm_s: table
+            .number("travel_speed_mm_s", SPEED)?
+            .unwrap_or(laser.travel_speed_mm_s),
+        times: table.passes()?.unwrap_or(laser.times),
+    }))
+}
+
+/// A table of the file, and where it stands.
+struct Table<'a> {
+    text: &'a str,
+    /// Its name with dots.
+    name: String,
+    keys: &'a DeTable<'a>,
+    line: usize,
+}
+
+impl<'a> Table<'a> {
+    const fn new(text: &'a str, name: String, keys: &'a DeTable<'a>, line: usize) -> Self {
+        Self {
+            text,
+            name,
+            keys,
+            line,
+        }
+    }
+
+    /// Refuses a key that is not one of these.
+    fn knows(&self, allowed: &[&'static str]) -> Result<(), MaterialError> {
+        let known = |key: &str| allowed.contains(&key);
+        let unknown = self.keys.keys().find(|key| !known(key.get_ref()));
+        unknown.map_or(Ok(()), |key| {
+            Err(MaterialError::UnknownKey {
+                line: line_at(self.text, key.span().start),
+                key: self.path(key.get_ref()),
+                allowed: allowed.to_vec(),
+            })
+        })
+    }
+
+    fn table(&self, key: &str) -> Result<Option<Self>, MaterialError> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        match value.get_ref() {
+            DeValue::Table(keys) => {
+                let line = self.line_of(key);
+                Ok(Some(Self::new(self.text, self.path(key), keys, line)))
+            }
+            _ => Err(self.kind(key, "a table")),
+        }
+    }
+
+    fn text(&self, key: &str) -> Result<Option<String>, MaterialError> {
+        match self.value(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::String(found)) => Ok(Some(found.to_string())),
+            Some(_) => Err(self.kind(key, TOOLS)),
+        }
+    }
+
+    fn number(&self, key: &str, range: Range) -> Result<Option<f64>, MaterialError> {
+        let number = match self.value(key).map(Spanned::get_ref) {
+            None => return Ok(None),
+            Some(DeValue::Float(it)) => it.as_str().parse().ok(),
+            Some(DeValue::Integer(it)) => {
+                i64::from_str_radix(it.as_str(), it.radix()).ok().map(lossy)
+            }
+            Some(_) => None,
+        };
+        match number {
+            Some(number) if (range.0..=range.1).contains(&number) => Ok(Some(number)),
+            _ => Err(self.kind(key, &range.allowed())),
+        }
+    }
+
+    fn speed(&self) -> Result<f64, MaterialError> {
+        let speed = self.number("speed_mm_s", SPEED)?;
+        speed.ok_or_else(|| self.missing("speed_mm_s", &SPEED.allowed()))
+    }
+
+    fn passes(&self) -> Result<Option<u32>, MaterialError> {
+        let allowed = || format!("a whole number from 1 to {MOST_PASSES}");
+        let Some(value) = self.value("passes") else {
+            return Ok(None);
+        };
+        match value.get_ref() {
+            DeValue::Integer(it) => u32::from_str_radix(it.as_str(), it.radix())
+                .ok()
+                .filter(|passes| (1..=MOST_PASSES).contains(passes))
+                .map(Some),
+            _ => None,
+        }
+        .ok_or_else(|| self.kind("passes", &allowed()))
+    }
+
+    fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.keys.get(key)
+    }
+
+    fn line_of(&self, key: &str) -> usize {
+        let found = self.keys.keys().find(|it| *it.get_ref() == key);
+        found.map_or(self.line, |it| line_at(self.text, it.span().start))
+    }
+
+    fn path(&self, key: &str) -> String {
+        if self.name.is_empty() {
+            return key.to_owned();
+        }
+        format!("{}.{key}", self.name)
+    }
+
+    /// The value is of another kind or outside its range: it is told as the file writes it.
+    fn kind(&self, key: &str, allowed: &str) -> MaterialError {
+        let span = self.value(key).map_or(0..0, Spanned::span);
+        let found = self.text.get(span).unwrap_or_default();
+        let first_line = found.lines().next().unwrap_or_default();
+        self.wrong(key, first_line, allowed)
+    }
+
+    fn wrong(&self, key: &str, found: &str, allowed: &str) -> MaterialError {
+        MaterialError::Value {
+            line: self.line_of(key),
+            key: self.path(key),
+            found: found.to_owned(),
+            allowed: allowed.to_owned(),
+        }
+    }
+
+    fn missing(&self, key: &str, allowed: &str) -> MaterialError {
+        MaterialError::Missing {
+            line: self.line,
+            key: self.path(key),
+            allowed: allowed.to_owned(),
+        }
+    }
+}
+
+/// The least and the most of a number, and its unit.
+#[derive(Clone, Copy)]
+struct Range(f64, f64, &'static str);
+
+impl Range {
+    fn allowed(self) -> String {
+        let Self(least, most, unit) = self;
+        format!("a number from {least} to {most} {unit}")
+    }
+}
+
+/// The one of these names that is written most like `name`, if one is.
+pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let least = names.map(|it| (edits(name, it), it)).min()?;
+    // Half of it wrong is no slip of the finger.
+    (least.0 * 2 < name.chars().count()).then_some(least.1)
+}
+
+/// How many letters have to be put in, taken out or changed to make one word of another.
+fn edits(from: &str, to: &str) -> usize {
+    let to: Vec<char> = to.chars().collect();
+    let mut row: Vec<usize> = (0..=to.len()).collect();
+    for (i, a) in from.chars().enumerate() {
+        let mut corner = std::mem::replace(&mut row[0], i + 1);
+        for (j, &b) in to.iter().enumerate() {
+            let change = corner + usize::from(a != b);
+            corner = row[j + 1];
+            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[to.len()]
+}
+
+/// The line of a place in a text, counted from 1.
+fn line_at(text: &str, offset: usize) -> usize {
+    let before = text.get(..offset);
+    before.map_or(1, |before| before.split('\n').count())
+}
+
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "beyond 2^53 nothing is in range"
+)]
+const fn lossy(whole: i64) -> f64 {
+    whole as f64
+}
+
+const TOOLS: &str = "\"pen\" or \"laser\"";
+const SPEED: Range = Range(0.1, 500.0, "mm/s");
+const LIFT: Range = Range(0.1, 100.0, "mm");
+const TOUCH: Range = Range(0.0, 20.0, "mm");
+const SPACING: Range = Range(0.05, 20.0, "mm");
+const SPACING_MM: f64 = 0.5;
+const MOST_PASSES: u32 = 100;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn error(text: &str) -> String {
+        materials(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn an_unknown_key_is_refused_with_the_one_that_was_meant() {
+        assert_eq!(
+            error("[materials.oak]\ntool = 'laser'\nsped_mm_s = 4\n"),
+            "line 3: materials.oak.sped_mm_s is unknown; did you mean speed_mm_s? allowed are: \
+             tool, speed_mm_s, travel_speed_mm_s, spacing_mm, passes"
+        );
+        let pen_only = error("[materials.oak]\ntool = 'laser'\nspeed_mm_s = 4\nlift_mm = 5\n");
+        assert!(
+            pen_only.starts_with("line 4: materials.oak.lift_mm is unknown; "),
+            "{pen_only}"
+        );
+        assert_eq!(
+            error("[material.oak]\ntool = 'laser'"),
+            "line 1: material is unknown; did you mean materials? allowed are: materials"
+        );
+    }
+
+    #[test]
+    fn a_value_that_is_not_allowed_is_told_with_its_line_and_range() {
+        let with = |line: &str| error(&format!("[materials.oak]\ntool = 'laser'\n{line}\n"));
+        assert_eq!(
+            with("speed_mm_s = 0"),
+            "line 3: materials.oak.speed_mm_s is 0; allowed is a number from 0.1 to 500 mm/s"
+        );
+        assert_eq!(
+            with("speed_mm_s = 'fast'"),
+            "line 3: materials.oak.speed_mm_s is 'fast'; allowed is a number from 0.1 to 500 mm/s"
+        );
+        assert_eq!(
+            with("speed_mm_s = nan"),
+            "line 3: materials.oak.speed_mm_s is nan; allowed is a number from 0.1 to 500 mm/s"
+        );
+        assert_eq!(
+            with("speed_mm_s = 1\npasses = 1.5"),
+            "line 4: materials.oak.passes is 1.5; allowed is a whole number from 1 to 100"
+        );
+        assert_eq!(
+            error("[materials.oak]\ntool = 'saw'\n"),
+            "line 2: materials.oak.tool is \"saw\"; allowed is \"pen\" or \"laser\""
+        );
+    }
+
+    #[test]
+    fn what_decides_the_result_has_to_be_said() {
+        assert_eq!(
+            error("\n[materials.oak]\n"),
+            "line 2: materials.oak.tool is missing; allowed is \"pen\" or \"laser\""
+        );
+        assert_eq!(
+            error("[materials.oak]\ntool = 'laser'\n"),
+            "line 1: materials.oak.speed_mm_s is missing; allowed is a number from 0.1 to 500 mm/s"
+        );
+        assert_eq!(
+            error("materials = 3\n"),
+            "line 1: materials is 3; allowed is a table"
+        );
+    }
+
+    #[test]
+    fn what_is_no_toml_is_told_with_its_line() {
+        assert!(error("[materials.oak]\ntool = \n").starts_with("line 2: "));
+        assert_eq!(materials(""), Ok(BTreeMap::new()));
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_makes_it_panic(text in "(\\[?materials[.a-z]{0,4}\\]?|[a-z_]{1,6}|=|[0-9.'\"\\[\\]{}]|\n| |é){0,40}") {
+            let _ = materials(&text);
+        }
+
+        #[test]
+        fn numbers_come_back_as_they_were_written(speed in 0.1..500.0_f64, passes in 1..=100_u32) {
+            let text = format!(
+                "[materials.m]\ntool = \"laser\"\nspeed_mm_s = {speed:?}\npasses = {passes}\n"
+            );
+            let read = materials(&text).unwrap()["m"];
+            let laser = Laser { burn_speed_mm_s: speed, times: passes, ..Laser::default() };
+            prop_assert_eq!(read.tool, Tool::Laser(laser));
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! Where to begin: what is left to draw of passes in their order.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::plan::Pass;
+use crate::point::Stroke;
+
+/// Where to begin, so that a drawing can be finished that was broken off.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StartFrom {
+    /// At a pass: its name, or its number from 1.
+    Pass(String),
+    /// At a stroke, counted from 1 through all passes.
+    Stroke(usize),
+    /// Where that share of all the length is drawn, in percent, from 0 to below 100: in the middle
+    /// of a stroke, if it lies there.
+    Percent(f64),
+}
+
+impl StartFrom {
+    /// What is left to draw. A pass that is left in part keeps its message: its pen has to be put
+    /// in all the same.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] with what is allowed.
+    pub fn rest_of(&self, passes: Vec<Pass>) -> Result<Vec<Pass>, StartError> {
+        match self {
+            Self::Pass(pass) => from_pass(passes, pass),
+            Self::Stroke(stroke) => from_stroke(passes, *stroke),
+            Self::Percent(percent) => from_percent(passes, *percent),
+        }
+    }
+}
+
+/// There is nothing to begin with.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StartError {
+    /// No such pass.
+    #[error("there is no pass '{found}' to start from; there are: {}", Passes(.names))]
+    Pass {
+        /// What was asked for.
+        found: String,
+        /// The names of the passes.
+        names: Vec<String>,
+    },
+    /// No such stroke.
+    #[error("there is no stroke {found} to start from; allowed is 1 to {strokes}")]
+    Stroke {
+        /// What was asked for.
+        found: usize,
+        /// How many strokes there are.
+        strokes: usize,
+    },
+    /// No such share.
+    #[error("a drawing cannot start from {found} %; allowed is 0 to below 100")]
+    Percent {
+        /// What was asked for.
+        found: f64,
+    },
+}
+
+/// A name counts before a number: a pass may be called "2".
+fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, StartError> {
+    let by_number = || {
+        let number: usize = pass.parse().ok()?;
+        number.checked_sub(1).filter(|&it| it < passes.len())
+    };
+    let by_name = passes.iter().position(|it| it.name == pass);
+    let Some(first) = by_name.or_else(by_number) else {
+        return Err(StartError::Pass {
+            found: pass.to_owned(),
+            names: passes.into_iter().map(|it| it.name).collect(),
+        });
+    };
+    Ok(passes.split_off(first))
+}
+
+fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, StartError> {
+    let strokes = passes.iter().map(|it| it.strokes.len()).sum();
+    if !(1..=strokes).contains(&stroke) {
+        let found = stroke;
+        return Err(StartError::Stroke { found, strokes });
+    }
+    Ok(skip_strokes(passes, stroke - 1))
+}
+
+fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, StartError> {
+    if !(0.0..100.0).contains(&percent) {
+        return Err(StartError::Percent { found: percent });
+    }
+    let all = passes.iter().flat_map(|it| &it.strokes);
+    let lengths: Vec<f64> = all.map(Stroke::length_mm).collect();
+    let mut drawn_mm = lengths.iter().sum::<f64>() * percent / 100.0;
+    let whole = lengths.iter().take_while(|&&length_mm| {
+        let over = drawn_mm > 0.0 && length_mm <= drawn_mm;
+        drawn_mm -= if over { length_mm } else { 0.0 };
+        over
+    });
+    let whole = whole.count();
+    let mut passes = skip_strokes(passes, whole);
+    if let Some(first) = passes.first_mut().and_then(|it| it.strokes.first_mut())
+        && drawn_mm > 0.0
+    {
+        *first = rest_of_stroke(first, drawn_mm);
+    }
+    Ok(passes)
+}
+
+/// The passes without their first strokes, and without the passes of which nothing is left.
+fn skip_strokes(passes: Vec<Pass>, mut skip: usize) -> Vec<Pass> {
+    let mut rest = Vec::new();
+    for mut pass in passes {
+        let skipped = skip.min(pass.strokes.len());
+        pass.strokes.drain(..skipped);
+        skip -= skipped;
+        if !pass.strokes.is_empty() {
+            rest.push(pass);
+        }
+    }
+    rest
+}
+
+/// What is left of a stroke of which so much is drawn.
+fn rest_of_stroke(stroke: &Stroke, mut drawn_mm: f64) -> Stroke {
+    for (i, (a, b)) in stroke.segments().enumerate() {
+        let length_mm = a.distance(b);
+        if drawn_mm < length_mm {
+            let begin = a.lerp(b, drawn_mm / length_mm);
+            let rest = stroke.points[i + 1..].iter().copied();
+            return Stroke::open([begin].into_iter().chain(rest).collect());
+        }
+        drawn_mm -= length_mm;
+    }
+    Stroke::open(stroke.last().into_iter().collect())
+}
+
+struct Passes<'a>(&'a [String]);
+
+impl fmt::Display for Passes<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, name) in (1..).zip(self.0) {
+            let comma = if number == 1 { "" } else { ", " };
+            write!(f, "{comma}{number} ({name})")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::plan::Tool;
+    use crate::point::Point;
+
+    fn line(from: f64, to: f64) -> Stroke {
+        Stroke::open(vec![Point::new(from, 0.0), Point::new(to, 0.0)])
+    }
+
+    fn pass(name: &str, strokes: Vec<Stroke>) -> Pass {
+        Pass {
+            name: name.to_owned(),
+            message: Some(format!("put in {name}")),
+            ..Pass::new(Tool::default(), strokes)
+        }
+    }
+
+    /// 10 and 20 mm in red, 10 mm in blue.
+    fn passes() -> Vec<Pass> {
+        vec![
+            pass("red", vec![line(0.0, 10.0), line(20.0, 40.0)]),
+            pass("blue", vec![line(50.0, 60.0)]),
+        ]
+    }
+
+    fn rest(from: &StartFrom) -> Vec<(String, Vec<Stroke>)> {
+        let rest = from.rest_of(passes()).unwrap();
+        rest.into_iter().map(|it| (it.name, it.strokes)).collect()
+    }
+
+    #[test]
+    fn a_pass_is_found_by_its_name_or_its_number() {
+        let blue = vec![("blue".to_owned(), vec![line(50.0, 60.0)])];
+        assert_eq!(rest(&StartFrom::Pass("blue".to_owned())), blue);
+        assert_eq!(rest(&StartFrom::Pass("2".to_owned())), blue);
+        assert_eq!(rest(&StartFrom::Pass("1".to_owned())).len(), 2);
+    }
+
+    #[test]
+    fn a_stroke_is_counted_through_all_passes() {
+        let second = rest(&StartFrom::Stroke(2));
+        assert_eq!(second[0], ("red".to_owned(), vec![line(20.0, 40.0)]));
+        assert_eq!(second.len(), 2);
+        assert_eq!(rest(&StartFrom::Stroke(3))[0].0, "blue");
+        let left = StartFrom::Stroke(2).rest_of(passes()).unwrap();
+        assert_eq!(left[0].message.as_deref(), Some("put in red"));
+    }
+
+    #[test]
+    fn a_share_counts_by_length_and_may_begin_within_a_stroke() {
+        // 10 of 40 mm: the second stroke as a whole. 20 of 40 mm: half of it.
+        assert_eq!(rest(&StartFrom::Percent(25.0)), rest(&StartFrom::Stroke(2)));
+        let half = rest(&StartFrom::Percent(50.0));
+        assert_eq!(half[0].1, [line(30.0, 40.0)]);
+        assert_eq!(rest(&StartFrom::Percent(75.0)), rest(&StartFrom::Stroke(3)));
+        assert_eq!(rest(&StartFrom::Percent(0.0)), rest(&StartFrom::Stroke(1)));
+    }
+
+    #[test]
+    fn dots_have_no_length_and_are_not_lost_at_the_beginning() {
+        let dots = vec![pass("dots", vec![Stroke::open(vec![Point::default()]); 3])];
+        let rest = StartFrom::Percent(0.0).rest_of(dots.clone()).unwrap();
+        assert_eq!(rest, dots);
+    }
+
+    #[test]
+    fn what_is_not_there_is_told_with_what_is() {
+        let error = |from: StartFrom| from.rest_of(passes()).unwrap_err().to_string();
+        for name in ["green", "0", "3"] {
+            assert_eq!(
+                error(StartFrom::Pass(name.to_owned())),
+                format!("there is no pass '{name}' to start from; there are: 1 (red), 2 (blue)")
+            );
+        }
+        assert_eq!(
+            error(StartFrom::Stroke(4)),
+            "there is no stroke 4 to start from; allowed is 1 to 3"
+        );
+        assert_eq!(
+            error(StartFrom::Stroke(0)),
+            "there is no stroke 0 to start from; allowed is 1 to 3"
+        );
+        for found in [-1.0, 100.0, f64::NAN] {
+            assert_eq!(
+                error(StartFrom::Percent(found)),
+                format!("a drawing cannot start from {found} %; allowed is 0 to below 100")
+            );
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_left_is_as_long_as_it_should_be(
+            lengths in proptest::collection::vec(0.0..30.0_f64, 1..12),
+            percent in 0.0..100.0_f64,
+        ) {
+            let strokes: Vec<Stroke> = lengths.iter().map(|&length| line(0.0, length)).collect();
+            let all: f64 = lengths.iter().sum();
+            let half = strokes.len() / 2;
+            let passes = vec![
+                pass("a", strokes[..half].to_vec()),
+                pass("b", strokes[half..].to_vec()),
+            ];
+            let rest = StartFrom::Percent(percent).rest_of(passes).unwrap();
+            let left: f64 = rest.iter().flat_map(|it| &it.strokes).map(Stroke::length_mm).sum();
+            prop_assert!((left - all * (1.0 - percent / 100.0)).abs() < 1e-6);
+        }
+    }
+}
