@@ -29,13 +29,13 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
         .collect();
     let cornering = Cornering {
         acceleration_mm_s2: 100.0,
-        deviation_mm: 0.02,
-        stops: false,
+        deviation_mm: 0.05,
+        window_s: 0.08,
     };
-    let mut speeds = Vec::new();
+    let mut joints = Vec::new();
     bencher
         .counter(ItemsCount::new(chain.len()))
-        .bench_local(|| cornering.speeds(divan::black_box(&chain), &mut speeds));
+        .bench_local(|| cornering.speeds(divan::black_box(&chain), &mut joints));
 }
 
 /// Rounding, look-ahead and speeds of one stroke.

@@ -59,8 +59,8 @@ pub use order::{order, travel_mm};
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{
-    Break, Cornering, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen, Plan,
-    PlanError, PlannedPass, PlannedVector, Run, Summary, Tool,
+    Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen,
+    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool,
 };
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare};

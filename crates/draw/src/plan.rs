@@ -2,8 +2,10 @@
 
 mod commands;
 mod error;
+mod link;
 mod lookahead;
 mod machine;
+mod pace;
 mod paper;
 mod pass;
 mod planner;
@@ -13,7 +15,7 @@ mod vector;
 
 pub(crate) use commands::{LASER_OFF, approach, single, to_start, write};
 pub use error::PlanError;
-pub use lookahead::{Cornering, Run};
+pub use lookahead::{Cornering, Joint, Run};
 pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
@@ -247,8 +249,9 @@ mod tests {
             .map(|i| (200.0 + 0.1 * f64::from(i), 0.0))
             .collect();
         let plan = plan(&[line(&points)], LinkRate::default());
-        assert!(plan.durations().all(|s| s >= 0.084));
-        assert!(plan.duration_s() < 0.084 * 102.0 + 2.0);
+        // 0.1 mm in 80 ms each; the first two wait in the arm when it begins.
+        assert!(plan.duration_s() > 0.08 * 100.0);
+        assert!(plan.duration_s() < 0.08 * 102.0 + 2.0);
     }
 
     #[test]
@@ -409,10 +412,11 @@ mod tests {
         #[test]
         fn speeds_meet_and_neither_arm_nor_link_is_overdriven(
             strokes in strokes(),
-            period_s in prop_oneof![Just(0.0), Just(0.084)],
+            period_s in prop_oneof![Just(0.0), Just(0.08)],
         ) {
             let plan = plan(&strokes, LinkRate { period_s });
             let mut speed = 0.0_f32;
+            let mut behind_s = 0.0_f64;
             for (vector, duration) in plan.moves.iter().zip(plan.durations()) {
                 prop_assert_eq!(vector.start_speed_mm_s, speed);
                 speed = vector.end_speed_mm_s;
@@ -423,7 +427,10 @@ mod tests {
                 let v2 = |v: f32| f64::from(v) * f64::from(v);
                 let needed = (v2(speed) - v2(vector.start_speed_mm_s)).abs() / (2.0 * vector.length_mm());
                 prop_assert!(needed <= plan.machine().acceleration_mm_s2, "{needed}");
-                prop_assert!(vector.max_speed_mm_s <= 80.0 && duration >= period_s, "{duration}");
+                prop_assert!(vector.max_speed_mm_s <= 80.0);
+                // However long it is watched, no more than two vectors too many are over.
+                behind_s = (behind_s + period_s - duration).max(0.0);
+                prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
                 prop_assert!(vector.length_mm() >= planner::LEAST_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);

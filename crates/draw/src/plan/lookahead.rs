@@ -1,4 +1,4 @@
-//! Look-ahead: how fast each corner may be passed.
+//! Look-ahead: how fast each vector begins and ends, and how long it should take.
 
 /// One straight vector, as look-ahead sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,41 +14,43 @@ pub struct Run {
 /// What corners are measured against.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cornering {
-    /// How fast speed may change along the path, in mm/s2.
+    /// The largest acceleration, along the path and across it together, in mm/s2.
     pub acceleration_mm_s2: f64,
     /// How far an imagined arc through a corner may leave it, in mm: the larger, the faster
     /// corners are passed. The arm itself draws the corner sharp.
     pub deviation_mm: f64,
-    /// Whether every corner is a stop.
-    pub stops: bool,
+    /// Over which time the acceleration at a corner is measured, in s. A corner turns the speed in
+    /// no time at all; what counts is where the tool is this long before it, at it and behind it.
+    pub window_s: f64,
+}
+
+/// Where two vectors meet, or where a chain begins or ends.
+///
+/// ```text
+///          t       corner      an arc touches both vectors at the distance t from the corner:
+///    ----->|----------.        t = the half of the shorter vector, or less where the arc would
+///           `.        |        leave the corner by more than the deviation. On a polygon that
+///              `.     | t      stands for a circle all the arcs together are that circle.
+///                \    |
+///   turn: the     |---|  on    radius r = t / tan(turn / 2),  its largest speed: v2 = a r
+///   angle between |   |
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// The square of the speed in the middle of the arc.
+    pub v2: f64,
+    /// The largest square of a speed on the arc; infinite where the way goes straight on.
+    cap_v2: f64,
+    /// How far the arc reaches along both vectors, in mm.
+    tangent_mm: f64,
+    /// Cosine and sine of the turn.
+    cos: f64,
+    sin: f64,
 }
 
 impl Cornering {
-    /// The square of the speed at which the corner between two directions may be passed.
-    ///
-    /// Junction deviation: a circle touches both vectors such that its arc passes the corner at
-    /// the distance `d`. Running along that arc with the centripetal acceleration `a` gives the
-    /// speed, where `h` is half the angle between the two vectors:
-    ///
-    /// ```text
-    ///       v2 = a r,   r = d sin(h) / (1 - sin(h))
-    ///
-    ///   ---->-.          straight on: h = 90 degrees, any speed
-    ///       d/ \         right angle: h = 45 degrees, v2 = 2.41 a d
-    ///           v        back:        h = 0,          v2 = 0
-    /// ```
-    #[must_use]
-    pub fn corner_v2(self, before: [f64; 3], after: [f64; 3]) -> f64 {
-        if self.stops {
-            return 0.0;
-        }
-        let cos_turn = before[0] * after[0] + before[1] * after[1] + before[2] * after[2];
-        let sin_half = (0.5 * (1.0 + cos_turn)).clamp(0.0, 1.0).sqrt();
-        self.acceleration_mm_s2 * self.deviation_mm * sin_half / (1.0 - sin_half)
-    }
-
-    /// The speeds in mm/s at the start of each vector and, last, at the end of the last: at rest
-    /// at both ends of the chain.
+    /// The speeds at the joints of a chain, from the start of the first vector to the end of the
+    /// last, at rest at both ends: the fastest motion along the path with its corners rounded.
     ///
     /// ```text
     ///   speed
@@ -61,48 +63,163 @@ impl Cornering {
     ///        a         b          b         c           d
     /// ```
     ///
-    /// 1. A corner is passed no faster than its angle allows, nor than either vector's limit.
-    /// 2. Backward: no corner is reached faster than the vector after it can brake from.
-    /// 3. Forward: no corner is reached faster than the vector before it can accelerate to.
-    /// 4. Both in squares of speeds, where a vector of length `s` adds or takes `2 a s`.
-    pub fn speeds(self, chain: &[Run], speeds: &mut Vec<f64>) {
-        speeds.clear();
+    /// 1. An arc is passed no faster than its radius allows, nor than either vector's limit.
+    /// 2. Backward: no joint is reached faster than what follows can brake from.
+    /// 3. Forward: no joint is reached faster than what is before can accelerate to.
+    /// 4. On an arc only what the turning leaves of the acceleration changes the speed; see
+    ///    [`Joint::half_arc`].
+    pub fn speeds(self, chain: &[Run], joints: &mut Vec<Joint>) {
+        joints.clear();
         if chain.is_empty() {
             return;
         }
-        speeds.push(0.0);
-        speeds.extend(chain.windows(2).map(|pair| {
-            let limit = pair[0].limit_mm_s.min(pair[1].limit_mm_s);
-            let corner_v2 = self.corner_v2(pair[0].direction, pair[1].direction);
-            corner_v2.min(limit * limit)
-        }));
-        speeds.push(0.0);
-        let gain = 2.0 * self.acceleration_mm_s2;
+        joints.push(Joint::REST);
+        joints.extend(chain.windows(2).map(|pair| self.joint(&pair[0], &pair[1])));
+        joints.push(Joint::REST);
         let mut v2 = 0.0_f64;
-        for (at, run) in speeds.iter_mut().zip(chain).rev() {
-            v2 = at.min(v2 + gain * run.length_mm);
-            *at = v2;
+        for (i, run) in chain.iter().enumerate().rev() {
+            v2 = self.reached_v2(v2, &joints[i + 1], run, &joints[i]);
+            v2 = v2.min(joints[i].v2);
+            joints[i].v2 = v2;
         }
-        for (at, run) in speeds[1..].iter_mut().zip(chain) {
-            v2 = at.min(v2 + gain * run.length_mm);
-            *at = v2;
+        for (i, run) in chain.iter().enumerate() {
+            v2 = self.reached_v2(v2, &joints[i], run, &joints[i + 1]);
+            v2 = v2.min(joints[i + 1].v2);
+            joints[i + 1].v2 = v2;
         }
-        for at in speeds {
-            *at = at.sqrt();
+    }
+
+    /// The corner between two vectors, with the largest speed that it allows.
+    #[must_use]
+    pub fn joint(self, before: &Run, after: &Run) -> Joint {
+        let ([ax, ay, az], [bx, by, bz]) = (before.direction, after.direction);
+        let cos = (ax * bx + ay * by + az * bz).clamp(-1.0, 1.0);
+        let limit = before.limit_mm_s.min(after.limit_mm_s);
+        let sin_half = (0.5 * (1.0 - cos)).sqrt();
+        let cos_half = (0.5 * (1.0 + cos)).sqrt();
+        if sin_half < STRAIGHT {
+            return Joint {
+                v2: limit * limit,
+                ..Joint::STRAIGHT_ON
+            };
         }
+        let tan_half = sin_half / cos_half;
+        let reach_mm = self.deviation_mm * (1.0 + cos_half) / sin_half;
+        let most_mm = reach_mm.min(0.5 * before.length_mm.min(after.length_mm));
+        let seen_mm_s = self.acceleration_mm_s2 * self.window_s * (0.5 / sin_half - 0.5);
+        let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
+        if cap_v2 < LEAST_V2 {
+            return Joint::REST;
+        }
+        Joint {
+            v2: cap_v2.min(limit * limit),
+            cap_v2,
+            tangent_mm: cap_v2 / self.acceleration_mm_s2 * tan_half,
+            cos,
+            sin: 2.0 * sin_half * cos_half,
+        }
+    }
+
+    /// The largest square of a speed in the middle of the arc at the end of a vector that begins
+    /// with `v2` in the middle of the one at its start.
+    fn reached_v2(self, v2: f64, from: &Joint, run: &Run, to: &Joint) -> f64 {
+        let limit_v2 = run.limit_mm_s * run.limit_mm_s;
+        let straight_mm = run.length_mm - from.tangent_mm - to.tangent_mm;
+        let out = from.half_arc(v2).min(limit_v2);
+        let into = out + 2.0 * self.acceleration_mm_s2 * straight_mm;
+        to.half_arc(into.min(to.cap_v2).min(limit_v2)).min(limit_v2)
+    }
+
+    /// How long the vector between two joints takes at the least, in s, in the motion that
+    /// [`speeds`](Self::speeds) found.
+    #[must_use]
+    pub fn duration_s(self, from: &Joint, run: &Run, to: &Joint) -> f64 {
+        let a = self.acceleration_mm_s2;
+        let limit_v2 = run.limit_mm_s * run.limit_mm_s;
+        let straight_mm = (run.length_mm - from.tangent_mm - to.tangent_mm).max(0.0);
+        let gain = 2.0 * a * straight_mm;
+        let [up, down] = [from, to].map(|joint| joint.half_arc(joint.v2).min(limit_v2));
+        let (out, into) = (up.min(down + gain), down.min(up + gain));
+        let peak = (0.5 * (out + into + gain)).min(limit_v2).sqrt();
+        let (out_mm_s, into_mm_s) = (out.sqrt(), into.sqrt());
+        let ramps_mm = (peak * peak - 0.5 * (out + into)) / a;
+        let cruise_s = (straight_mm - ramps_mm).max(0.0) / peak;
+        let ramps_s = (2.0 * peak - out_mm_s - into_mm_s) / a;
+        cruise_s + ramps_s + from.half_arc_s(out_mm_s, a) + to.half_arc_s(into_mm_s, a)
     }
 }
 
+impl Joint {
+    /// A chain begins or ends.
+    const REST: Self = Self {
+        v2: 0.0,
+        ..Self::STRAIGHT_ON
+    };
+
+    const STRAIGHT_ON: Self = Self {
+        v2: f64::INFINITY,
+        cap_v2: f64::INFINITY,
+        tangent_mm: 0.0,
+        cos: 1.0,
+        sin: 0.0,
+    };
+
+    /// The speed in mm/s.
+    #[must_use]
+    pub fn speed_mm_s(&self) -> f64 {
+        self.v2.sqrt()
+    }
+
+    /// The square of the speed at one end of a half of the arc, from that at the other, with as
+    /// much acceleration along the way as turning leaves.
+    ///
+    /// With w the share of the acceleration that turning takes, w = v2 / (a r), along the way is
+    /// left `a sqrt(1 - w2)`. So `dw / ds = 2 sqrt(1 - w2) / r`, whose solution is a sine: over the
+    /// half of an arc its argument grows by the whole turn.
+    fn half_arc(&self, v2: f64) -> f64 {
+        if self.tangent_mm == 0.0 {
+            return v2;
+        }
+        let w = v2 / self.cap_v2;
+        if w >= self.cos {
+            return self.cap_v2;
+        }
+        self.cap_v2 * (w * self.cos + (1.0 - w * w).sqrt() * self.sin)
+    }
+
+    /// How long a half of the arc takes, with a speed at its outer end: in two pieces, each as if
+    /// the acceleration along it were even.
+    fn half_arc_s(&self, outer_mm_s: f64, acceleration_mm_s2: f64) -> f64 {
+        if self.tangent_mm == 0.0 {
+            return 0.0;
+        }
+        let half_turn = 0.5 * self.sin.atan2(self.cos);
+        let length_mm = self.cap_v2 / acceleration_mm_s2 * half_turn;
+        let inner_mm_s = self.speed_mm_s();
+        let (sin, cos) = half_turn.sin_cos();
+        let middle = Self { sin, cos, ..*self }.half_arc(self.v2).sqrt();
+        let middle_mm_s = middle.min(inner_mm_s.max(outer_mm_s));
+        length_mm / (inner_mm_s + middle_mm_s) + length_mm / (middle_mm_s + outer_mm_s)
+    }
+}
+
+/// Half the sine of a turn that is none.
+const STRAIGHT: f64 = 1e-7;
+/// Below this square of a speed a corner is a stop, in (mm/s)2.
+const LEAST_V2: f64 = 1e-6;
+
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use proptest::prelude::*;
 
     use super::*;
 
     const CORNERING: Cornering = Cornering {
         acceleration_mm_s2: 100.0,
-        deviation_mm: 0.02,
-        stops: false,
+        deviation_mm: 0.05,
+        window_s: 0.08,
     };
 
     fn run(degrees: f64, length_mm: f64, limit_mm_s: f64) -> Run {
@@ -115,16 +232,39 @@ mod tests {
     }
 
     fn speeds(chain: &[Run]) -> Vec<f64> {
-        let mut speeds = Vec::new();
-        CORNERING.speeds(chain, &mut speeds);
-        speeds
+        let mut joints = Vec::new();
+        CORNERING.speeds(chain, &mut joints);
+        joints.iter().map(Joint::speed_mm_s).collect()
     }
 
     #[test]
-    fn a_right_angle_is_passed_at_the_speed_of_its_arc() {
-        // r = d sin 45 / (1 - sin 45) = 2.4142 d
-        let v2 = CORNERING.corner_v2([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-        assert!((v2 - 100.0 * 0.02 * 2.414_213_562).abs() < 1e-6);
+    fn a_polygon_is_run_as_fast_as_the_circle_that_it_stands_for() {
+        // 72 vectors around a circle of 4 mm: v2 = a R, where the arcs touch the vectors in their
+        // middle and so have the radius of the inscribed circle.
+        let turn = TAU / 72.0;
+        let length_mm = 2.0 * 4.0 * (turn / 2.0).sin();
+        let chain: Vec<Run> = (0..720_u32)
+            .map(|i| run(f64::from(i) * 5.0, length_mm, 90.0))
+            .collect();
+        let inscribed_mm = 4.0 * (turn / 2.0).cos();
+        let found = speeds(&chain)[360];
+        let wanted = (100.0 * inscribed_mm).sqrt();
+        assert!((found - wanted).abs() < 1e-6, "{found} instead of {wanted}");
+        let mut joints = Vec::new();
+        CORNERING.speeds(&chain, &mut joints);
+        let took_s = CORNERING.duration_s(&joints[360], &chain[360], &joints[361]);
+        let wanted_s = inscribed_mm * turn / wanted;
+        assert!((took_s - wanted_s).abs() < 1e-9, "{took_s}, {wanted_s}");
+    }
+
+    #[test]
+    fn at_a_sharp_corner_the_tool_is_no_further_away_than_the_acceleration_allows() {
+        // Right angle, braking and accelerating with a: 0.08 s from the corner it is
+        // v h + a h2 / 2 away on both sides, and the second difference is sqrt(2) times that.
+        let v = speeds(&[run(0.0, 50.0, 90.0), run(90.0, 50.0, 90.0)])[1];
+        let away_mm = v * 0.08 + 0.5 * 100.0 * 0.08 * 0.08;
+        let seen = 2.0_f64.sqrt() * away_mm / (0.08 * 0.08);
+        assert!((seen - 100.0).abs() < 1e-6, "{seen}");
     }
 
     #[test]
@@ -164,9 +304,39 @@ mod tests {
                 prop_assert!(needed <= CORNERING.acceleration_mm_s2 * (1.0 + 1e-9));
             }
             for (i, pair) in chain.windows(2).enumerate() {
-                let corner = CORNERING.corner_v2(pair[0].direction, pair[1].direction).sqrt();
+                let corner = CORNERING.joint(&pair[0], &pair[1]).speed_mm_s();
                 prop_assert!(speeds[i + 1] <= corner * (1.0 + 1e-9));
             }
+        }
+
+        #[test]
+        fn what_a_half_arc_takes_is_what_small_steps_take(
+            turn in 0.05..1.6_f64, share in 0.01..0.99_f64, radius_mm in 0.05..50.0_f64,
+        ) {
+            let a = 100.0;
+            let mut joint = Joint {
+                v2: share * a * radius_mm,
+                cap_v2: a * radius_mm,
+                tangent_mm: radius_mm * (turn / 2.0).tan(),
+                cos: turn.cos(),
+                sin: turn.sin(),
+            };
+            let steps = 20_000_u32;
+            let step_mm = radius_mm * turn / 2.0 / f64::from(steps);
+            let (mut v2, mut took_s) = (joint.v2, 0.0);
+            for _ in 0..steps {
+                let across = v2 / radius_mm;
+                let along = (a * a - across * across).max(0.0).sqrt();
+                let next = (v2 + 2.0 * along * step_mm).min(joint.cap_v2);
+                took_s += 2.0 * step_mm / (v2.sqrt() + next.sqrt());
+                v2 = next;
+            }
+            let found = joint.half_arc(joint.v2);
+            prop_assert!((found / v2 - 1.0).abs() < 2e-3, "{found} instead of {v2}");
+            let found_s = joint.half_arc_s(found.sqrt(), a);
+            prop_assert!((found_s / took_s - 1.0).abs() < 0.03, "{found_s} instead of {took_s}");
+            joint.v2 = found;
+            prop_assert!(joint.half_arc(found) <= joint.cap_v2);
         }
     }
 }

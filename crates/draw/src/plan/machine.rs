@@ -10,7 +10,8 @@ use super::error::{not_negative, positive};
 pub struct Machine {
     /// Largest acceleration of the tool, along its path and across it, in mm/s2.
     pub acceleration_mm_s2: f64,
-    /// How far an imagined arc may cut a corner, in mm; see [`Cornering`](crate::Cornering).
+    /// How far an imagined arc may cut a corner, in mm; best the tolerance of the drawing. See
+    /// [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
     /// How fast vectors come.
     pub link: LinkRate,
@@ -41,7 +42,7 @@ impl Default for Machine {
     fn default() -> Self {
         Self {
             acceleration_mm_s2: 100.0,
-            corner_deviation_mm: 0.02,
+            corner_deviation_mm: 0.05,
             link: LinkRate::default(),
             has_ticks: false,
         }
@@ -62,8 +63,8 @@ impl LinkRate {
 }
 
 impl Default for LinkRate {
-    /// One vector per status, which a stock arm sends every 80 ms, and 5 % to spare.
+    /// One vector per status, which a stock arm sends every 80 ms.
     fn default() -> Self {
-        Self { period_s: 0.084 }
+        Self { period_s: 0.08 }
     }
 }

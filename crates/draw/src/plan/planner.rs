@@ -1,6 +1,7 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
-use super::lookahead::{Cornering, Run};
+use super::lookahead::Run;
+use super::pace::Pace;
 use super::vector::length;
 use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 use crate::point::{Point, Stroke};
@@ -9,7 +10,7 @@ use crate::point::{Point, Stroke};
 pub(super) struct Planner<'a> {
     paper: &'a Paper,
     machine: &'a Machine,
-    cornering: Cornering,
+    pace: Pace,
     /// Where the vectors so far lead, rounding included.
     here: [f64; 3],
     pub(super) moves: Vec<PlannedVector>,
@@ -18,27 +19,19 @@ pub(super) struct Planner<'a> {
     pass: u32,
     /// The runs since the last rest; reused.
     chain: Vec<Run>,
-    speeds: Vec<f64>,
 }
 
 impl<'a> Planner<'a> {
-    pub(super) const fn new(start: [f64; 3], paper: &'a Paper, machine: &'a Machine) -> Self {
-        let cornering = Cornering {
-            // The spared part keeps rounded speeds within the acceleration.
-            acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
-            deviation_mm: machine.corner_deviation_mm,
-            stops: machine.has_ticks,
-        };
+    pub(super) fn new(start: [f64; 3], paper: &'a Paper, machine: &'a Machine) -> Self {
         Self {
             paper,
             machine,
-            cornering,
+            pace: Pace::new(machine),
             here: start,
             moves: Vec::new(),
             stroke: 0,
             pass: 0,
             chain: Vec::new(),
-            speeds: Vec::new(),
         }
     }
 
@@ -117,11 +110,10 @@ impl<'a> Planner<'a> {
             return;
         }
         self.here = [0, 1, 2].map(|i| here[i] + way[i]);
-        let max_speed_mm_s = round_down(limit_mm_s.min(length_mm / self.machine.link.period_s));
         self.chain.push(Run {
             direction: way.map(|d| d / length_mm),
             length_mm,
-            limit_mm_s: f64::from(max_speed_mm_s),
+            limit_mm_s,
         });
         self.moves.push(PlannedVector {
             x_mm,
@@ -129,7 +121,7 @@ impl<'a> Planner<'a> {
             z_mm,
             start_speed_mm_s: 0.0,
             end_speed_mm_s: 0.0,
-            max_speed_mm_s,
+            max_speed_mm_s: 0.0,
             kind,
             stroke: self.stroke,
             pass: self.pass,
@@ -139,10 +131,11 @@ impl<'a> Planner<'a> {
     /// The chain ends: its speeds can be planned.
     fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
-        self.cornering.speeds(&self.chain, &mut self.speeds);
-        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
-            vector.start_speed_mm_s = round_down(self.speeds[i]);
-            vector.end_speed_mm_s = round_down(self.speeds[i + 1]);
+        let speeds = self.pace.plan(&mut self.chain);
+        for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
+            vector.start_speed_mm_s = round_down(speeds.start_mm_s);
+            vector.end_speed_mm_s = round_down(speeds.end_mm_s);
+            vector.max_speed_mm_s = round_down(speeds.max_mm_s);
         }
         self.chain.clear();
     }

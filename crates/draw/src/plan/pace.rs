@@ -1,0 +1,156 @@
+//! How fast the chain of vectors between two rests is run, so that neither the acceleration nor the
+//! link is overdriven.
+
+use super::Machine;
+use super::link::Credit;
+use super::lookahead::{Cornering, Joint, Run};
+
+/// Speeds for a chain: reused from chain to chain.
+#[derive(Clone, Debug)]
+pub(super) struct Pace {
+    cornering: Cornering,
+    /// Seconds from packet to packet.
+    period_s: f64,
+    /// Vectors that the arm has in hand.
+    credit: Credit,
+    joints: Vec<Joint>,
+    /// How long each vector is to take, in s.
+    wanted_s: Vec<f64>,
+}
+
+/// The speeds of one vector, in mm/s, and how long it takes with them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Speeds {
+    pub start_mm_s: f64,
+    pub end_mm_s: f64,
+    pub max_mm_s: f64,
+    pub duration_s: f64,
+}
+
+impl Pace {
+    pub(super) fn new(machine: &Machine) -> Self {
+        Self {
+            cornering: Cornering {
+                // The spared part keeps rounded speeds within the acceleration.
+                acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
+                deviation_mm: machine.corner_deviation_mm,
+                window_s: WINDOW_S,
+            },
+            period_s: machine.link.period_s,
+            credit: Credit::new(machine.link),
+            joints: Vec::new(),
+            wanted_s: Vec::new(),
+        }
+    }
+
+    /// The speeds of the chain's vectors. Its limits are lowered where the link needs that.
+    pub(super) fn plan<'a>(
+        &'a mut self,
+        chain: &'a mut [Run],
+    ) -> impl Iterator<Item = Speeds> + 'a {
+        if self.period_s > 0.0 {
+            self.lower_to_link(chain);
+            self.plan_with_link(chain);
+        } else {
+            self.plan_motion(chain);
+        }
+        (0..chain.len()).map(|i| self.speeds(chain, i))
+    }
+
+    /// Evens the limits out: a short vector between long ones may be fast, because others come
+    /// meanwhile.
+    fn lower_to_link(&self, chain: &mut [Run]) {
+        let lengths: Vec<f64> = chain.iter().map(|run| run.length_mm).collect();
+        for (i, run) in chain.iter_mut().enumerate() {
+            let near = &lengths[i.saturating_sub(REACH)..lengths.len().min(i + REACH + 1)];
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            let packets_s = near.len() as f64 * self.period_s;
+            let even_mm_s = near.iter().sum::<f64>() / packets_s;
+            run.limit_mm_s = run
+                .limit_mm_s
+                .min(even_mm_s.max(run.length_mm / self.period_s / MOST_EVEN));
+        }
+    }
+
+    fn plan_with_link(&mut self, chain: &mut [Run]) {
+        for _ in 0..ROUNDS {
+            self.plan_motion(chain);
+            if self.wait_for_link(chain) {
+                return;
+            }
+        }
+        // Slow enough whatever the others do.
+        for run in chain.iter_mut() {
+            run.limit_mm_s = run.limit_mm_s.min(run.length_mm / self.period_s);
+        }
+        self.plan_motion(chain);
+        self.wait_for_link(chain);
+    }
+
+    fn plan_motion(&mut self, chain: &[Run]) {
+        self.cornering.speeds(chain, &mut self.joints);
+        let joints = self.joints.windows(2).zip(chain);
+        self.wanted_s.clear();
+        self.wanted_s
+            .extend(joints.map(|(pair, run)| self.cornering.duration_s(&pair[0], run, &pair[1])));
+    }
+
+    /// Gives vectors the time that the link needs; where a vector cannot be as slow between the
+    /// speeds of its ends, its limit is lowered. Whether none had to be.
+    fn wait_for_link(&mut self, chain: &mut [Run]) -> bool {
+        let (mut credit, mut done) = (self.credit, true);
+        for i in 0..chain.len() {
+            let least_s = credit.least_s();
+            if self.wanted_s[i] < least_s {
+                self.wanted_s[i] = least_s;
+            }
+            let can_s = self.speeds(chain, i).duration_s;
+            if can_s < least_s * (1.0 - 1e-9) {
+                let run = &mut chain[i];
+                run.limit_mm_s = run.limit_mm_s.min(run.length_mm / least_s) * SLOWER;
+                done = false;
+            }
+            credit.take(can_s.max(least_s));
+        }
+        if done {
+            self.credit = credit;
+        }
+        done
+    }
+
+    /// The largest speed in between is chosen so that the vector takes the time wanted, as nearly
+    /// as can be.
+    fn speeds(&self, chain: &[Run], i: usize) -> Speeds {
+        let (run, a) = (&chain[i], self.cornering.acceleration_mm_s2);
+        let [start, end] = [i, i + 1].map(|at| self.joints[at].speed_mm_s());
+        let wanted_s = self.wanted_s[i];
+        // Accelerate to the speed v, keep it, brake:
+        // wanted = (2 v - start - end) / a + (length - (2 v2 - start2 - end2) / 2 a) / v
+        let time = a * wanted_s + start + end;
+        let way = a * run.length_mm + 0.5 * (start * start + end * end);
+        let root = (time * time - 4.0 * way).max(0.0).sqrt();
+        let even = 2.0 * way / (time + root);
+        let max = even.clamp(start.max(end), run.limit_mm_s.max(start).max(end));
+        Speeds {
+            start_mm_s: start,
+            end_mm_s: end,
+            max_mm_s: max,
+            duration_s: duration_s(run.length_mm, [start, end, max], a),
+        }
+    }
+}
+
+fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
+    let meet_v2 = 0.5 * (start * start + end * end) + a * length_mm;
+    let peak = max.min(meet_v2.sqrt()).max(start).max(end);
+    let ramps_mm = (peak * peak - 0.5 * (start * start + end * end)) / a;
+    (2.0 * peak - start - end) / a + (length_mm - ramps_mm).max(0.0) / peak
+}
+
+/// The time between two statuses of a stock arm: how the arm itself is seen to move.
+const WINDOW_S: f64 = 0.08;
+/// How many vectors before and behind count for how fast one may be.
+const REACH: usize = 1;
+const MOST_EVEN: f64 = 1.0;
+const ROUNDS: usize = 12;
+const SLOWER: f64 = 0.999;
