@@ -380,7 +380,7 @@ impl Report {
 impl Drawn {
     fn new(prepared: &Prepared, strokes: Vec<Stroke>, true_position: bool) -> Self {
         Self {
-            deviation: deviation(&prepared.wanted, &strokes),
+            deviation: deviation(&prepared.wanted(), &strokes),
             strokes,
             true_position,
         }

@@ -63,7 +63,7 @@ pub use plan::{
     Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool,
 };
 pub use point::{Bounds, Point, Stroke};
-pub use prepare::{PrepareError, Prepared, Settings, prepare};
+pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use source::{

@@ -81,6 +81,7 @@ impl Placement {
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
             Size::Scaled(factor) => return Err(PlaceError::Scale { factor }),
             Size::Fit if fitting.is_finite() => fitting,
+            Size::Within => fitting.min(1.0),
             // A dot fits as it is.
             Size::Fit | Size::True => 1.0,
         };
@@ -127,6 +128,8 @@ pub enum Size {
     True,
     /// The true size times a factor above 0.
     Scaled(f64),
+    /// As the file says, or as large as the area allows where that is less.
+    Within,
     /// As large as the area allows, aspect kept.
     Fit,
 }
@@ -274,6 +277,18 @@ mod tests {
         assert_eq!(Bounds::of_strokes(&small.0).min, Point::new(150.0, -60.0));
         let dot = place(&fit, line(&[(7.0, 7.0)])).unwrap();
         assert_eq!(dot.0, [line(&[(210.0, 0.0)])]);
+    }
+
+    #[test]
+    fn what_is_to_stay_within_the_area_shrinks_but_never_grows() {
+        let within = Placement {
+            size: Size::Within,
+            ..Placement::default()
+        };
+        for (width, scale) in [(400.0, 0.5), (100.0, 1.0)] {
+            let placed = place(&within, line(&[(0.0, 0.0), (width, 10.0)])).unwrap();
+            assert_eq!(placed.1, scale);
+        }
     }
 
     #[test]

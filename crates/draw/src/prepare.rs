@@ -15,22 +15,31 @@ use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::plan::{Pass, Plan, PlanError};
 use crate::point::{Point, Stroke};
-use crate::simplify::{MIN_VECTOR_MM, simplify};
+use crate::simplify::simplify;
 use crate::source::{ReadOptions, Source, SourceError, Warning};
+use crate::start::StartError;
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prepared {
-    /// The path wanted: the file's curves in the base frame, within a tenth of the tolerance.
-    pub wanted: Vec<Stroke>,
-    /// What is drawn with one tool each, in order.
+    /// The path wanted, in the order in which it is drawn: the curves in the base frame, within a
+    /// tenth of the tolerance.
     pub passes: Vec<Pass>,
     /// What the arm is to do.
     pub plan: Plan,
-    /// How much larger than the file says it becomes.
+    /// How much larger than the source says it becomes.
     pub scale: f64,
     /// What the pen does not show.
     pub warnings: Vec<Warning>,
+}
+
+impl Prepared {
+    /// The path wanted, of all passes.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Stroke> {
+        let strokes = self.passes.iter().flat_map(|it| &it.strokes);
+        strokes.cloned().collect()
+    }
 }
 
 /// Reads a source, places it, puts its strokes in order, merges what the tolerance allows and
@@ -44,38 +53,40 @@ pub fn prepare<E: fmt::Display>(
     settings: &Settings,
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
-    let tolerance_mm = settings.tolerance_mm;
-    if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
-        return Err(PrepareError::Tolerance { tolerance_mm });
-    }
-    let flatten_mm = tolerance_mm * FLATTEN_SHARE;
-    let (Placed { layers, scale }, warnings) = read(source, settings, flatten_mm)?;
-    let (mut wanted, mut passes) = (Vec::new(), Vec::<Pass>::new());
-    let mut here = settings.placement.area.max;
-    for layer in layers::chosen(layers, settings)? {
-        let (tool, message) = (
-            layers::tool(&layer, settings),
-            layers::message(&layer, passes.last(), settings),
-        );
-        let name = layer.name.clone();
-        let mut strokes = lines(layer, here);
-        here = strokes.last().and_then(Stroke::last).unwrap_or(here);
-        passes.push(Pass {
-            name,
-            tool,
-            strokes: merged(&strokes, tolerance_mm - flatten_mm),
-            message,
-        });
-        wanted.append(&mut strokes);
-    }
-    let plan = Plan::new(&passes, &settings.paper, &settings.machine)?;
-    check_reach(&plan, &settings.paper, reachable)?;
+    settings.check()?;
+    let (Placed { layers, scale }, warnings) = read(source, settings)?;
+    let layers = layers::chosen(layers, settings)?;
+    let prepared = prepare_passes(passes(layers, settings), settings, reachable)?;
     Ok(Prepared {
-        wanted,
-        passes,
-        plan,
         scale,
         warnings,
+        ..prepared
+    })
+}
+
+/// Merges what the tolerance allows and plans the vectors of passes that are laid out already.
+///
+/// # Errors
+///
+/// [`PrepareError`] with the step that failed.
+pub fn prepare_passes<E: fmt::Display>(
+    passes: Vec<Pass>,
+    settings: &Settings,
+    reachable: impl Fn(Position) -> Result<(), E>,
+) -> Result<Prepared, PrepareError> {
+    settings.check()?;
+    let passes = match &settings.from {
+        Some(from) => from.rest_of(passes)?,
+        None => passes,
+    };
+    let simple: Vec<Pass> = passes.iter().map(|it| simplified(it, settings)).collect();
+    let plan = Plan::new(&simple, &settings.paper, &settings.machine)?;
+    check_reach(&plan, &settings.paper, reachable)?;
+    Ok(Prepared {
+        passes,
+        plan,
+        scale: 1.0,
+        warnings: Vec::new(),
     })
 }
 
@@ -103,33 +114,53 @@ pub enum PrepareError {
     /// It does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
+    /// It cannot be begun there.
+    #[error(transparent)]
+    Start(#[from] StartError),
     /// It cannot be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
 }
 
-/// The layers on the paper, within `flatten_mm` of the curves there.
-fn read(
-    source: &Source,
-    settings: &Settings,
-    flatten_mm: f64,
-) -> Result<(Placed, Vec<Warning>), PrepareError> {
+/// The layers on the paper, within the share of the tolerance that is for curves.
+fn read(source: &Source, settings: &Settings) -> Result<(Placed, Vec<Warning>), PrepareError> {
     let mut options = ReadOptions {
-        tolerance_mm: flatten_mm,
+        tolerance_mm: settings.flatten_mm(),
         layers: settings.layers.unwrap_or_default(),
+        shading: settings.shading.clone(),
         fonts: Arc::clone(&settings.fonts),
         ..ReadOptions::default()
     };
     let (artwork, warnings) = source.read(&options)?;
     let placed = settings.placement.place(artwork)?;
-    if placed.scale <= 1.0 {
+    if placed.scale <= 1.0 && !source.depends_on_scale() {
         return Ok((placed, warnings));
     }
     // What is enlarged must be read more finely; the size is known only now.
     options.scale = placed.scale;
-    options.tolerance_mm = (flatten_mm / placed.scale).max(1e-6);
+    options.tolerance_mm = (settings.flatten_mm() / placed.scale).max(1e-6);
     let (artwork, warnings) = source.read(&options)?;
     Ok((settings.placement.place(artwork)?, warnings))
+}
+
+/// The layers as passes, each in a good order.
+fn passes(layers: Vec<Layer>, settings: &Settings) -> Vec<Pass> {
+    let mut passes = Vec::<Pass>::new();
+    let mut here = settings.placement.area.max;
+    for layer in layers {
+        let tool = layers::tool(&layer, settings);
+        let message = layers::message(&layer, passes.last(), settings);
+        let name = layer.name.clone();
+        let strokes = lines(layer, here);
+        here = strokes.last().and_then(Stroke::last).unwrap_or(here);
+        passes.push(Pass {
+            name,
+            tool,
+            strokes,
+            message,
+        });
+    }
+    passes
 }
 
 /// The lines of a layer in a good order, for a tool that comes from `here`.
@@ -137,15 +168,18 @@ fn lines(layer: Layer, here: Point) -> Vec<Stroke> {
     order(layer.strokes, here)
 }
 
-fn merged(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Stroke> {
-    strokes
-        .iter()
-        .map(|stroke| simplify(stroke, tolerance_mm))
-        .collect()
+/// The same pass with the fewest vectors.
+fn simplified(pass: &Pass, settings: &Settings) -> Pass {
+    let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
+    let strokes = pass.strokes.iter().map(|it| simplify(it, tolerance_mm));
+    Pass {
+        name: pass.name.clone(),
+        tool: pass.tool,
+        strokes: strokes.collect(),
+        message: pass.message.clone(),
+    }
 }
 
-const FLATTEN_SHARE: f64 = 0.1;
-const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
@@ -182,7 +216,7 @@ mod tests {
         for svg in EXAMPLES {
             let prepared = prepare(&svg.into(), &Settings::default(), in_reach).unwrap();
             let planned = prepared.plan.paths(MoveKind::Draw);
-            let worst = deviation(&prepared.wanted, &planned);
+            let worst = deviation(&prepared.wanted(), &planned);
             assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
             assert_eq!(prepared.warnings, []);
         }
@@ -197,14 +231,14 @@ mod tests {
         let prepared = prepare(&svg.into(), &settings, anywhere).unwrap();
         assert!((prepared.scale - 80.0).abs() < 0.1, "{}", prepared.scale);
         // The curve is 2 mm wide and 1.5 mm high, its top at t = 1/2; the area is 120 mm deep.
-        let top = prepared.wanted[0]
+        let top = prepared.wanted()[0]
             .points
             .iter()
             .fold(0.0, |top: f64, p| top.max(p.x));
         assert!((top - 270.0).abs() < 0.01, "{top}");
         let planned = prepared.plan.paths(MoveKind::Draw);
-        assert!(deviation(&prepared.wanted, &planned).largest_mm() <= 0.0451);
-        assert!(prepared.wanted[0].points.len() > 60);
+        assert!(deviation(&prepared.wanted(), &planned).largest_mm() <= 0.0451);
+        assert!(prepared.wanted()[0].points.len() > 60);
     }
 
     #[test]

@@ -4,9 +4,12 @@ use std::sync::Arc;
 
 use usvg::fontdb;
 
+use super::PrepareError;
 use crate::place::Placement;
 use crate::plan::{Machine, Paper, Tool};
-use crate::source::LayersBy;
+use crate::simplify::MIN_VECTOR_MM;
+use crate::source::{LayersBy, Shading};
+use crate::start::StartFrom;
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
@@ -27,8 +30,27 @@ pub struct Settings {
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, Tool)>,
+    /// How a picture's tones become lines.
+    pub shading: Shading,
+    /// Where to begin; at the beginning if not given.
+    pub from: Option<StartFrom>,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
+}
+
+impl Settings {
+    pub(super) fn check(&self) -> Result<(), PrepareError> {
+        let tolerance_mm = self.tolerance_mm;
+        if tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite() {
+            return Ok(());
+        }
+        Err(PrepareError::Tolerance { tolerance_mm })
+    }
+
+    /// The share of the tolerance that goes into reading curves.
+    pub(super) fn flatten_mm(&self) -> f64 {
+        self.tolerance_mm * FLATTEN_SHARE
+    }
 }
 
 impl Default for Settings {
@@ -43,7 +65,12 @@ impl Default for Settings {
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),
+            shading: Shading::default(),
+            from: None,
             fonts: Arc::default(),
         }
     }
 }
+
+const FLATTEN_SHARE: f64 = 0.1;
+const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
