@@ -55,7 +55,7 @@ pub use deviation::{Deviation, Worst, deviation};
 pub use frame::{FrameShape, frame};
 pub use ink::{ink, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
-pub use order::{order, travel_mm};
+pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{

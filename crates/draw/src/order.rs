@@ -1,98 +1,110 @@
 //! The order of strokes: less way to go with the pen up.
 
-use crate::index::SegmentIndex;
+mod greedy;
+mod nodes;
+mod random;
+mod search;
+mod stop;
+mod tour;
+mod travel;
+mod tree;
+
+use self::greedy::greedy;
+use self::nodes::Nodes;
+use self::random::Random;
+use self::stop::Stop;
+pub use self::travel::{Travel, travel_mm};
 use crate::point::{Point, Stroke};
 
-/// Puts strokes in an order in which the pen, beginning at `start`, travels less between them: it
-/// always goes on with the nearest stroke that is left. Open strokes may be drawn from either end
-/// and closed ones from any corner. Never longer than the order given.
+/// How long to search for a good order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Search {
+    /// What is to be small.
+    pub travel: Travel,
+    /// How many times a good order is disturbed and made good again.
+    pub kicks: u32,
+    /// Decides where it is disturbed: the same seed gives the same order.
+    pub seed: u64,
+}
+
+/// Puts strokes in an order in which the pen, beginning at `start`, travels little between them.
+/// Open strokes may be drawn from either end and closed ones from any corner. Never worse than the
+/// order given.
 #[must_use]
-pub fn order(strokes: Vec<Stroke>, start: Point) -> Vec<Stroke> {
-    let given = travel_mm(&strokes, start);
-    let ordered = nearest_next(&strokes, start);
-    if travel_mm(&ordered, start) < given {
-        ordered
+pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke> {
+    let given: Vec<Stop> = (0..)
+        .zip(&strokes)
+        .filter(|(_, stroke)| !stroke.points.is_empty())
+        .map(|(stroke, _)| Stop { stroke, point: 0 })
+        .collect();
+    let best = searched(&strokes, &given, start, search);
+    if cost(&strokes, &best, start, search.travel) < cost(&strokes, &given, start, search.travel) {
+        drawn(strokes, &best)
     } else {
         strokes
     }
 }
 
-/// How far the pen travels between the strokes, from `start` to the begin of the first, and so on.
-#[must_use]
-pub fn travel_mm(strokes: &[Stroke], start: Point) -> f64 {
-    let mut here = start;
-    let mut travelled = 0.0;
-    for stroke in strokes.iter().filter(|stroke| !stroke.points.is_empty()) {
-        travelled += here.distance(stroke.points[0]);
-        here = stroke.points[stroke.points.len() - 1];
-    }
-    travelled
-}
-
-fn nearest_next(strokes: &[Stroke], start: Point) -> Vec<Stroke> {
-    let mut entries = Entries::new(strokes);
-    let mut ordered = Vec::with_capacity(strokes.len());
-    let mut here = start;
-    while let Some((stroke, entry)) = entries.take_nearest(here) {
-        let next = entered(&strokes[stroke], entry);
-        here = next.last().unwrap_or(here);
-        ordered.push(next);
-    }
-    ordered
-}
-
-/// Every point where a stroke may begin.
-struct Entries {
-    index: SegmentIndex,
-    /// For each item of the index: which stroke, and which point of it.
-    owners: Vec<(u32, u32)>,
-    /// For each stroke its first item; one more at the end.
-    first: Vec<u32>,
-}
-
-impl Entries {
-    fn new(strokes: &[Stroke]) -> Self {
-        let (mut points, mut owners, mut first) = (Vec::new(), Vec::new(), vec![0]);
-        for (id, stroke) in (0..).zip(strokes) {
-            let last = stroke.points.len().saturating_sub(1);
-            let step = if stroke.closed { 1 } else { last.max(1) };
-            for (entry, &p) in (0..).zip(&stroke.points).step_by(step) {
-                points.push((p, p));
-                owners.push((id, entry));
+fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -> Vec<Stop> {
+    let mut random = Random(search.seed);
+    let nodes = Nodes::new(strokes, given, start, search.travel);
+    let mut way = nodes.way(&greedy(&nodes));
+    let loops = reloop(strokes, &mut way, start, search.travel);
+    let rounds = if loops { 4 } else { 1 };
+    for round in 0..rounds {
+        let nodes = Nodes::new(strokes, &way, start, search.travel);
+        let mut tour = search::Search::new(&nodes, nodes.tour(&way));
+        tour.settle_all();
+        if round >= 2 || rounds == 1 {
+            for _ in 0..search.kicks / if rounds == 1 { 1 } else { 2 } {
+                tour.kick(&mut random);
             }
-            first.push(u32::try_from(owners.len()).expect("far fewer than 2^32 points"));
         }
-        Self {
-            index: SegmentIndex::new(points),
-            owners,
-            first,
-        }
+        way = nodes.way(tour.tour());
+        reloop(strokes, &mut way, start, search.travel);
     }
-
-    fn take_nearest(&mut self, p: Point) -> Option<(usize, usize)> {
-        let (item, _) = self.index.nearest(p)?;
-        let (stroke, entry) = self.owners[item as usize];
-        let stroke = stroke as usize;
-        for item in self.first[stroke]..self.first[stroke + 1] {
-            self.index.remove(item);
-        }
-        Some((stroke, entry as usize))
-    }
+    way
 }
 
-/// The stroke, drawn from one of its entries.
-fn entered(stroke: &Stroke, entry: usize) -> Stroke {
-    let mut stroke = stroke.clone();
-    if stroke.closed {
-        // The last point repeats the first: leave it out while turning.
-        stroke.points.pop();
-        let count = stroke.points.len();
-        stroke.points.rotate_left(entry % count.max(1));
-        stroke.points.extend(stroke.points.first().copied());
-    } else if entry > 0 {
-        stroke.points.reverse();
+fn reloop(strokes: &[Stroke], way: &mut [Stop], start: Point, travel: Travel) -> bool {
+    let mut any = false;
+    let mut here = start;
+    for i in 0..way.len() {
+        let stroke = &strokes[way[i].stroke as usize];
+        if stroke.closed && stroke.points.len() > 2 {
+            any = true;
+            let next = way.get(i + 1).map(|n| n.begin(&strokes[n.stroke as usize]));
+            let cost = |p: Point| {
+                travel.cost(here.distance(p)) + next.map_or(0.0, |n| travel.cost(n.distance(p)))
+            };
+            let mut best = (cost(way[i].begin(stroke)), way[i].point);
+            for (c, &p) in (0..).zip(&stroke.points[1..]) {
+                if cost(p) < best.0 {
+                    best = (cost(p), c + 1);
+                }
+            }
+            way[i].point = best.1;
+        }
+        here = way[i].end(stroke);
     }
-    stroke
+    any
+}
+
+fn cost(strokes: &[Stroke], way: &[Stop], start: Point, travel: Travel) -> f64 {
+    let mut here = start;
+    let mut sum = 0.0;
+    for stop in way {
+        let stroke = &strokes[stop.stroke as usize];
+        sum += travel.cost(here.distance(stop.begin(stroke)));
+        here = stop.end(stroke);
+    }
+    sum
+}
+
+fn drawn(mut strokes: Vec<Stroke>, way: &[Stop]) -> Vec<Stroke> {
+    way.iter()
+        .map(|stop| stop.drawn(std::mem::take(&mut strokes[stop.stroke as usize])))
+        .collect()
 }
 
 #[cfg(test)]
@@ -100,6 +112,12 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    const SEARCH: Search = Search {
+        travel: Travel::Length,
+        kicks: 100,
+        seed: 1,
+    };
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -112,7 +130,7 @@ mod tests {
             line(&[(20.0, 0.0), (11.0, 0.0)]),
             line(&[(0.0, 0.0), (10.0, 0.0)]),
         ];
-        let ordered = order(strokes, Point::default());
+        let ordered = order(strokes, Point::default(), &SEARCH);
         let starts: Vec<f64> = ordered.iter().map(|s| s.points[0].x).collect();
         assert_eq!(starts, [0.0, 11.0, 50.0]);
     }
@@ -121,7 +139,7 @@ mod tests {
     fn a_closed_stroke_begins_at_its_nearest_corner() {
         let mut square = line(&[(9.0, 9.0), (5.0, 9.0), (5.0, 5.0), (9.0, 5.0), (9.0, 9.0)]);
         square.closed = true;
-        let ordered = order(vec![square], Point::default());
+        let ordered = order(vec![square], Point::default(), &SEARCH);
         assert_eq!(
             ordered[0].points,
             line(&[(5.0, 5.0), (9.0, 5.0), (9.0, 9.0), (5.0, 9.0), (5.0, 5.0)]).points
@@ -163,7 +181,7 @@ mod tests {
     proptest! {
         #[test]
         fn draws_every_stroke_once_and_travels_no_further(strokes in strokes()) {
-            let ordered = order(strokes.clone(), Point::default());
+            let ordered = order(strokes.clone(), Point::default(), &SEARCH);
             prop_assert!(travel_mm(&ordered, Point::default()) <= travel_mm(&strokes, Point::default()));
             let mut before: Vec<_> = strokes.iter().map(ink).collect();
             let mut after: Vec<_> = ordered.iter().map(ink).collect();

@@ -1,0 +1,116 @@
+//! A tour to begin with: the shortest ways first.
+
+use super::nodes::Nodes;
+use crate::index::SegmentIndex;
+
+/// Joins nodes with the shortest ways between neighbours, as long as no node gets more than two and
+/// no ring closes, and then the pieces, each time the nearest.
+pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
+    let mut pieces = Pieces::new(nodes);
+    for (a, b) in shortest_first(nodes) {
+        pieces.join(a, b);
+    }
+    pieces.in_a_row(nodes)
+}
+
+fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
+    let mut ways = Vec::new();
+    for a in 0..nodes.end() {
+        for &b in nodes.near(a) {
+            // Of two that know each other the smaller one tells; equal: no neighbour.
+            if a < b || (a > b && !nodes.near(b).contains(&a)) {
+                #[expect(clippy::cast_possible_truncation, reason = "only to sort by it")]
+                let length = (nodes.point(b) - nodes.point(a)).length() as f32;
+                // Numbers that are not negative sort as their bits do.
+                ways.push((length.to_bits(), a, b));
+            }
+        }
+    }
+    ways.sort_unstable();
+    ways.into_iter().map(|(_, a, b)| (a, b)).collect()
+}
+
+/// Pieces of a tour.
+struct Pieces {
+    /// The up to two neighbours of each node.
+    joined: Vec<[u32; 2]>,
+    /// For the end of a piece its other end.
+    other_end: Vec<u32>,
+}
+
+impl Pieces {
+    /// Every stroke is a piece; the way to the start is taken already.
+    fn new(nodes: &Nodes) -> Self {
+        let mut pieces = Self {
+            joined: vec![[NONE; 2]; nodes.len() as usize],
+            other_end: (0..nodes.len()).collect(),
+        };
+        for node in 0..nodes.len() {
+            let mate = nodes.mate(node);
+            if mate != node {
+                pieces.joined[node as usize][0] = mate;
+                pieces.other_end[node as usize] = mate;
+            }
+        }
+        pieces
+    }
+
+    fn has_room(&self, node: u32) -> bool {
+        self.joined[node as usize].contains(&NONE)
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (far_a, far_b) = (self.other_end[a as usize], self.other_end[b as usize]);
+        if far_a == b || !self.has_room(a) || !self.has_room(b) {
+            return;
+        }
+        for (node, other) in [(a, b), (b, a)] {
+            let [first, second] = &mut self.joined[node as usize];
+            *if *first == NONE { first } else { second } = other;
+        }
+        self.other_end[far_a as usize] = far_b;
+        self.other_end[far_b as usize] = far_a;
+    }
+
+    /// From the start through all pieces.
+    fn in_a_row(&self, nodes: &Nodes) -> Vec<u32> {
+        let ends: Vec<u32> = (0..nodes.end())
+            .filter(|&node| self.has_room(node) && node != nodes.start())
+            .filter(|&node| self.other_end[node as usize] != nodes.end())
+            .collect();
+        let place = |&node: &u32| (nodes.point(node), nodes.point(node));
+        let mut index = SegmentIndex::new(ends.iter().map(place).collect());
+        let mut tour = vec![nodes.end()];
+        let mut here = self.walk(nodes.start(), &mut tour);
+        while let Some((item, _)) = index.nearest(nodes.point(here)) {
+            let begin = ends[item as usize];
+            index.remove(item);
+            here = self.walk(begin, &mut tour);
+            if let Ok(item) = ends.binary_search(&here)
+                && here != begin
+            {
+                index.remove(u32::try_from(item).expect("fewer than the nodes"));
+            }
+        }
+        tour.rotate_left(1);
+        tour
+    }
+
+    /// Follows a piece to its other end.
+    fn walk(&self, begin: u32, tour: &mut Vec<u32>) -> u32 {
+        let (mut here, mut before) = (begin, tour[tour.len() - 1]);
+        loop {
+            tour.push(here);
+            let next = self.joined[here as usize]
+                .into_iter()
+                .find(|&next| next != NONE && next != before);
+            let Some(next) = next else {
+                return here;
+            };
+            before = here;
+            here = next;
+        }
+    }
+}
+
+const NONE: u32 = u32::MAX;

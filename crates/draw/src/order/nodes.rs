@@ -1,0 +1,248 @@
+//! The ends of the strokes as the nodes of a tour.
+
+use super::Stop;
+use super::travel::Travel;
+use super::tree::Tree;
+use crate::point::{Bounds, Point, Stroke};
+
+/// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
+/// one for where the pen comes from, and one that ends the tour.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// Where they are, neighbours close together; the last one, which ends the tour, is nowhere
+    /// (NaN), so that it is no way off from anything.
+    at: Vec<Point>,
+    /// The other end of the same stroke; a node by itself is its own.
+    mate: Vec<u32>,
+    /// The stroke, and the point of it that the node stands for.
+    stops: Vec<Stop>,
+    /// The nearest few of each.
+    near: Vec<[u32; NEAR]>,
+    travel: Travel,
+}
+
+impl Nodes {
+    /// The nodes of strokes in an order, each with the point where it begins.
+    pub(super) fn new(strokes: &[Stroke], way: &[Stop], start: Point, travel: Travel) -> Self {
+        // Each node with its place, its stroke (or none) and the point of it.
+        let mut stops = vec![(
+            start,
+            Stop {
+                stroke: NONE,
+                point: 0,
+            },
+        )];
+        for &stop in way {
+            let stroke = &strokes[stop.stroke as usize];
+            stops.push((stop.begin(stroke), stop));
+            if stop.end(stroke) != stop.begin(stroke) {
+                stops.push((stop.end(stroke), stop.other_end(stroke)));
+            }
+        }
+        let tree = Tree::sort(&mut stops, |stop| stop.0);
+        let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
+        let near = nearest(&tree, &at, &mates(&stops, strokes.len()));
+        at.push(Point::new(f64::NAN, f64::NAN));
+        stops.push(Stop {
+            stroke: NONE,
+            point: 0,
+        });
+        Self {
+            mate: mates(&stops, strokes.len()),
+            at,
+            stops,
+            near,
+            travel,
+        }
+    }
+
+    /// How many there are, with the start and the end.
+    pub(super) fn len(&self) -> u32 {
+        u32::try_from(self.at.len()).expect("the tree has numbered them with 32 bits")
+    }
+
+    /// What the way between two nodes costs.
+    #[inline]
+    pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
+        let way = self.at[b as usize] - self.at[a as usize];
+        // `max` takes the number where the other one is NaN: to the end it is no way.
+        self.travel.cost(way.length2().sqrt().max(0.0))
+    }
+
+    /// Whether the edge between two neighbours of the tour is a stroke, which must stay.
+    #[inline]
+    pub(super) fn is_stroke(&self, a: u32, b: u32) -> bool {
+        self.mate[a as usize] == b
+    }
+
+    /// The nearest few, beginning with the nearest; never the other end of the same stroke. Where
+    /// there are fewer, the node itself stands in.
+    #[inline]
+    pub(super) fn near(&self, node: u32) -> &[u32] {
+        self.near.get(node as usize).map_or(&[], |near| near)
+    }
+
+    pub(super) fn point(&self, node: u32) -> Point {
+        self.at[node as usize]
+    }
+
+    pub(super) fn mate(&self, node: u32) -> u32 {
+        self.mate[node as usize]
+    }
+
+    pub(super) fn end(&self) -> u32 {
+        self.len() - 1
+    }
+
+    /// Where the pen comes from: the start is joined with the end, as if the two were a stroke.
+    pub(super) fn start(&self) -> u32 {
+        self.mate(self.end())
+    }
+
+    /// The tour that goes through the strokes in an order.
+    pub(super) fn tour(&self, way: &[Stop]) -> Vec<u32> {
+        let mut of_stroke = vec![NONE; way.len().max(self.stops.len())];
+        for (node, stop) in (0..).zip(&self.stops) {
+            if stop.stroke != NONE {
+                of_stroke[stop.stroke as usize] = node;
+            }
+        }
+        let mut tour = vec![self.start()];
+        for stop in way {
+            let node = of_stroke[stop.stroke as usize];
+            let mate = self.mate(node);
+            let begins = self.stops[node as usize].point == stop.point;
+            tour.push(if begins { node } else { mate });
+            if mate != node {
+                tour.push(if begins { mate } else { node });
+            }
+        }
+        tour.push(self.end());
+        tour
+    }
+
+    /// The order that a tour goes through the strokes.
+    pub(super) fn way(&self, tour: &[u32]) -> Vec<Stop> {
+        let start = tour.iter().position(|&node| node == self.start());
+        let start = start.expect("a tour passes its start");
+        let size = tour.len();
+        let forward = tour[(start + size - 1) % size] == self.end();
+        let mut way = Vec::with_capacity(size);
+        let mut last = NONE;
+        for step in 1..size - 1 {
+            let place = if forward {
+                start + step
+            } else {
+                start + size - step
+            };
+            let stop = self.stops[tour[place % size] as usize];
+            if stop.stroke != last {
+                way.push(stop);
+                last = stop.stroke;
+            }
+        }
+        way
+    }
+}
+
+/// For each node the other one with the same stroke, or itself.
+fn mates(stops: &[Stop], strokes: usize) -> Vec<u32> {
+    let mut mate: Vec<u32> = (0..).take(stops.len()).collect();
+    let mut first = vec![NONE; strokes + 1];
+    for (node, stop) in (0..).zip(stops) {
+        let slot = if stop.stroke == NONE {
+            strokes
+        } else {
+            stop.stroke as usize
+        };
+        let other = std::mem::replace(&mut first[slot], node);
+        if other != NONE {
+            mate[node as usize] = other;
+            mate[other as usize] = node;
+        }
+    }
+    mate
+}
+
+fn nearest(tree: &Tree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
+    let everywhere = Bounds {
+        min: Bounds::EMPTY.max,
+        max: Bounds::EMPTY.min,
+    };
+    let mut near = Vec::with_capacity(at.len());
+    for (node, &p) in (0..).zip(at) {
+        let mut found = [(f64::INFINITY, node); NEAR];
+        tree.around(at, p, everywhere, &mut |other, distance2| {
+            if other != node && other != mate[node as usize] {
+                let mut slot = FEW - 1;
+                while slot > 0 && found[slot - 1].0 > distance2 {
+                    found[slot] = found[slot - 1];
+                    slot -= 1;
+                }
+                found[slot] = (distance2, other);
+            }
+            found[FEW - 1].0
+        });
+        let mut seen = [false; 4];
+        for &(d, other) in &found[..FEW] {
+            if d > 0.0 {
+                seen[quadrant(at[other as usize] - p)] = true;
+            }
+        }
+        let mut count = FEW;
+        for q in 0..4 {
+            if !seen[q] && count < NEAR {
+                let inf = f64::INFINITY;
+                let area = match q {
+                    0 => Bounds {
+                        min: p,
+                        max: Point::new(inf, inf),
+                    },
+                    1 => Bounds {
+                        min: Point::new(-inf, p.y),
+                        max: Point::new(p.x, inf),
+                    },
+                    2 => Bounds {
+                        min: Point::new(-inf, -inf),
+                        max: p,
+                    },
+                    _ => Bounds {
+                        min: Point::new(p.x, -inf),
+                        max: Point::new(inf, p.y),
+                    },
+                };
+                let mut best = (f64::INFINITY, node);
+                tree.around(at, p, area, &mut |other, distance2| {
+                    if distance2 > 0.0
+                        && other != mate[node as usize]
+                        && quadrant(at[other as usize] - p) == q
+                    {
+                        best = (distance2, other);
+                    }
+                    best.0
+                });
+                if best.1 != node {
+                    found[count] = best;
+                    count += 1;
+                }
+            }
+        }
+        found[FEW..count].sort_by(|a, b| a.0.total_cmp(&b.0));
+        near.push(found.map(|(_, other)| other));
+    }
+    near
+}
+
+fn quadrant(d: Point) -> usize {
+    match (d.x >= 0.0, d.y >= 0.0) {
+        (true, true) => 0,
+        (false, true) => 1,
+        (false, false) => 2,
+        _ => 3,
+    }
+}
+
+const NONE: u32 = u32::MAX;
+/// How many neighbours a node knows.
+const NEAR: usize = 10;
+const FEW: usize = 7;

@@ -1,0 +1,224 @@
+//! The search for shorter tours: exchanges of a few edges at a time, and kicks.
+
+use std::collections::VecDeque;
+
+use super::nodes::Nodes;
+use super::random::Random;
+use super::tour::{MOST, Tour};
+
+/// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
+/// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
+/// two loose ends leaves a gain.
+#[derive(Debug)]
+pub(super) struct Search<'a> {
+    nodes: &'a Nodes,
+    tour: Tour,
+    /// The nodes around which something has changed, each once.
+    queue: VecDeque<u32>,
+    queued: Vec<bool>,
+    /// The ends of the edges taken out, in pairs.
+    ends: [u32; 2 * MOST],
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>) -> Self {
+        let size = tour.len();
+        Self {
+            nodes,
+            queue: VecDeque::with_capacity(size),
+            queued: vec![false; size],
+            tour: Tour::new(tour, (WRITES / size).max(LEAST_REACH)),
+            ends: [0; 2 * MOST],
+        }
+    }
+
+    /// Searches around every node until there is nothing left to gain.
+    pub(super) fn settle_all(&mut self) {
+        for place in 0..self.tour.len() {
+            self.touch(self.tour.at(place));
+        }
+        self.settle();
+        self.tour.keep();
+    }
+
+    /// Kicks the tour somewhere, settles it again, and takes that back where it has not gained.
+    pub(super) fn kick(&mut self, random: &mut Random) {
+        let Some(places) = self.kick_places(random) else {
+            return;
+        };
+        let mut gain = 0.0;
+        let ends = places.map(|place| [self.tour.at(place), self.after(place)]);
+        for [a, b] in ends {
+            gain += self.nodes.cost(a, b);
+        }
+        let [[a0, b0], [a1, b1], [a2, b2], [a3, b3]] = ends;
+        for [a, b] in [[a0, b2], [a3, b1], [a2, b0], [a1, b3]] {
+            gain -= self.nodes.cost(a, b);
+        }
+        self.tour.apply(&Tour::bridge(places));
+        for end in ends.into_iter().flatten() {
+            self.touch(end);
+        }
+        gain += self.settle();
+        if gain < -EPSILON {
+            self.tour.take_back();
+        }
+        self.tour.keep();
+    }
+
+    pub(super) fn tour(&self) -> &[u32] {
+        self.tour.order()
+    }
+
+    /// Four places near each other after which the tour may be cut.
+    fn kick_places(&self, random: &mut Random) -> Option<[u32; 4]> {
+        let size = self.tour.len();
+        let window = WINDOW.min(size);
+        let first = random.below(size - window + 1);
+        let mut places = [0; 4].map(|_: u32| first + random.below(window));
+        for place in &mut places {
+            if self
+                .nodes
+                .is_stroke(self.tour.at(*place), self.after(*place))
+            {
+                *place = if *place + 1 == size { 0 } else { *place + 1 };
+            }
+        }
+        places.sort_unstable();
+        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
+        distinct.then_some(places)
+    }
+
+    fn after(&self, place: u32) -> u32 {
+        self.tour.next(self.tour.at(place))
+    }
+
+    fn touch(&mut self, node: u32) {
+        if !std::mem::replace(&mut self.queued[node as usize], true) {
+            self.queue.push_back(node);
+        }
+    }
+
+    /// Works off the queue; returns the gain.
+    fn settle(&mut self) -> f64 {
+        let mut gain = 0.0;
+        while let Some(node) = self.queue.pop_front() {
+            self.queued[node as usize] = false;
+            while let Some(more) = self.improve(node) {
+                gain += more;
+            }
+        }
+        gain
+    }
+
+    /// Takes out one of the edges of a node, if that leads to a gain.
+    fn improve(&mut self, node: u32) -> Option<f64> {
+        for other in [self.tour.next(node), self.tour.previous(node)] {
+            if !self.nodes.is_stroke(node, other) {
+                self.ends[0] = node;
+                self.ends[1] = other;
+                let gain = self.deepen(1, self.nodes.cost(node, other));
+                if gain.is_some() {
+                    return gain;
+                }
+            }
+        }
+        None
+    }
+
+    /// Puts in an edge from the last loose end and takes one out there.
+    fn deepen(&mut self, depth: usize, open: f64) -> Option<f64> {
+        let (steps, count) = self.steps(depth, open);
+        for step in &steps[..count] {
+            self.ends[2 * depth] = step.to;
+            self.ends[2 * depth + 1] = step.out;
+            let open = step.open;
+            let gain = open - self.nodes.cost(step.out, self.ends[0]);
+            if gain > EPSILON
+                && let Some(exchange) = self.tour.exchange(&self.ends[..2 * depth + 2])
+            {
+                self.tour.apply(&exchange);
+                for i in 0..2 * depth + 2 {
+                    self.touch(self.ends[i]);
+                }
+                return Some(gain);
+            }
+            if depth + 1 < DEPTH {
+                let gain = self.deepen(depth + 1, open);
+                if gain.is_some() {
+                    return gain;
+                }
+            }
+        }
+        None
+    }
+
+    /// The most promising next steps.
+    fn steps(&self, depth: usize, open: f64) -> ([Step; MOST_STEPS], usize) {
+        let mut steps = [Step::default(); MOST_STEPS];
+        let (mut count, most) = (0, BREADTH[depth - 1]);
+        let from = self.ends[2 * depth - 1];
+        let around = [self.tour.next(from), self.tour.previous(from)];
+        for &to in self.nodes.near(from) {
+            let left = open - self.nodes.cost(from, to);
+            if left <= EPSILON {
+                break;
+            }
+            if around.contains(&to) || to == from {
+                continue;
+            }
+            for out in [self.tour.next(to), self.tour.previous(to)] {
+                if self.nodes.is_stroke(to, out) || self.is_out(depth, to, out) {
+                    continue;
+                }
+                let open = left + self.nodes.cost(to, out);
+                let mut slot = count;
+                if count < most {
+                    count += 1;
+                } else if steps[most - 1].open >= open {
+                    continue;
+                } else {
+                    slot = most - 1;
+                }
+                while slot > 0 && steps[slot - 1].open < open {
+                    steps[slot] = steps[slot - 1];
+                    slot -= 1;
+                }
+                steps[slot] = Step { to, out, open };
+            }
+        }
+        (steps, count)
+    }
+
+    /// Whether an edge is taken out already.
+    fn is_out(&self, depth: usize, a: u32, b: u32) -> bool {
+        self.ends[..2 * depth]
+            .chunks_exact(2)
+            .any(|edge| edge == [a, b] || edge == [b, a])
+    }
+}
+
+/// An edge put in and one taken out.
+#[derive(Clone, Copy, Debug, Default)]
+struct Step {
+    /// Where the edge goes that is put in.
+    to: u32,
+    /// The other end of the edge that is taken out there.
+    out: u32,
+    /// The gain while the loose ends are not joined.
+    open: f64,
+}
+
+/// How many edges are taken out at most, and how many steps are tried after each.
+const DEPTH: usize = MOST;
+const BREADTH: [usize; MOST - 1] = [5, 3, 1];
+
+const MOST_STEPS: usize = 5;
+/// Kicks cut the tour in four places out of so many in a row.
+const WINDOW: u32 = 50;
+
+/// What counts as a gain, in mm or s: more than rounding.
+const EPSILON: f64 = 1e-9;
+/// In large drawings an exchange may write so many places, over their number.
+const WRITES: usize = 10_000_000_000;
+const LEAST_REACH: usize = 1000;

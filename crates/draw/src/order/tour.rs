@@ -1,0 +1,244 @@
+//! A round tour as an array, and exchanges of a few of its edges that can be taken back.
+
+/// The nodes in the order they are visited; after the last comes the first again.
+#[derive(Debug)]
+pub(super) struct Tour {
+    order: Vec<u32>,
+    /// For each node where it stands in the order.
+    place: Vec<u32>,
+    /// What stood where it was written over, since the last `keep`.
+    undo: Vec<u32>,
+    /// For each writing where it began and where its `undo` begins.
+    writings: Vec<(usize, usize)>,
+    /// The most places that one exchange may write.
+    reach: usize,
+}
+
+/// An exchange that leaves one tour: where the tour is cut, and how the pieces follow each other.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exchange {
+    count: usize,
+    /// The places before the cuts, ascending; piece i begins after cut i.
+    cuts: [u32; MOST],
+    /// Twice the piece, and one more where it is passed backwards.
+    pieces: [u8; MOST],
+}
+
+impl Tour {
+    pub(super) fn new(order: Vec<u32>, reach: usize) -> Self {
+        let mut place = vec![0; order.len()];
+        for (i, &node) in (0..).zip(&order) {
+            place[node as usize] = i;
+        }
+        Self {
+            order,
+            place,
+            undo: Vec::new(),
+            writings: Vec::new(),
+            reach,
+        }
+    }
+
+    pub(super) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    pub(super) fn len(&self) -> u32 {
+        u32::try_from(self.order.len()).expect("nodes are numbered with 32 bits")
+    }
+
+    #[inline]
+    pub(super) fn at(&self, place: u32) -> u32 {
+        self.order[place as usize]
+    }
+
+    #[inline]
+    pub(super) fn next(&self, node: u32) -> u32 {
+        let place = self.place[node as usize] as usize + 1;
+        self.order[if place == self.order.len() { 0 } else { place }]
+    }
+
+    #[inline]
+    pub(super) fn previous(&self, node: u32) -> u32 {
+        let place = self.place[node as usize] as usize;
+        self.order[if place == 0 { self.order.len() } else { place } - 1]
+    }
+
+    /// The exchange that takes out the edges (0, 1), (2, 3) and so on of `ends` and puts in (1, 2),
+    /// (3, 4), ... and from the last to the first; none where the tour would fall apart.
+    pub(super) fn exchange(&self, ends: &[u32]) -> Option<Exchange> {
+        let count = ends.len() / 2;
+        // The cuts in the order of the tour, each with its edge, and whether that lies backwards.
+        let mut sorted = [(0, 0, false); MOST];
+        for (i, edge) in ends.chunks_exact(2).enumerate() {
+            let backward = self.next(edge[0]) != edge[1];
+            let cut = (
+                self.place[edge[usize::from(backward)] as usize],
+                i,
+                backward,
+            );
+            let mut slot = i;
+            while slot > 0 && sorted[slot - 1].0 > cut.0 {
+                sorted[slot] = sorted[slot - 1];
+                slot -= 1;
+            }
+            sorted[slot] = cut;
+        }
+        // Each end of an edge is an end of a piece: 2 p where piece p begins, 2 p + 1 where it ends.
+        let (mut piece_end, mut end_at) = ([0; 2 * MOST], [0; 2 * MOST]);
+        let mut cuts = [0; MOST];
+        for (piece, &(cut, edge, backward)) in sorted[..count].iter().enumerate() {
+            let before = 2 * if piece == 0 { count - 1 } else { piece - 1 } + 1;
+            let sides = if backward {
+                [2 * piece, before]
+            } else {
+                [before, 2 * piece]
+            };
+            for (side, end) in sides.into_iter().zip([2 * edge, 2 * edge + 1]) {
+                piece_end[end] = side;
+                end_at[side] = end;
+            }
+            cuts[piece] = cut;
+        }
+        let (mut pieces, mut passed, mut entry) = ([0; MOST], 0, 0);
+        loop {
+            #[expect(clippy::cast_possible_truncation, reason = "below 2 * MOST")]
+            let entered = entry as u8;
+            pieces[passed] = entered;
+            passed += 1;
+            let left = end_at[entry ^ 1];
+            // An even end is joined with the one before it, an odd one with the next.
+            let joined = if left % 2 == 1 {
+                if left + 1 == 2 * count { 0 } else { left + 1 }
+            } else if left == 0 {
+                2 * count - 1
+            } else {
+                left - 1
+            };
+            entry = piece_end[joined];
+            if entry == 0 {
+                break;
+            }
+        }
+        let exchange = Exchange {
+            count,
+            cuts,
+            pieces,
+        };
+        (passed == count && self.writes(&exchange) <= self.reach).then_some(exchange)
+    }
+
+    /// Three pieces in a row change places: cut after four places, ascending, the second, third and
+    /// fourth piece follow each other in opposite order, each forwards (a double bridge).
+    pub(super) const fn bridge(cuts: [u32; 4]) -> Exchange {
+        Exchange {
+            count: 4,
+            cuts,
+            pieces: [0, 6, 4, 2],
+        }
+    }
+
+    pub(super) fn apply(&mut self, exchange: &Exchange) {
+        let count = exchange.count;
+        let (longest, kept) = self.longest(exchange);
+        let size = self.order.len();
+        let begin = (self.piece(exchange, longest).0 + kept) % size;
+        let saved = self.save(begin, size - kept);
+        let slot = (0..count)
+            .find(|&i| usize::from(exchange.pieces[i]) / 2 == longest)
+            .expect("an exchange passes every piece");
+        let turned = exchange.pieces[slot] % 2 == 1;
+        let mut to = begin;
+        for step in 1..count {
+            let slot = if turned {
+                slot + count - step
+            } else {
+                slot + step
+            };
+            let entry = usize::from(exchange.pieces[slot % count]);
+            let (from, length) = self.piece(exchange, entry / 2);
+            let from = saved + (from + size - begin) % size;
+            to = self.write(to, from, length, (entry % 2 == 1) != turned);
+        }
+    }
+
+    /// Everything done so far stays.
+    pub(super) fn keep(&mut self) {
+        self.undo.clear();
+        self.writings.clear();
+    }
+
+    /// Takes back everything since the last `keep`.
+    pub(super) fn take_back(&mut self) {
+        while let Some((begin, saved)) = self.writings.pop() {
+            let mut place = begin;
+            for &node in &self.undo[saved..] {
+                self.order[place] = node;
+                self.place[node as usize] = u32_of(place);
+                place += 1;
+                if place == self.order.len() {
+                    place = 0;
+                }
+            }
+            self.undo.truncate(saved);
+        }
+    }
+
+    /// Where a piece begins, and how many places it has.
+    fn piece(&self, exchange: &Exchange, piece: usize) -> (usize, usize) {
+        let size = self.order.len();
+        let cut = exchange.cuts[piece] as usize;
+        let begin = if cut + 1 == size { 0 } else { cut + 1 };
+        if piece + 1 == exchange.count {
+            (begin, size + exchange.cuts[0] as usize - cut)
+        } else {
+            (begin, exchange.cuts[piece + 1] as usize - cut)
+        }
+    }
+
+    /// The longest piece and its length.
+    fn longest(&self, exchange: &Exchange) -> (usize, usize) {
+        let lengths = (0..exchange.count).map(|i| (i, self.piece(exchange, i).1));
+        lengths
+            .max_by_key(|&(_, length)| length)
+            .expect("an exchange has pieces")
+    }
+
+    /// How many places an exchange writes: all but its longest piece.
+    fn writes(&self, exchange: &Exchange) -> usize {
+        self.order.len() - self.longest(exchange).1
+    }
+
+    fn save(&mut self, begin: usize, length: usize) -> usize {
+        let saved = self.undo.len();
+        self.writings.push((begin, saved));
+        let first = length.min(self.order.len() - begin);
+        self.undo
+            .extend_from_slice(&self.order[begin..begin + first]);
+        self.undo.extend_from_slice(&self.order[..length - first]);
+        saved
+    }
+
+    /// Copies a piece of what was saved to the tour; returns the place after it.
+    fn write(&mut self, mut to: usize, from: usize, length: usize, backward: bool) -> usize {
+        for i in 0..length {
+            let i = if backward { length - 1 - i } else { i };
+            let node = self.undo[from + i];
+            self.order[to] = node;
+            self.place[node as usize] = u32_of(to);
+            to += 1;
+            if to == self.order.len() {
+                to = 0;
+            }
+        }
+        to
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "`len` has checked it")]
+const fn u32_of(place: usize) -> u32 {
+    place as u32
+}
+
+/// The most edges that one exchange takes out.
+pub(super) const MOST: usize = 4;

@@ -1,0 +1,105 @@
+//! A tree of boxes over points, for the nearest few of each.
+
+use crate::point::{Bounds, Point};
+
+/// Points, sorted so that every box of the tree holds a range of them; this order keeps
+/// neighbours together in memory too.
+#[derive(Debug)]
+pub(super) struct Tree {
+    boxes: Vec<Box>,
+}
+
+impl Tree {
+    /// Sorts the items by place, and makes the tree over them.
+    pub(super) fn sort<T>(items: &mut [T], at: impl Fn(&T) -> Point) -> Self {
+        let mut boxes = Vec::with_capacity(items.len() / 2 + 1);
+        build(&mut boxes, items, 0, &at);
+        Self { boxes }
+    }
+
+    /// Calls `visit` for the points around `p`, nearer boxes first; it returns the squared distance
+    /// beyond which no point is of interest any more.
+    pub(super) fn around(
+        &self,
+        points: &[Point],
+        p: Point,
+        area: Bounds,
+        visit: &mut impl FnMut(u32, f64) -> f64,
+    ) {
+        if !self.boxes.is_empty() {
+            let mut limit2 = f64::INFINITY;
+            self.around_in(0, points, p, area, &mut limit2, visit);
+        }
+    }
+
+    fn around_in(
+        &self,
+        id: u32,
+        points: &[Point],
+        p: Point,
+        area: Bounds,
+        limit2: &mut f64,
+        visit: &mut impl FnMut(u32, f64) -> f64,
+    ) {
+        let node = &self.boxes[id as usize];
+        if node.right == LEAF {
+            for item in node.start..node.end {
+                let distance2 = (points[item as usize] - p).length2();
+                if distance2 < *limit2 {
+                    *limit2 = visit(item, distance2);
+                }
+            }
+            return;
+        }
+        let mut children =
+            [id + 1, node.right].map(|c| (self.boxes[c as usize].bounds.distance2(p), c));
+        if children[1].0 < children[0].0 {
+            children.swap(0, 1);
+        }
+        for (distance2, child) in children {
+            if distance2 < *limit2 && self.boxes[child as usize].bounds.touches(area) {
+                self.around_in(child, points, p, area, limit2, visit);
+            }
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Box {
+    bounds: Bounds,
+    start: u32,
+    end: u32,
+    /// The left child is the next box; `LEAF` where there is none.
+    right: u32,
+}
+
+fn build<T>(boxes: &mut Vec<Box>, items: &mut [T], start: u32, at: &impl Fn(&T) -> Point) -> u32 {
+    let id = number(boxes.len());
+    let bounds: Bounds = items.iter().map(at).collect();
+    boxes.push(Box {
+        bounds,
+        start,
+        end: start + number(items.len()),
+        right: LEAF,
+    });
+    if items.len() > LEAF_ITEMS {
+        let middle = items.len() / 2;
+        if bounds.width() < bounds.height() {
+            items.select_nth_unstable_by(middle, |a, b| at(a).y.total_cmp(&at(b).y));
+        } else {
+            items.select_nth_unstable_by(middle, |a, b| at(a).x.total_cmp(&at(b).x));
+        }
+        let (left, right) = items.split_at_mut(middle);
+        build(boxes, left, start, at);
+        let child = build(boxes, right, start + number(middle), at);
+        boxes[id as usize].right = child;
+    }
+    id
+}
+
+fn number(count: usize) -> u32 {
+    u32::try_from(count).expect("a drawing holds far fewer than 2^32 points")
+}
+
+const LEAF: u32 = u32::MAX;
+const LEAF_ITEMS: usize = 8;
