@@ -35,7 +35,7 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
     let mut joints = Vec::new();
     bencher
         .counter(ItemsCount::new(chain.len()))
-        .bench_local(|| cornering.speeds(divan::black_box(&chain), &mut joints));
+        .bench_local(|| cornering.speeds(0.0, divan::black_box(&chain), &mut joints));
 }
 
 /// Rounding, look-ahead and speeds of one stroke.

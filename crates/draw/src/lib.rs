@@ -60,7 +60,7 @@ pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{
     Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen,
-    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool,
+    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration, respeed,
 };
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};

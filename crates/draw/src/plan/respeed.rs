@@ -1,0 +1,176 @@
+//! Other speeds for vectors that are planned already: faster or slower while the arm draws.
+
+use dobot_wire::WriteVector;
+
+use super::Machine;
+use super::lookahead::Run;
+use super::pace::Pace;
+use super::planner::round_down;
+use super::vector::length;
+
+/// The same vectors at `share` times their speeds, from the speed at which the vector before them
+/// ends.
+///
+/// 1. Slower (a share below 1): all speeds are that share of those planned. Faster: the largest
+///    speeds are multiplied, and the rest is planned again, within the acceleration, the corners
+///    and the link of the machine; speeds that a person wanted as the largest do not count.
+/// 2. Where the arm is too fast or too slow for that, it brakes or accelerates with the
+///    acceleration of the machine until it is not. A vector that was planned to end at rest does
+///    so, as long as the vectors up to there are long enough to brake in.
+/// 3. Where each vector leads, what it does with the laser, and a stop stay as they are.
+///
+/// A share of 1 from the speed that the first vector was planned to begin with changes nothing.
+#[must_use]
+pub fn respeed(
+    vectors: &[WriteVector],
+    begin_speed_mm_s: f32,
+    share: f64,
+    machine: &Machine,
+) -> Vec<WriteVector> {
+    let mut speed = f64::from(begin_speed_mm_s);
+    let mut respeeded = Vec::with_capacity(vectors.len());
+    for chain in vectors.split_inclusive(|it| it.end_speed_mm_s == 0.0) {
+        let targets = if share > 1.0 {
+            faster(chain, speed, share, machine)
+        } else {
+            slower(chain, share)
+        };
+        for (vector, [end, max]) in chain.iter().zip(targets) {
+            let next = from_speed(vector, speed, [end, max], machine.acceleration_mm_s2);
+            speed = f64::from(next.end_speed_mm_s);
+            respeeded.push(next);
+        }
+    }
+    respeeded
+}
+
+/// The end speed and the largest speed of each vector.
+fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
+    let scaled = |vector: &WriteVector| {
+        [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
+    };
+    chain.iter().map(scaled).collect()
+}
+
+fn faster(chain: &[WriteVector], begin_mm_s: f64, share: f64, machine: &Machine) -> Vec<[f64; 2]> {
+    let mut runs: Vec<Run> = chain.iter().map(|it| run(it, share)).collect();
+    let mut pace = Pace::new(machine);
+    let speeds = pace.plan_from(begin_mm_s, &mut runs);
+    speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
+}
+
+fn run(vector: &WriteVector, share: f64) -> Run {
+    let way = way(vector);
+    let length_mm = length(way);
+    Run {
+        direction: way.map(|part| part / length_mm),
+        length_mm,
+        limit_mm_s: share * f64::from(vector.max_speed_mm_s),
+    }
+}
+
+fn way(vector: &WriteVector) -> [f64; 3] {
+    [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from)
+}
+
+/// The vector, with the speeds nearest to those wanted that can be had from this begin speed.
+fn from_speed(
+    vector: &WriteVector,
+    begin_mm_s: f64,
+    [end, max]: [f64; 2],
+    acceleration_mm_s2: f64,
+) -> WriteVector {
+    let change_v2 = 2.0 * acceleration_mm_s2 * length(way(vector));
+    let begin_v2 = begin_mm_s * begin_mm_s;
+    let least = (begin_v2 - change_v2).max(0.0).sqrt();
+    let most = (begin_v2 + change_v2).sqrt();
+    let end_speed_mm_s = round_down(end.clamp(least, most));
+    WriteVector {
+        start_speed_mm_s: round_down(begin_mm_s),
+        end_speed_mm_s,
+        max_speed_mm_s: round_down(max.max(begin_mm_s).max(end_speed_mm_s.into())),
+        ..*vector
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_wire::Command;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Paper, Pass, Plan, Point, Stroke, Tool};
+
+    fn planned(points: &[(f64, f64)]) -> Vec<WriteVector> {
+        let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let vectors = plan.commands().filter_map(|command| match command {
+            Command::WriteVector(vector) => Some(vector),
+            _ => None,
+        });
+        vectors.collect()
+    }
+
+    #[test]
+    fn half_the_speed_is_half_of_every_speed() {
+        let planned = planned(&[(200.0, 0.0), (240.0, 0.0), (250.0, 5.0), (250.0, 6.0)]);
+        for (half, whole) in respeed(&planned, 0.0, 0.5, &Machine::default())
+            .iter()
+            .zip(&planned)
+        {
+            assert_eq!(half.end_speed_mm_s, 0.5 * whole.end_speed_mm_s);
+            assert_eq!(half.max_speed_mm_s, 0.5 * whole.max_speed_mm_s);
+        }
+    }
+
+    #[test]
+    fn a_long_line_at_twice_the_speed_gets_twice_as_fast() {
+        let planned = planned(&[(150.0, 0.0), (250.0, 0.0)]);
+        assert_eq!(planned[1].max_speed_mm_s, 40.0);
+        let faster = respeed(&planned, 0.0, 2.0, &Machine::default());
+        assert_eq!(faster[1].max_speed_mm_s, 80.0);
+        assert_eq!(
+            (faster[1].start_speed_mm_s, faster[1].end_speed_mm_s),
+            (0.0, 0.0)
+        );
+    }
+
+    fn strokes() -> impl Strategy<Value = Vec<(f64, f64)>> {
+        proptest::collection::vec((150.0..250.0_f64, -50.0..50.0_f64), 2..20)
+    }
+
+    proptest! {
+        #[test]
+        fn a_share_of_one_from_rest_changes_nothing(points in strokes()) {
+            let planned = planned(&points);
+            prop_assert_eq!(respeed(&planned, 0.0, 1.0, &Machine::default()), planned);
+        }
+
+        #[test]
+        fn speeds_meet_and_can_be_had_and_the_end_is_a_rest(
+            points in strokes(), share in 0.1..2.0_f64, at in 0.0..1.0_f64, before in 0.1..2.0_f64,
+        ) {
+            let machine = Machine::default();
+            let planned = planned(&points);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "an index")]
+            let at = (at * planned.len() as f64) as usize;
+            let running = respeed(&planned, 0.0, before, &machine);
+            let mut speed = running[at].start_speed_mm_s;
+            let next = respeed(&planned[at..], speed, share, &machine);
+            prop_assert_eq!(next.len(), planned.len() - at);
+            for (vector, was) in next.iter().zip(&planned[at..]) {
+                prop_assert_eq!(vector.start_speed_mm_s, speed);
+                speed = vector.end_speed_mm_s;
+                prop_assert_eq!([vector.x_mm, vector.y_mm, vector.z_mm], [was.x_mm, was.y_mm, was.z_mm]);
+                prop_assert!(vector.start_speed_mm_s.max(speed) <= vector.max_speed_mm_s);
+                let v2 = |v: f32| f64::from(v) * f64::from(v);
+                let change = (v2(speed) - v2(vector.start_speed_mm_s)).abs();
+                let needed = change / (2.0 * length(way(vector)));
+                prop_assert!(needed <= machine.acceleration_mm_s2 * 1.001, "{needed}");
+            }
+            prop_assert!(speed < 0.01, "{speed}");
+        }
+    }
+}
