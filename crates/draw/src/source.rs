@@ -2,6 +2,8 @@
 
 mod error;
 mod picture;
+mod gcode;
+mod sketch;
 mod svg;
 
 use std::sync::Arc;
@@ -21,6 +23,8 @@ pub enum Source {
     Svg(String),
     /// A PNG or JPEG file.
     Picture(Vec<u8>),
+    /// G-code: of a laser, a plotter or a mill. Bytes, for its comments may hold anything.
+    Gcode(Vec<u8>),
 }
 
 impl Source {
@@ -35,6 +39,7 @@ impl Source {
         match ending.to_ascii_lowercase().as_str() {
             "svg" => Ok(Self::Svg(text(bytes)?)),
             "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
+            "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
             _ => Self::of_contents(name, bytes),
         }
     }
@@ -71,6 +76,7 @@ impl Source {
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
         match self {
             Self::Svg(text) => svg::read(text, options),
+            Self::Gcode(text) => gcode::read(text, options),
             Self::Picture(bytes) => picture::read(bytes, options),
         }
     }
@@ -84,7 +90,7 @@ impl Source {
     pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
         match self {
             Self::Picture(bytes) => picture::page(bytes).map(Some),
-            Self::Svg(_) => Ok(None),
+            _ => Ok(None),
         }
     }
 }

@@ -60,6 +60,12 @@ pub enum SourceError {
         /// What there is instead.
         reason: String,
     },
+    /// More layers than anybody changes pens.
+    #[error("the drawing has more than {limit} layers (pens, or speeds and powers of a laser)")]
+    TooManyLayers {
+        /// How many are allowed.
+        limit: usize,
+    },
     /// More line segments than a plotter draws in a lifetime.
     #[error(
         "the drawing has more than {limit} line segments; simplify it or allow a larger tolerance"
@@ -116,5 +122,4 @@ impl fmt::Display for Warning {
 /// No drawing is larger than that many line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
 /// No drawing leads farther than that, in mm.
-#[expect(dead_code, reason = "for the readers to come")]
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;

@@ -61,7 +61,7 @@ fn draw(text: &str, options: &ReadOptions) -> Result<(Artwork, Vec<Unshown>), Sv
     Ok((artwork, warnings))
 }
 
-fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
+pub(super) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
     let least_mm = 1e-6;
     if found_mm >= least_mm && found_mm.is_finite() {
         return Ok(found_mm);

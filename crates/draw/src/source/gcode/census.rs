@@ -1,0 +1,163 @@
+//! From which words of a file it can be told what leaves ink.
+
+use super::machine::{Move, MoveKind};
+
+/// What leaves ink.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Style {
+    /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
+    /// is the largest S.
+    Laser { full: f64 },
+    /// A pen or a mill: every move that ends below a height.
+    Height { below_mm: f64, told: Told },
+    /// A pen lifted by a servo (M280): every move with another angle than that of the first move,
+    /// which goes to where the first line begins.
+    Servo { up: f64 },
+    /// Neither: G1 to G3.
+    Plain,
+}
+
+/// What tells the height below which a pen draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Told {
+    /// It is 0: there are moves below and others above.
+    Zero,
+    /// Moves in haste (G0) stay above.
+    Rapids,
+    /// It is just above the lowest move.
+    Lowest,
+}
+
+impl Style {
+    /// Where the file leaves it open: what stands in it, and what was made of that.
+    pub(super) fn assumed(self) -> Option<(&'static str, String)> {
+        match self {
+            Self::Laser { .. }
+            | Self::Height {
+                told: Told::Zero, ..
+            } => None,
+            Self::Height { below_mm, .. } => {
+                let draws = format!("drawn where Z is below {below_mm:.2} mm");
+                Some(("file that never goes below Z 0", draws))
+            }
+            Self::Servo { up } => {
+                let draws = format!("S{up} taken for up, as the first move has it");
+                Some(("pen lifted by a servo (M280)", draws))
+            }
+            Self::Plain => {
+                let draws = "G1, G2 and G3 draw, G0 travels".to_owned();
+                Some(("file without words for laser or pen (M3, Z)", draws))
+            }
+        }
+    }
+
+    /// Why there is no ink.
+    pub(super) const fn nothing(self) -> &'static str {
+        match self {
+            Self::Laser { .. } => "no move with the laser on",
+            Self::Height { .. } => "no move with the pen down",
+            Self::Servo { .. } => "no move with the servo down",
+            Self::Plain => "no moves by G1, G2 or G3",
+        }
+    }
+}
+
+/// What occurs in a file.
+#[derive(Debug, Default)]
+pub(super) struct Census {
+    /// The largest S with which a laser would burn.
+    full: Option<f64>,
+    /// Heights of the moves along X or Y in haste, since the laser or spindle first worked.
+    rapids: Heights,
+    /// Heights of those at a working speed.
+    feeds: Heights,
+    /// Heights of those that a laser would burn.
+    burns: Heights,
+    /// Heights of all moves, those along Z included.
+    all: Heights,
+    first_servo: Option<f64>,
+    other_servo: bool,
+}
+
+impl Census {
+    pub(super) fn count(&mut self, it: &Move) {
+        self.all.count(it.z_mm);
+        let is_arc = matches!(it.kind, MoveKind::Arc { .. });
+        if it.kind == MoveKind::Dwell {
+            self.burn(it);
+        }
+        if it.kind == MoveKind::Dwell || (it.from == it.to && !is_arc) {
+            return;
+        }
+        if let Some(servo) = it.tool.servo {
+            self.other_servo |= *self.first_servo.get_or_insert(servo) != servo;
+        }
+        if it.kind == MoveKind::Rapid {
+            return self.rapids.count(it.z_mm);
+        }
+        self.feeds.count(it.z_mm);
+        self.burn(it);
+    }
+
+    fn burn(&mut self, it: &Move) {
+        if let Some(power) = it.tool.power {
+            self.full = Some(self.full.map_or(power, |full| full.max(power)));
+            self.burns.count(it.z_mm);
+        }
+    }
+
+    pub(super) fn style(&self) -> Style {
+        let height = self.height();
+        match (self.full, self.first_servo) {
+            // A mill turns its spindle all the time, and travels above its work.
+            (Some(full), _) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
+                Style::Laser { full }
+            }
+            (None, Some(up)) if self.other_servo => Style::Servo { up },
+            _ => height.unwrap_or(Style::Plain),
+        }
+    }
+
+    fn height(&self) -> Option<Style> {
+        let lowest = self.all.lowest;
+        let highest = self.rapids.highest.max(self.feeds.highest);
+        if lowest >= highest {
+            return None;
+        }
+        let (below_mm, told) = if lowest < 0.0 && highest >= 0.0 {
+            (0.0, Told::Zero)
+        } else if lowest < self.rapids.lowest && self.rapids.lowest.is_finite() {
+            (self.rapids.lowest, Told::Rapids)
+        } else {
+            (lowest + SAME_HEIGHT_MM, Told::Lowest)
+        };
+        Some(Style::Height { below_mm, told })
+    }
+}
+
+#[derive(Debug)]
+struct Heights {
+    lowest: f64,
+    highest: f64,
+}
+
+impl Heights {
+    fn count(&mut self, z_mm: Option<f64>) {
+        if let Some(z_mm) = z_mm {
+            self.lowest = self.lowest.min(z_mm);
+            self.highest = self.highest.max(z_mm);
+        }
+    }
+}
+
+impl Default for Heights {
+    fn default() -> Self {
+        Self {
+            lowest: f64::INFINITY,
+            highest: f64::NEG_INFINITY,
+        }
+    }
+}
+
+/// A sheet is no flatter.
+const SAME_HEIGHT_MM: f64 = 0.1;

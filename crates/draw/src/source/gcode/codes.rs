@@ -1,0 +1,93 @@
+//! What the G and M codes are to a drawing.
+
+/// What to do about a code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    /// It is carried out, or makes no difference to a drawing.
+    Plain,
+    /// Without it something else would be drawn.
+    Refused(&'static str),
+    /// Left out, with a warning that says this.
+    LeftOut(&'static str),
+}
+
+/// The meaning of a G code in tenths.
+pub(super) const fn g(code: u32) -> Meaning {
+    use Meaning::{LeftOut, Plain, Refused};
+    match code {
+        0
+        | 10
+        | 20
+        | 30
+        | 40
+        | 150
+        | 170
+        | 200
+        | 210
+        | 280
+        | 300
+        | 400
+        | 430..=432
+        | 490
+        | 500
+        | 530..=599
+        | 610
+        | 611
+        | 640
+        | 690
+        | 800
+        | 900
+        | 901
+        | 910
+        | 911
+        | 920
+        | 921
+        | 922
+        | 940
+        | 970
+        | 980
+        | 990 => Plain,
+        50 | 51 | 52 => Refused("splines are not read; have them written as lines or arcs"),
+        70 => Refused("diameters of a lathe are not read"),
+        100 => Refused("offsets set by the program are not read; have the file written without"),
+        120 | 130 => Refused("pockets are not read; have them written as lines or arcs"),
+        160 => Refused("polar coordinates are not read; have them written as X and Y"),
+        180 | 190 => Refused("only the plane XY (G17) can be drawn"),
+        310 | 380..=389 => Refused("where a probe stops is not known"),
+        320 | 330 | 331 | 760 => Refused("threads are not read"),
+        410 | 411 | 420 | 421 => {
+            Refused("cutter compensation is not read; have the path written as the tool goes")
+        }
+        510 => Refused("scaling is not read; have the file written at its true size"),
+        520 | 923 => Refused("offsets set by the program are not read; use G92"),
+        650 | 660 => Refused("macros are not read; have them written out"),
+        680 => Refused("rotation is not read; have the file written as it is to lie"),
+        730 | 740 | 810..=890 => {
+            Refused("canned cycles are not read; have them written as single moves")
+        }
+        930 | 950 => LeftOut("speeds are taken for those by minute"),
+        _ => LeftOut("not known, left out"),
+    }
+}
+
+/// The meaning of an M code in tenths.
+pub(super) const fn m(code: u32) -> Meaning {
+    use Meaning::{LeftOut, Plain, Refused};
+    match code {
+        // Laser or spindle, end, tool change, coolant, motors and extruder, servo.
+        20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
+        | 1060 | 1070 | 2800 => Plain,
+        0 | 10 | 600 => LeftOut("drawn without a pause"),
+        970 | 980 | 990 => Refused("subroutines are not read; have them written out"),
+        1170 | 1180 => LeftOut("its message is not shown"),
+        _ => LeftOut("not known, left out"),
+    }
+}
+
+/// A code as people write it: `G90.1` for 901.
+pub(super) fn name(letter: char, code: u32) -> String {
+    match code % 10 {
+        0 => format!("{letter}{}", code / 10),
+        tenth => format!("{letter}{}.{tenth}", code / 10),
+    }
+}
