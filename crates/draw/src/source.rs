@@ -3,6 +3,7 @@
 mod error;
 mod picture;
 mod gcode;
+mod hpgl;
 mod sketch;
 mod svg;
 
@@ -25,6 +26,8 @@ pub enum Source {
     Picture(Vec<u8>),
     /// G-code: of a laser, a plotter or a mill. Bytes, for its comments may hold anything.
     Gcode(Vec<u8>),
+    /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
+    Hpgl(Vec<u8>),
 }
 
 impl Source {
@@ -40,6 +43,7 @@ impl Source {
             "svg" => Ok(Self::Svg(text(bytes)?)),
             "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
             "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
+            "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
             _ => Self::of_contents(name, bytes),
         }
     }
@@ -77,6 +81,7 @@ impl Source {
         match self {
             Self::Svg(text) => svg::read(text, options),
             Self::Gcode(text) => gcode::read(text, options),
+            Self::Hpgl(text) => hpgl::read(text, options),
             Self::Picture(bytes) => picture::read(bytes, options),
         }
     }

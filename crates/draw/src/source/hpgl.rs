@@ -1,0 +1,31 @@
+//! Reading HP-GL and HP-GL/2, the language of pen plotters: 40 units are a millimetre.
+
+mod command;
+mod encoded;
+mod frame;
+mod names;
+mod plotter;
+mod polygon;
+mod shapes;
+
+use self::command::commands;
+use self::plotter::Plotter;
+use super::sketch::{Sketch, Y};
+use super::{ReadOptions, SourceError, Warning};
+use crate::artwork::Artwork;
+
+/// Reads a plot: each pen is a layer, filled rectangles, wedges and polygons are areas. The page is
+/// as large as the ink and upright (Y points up).
+pub(crate) fn read(
+    text: &[u8],
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut plotter = Plotter::new(Sketch::new(text, options)?);
+    commands(text).try_for_each(|command| plotter.handle(&command?))?;
+    plotter
+        .finish()?
+        .finish(Y::Up, "no command draws with a pen down")
+}
+
+#[cfg(test)]
+mod tests;
