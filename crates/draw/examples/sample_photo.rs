@@ -31,14 +31,16 @@ fn pixel(x: u16, y: u16, random: &mut Random) -> u8 {
     }
     let corner = (f64::from(x) / f64::from(WIDTH) - 0.5).powi(2)
         + (f64::from(y) / f64::from(HEIGHT) - 0.5).powi(2);
-    let film = 1.0 - (-EXPOSURE * light * (1.0 - 0.35 * corner)).exp();
+    let toned = 1.0 - (-EXPOSURE * light * (1.0 - 0.35 * corner)).exp();
+    let film = toned.powf(1.0 / 2.2);
+    let film = film * film * (3.0 - 2.0 * film);
     let grain = GRAIN * (random.share() + random.share() - 1.0);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "clamped"
     )]
-    let value = (255.0 * film.powf(1.0 / 2.2) + grain).clamp(0.0, 255.0) as u8;
+    let value = (255.0 * film + grain).clamp(0.0, 255.0) as u8;
     value
 }
 
@@ -46,7 +48,7 @@ fn towards(right: f64, up: f64) -> V {
     let forward = (AIM - CAMERA).unit();
     let side = forward.cross(V(0.0, 0.0, 1.0)).unit();
     let top = side.cross(forward);
-    (forward * (1.9 * f64::from(WIDTH)) + side * right + top * up).unit()
+    (forward * (1.72 * f64::from(WIDTH)) + side * right + top * up).unit()
 }
 
 /// The light that comes to a place from a direction.
@@ -87,7 +89,7 @@ struct Hit {
 fn hit(from: V, way: V) -> Option<Hit> {
     let hits = [
         plane(from.2, way.2, V(0.0, 0.0, 1.0), 0.62),
-        plane(WALL - from.1, -way.1, V(0.0, -1.0, 0.0), 0.72),
+        wall(from, way),
         sphere(from - SPHERE, way),
         cone(from - CONE, way),
         cube(from - CUBE, way),
@@ -99,6 +101,15 @@ fn hit(from: V, way: V) -> Option<Hit> {
 fn plane(above: f64, rise: f64, normal: V, white: f64) -> Option<Hit> {
     let far = -above / rise;
     (rise.abs() > 1e-9).then_some(Hit { far, normal, white })
+}
+
+/// A graded backdrop, as photographers hang it: dark where things are light, light where they are
+/// dark.
+fn wall(from: V, way: V) -> Option<Hit> {
+    let hit = plane(WALL - from.1, -way.1, V(0.0, -1.0, 0.0), 1.0)?;
+    let across = (from.0 + way.0 * hit.far) / 6.0 + 0.5;
+    let white = 0.2 + 0.75 * across.clamp(0.0, 1.0);
+    Some(Hit { white, ..hit })
 }
 
 fn sphere(from: V, way: V) -> Option<Hit> {
@@ -233,27 +244,27 @@ impl Random {
 const WIDTH: u16 = 720;
 const HEIGHT: u16 = 480;
 const QUALITY: u8 = 82;
-const RAYS: u32 = 40;
+const RAYS: u32 = 64;
 const EXPOSURE: f64 = 1.5;
 /// In steps of 255.
 const GRAIN: f64 = 5.0;
 
 const CAMERA: V = V(0.3, -11.0, 3.9);
-const AIM: V = V(0.15, 0.0, 1.12);
+const AIM: V = V(0.2, 0.0, 1.2);
 /// The middle of the window, the light it gives, and how wide and high it is.
 const WINDOW: V = V(-6.0, -4.5, 6.0);
-const BRIGHT: f64 = 62.0;
+const BRIGHT: f64 = 78.0;
 const WINDOW_WIDE: f64 = 1.8;
 const WINDOW_HIGH: f64 = 2.2;
 /// The light that comes from the room.
-const ROOM: f64 = 0.3;
+const ROOM: f64 = 0.15;
 /// How far behind the things the wall is.
 const WALL: f64 = 4.5;
 
 const SPHERE: V = V(-1.35, -0.9, 0.95);
 const SPHERE_RADIUS: f64 = 0.95;
 /// The tip.
-const CONE: V = V(0.35, 0.9, 2.9);
+const CONE: V = V(0.3, 1.1, 2.8);
 const CONE_RADIUS: f64 = 0.95;
 /// Its half side is its height above the table.
 const CUBE: V = V(1.75, -0.75, 0.68);

@@ -15,6 +15,7 @@ mod outline;
 mod resample;
 mod rows;
 mod shading;
+mod smooth;
 mod stipple;
 mod tone;
 mod waves;
@@ -92,7 +93,7 @@ fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, To
         page,
     );
     let tone = tone.oriented(header.orientation);
-    Ok((header, levels::levelled(&tone, shading)))
+    Ok((header, levels::levelled(&tone, shading, spacing_mm)))
 }
 
 fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {

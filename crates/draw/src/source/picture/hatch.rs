@@ -2,33 +2,34 @@
 
 use super::rows::{Rows, woven};
 use super::shading::Shading;
+use super::smooth::smoothed;
 use super::tone::{Tone, count};
 use crate::point::{Point, Stroke};
 
-/// Hatches a page: from each level on one more direction.
+/// Hatches a page: from each level on one more direction, of which first every other line is drawn.
 ///
 /// The lines of a direction lie on one grid for the whole page, so that levels fit to each other.
-/// `spacing_mm` is on the page. Pieces and gaps shorter than a spacing are not drawn.
+/// `spacing_mm` is on the page. Pieces and gaps shorter than about a spacing are not drawn.
 pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
-    let tone = tone.blurred(SOFTNESS * spacing_mm);
-    let levels = 0..shading.levels;
-    levels
-        .flat_map(|level| {
-            let rows = Rows {
-                page: tone.page(),
-                margin_mm: 0.0,
-                spacing_mm,
-                angle_deg: shading.angle_deg + turn_deg(level),
-            };
-            set(&tone, &rows, threshold(level, shading.levels))
-        })
-        .collect()
+    let tone = smoothed(tone).blurred(SOFTNESS * spacing_mm);
+    let set = |level: u8| {
+        let rows = Rows {
+            page: tone.page(),
+            margin_mm: 0.0,
+            spacing_mm,
+            angle_deg: shading.angle_deg + turn_deg(level),
+        };
+        let steps = [2 * level, 2 * level + 1].map(|it| threshold(it, 2 * shading.levels));
+        let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
+        let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
+        woven(lines.map(pieces).collect(), REACH * spacing_mm)
+    };
+    (0..shading.levels).flat_map(set).collect()
 }
 
-/// The darkness from which on a level is hatched.
-fn threshold(level: u8, levels: u8) -> f64 {
-    let share = (f64::from(level) + 0.5) / f64::from(levels);
-    share.powf(0.9)
+/// The darkness from which on a step of the hatching is drawn.
+fn threshold(step: u8, steps: u8) -> f64 {
+    (f64::from(step) + 0.7) / f64::from(steps)
 }
 
 /// Each direction halves the widest gap between those before: 0, 90, 45, 135, then those between.
@@ -37,16 +38,13 @@ fn turn_deg(level: u8) -> f64 {
     TURNS_DEG[usize::from(level) % TURNS_DEG.len()]
 }
 
-fn set(tone: &Tone, rows: &Rows, threshold: f64) -> Vec<Stroke> {
-    let pieces = |[a, b]: [Point; 2]| {
-        let runs = runs(tone, [a, b], threshold);
-        let whole = cleaned(runs, rows.spacing_mm);
-        let place = |mm: f64| a + rows.along() * mm;
-        let piece = |(from, to)| vec![place(from), place(to)];
-        whole.into_iter().map(piece).collect()
-    };
-    let lines = rows.lines().into_iter().map(pieces).collect();
-    woven(lines, REACH * rows.spacing_mm)
+fn pieces(tone: &Tone, rows: &Rows, [a, b]: [Point; 2], threshold: f64) -> Vec<Vec<Point>> {
+    let place = |mm: f64| a + rows.along() * mm;
+    let runs = cleaned(runs(tone, [a, b], threshold), rows.spacing_mm);
+    let ends = runs
+        .into_iter()
+        .map(|(from, to)| vec![place(from), place(to)]);
+    ends.collect()
 }
 
 /// Where a line is darker than the threshold: from and to, in millimetres from its start.

@@ -3,19 +3,31 @@
 use super::shading::Shading;
 use super::tone::{Tone, as_ink, count};
 
-/// Stretches the tones to the full range, balances the middle, and turns them over if asked to.
+/// Stretches the tones to the full range, sets things off from what is around them, balances the
+/// middle, and turns all over if asked to.
 ///
 /// Dull photos become rich, dark and light ones are drawn half the way to the middle; black and
-/// white stay what they are.
-pub(super) fn levelled(tone: &Tone, shading: &Shading) -> Tone {
+/// white stay what they are. `spacing_mm` is on the page.
+pub(super) fn levelled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Tone {
     let turned = if shading.invert {
         tone.map(|ink| 1.0 - ink)
     } else {
         tone.clone()
     };
-    let stretched = stretched(&turned);
-    let exponent = as_ink(balance(&stretched) / shading.darkness);
-    stretched.map(|ink| ink.powf(exponent))
+    let clear = set_off(&stretched(&turned), SURROUNDINGS * spacing_mm);
+    let exponent = as_ink(balance(&clear) / shading.darkness);
+    clear.map(|ink| ink.powf(exponent))
+}
+
+/// Makes darker what is darker than its surroundings, and lighter what is lighter.
+fn set_off(tone: &Tone, radius_mm: f64) -> Tone {
+    let around = tone.blurred(radius_mm);
+    let pairs = tone.ink.iter().zip(&around.ink);
+    let clear = pairs.map(|(ink, around)| (ink + CLARITY * (ink - around)).clamp(0.0, 1.0));
+    Tone {
+        ink: clear.collect(),
+        ..*tone
+    }
 }
 
 fn stretched(tone: &Tone) -> Tone {
@@ -144,8 +156,11 @@ const EXTREMES: f64 = 0.005;
 const MOST_GAIN: f64 = 5.0;
 /// Less than that is a page of one tone.
 const LEAST_RANGE: f64 = 0.02;
+/// How far the surroundings reach, in spacings.
+const SURROUNDINGS: f64 = 5.0;
+const CLARITY: f32 = 0.5;
 /// How much ink the middle of a drawing wants.
-const MIDDLE: f64 = 0.45;
+const MIDDLE: f64 = 0.36;
 const ROUNDS: usize = 30;
 /// The share of cells that makes a tone of its own.
 const LEAST_SHARE: f64 = 0.03;

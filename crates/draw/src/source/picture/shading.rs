@@ -34,9 +34,9 @@ impl Shading {
     pub const fn new(style: Style) -> Self {
         let (spacing_mm, angle_deg, levels) = match style {
             Style::Outline => (1.0, 0.0, 4),
-            Style::Lines => (1.8, 0.0, 4),
-            Style::Stipple => (1.0, 0.0, 4),
-            Style::Hatch => (1.2, 45.0, 4),
+            Style::Lines => (1.6, 0.0, 4),
+            Style::Stipple => (0.9, 0.0, 4),
+            Style::Hatch => (1.3, 45.0, 4),
         };
         Self {
             style,

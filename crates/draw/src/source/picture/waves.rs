@@ -105,13 +105,13 @@ const SLOWEST: f64 = 0.5;
 /// The same where it is black.
 const FASTEST: f64 = 0.26;
 /// The tone of straight lines.
-const PLAIN: f64 = 0.2;
+const PLAIN: f64 = 0.25;
 /// The tone from which on every other line is drawn.
 const FAINT: f64 = 0.06;
 /// The tone from which on every line is drawn.
-const LIGHT: f64 = 0.16;
+const LIGHT: f64 = 0.18;
 const GO_ON: f64 = 0.75;
 /// Of a piece, in spacings.
 const SHORTEST: f64 = 1.0;
 /// How far it may be from one line to the next for the pen to stay down, in spacings.
-const REACH: f64 = 2.2;
+const REACH: f64 = 1.7;
