@@ -13,7 +13,7 @@ pub use self::settings::Settings;
 use crate::artwork::Layer;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
-use crate::plan::{Pass, Plan, PlanError};
+use crate::plan::{Pass, Plan, PlanError, Tool};
 use crate::point::{Point, Stroke};
 use crate::simplify::simplify;
 use crate::source::{ReadOptions, Source, SourceError, Warning};
@@ -151,7 +151,7 @@ fn passes(layers: Vec<Layer>, settings: &Settings) -> Vec<Pass> {
         let tool = layers::tool(&layer, settings);
         let message = layers::message(&layer, passes.last(), settings);
         let name = layer.name.clone();
-        let strokes = lines(layer, here);
+        let strokes = lines(layer, here, tool, settings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         passes.push(Pass {
             name,
@@ -164,8 +164,11 @@ fn passes(layers: Vec<Layer>, settings: &Settings) -> Vec<Pass> {
 }
 
 /// The lines of a layer in a good order, for a tool that comes from `here`.
-fn lines(layer: Layer, here: Point) -> Vec<Stroke> {
-    order(layer.strokes, here)
+fn lines(layer: Layer, here: Point, tool: Tool, settings: &Settings) -> Vec<Stroke> {
+    match settings.search(tool, layer.strokes.len()) {
+        Some(search) => order(layer.strokes, here, &search),
+        None => layer.strokes,
+    }
 }
 
 /// The same pass with the fewest vectors.

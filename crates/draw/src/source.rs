@@ -1,9 +1,9 @@
 //! What can be drawn: files of several kinds, pictures and texts, each read as [`Artwork`].
 
 mod error;
-mod picture;
 mod gcode;
 mod hpgl;
+mod picture;
 mod sketch;
 mod svg;
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use usvg::fontdb;
 
 use super::PrepareError;
+use crate::order::{Search, Travel};
 use crate::place::Placement;
 use crate::plan::{Machine, Paper, Tool};
 use crate::simplify::MIN_VECTOR_MM;
@@ -32,6 +33,11 @@ pub struct Settings {
     pub tools: Vec<(String, Tool)>,
     /// How a picture's tones become lines.
     pub shading: Shading,
+    /// How often a good order of the strokes is disturbed to find a better one, for each stroke; the
+    /// file's own order is kept if not given.
+    pub tries: Option<u32>,
+    /// Decides where it is disturbed: the same seed gives the same order.
+    pub seed: u64,
     /// Where to begin; at the beginning if not given.
     pub from: Option<StartFrom>,
     /// The fonts that text is drawn with.
@@ -45,6 +51,24 @@ impl Settings {
             return Ok(());
         }
         Err(PrepareError::Tolerance { tolerance_mm })
+    }
+
+    /// How to look for a good order of so many strokes that this tool draws.
+    pub(super) fn search(&self, tool: Tool, strokes: usize) -> Option<Search> {
+        let speed_mm_s = match tool {
+            Tool::Pen(pen) => pen.travel_speed_mm_s,
+            Tool::Laser(laser) => laser.travel_speed_mm_s,
+        };
+        let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
+        Some(Search {
+            travel: Travel::Time {
+                speed_mm_s,
+                acceleration_mm_s2: self.machine.acceleration_mm_s2,
+                least_s: self.machine.link.period_s,
+            },
+            kicks: self.tries?.saturating_mul(strokes).min(MOST_KICKS),
+            seed: self.seed,
+        })
     }
 
     /// The share of the tolerance that goes into reading curves.
@@ -66,11 +90,16 @@ impl Default for Settings {
             only: Vec::new(),
             tools: Vec::new(),
             shading: Shading::default(),
+            tries: Some(TRIES),
+            seed: 1,
             from: None,
             fonts: Arc::default(),
         }
     }
 }
 
+const TRIES: u32 = 10;
+/// A search takes no longer than about a second.
+const MOST_KICKS: u32 = 200_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
