@@ -1,0 +1,190 @@
+//! Areas become lines.
+
+mod join;
+mod scan;
+
+#[cfg(test)]
+mod tests;
+
+use thiserror::Error;
+
+use crate::artwork::Area;
+use crate::point::{Point, Stroke};
+use join::Joined;
+use scan::Scan;
+
+/// How an area is filled with lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hatch {
+    /// How far apart the lines are, in mm; from 0.05 up.
+    pub spacing_mm: f64,
+    /// How the lines run: 0 along x, 90 along y.
+    pub angle_deg: f64,
+    /// A second set of lines goes across the first.
+    pub cross: bool,
+    /// How far the lines stay away from the border, in mm: half the pen's width keeps the ink
+    /// inside.
+    pub inset_mm: f64,
+}
+
+impl Default for Hatch {
+    /// 1 mm apart, at 45 degrees, not crossed, up to the border.
+    fn default() -> Self {
+        Self {
+            spacing_mm: 1.0,
+            angle_deg: 45.0,
+            cross: false,
+            inset_mm: 0.0,
+        }
+    }
+}
+
+/// Fills an area with parallel lines. They lie on a grid that is the same for all areas, so that
+/// those of neighbours meet. Where the end of the next line is near, and the way there stays
+/// inside, the pen goes on without a lift:
+///
+/// ```text
+///   .-------------.
+///   |  .--------. |
+///   |  '------. | |    one stroke to and fro
+///   |  .------' | |
+///   '-------------'
+/// ```
+///
+/// # Errors
+///
+/// [`HatchError`] where a number is none or out of range, or where there would be too many lines.
+pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
+    hatch.check(area)?;
+    let mut strokes = lines(area, hatch, hatch.angle_deg)?;
+    if hatch.cross {
+        strokes.extend(lines(area, hatch, hatch.angle_deg + 90.0)?);
+    }
+    Ok(strokes)
+}
+
+impl Hatch {
+    fn check(&self, area: &Area) -> Result<(), HatchError> {
+        let spacing_mm = self.spacing_mm;
+        if !(spacing_mm >= LEAST_SPACING_MM && spacing_mm.is_finite()) {
+            return Err(HatchError::Spacing { spacing_mm });
+        }
+        if !self.angle_deg.is_finite() {
+            let angle_deg = self.angle_deg;
+            return Err(HatchError::Angle { angle_deg });
+        }
+        if !(self.inset_mm >= 0.0 && self.inset_mm.is_finite()) {
+            let inset_mm = self.inset_mm;
+            return Err(HatchError::Inset { inset_mm });
+        }
+        let mut corners = area.rings.iter().flatten();
+        match corners.find(|p| !(p.x.is_finite() && p.y.is_finite())) {
+            Some(p) => Err(HatchError::Corner { x: p.x, y: p.y }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Why an area cannot be hatched.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum HatchError {
+    /// Lines this close are no lines.
+    #[error("the spacing of the hatch is {spacing_mm} mm; it must be a number from 0.05 mm up")]
+    Spacing {
+        /// What was asked for.
+        spacing_mm: f64,
+    },
+    /// The angle is no number.
+    #[error("the angle of the hatch is {angle_deg} degrees; it must be a number")]
+    Angle {
+        /// What was asked for.
+        angle_deg: f64,
+    },
+    /// The inset is no length.
+    #[error("the inset of the hatch is {inset_mm} mm; it must be a number from 0 up")]
+    Inset {
+        /// What was asked for.
+        inset_mm: f64,
+    },
+    /// A corner of the area lies nowhere.
+    #[error("a corner of the area is {x}, {y}; both must be finite numbers")]
+    Corner {
+        /// Its x.
+        x: f64,
+        /// Its y.
+        y: f64,
+    },
+    /// More than a drawing can hold.
+    #[error(
+        "the hatch crosses borders {crossings:.0} times; at most {most} are allowed: \
+         choose a wider spacing"
+    )]
+    TooMany {
+        /// How often lines would meet the border.
+        crossings: f64,
+        /// How often they may.
+        most: u32,
+    },
+}
+
+/// The lines of one direction.
+fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, HatchError> {
+    let turn = Turn::by(angle_deg);
+    let edges = area.rings.iter().flat_map(|ring| {
+        let next = ring.iter().cycle().skip(1);
+        ring.iter()
+            .zip(next)
+            .map(|(a, b)| (turn.back(*a), turn.back(*b)))
+    });
+    let scan = Scan {
+        edges: edges.collect(),
+        rule: area.rule,
+        spacing_mm: hatch.spacing_mm,
+        inset_mm: hatch.inset_mm,
+    };
+    let mut strokes = Joined::new(&scan.spans()?, scan.edges, hatch.spacing_mm).strokes();
+    for p in strokes.iter_mut().flat_map(|stroke| &mut stroke.points) {
+        *p = turn.forth(*p);
+    }
+    Ok(strokes)
+}
+
+/// A turn about the origin, counterclockwise from x to y.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    sin: f64,
+    cos: f64,
+}
+
+impl Turn {
+    /// Quarter turns are exact.
+    fn by(angle_deg: f64) -> Self {
+        let angle_deg = angle_deg.rem_euclid(360.0);
+        let quarters = (angle_deg / 90.0).round();
+        let (sin, cos) = (angle_deg - 90.0 * quarters).to_radians().sin_cos();
+        let (sin, cos) = match quarters.rem_euclid(4.0) {
+            0.0 => (sin, cos),
+            1.0 => (cos, -sin),
+            2.0 => (-sin, -cos),
+            _ => (-cos, sin),
+        };
+        Self { sin, cos }
+    }
+
+    fn forth(self, p: Point) -> Point {
+        Point::new(
+            p.x * self.cos - p.y * self.sin,
+            p.x * self.sin + p.y * self.cos,
+        )
+    }
+
+    fn back(self, p: Point) -> Point {
+        Point::new(
+            p.x * self.cos + p.y * self.sin,
+            p.y * self.cos - p.x * self.sin,
+        )
+    }
+}
+
+const LEAST_SPACING_MM: f64 = 0.05;
