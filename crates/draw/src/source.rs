@@ -6,6 +6,7 @@ mod hpgl;
 mod picture;
 mod sketch;
 mod svg;
+mod text;
 
 use std::sync::Arc;
 
@@ -14,6 +15,7 @@ use usvg::fontdb;
 pub use self::error::{Place, SourceError, Warning};
 pub use self::picture::{ImageError, Shading, Style};
 pub use self::svg::SvgError;
+pub use self::text::{Align, Font, StrokeFont, Text, TextError};
 use crate::artwork::Artwork;
 use crate::point::Point;
 
@@ -28,6 +30,8 @@ pub enum Source {
     Gcode(Vec<u8>),
     /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
     Hpgl(Vec<u8>),
+    /// Text, in letters of single lines or outlines.
+    Text(Text),
 }
 
 impl Source {
@@ -80,6 +84,7 @@ impl Source {
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
         match self {
             Self::Svg(text) => svg::read(text, options),
+            Self::Text(text) => text.read(options),
             Self::Gcode(text) => gcode::read(text, options),
             Self::Hpgl(text) => hpgl::read(text, options),
             Self::Picture(bytes) => picture::read(bytes, options),

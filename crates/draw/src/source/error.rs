@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::picture::ImageError;
 use super::svg::SvgError;
+use super::text::TextError;
 
 /// A place in a text file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +45,9 @@ pub enum SourceError {
     /// A picture that cannot be drawn.
     #[error(transparent)]
     Picture(#[from] ImageError),
+    /// A text that cannot be written.
+    #[error(transparent)]
+    Text(#[from] TextError),
     /// A text file that goes wrong somewhere.
     #[error("{place}: found {found}; expected {expected}")]
     Found {
