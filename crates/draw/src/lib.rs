@@ -69,8 +69,8 @@ pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use source::{
-    Align, Font, ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError, StrokeFont,
-    Style, SvgError, Text, TextError, Warning,
+    Align, Font, ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError,
+    StrokeFont, Style, SvgError, Text, TextError, Warning,
 };
 pub use start::{StartError, StartFrom};
 pub use usvg::fontdb;

@@ -11,6 +11,7 @@ use thiserror::Error;
 
 pub use self::settings::Settings;
 use crate::artwork::Layer;
+use crate::hatch::{HatchError, hatch};
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::plan::{Pass, Plan, PlanError, Tool};
@@ -56,7 +57,7 @@ pub fn prepare<E: fmt::Display>(
     settings.check()?;
     let (Placed { layers, scale }, warnings) = read(source, settings)?;
     let layers = layers::chosen(layers, settings)?;
-    let prepared = prepare_passes(passes(layers, settings), settings, reachable)?;
+    let prepared = prepare_passes(passes(layers, settings)?, settings, reachable)?;
     Ok(Prepared {
         scale,
         warnings,
@@ -114,6 +115,9 @@ pub enum PrepareError {
     /// It does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
+    /// Its areas cannot be hatched like that.
+    #[error(transparent)]
+    Hatch(#[from] HatchError),
     /// It cannot be begun there.
     #[error(transparent)]
     Start(#[from] StartError),
@@ -144,14 +148,14 @@ fn read(source: &Source, settings: &Settings) -> Result<(Placed, Vec<Warning>), 
 }
 
 /// The layers as passes, each in a good order.
-fn passes(layers: Vec<Layer>, settings: &Settings) -> Vec<Pass> {
+fn passes(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
     let mut here = settings.placement.area.max;
     for layer in layers {
         let tool = layers::tool(&layer, settings);
         let message = layers::message(&layer, passes.last(), settings);
         let name = layer.name.clone();
-        let strokes = lines(layer, here, tool, settings);
+        let strokes = ordered(lines(layer, settings)?, here, tool, settings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         passes.push(Pass {
             name,
@@ -160,14 +164,25 @@ fn passes(layers: Vec<Layer>, settings: &Settings) -> Vec<Pass> {
             message,
         });
     }
-    passes
+    Ok(passes)
 }
 
-/// The lines of a layer in a good order, for a tool that comes from `here`.
-fn lines(layer: Layer, here: Point, tool: Tool, settings: &Settings) -> Vec<Stroke> {
-    match settings.search(tool, layer.strokes.len()) {
-        Some(search) => order(layer.strokes, here, &search),
-        None => layer.strokes,
+/// The lines of a layer, and those that its areas are hatched with.
+fn lines(layer: Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareError> {
+    let mut lines = layer.strokes;
+    if let Some(hatching) = &settings.hatch {
+        for area in &layer.areas {
+            lines.append(&mut hatch(area, hatching)?);
+        }
+    }
+    Ok(lines)
+}
+
+/// The strokes in a good order, for a tool that comes from `here`.
+fn ordered(strokes: Vec<Stroke>, here: Point, tool: Tool, settings: &Settings) -> Vec<Stroke> {
+    match settings.search(tool, strokes.len()) {
+        Some(search) => order(strokes, here, &search),
+        None => strokes,
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use usvg::fontdb;
 
 use super::PrepareError;
+use crate::hatch::Hatch;
 use crate::order::{Search, Travel};
 use crate::place::Placement;
 use crate::plan::{Machine, Paper, Tool};
@@ -31,6 +32,8 @@ pub struct Settings {
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, Tool)>,
+    /// How filled areas become lines; they stay empty if not given.
+    pub hatch: Option<Hatch>,
     /// How a picture's tones become lines.
     pub shading: Shading,
     /// How often a good order of the strokes is disturbed to find a better one, for each stroke; the
@@ -89,6 +92,7 @@ impl Default for Settings {
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),
+            hatch: None,
             shading: Shading::default(),
             tries: Some(TRIES),
             seed: 1,
