@@ -33,12 +33,14 @@
 
 mod artwork;
 mod card;
+mod clip;
 mod deviation;
 mod frame;
 mod hatch;
 mod index;
 mod ink;
 mod material;
+mod merge;
 mod order;
 mod picture;
 mod place;
@@ -52,12 +54,14 @@ mod start;
 
 pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use card::{Card, CardError};
+pub use clip::{Clipped, clip_to_area, clip_to_reach};
 pub use deviation::{Deviation, Worst, deviation};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
 pub use ink::{ink, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use order::{Search, Travel, order, travel_mm};
+pub use merge::merge;
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{

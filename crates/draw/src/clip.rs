@@ -1,0 +1,332 @@
+//! Lines end where the arm or the paper does.
+
+use crate::point::{Bounds, Point, Stroke};
+
+/// What is left of strokes that were cut.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Clipped {
+    /// The parts inside; a stroke that leaves and comes back becomes several.
+    pub strokes: Vec<Stroke>,
+    /// How much of the lines lay outside, in mm.
+    pub cut_mm: f64,
+    /// How many dots lay outside.
+    pub cut_dots: usize,
+}
+
+impl Clipped {
+    /// Whether nothing lay outside.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.cut_mm == 0.0 && self.cut_dots == 0
+    }
+}
+
+/// Cuts strokes at the border of a rectangle.
+#[must_use]
+pub fn clip_to_area(strokes: &[Stroke], area: Bounds) -> Clipped {
+    clip(strokes, |(a, b), shares| {
+        shares.extend(share_in(area, a, b));
+    })
+}
+
+/// Cuts strokes where `inside` says that a place cannot be reached: that is asked at least every
+/// millimetre, and the border is found to a hundredth of one. No part outside is kept; one that is
+/// less than a millimetre long may be overlooked.
+#[must_use]
+pub fn clip_to_reach(strokes: &[Stroke], inside: impl Fn(Point) -> bool) -> Clipped {
+    clip(strokes, |(a, b), shares| reached(a, b, &inside, shares))
+}
+
+/// Cuts each segment to the shares of it that `cut` finds, from 0 at its begin to 1 at its end.
+fn clip(strokes: &[Stroke], cut: impl Fn((Point, Point), &mut Vec<(f64, f64)>)) -> Clipped {
+    let mut clipped = Clipped::default();
+    let mut shares = Vec::new();
+    for stroke in strokes {
+        if let [dot] = stroke.points[..] {
+            shares.clear();
+            cut((dot, dot), &mut shares);
+            clipped.cut_dots += usize::from(shares.is_empty());
+            clipped
+                .strokes
+                .extend((!shares.is_empty()).then(|| stroke.clone()));
+            continue;
+        }
+        let mut pieces = Pieces::default();
+        for segment in stroke.segments() {
+            shares.clear();
+            cut(segment, &mut shares);
+            pieces.add(segment, &shares);
+        }
+        if pieces.whole {
+            clipped.strokes.push(stroke.clone());
+        } else {
+            clipped.cut_mm += pieces.cut_mm;
+            clipped.strokes.extend(pieces.strokes(stroke.closed));
+        }
+    }
+    clipped
+}
+
+/// What is left of one stroke.
+#[derive(Debug)]
+struct Pieces {
+    done: Vec<Vec<Point>>,
+    /// What goes on into the next segment, if anything.
+    current: Vec<Point>,
+    /// The stroke begins inside.
+    begins: bool,
+    whole: bool,
+    cut_mm: f64,
+}
+
+impl Default for Pieces {
+    fn default() -> Self {
+        Self {
+            done: Vec::new(),
+            current: Vec::new(),
+            begins: false,
+            whole: true,
+            cut_mm: 0.0,
+        }
+    }
+}
+
+impl Pieces {
+    fn add(&mut self, (a, b): (Point, Point), shares: &[(f64, f64)]) {
+        let mut inside = 0.0;
+        let first = self.done.is_empty() && self.current.is_empty() && self.cut_mm == 0.0;
+        for &(from, to) in shares {
+            if from > 0.0 {
+                self.end_current();
+            }
+            if self.current.is_empty() {
+                self.current
+                    .push(if from > 0.0 { a.lerp(b, from) } else { a });
+                self.begins |= first && from == 0.0;
+            }
+            self.current.push(if to < 1.0 { a.lerp(b, to) } else { b });
+            inside += to - from;
+        }
+        if shares.last().is_none_or(|&(_, to)| to < 1.0) {
+            self.end_current();
+        }
+        if shares != [(0.0, 1.0)] {
+            self.whole = false;
+            self.cut_mm += a.distance(b) * (1.0 - inside);
+        }
+    }
+
+    fn end_current(&mut self) {
+        if !self.current.is_empty() {
+            self.done.push(std::mem::take(&mut self.current));
+        }
+    }
+
+    /// The pieces; of a closed stroke the last goes on with the first where both are at its begin.
+    fn strokes(mut self, closed: bool) -> impl Iterator<Item = Stroke> {
+        if closed && self.begins && !self.current.is_empty() && !self.done.is_empty() {
+            let first = std::mem::take(&mut self.done[0]);
+            self.current.extend(first.into_iter().skip(1));
+        }
+        self.end_current();
+        let lines = self.done.into_iter().filter(|piece| piece.len() > 1);
+        lines.map(Stroke::open)
+    }
+}
+
+/// The share of a segment inside a rectangle (after Liang and Barsky).
+fn share_in(area: Bounds, a: Point, b: Point) -> Option<(f64, f64)> {
+    let along = b - a;
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (here, step, low, high) in [
+        (a.x, along.x, area.min.x, area.max.x),
+        (a.y, along.y, area.min.y, area.max.y),
+    ] {
+        let (s, t) = ((low - here) / step, (high - here) / step);
+        if step != 0.0 {
+            from = from.max(s.min(t));
+            to = to.min(s.max(t));
+        }
+        if !step.is_finite() || step == 0.0 && !(low <= here && here <= high) {
+            return None;
+        }
+    }
+    (from < to).then_some((from, to))
+}
+
+/// The shares of a segment that can be reached.
+fn reached(a: Point, b: Point, inside: &impl Fn(Point) -> bool, shares: &mut Vec<(f64, f64)>) {
+    if !a.distance(b).is_finite() {
+        return;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count, saturating"
+    )]
+    let count = (a.distance(b) / STEP_MM).ceil().max(1.0) as u32;
+    let reaches = |share: f64| inside(a.lerp(b, share));
+    let mut begin = reaches(0.0).then_some(0.0);
+    for i in 1..=count {
+        let (before, here) = (f64::from(i - 1), f64::from(i));
+        let (before, here) = (before / f64::from(count), here / f64::from(count));
+        let halvings = |out, inn| border(out, inn, a.distance(b), &reaches);
+        match (begin, reaches(here)) {
+            (Some(from), false) => {
+                shares.push((from, halvings(here, before)));
+                begin = None;
+            }
+            (None, true) => begin = Some(halvings(before, here)),
+            _ => {}
+        }
+    }
+    shares.extend(begin.map(|from| (from, 1.0)));
+    shares.retain(|&(from, to)| from < to);
+}
+
+/// The last share inside before the border.
+fn border(mut out: f64, mut inn: f64, length_mm: f64, reaches: &impl Fn(f64) -> bool) -> f64 {
+    while (out - inn).abs() * length_mm > BORDER_MM {
+        let middle = f64::midpoint(out, inn);
+        if reaches(middle) {
+            inn = middle;
+        } else {
+            out = middle;
+        }
+    }
+    inn
+}
+
+const STEP_MM: f64 = 1.0;
+const BORDER_MM: f64 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn line(points: &[(f64, f64)]) -> Stroke {
+        Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
+    fn area() -> Bounds {
+        Bounds::of([Point::new(0.0, 0.0), Point::new(10.0, 10.0)])
+    }
+
+    /// A ring around the origin, as the arm's reach is one.
+    fn in_ring(p: Point) -> bool {
+        (5.0..=20.0).contains(&p.length())
+    }
+
+    #[test]
+    fn what_is_inside_stays_as_it_is() {
+        let mut ring = line(&[(1.0, 1.0), (9.0, 1.0), (9.0, 10.0), (1.0, 1.0)]);
+        ring.closed = true;
+        let strokes = [ring, line(&[(0.0, 0.0)]), line(&[(2.0, 2.0), (3.0, 3.0)])];
+        let clipped = clip_to_area(&strokes, area());
+        assert_eq!(clipped.strokes, strokes);
+        assert!(clipped.is_whole());
+        assert_eq!(clip_to_reach(&strokes, |_| true), clipped);
+    }
+
+    #[test]
+    fn a_stroke_that_leaves_and_comes_back_becomes_two() {
+        let stroke = line(&[(1.0, 5.0), (12.0, 5.0), (12.0, 6.0), (1.0, 6.0)]);
+        let clipped = clip_to_area(&[stroke], area());
+        let parts = [
+            line(&[(1.0, 5.0), (10.0, 5.0)]),
+            line(&[(10.0, 6.0), (1.0, 6.0)]),
+        ];
+        assert_eq!(clipped.strokes, parts);
+        assert!((clipped.cut_mm - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_closed_stroke_goes_on_over_its_begin() {
+        let mut ring = line(&[(5.0, 5.0), (5.0, 8.0), (15.0, 8.0), (15.0, 5.0), (5.0, 5.0)]);
+        ring.closed = true;
+        let clipped = clip_to_area(&[ring], area());
+        let rest = line(&[(10.0, 5.0), (5.0, 5.0), (5.0, 8.0), (10.0, 8.0)]);
+        assert_eq!(clipped.strokes, [rest]);
+    }
+
+    #[test]
+    fn what_is_outside_is_counted() {
+        let strokes = [
+            line(&[(20.0, 0.0)]),
+            line(&[(20.0, 0.0), (20.0, 7.0)]),
+            line(&[(10.0, 12.0), (12.0, 10.0)]),
+        ];
+        let clipped = clip_to_area(&strokes, area());
+        assert_eq!(clipped.strokes, []);
+        assert_eq!(clipped.cut_dots, 1);
+        assert!((clipped.cut_mm - 7.0 - 8.0_f64.sqrt()).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_reach_cuts_within_a_hundredth_of_a_millimetre() {
+        let through = line(&[(-30.0, 0.0), (30.0, 0.0)]);
+        let clipped = clip_to_reach(&[through], in_ring);
+        assert_eq!(clipped.strokes.len(), 2);
+        let wanted = [-20.0, -5.0, 5.0, 20.0];
+        let found = clipped.strokes.iter().flat_map(|it| &it.points);
+        for (p, wanted) in found.zip(wanted) {
+            assert!((p.x - wanted).abs() <= 0.01 && in_ring(*p), "{p:?}");
+        }
+        assert!((clipped.cut_mm - 30.0).abs() <= 0.04);
+    }
+
+    #[test]
+    fn places_that_are_no_numbers_are_cut() {
+        let nowhere = [
+            line(&[(1.0, 1.0), (f64::NAN, 2.0)]),
+            line(&[(f64::NAN, 2.0)]),
+        ];
+        assert_eq!(clip_to_area(&nowhere, area()).cut_dots, 1);
+        assert_eq!(clip_to_reach(&nowhere, in_ring).strokes, []);
+    }
+
+    fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
+        let corner = (-30..30_i32, -30..30_i32, -0.5..0.5_f64);
+        let corners = proptest::collection::vec(corner, 1..8);
+        let stroke = (corners, any::<bool>()).prop_map(|(corners, closed)| {
+            let at = |&(x, y, off): &(i32, i32, f64)| Point::new(f64::from(x), f64::from(y) + off);
+            let mut points: Vec<Point> = corners.iter().map(at).collect();
+            let closed = closed && points.len() > 2;
+            points.extend(closed.then_some(points[0]));
+            Stroke { points, closed }
+        });
+        proptest::collection::vec(stroke, 0..6)
+    }
+
+    fn length_mm(strokes: &[Stroke]) -> f64 {
+        strokes.iter().map(Stroke::length_mm).sum()
+    }
+
+    proptest! {
+        #[test]
+        fn no_line_is_lost_and_none_is_outside(strokes in strokes()) {
+            let clips = [
+                (clip_to_area(&strokes, area()), area().grown(1e-9)),
+                (clip_to_reach(&strokes, in_ring), Bounds::of([Point::new(-20.0, -20.0), Point::new(20.0, 20.0)])),
+            ];
+            for (clipped, bounds) in clips {
+                let length = length_mm(&clipped.strokes) + clipped.cut_mm;
+                prop_assert!((length - length_mm(&strokes)).abs() < 1e-6);
+                for p in clipped.strokes.iter().flat_map(|it| &it.points) {
+                    prop_assert!(bounds.distance2(*p) == 0.0, "{p:?}");
+                }
+            }
+        }
+
+        #[test]
+        fn all_that_is_kept_can_be_reached(strokes in strokes()) {
+            for stroke in clip_to_reach(&strokes, in_ring).strokes {
+                for &p in &stroke.points {
+                    prop_assert!(in_ring(p), "{p:?}");
+                }
+            }
+        }
+    }
+}
