@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use dobot_draw::{Point, Stroke, simplify};
+use dobot_draw::{Area, FillRule, Hatch, Point, Stroke, hatch, merge, simplify};
 
 fn main() {
     divan::main();
@@ -30,6 +30,47 @@ fn simplify_10_000_strokes_of_60_points(bencher: Bencher<'_, '_>) {
                 divan::black_box(simplify(divan::black_box(&letter), 0.05));
             }
         });
+}
+
+/// The segments of a Hilbert curve in any order and direction become one stroke again.
+#[divan::bench(sample_count = 10)]
+fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
+    let count = 65_535_u32;
+    let segment = |i: u32| {
+        let ends = [hilbert(i), hilbert(i + 1)];
+        let [a, b] = if i.is_multiple_of(3) {
+            [ends[1], ends[0]]
+        } else {
+            ends
+        };
+        Stroke::open(vec![a, b])
+    };
+    // 7919 is prime to their number: each comes once.
+    let shuffled = (0..count).map(|i| segment(i * 7919 % count));
+    let segments: Vec<Stroke> = shuffled.collect();
+    assert_eq!(merge(segments.clone(), 0.05).len(), 1);
+    bencher
+        .counter(ItemsCount::new(count))
+        .with_inputs(|| segments.clone())
+        .bench_local_values(|segments| merge(segments, 0.05));
+}
+
+/// A star of 20,000 corners, crossed some 100,000 times.
+#[divan::bench(sample_count = 10)]
+fn hatch_a_star_of_20_000_corners(bencher: Bencher<'_, '_>) {
+    let corner = |i: u32| {
+        let (sin, cos) = (TAU * f64::from(i) / 20_000.0).sin_cos();
+        Point::new(cos, sin) * if i.is_multiple_of(2) { 60.0 } else { 50.0 }
+    };
+    let star = Area {
+        rings: vec![(0..20_000).map(corner).collect()],
+        rule: FillRule::NonZero,
+    };
+    let settings = Hatch {
+        spacing_mm: 0.2,
+        ..Hatch::default()
+    };
+    bencher.bench_local(|| hatch(&star, &settings));
 }
 
 const LONG: [&str; 6] = [
@@ -61,6 +102,26 @@ fn spiral(share: f64, turns: f64) -> Point {
 
 fn swirl(t: f64) -> Point {
     Point::new(t + 3.0 * t.sin(), 4.0 * (t * 0.7).cos())
+}
+
+/// A point of the curve that goes through 65,536 places, half a millimetre apart.
+fn hilbert(i: u32) -> Point {
+    let (mut x, mut y) = (0, 0);
+    for level in 0..8 {
+        let side = 1 << level;
+        let (right, up) = (
+            (i >> (2 * level + 1)) & 1,
+            ((i >> (2 * level)) ^ (i >> (2 * level + 1))) & 1,
+        );
+        if up == 0 {
+            if right == 1 {
+                (x, y) = (side - 1 - x, side - 1 - y);
+            }
+            (x, y) = (y, x);
+        }
+        (x, y) = (x + side * right, y + side * up);
+    }
+    Point::new(f64::from(x), f64::from(y)) * 0.5
 }
 
 /// From 0 to 1, the same every time.
