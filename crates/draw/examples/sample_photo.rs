@@ -107,8 +107,9 @@ fn plane(above: f64, rise: f64, normal: V, white: f64) -> Option<Hit> {
 /// dark.
 fn wall(from: V, way: V) -> Option<Hit> {
     let hit = plane(WALL - from.1, -way.1, V(0.0, -1.0, 0.0), 1.0)?;
-    let across = (from.0 + way.0 * hit.far) / 6.0 + 0.5;
-    let white = 0.2 + 0.75 * across.clamp(0.0, 1.0);
+    let across = (from.0 + way.0 * hit.far) / 7.5 + 0.55;
+    let across = across.clamp(0.0, 1.0);
+    let white = 0.22 + 0.7 * across * across * (3.0 - 2.0 * across);
     Some(Hit { white, ..hit })
 }
 
