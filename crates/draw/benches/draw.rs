@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{
-    Cornering, Machine, Paper, Pass, Placement, Plan, Point, ReadOptions, Run, Settings, Size,
-    Source, Stroke, Tool, deviation, order, prepare, simplify,
+    Cornering, Machine, Paper, Pass, Placement, Plan, Point, ReadOptions, Run, Search, Settings,
+    Size, Source, Stroke, Tool, Travel, deviation, order, prepare, simplify,
 };
 
 fn main() {
@@ -79,7 +79,9 @@ fn order_100_000_strokes(bencher: Bencher<'_, '_>) {
     bencher
         .counter(ItemsCount::new(strokes.len()))
         .with_inputs(|| strokes.clone())
-        .bench_local_values(|strokes| order(strokes, Point::default()));
+        .bench_local_values(|strokes| {
+            order(strokes, Point::default(), &Search::of(Travel::Length))
+        });
 }
 
 #[divan::bench]

@@ -8,7 +8,7 @@ use std::error::Error;
 use std::fs;
 use std::time::Instant;
 
-use dobot_draw::{Drawing, Point, Search, Stroke, SvgOptions, Travel, order};
+use dobot_draw::{Point, ReadOptions, Search, Source, Stroke, Travel, order};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -32,14 +32,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     for file in arguments {
         let begin = cpu_s();
-        let (drawing, _) = Drawing::from_svg(&fs::read_to_string(&file)?, &SvgOptions::default())?;
+        let (artwork, _) =
+            Source::of_file(&file, fs::read(&file)?)?.read(&ReadOptions::default())?;
+        let drawn = artwork.layers.into_iter().flat_map(|layer| layer.strokes);
+        let drawn: Vec<Stroke> = drawn.collect();
         let read = cpu_s();
-        let (strokes, given) = (
-            drawing.strokes.len(),
-            between(search.travel, &drawing.strokes),
-        );
+        let (strokes, given) = (drawn.len(), between(search.travel, &drawn));
         let ordering = cpu_s();
-        let ordered = order(drawing.strokes, Point::default(), &search);
+        let ordered = order(drawn, Point::default(), &search);
         let ordered_at = cpu_s();
         println!(
             r#"{{"file": "{file}", "strokes": {strokes}, "given": {given:.3}, "travel": {:.3}, "read_s": {:.4}, "order_s": {:.4}}}"#,

@@ -60,8 +60,8 @@ pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
 pub use ink::{ink, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
-pub use order::{Search, Travel, order, travel_mm};
 pub use merge::merge;
+pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{

@@ -1,6 +1,7 @@
 //! The order of strokes: less way to go with the pen up.
 
 mod greedy;
+mod near;
 mod nodes;
 mod random;
 mod search;
@@ -25,6 +26,18 @@ pub struct Search {
     pub kicks: u32,
     /// Decides where it is disturbed: the same seed gives the same order.
     pub seed: u64,
+}
+
+impl Search {
+    /// Enough for most drawings: within about 1 % of the best order known, in well under a second.
+    #[must_use]
+    pub const fn of(travel: Travel) -> Self {
+        Self {
+            travel,
+            kicks: 20_000,
+            seed: 1,
+        }
+    }
 }
 
 /// Puts strokes in an order in which the pen, beginning at `start`, travels little between them.

@@ -11,7 +11,9 @@ use thiserror::Error;
 
 pub use self::settings::Settings;
 use crate::artwork::Layer;
+use crate::clip::{Clipped, clip_to_reach};
 use crate::hatch::{HatchError, hatch};
+use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::plan::{Pass, Plan, PlanError, Tool};
@@ -55,9 +57,10 @@ pub fn prepare<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
-    let (Placed { layers, scale }, warnings) = read(source, settings)?;
+    let (Placed { layers, scale }, mut warnings) = read(source, settings)?;
     let layers = layers::chosen(layers, settings)?;
-    let prepared = prepare_passes(passes(layers, settings)?, settings, reachable)?;
+    let passes = passes(layers, settings, &reachable, &mut warnings)?;
+    let prepared = prepare_passes(passes, settings, reachable)?;
     Ok(Prepared {
         scale,
         warnings,
@@ -148,14 +151,25 @@ fn read(source: &Source, settings: &Settings) -> Result<(Placed, Vec<Warning>), 
 }
 
 /// The layers as passes, each in a good order.
-fn passes(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Pass>, PrepareError> {
+fn passes<E>(
+    layers: Vec<Layer>,
+    settings: &Settings,
+    reachable: &impl Fn(Position) -> Result<(), E>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
     let mut here = settings.placement.area.max;
     for layer in layers {
         let tool = layers::tool(&layer, settings);
         let message = layers::message(&layer, passes.last(), settings);
         let name = layer.name.clone();
-        let strokes = ordered(lines(layer, settings)?, here, tool, settings);
+        let mut strokes = lines(layer, settings)?;
+        if settings.clips {
+            let clipped = within_reach(&strokes, tool, settings, reachable);
+            warnings.extend(cut_off(&clipped));
+            strokes = clipped.strokes;
+        }
+        let strokes = ordered(strokes, here, tool, settings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         passes.push(Pass {
             name,
@@ -178,9 +192,41 @@ fn lines(layer: Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareError>
     Ok(lines)
 }
 
-/// The strokes in a good order, for a tool that comes from `here`.
+/// What of the strokes the arm reaches, the tool on the paper and lifted.
+fn within_reach<E>(
+    strokes: &[Stroke],
+    tool: Tool,
+    settings: &Settings,
+    reachable: &impl Fn(Position) -> Result<(), E>,
+) -> Clipped {
+    let lift_mm = match tool {
+        Tool::Pen(pen) => pen.lift_mm,
+        Tool::Laser(_) => 0.0,
+    };
+    let inside = |p: Point| {
+        let z_mm = settings.paper.z_at(p);
+        let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
+        reaches(z_mm) && reaches(z_mm + lift_mm)
+    };
+    clip_to_reach(strokes, inside)
+}
+
+fn cut_off(clipped: &Clipped) -> Option<Warning> {
+    let Clipped {
+        cut_mm, cut_dots, ..
+    } = clipped;
+    (!clipped.is_whole()).then(|| Warning {
+        place: None,
+        what: "layer out of reach".to_owned(),
+        instead: format!("{cut_mm:.0} mm of its lines and {cut_dots} of its dots are cut off"),
+        count: 1,
+    })
+}
+
+/// The strokes, those that meet joined, in a good order, for a tool that comes from `here`.
 fn ordered(strokes: Vec<Stroke>, here: Point, tool: Tool, settings: &Settings) -> Vec<Stroke> {
-    match settings.search(tool, strokes.len()) {
+    let strokes = merge(strokes, settings.tolerance_mm);
+    match settings.search(tool) {
         Some(search) => order(strokes, here, &search),
         None => strokes,
     }

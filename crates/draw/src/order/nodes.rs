@@ -1,9 +1,10 @@
 //! The ends of the strokes as the nodes of a tour.
 
-use super::Stop;
+use super::near::{NEAR, near};
+use super::stop::Stop;
 use super::travel::Travel;
 use super::tree::Tree;
-use crate::point::{Bounds, Point, Stroke};
+use crate::point::{Point, Stroke};
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
 /// one for where the pen comes from, and one that ends the tour.
@@ -41,7 +42,7 @@ impl Nodes {
         }
         let tree = Tree::sort(&mut stops, |stop| stop.0);
         let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
-        let near = nearest(&tree, &at, &mates(&stops, strokes.len()));
+        let near = near(&tree, &at, &mates(&stops, strokes.len()));
         at.push(Point::new(f64::NAN, f64::NAN));
         stops.push(Stop {
             stroke: NONE,
@@ -164,85 +165,4 @@ fn mates(stops: &[Stop], strokes: usize) -> Vec<u32> {
     mate
 }
 
-fn nearest(tree: &Tree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
-    let everywhere = Bounds {
-        min: Bounds::EMPTY.max,
-        max: Bounds::EMPTY.min,
-    };
-    let mut near = Vec::with_capacity(at.len());
-    for (node, &p) in (0..).zip(at) {
-        let mut found = [(f64::INFINITY, node); NEAR];
-        tree.around(at, p, everywhere, &mut |other, distance2| {
-            if other != node && other != mate[node as usize] {
-                let mut slot = FEW - 1;
-                while slot > 0 && found[slot - 1].0 > distance2 {
-                    found[slot] = found[slot - 1];
-                    slot -= 1;
-                }
-                found[slot] = (distance2, other);
-            }
-            found[FEW - 1].0
-        });
-        let mut seen = [false; 4];
-        for &(d, other) in &found[..FEW] {
-            if d > 0.0 {
-                seen[quadrant(at[other as usize] - p)] = true;
-            }
-        }
-        let mut count = FEW;
-        for q in 0..4 {
-            if !seen[q] && count < NEAR {
-                let inf = f64::INFINITY;
-                let area = match q {
-                    0 => Bounds {
-                        min: p,
-                        max: Point::new(inf, inf),
-                    },
-                    1 => Bounds {
-                        min: Point::new(-inf, p.y),
-                        max: Point::new(p.x, inf),
-                    },
-                    2 => Bounds {
-                        min: Point::new(-inf, -inf),
-                        max: p,
-                    },
-                    _ => Bounds {
-                        min: Point::new(p.x, -inf),
-                        max: Point::new(inf, p.y),
-                    },
-                };
-                let mut best = (f64::INFINITY, node);
-                tree.around(at, p, area, &mut |other, distance2| {
-                    if distance2 > 0.0
-                        && other != mate[node as usize]
-                        && quadrant(at[other as usize] - p) == q
-                    {
-                        best = (distance2, other);
-                    }
-                    best.0
-                });
-                if best.1 != node {
-                    found[count] = best;
-                    count += 1;
-                }
-            }
-        }
-        found[FEW..count].sort_by(|a, b| a.0.total_cmp(&b.0));
-        near.push(found.map(|(_, other)| other));
-    }
-    near
-}
-
-fn quadrant(d: Point) -> usize {
-    match (d.x >= 0.0, d.y >= 0.0) {
-        (true, true) => 0,
-        (false, true) => 1,
-        (false, false) => 2,
-        _ => 3,
-    }
-}
-
 const NONE: u32 = u32::MAX;
-/// How many neighbours a node knows.
-const NEAR: usize = 10;
-const FEW: usize = 7;

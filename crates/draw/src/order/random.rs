@@ -5,10 +5,6 @@ pub(super) struct Random(pub(super) u64);
 
 impl Random {
     /// A number below `count`.
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "the product's upper half is below count"
-    )]
     pub(super) fn below(&mut self, count: u32) -> u32 {
         (((self.next() >> 32) * u64::from(count)) >> 32) as u32
     }

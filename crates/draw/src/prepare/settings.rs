@@ -32,12 +32,14 @@ pub struct Settings {
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, Tool)>,
+    /// Whether what the arm does not reach is cut off, instead of refused.
+    pub clips: bool,
     /// How filled areas become lines; they stay empty if not given.
     pub hatch: Option<Hatch>,
     /// How a picture's tones become lines.
     pub shading: Shading,
-    /// How often a good order of the strokes is disturbed to find a better one, for each stroke; the
-    /// file's own order is kept if not given.
+    /// How often a good order of the strokes is disturbed to find a better one; the file's own order
+    /// is kept if not given.
     pub tries: Option<u32>,
     /// Decides where it is disturbed: the same seed gives the same order.
     pub seed: u64,
@@ -56,20 +58,19 @@ impl Settings {
         Err(PrepareError::Tolerance { tolerance_mm })
     }
 
-    /// How to look for a good order of so many strokes that this tool draws.
-    pub(super) fn search(&self, tool: Tool, strokes: usize) -> Option<Search> {
+    /// How to look for a good order of the strokes that this tool draws.
+    pub(super) fn search(&self, tool: Tool) -> Option<Search> {
         let speed_mm_s = match tool {
             Tool::Pen(pen) => pen.travel_speed_mm_s,
             Tool::Laser(laser) => laser.travel_speed_mm_s,
         };
-        let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
         Some(Search {
             travel: Travel::Time {
                 speed_mm_s,
                 acceleration_mm_s2: self.machine.acceleration_mm_s2,
                 least_s: self.machine.link.period_s,
             },
-            kicks: self.tries?.saturating_mul(strokes).min(MOST_KICKS),
+            kicks: self.tries?,
             seed: self.seed,
         })
     }
@@ -92,6 +93,7 @@ impl Default for Settings {
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),
+            clips: false,
             hatch: None,
             shading: Shading::default(),
             tries: Some(TRIES),
@@ -102,8 +104,7 @@ impl Default for Settings {
     }
 }
 
-const TRIES: u32 = 10;
-/// A search takes no longer than about a second.
-const MOST_KICKS: u32 = 200_000;
+/// A tenth of a second or so.
+const TRIES: u32 = 20_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
