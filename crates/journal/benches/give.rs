@@ -48,7 +48,9 @@ fn job(commands: usize) -> NewJob {
         dialect: Dialect::FIRMWARE_1_1,
         lift_mm: Some(5.0),
         created_ms: 0,
+        planned_s: None,
         commands: vec![command; commands],
+        pauses: Vec::new(),
     }
 }
 

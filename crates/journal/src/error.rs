@@ -99,6 +99,31 @@ pub enum JournalError {
     #[error("the lift of the job is {0} mm; a finite length above 0 is allowed")]
     Lift(f32),
 
+    /// A pause does not stand before a command behind that of the pause before.
+    #[error(
+        "pause {index} of the job stands before command {before}; {least} to {most} are allowed",
+        most = commands.saturating_sub(1)
+    )]
+    Pause {
+        /// Which one, counted from 0.
+        index: usize,
+        /// Where it stands.
+        before: usize,
+        /// Where it may stand at the earliest.
+        least: usize,
+        /// How many commands the job has.
+        commands: usize,
+    },
+
+    /// A number of the job is none that can be written.
+    #[error("{name} of the job is {found}; a finite number is allowed")]
+    Number {
+        /// Which number.
+        name: &'static str,
+        /// What was found.
+        found: f64,
+    },
+
     /// A window leaves the job, or goes back behind what is done.
     #[error(
         "commands {completed}..{upto} cannot be given: job {job} has {commands} commands, of \

@@ -5,7 +5,7 @@ use std::fmt;
 use dobot_wire::{Command, Dialect};
 use serde::{Deserialize, Serialize};
 
-use crate::{JobState, Window};
+use crate::{Adjustment, JobState, Pause, Window};
 
 /// The number of a job in its journal. It is never used again, not even after the job is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -41,8 +41,12 @@ pub struct NewJob {
     pub lift_mm: Option<f32>,
     /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
+    /// How long it should take, in seconds, where that is known.
+    pub planned_s: Option<f64>,
     /// What the arm is to do, in order.
     pub commands: Vec<Command>,
+    /// Where it waits for a person, in order.
+    pub pauses: Vec<Pause>,
 }
 
 /// A job in the journal, without its commands.
@@ -61,10 +65,37 @@ pub struct Job {
     pub lift_mm: Option<f32>,
     /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
+    /// How long it should take, in seconds, where that is known.
+    pub planned_s: Option<f64>,
     /// How many commands it has.
     pub commands: usize,
+    /// Where it waits for a person, in order.
+    pub pauses: Vec<Pause>,
+    /// What a person has changed while it runs.
+    pub adjustment: Adjustment,
     /// What became of it.
     pub state: JobState,
+    /// What it has behind it, besides commands.
+    pub behind: Behind,
     /// How far it has come.
     pub window: Window,
+}
+
+/// What a job has behind it, besides commands.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Behind {
+    /// At how many of its [`Pause`]s it has waited.
+    pub pauses: usize,
+    /// How long it ran, without pauses, in seconds; `None` where a crash has left nobody who knows.
+    pub ran_s: Option<f64>,
+}
+
+impl Default for Behind {
+    fn default() -> Self {
+        Self {
+            pauses: 0,
+            ran_s: Some(0.0),
+        }
+    }
 }

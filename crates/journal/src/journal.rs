@@ -10,7 +10,7 @@ use crate::rows::{self, JobRow};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
 };
-use crate::{Job, JobId, JobState, JournalError, NewJob, Window};
+use crate::{Adjustment, Behind, Job, JobId, JobState, JournalError, NewJob, Window};
 
 /// Jobs that survive a crash and a power cut, in one file.
 ///
@@ -83,6 +83,7 @@ impl Journal {
     ///
     /// [`JournalError`] where a command or the lift makes no sense, or the storage fails.
     pub fn submit(&self, job: &NewJob) -> Result<JobId, JournalError> {
+        finite("the planned time", job.planned_s)?;
         let row = JobRow::new(job)?.to_bytes();
         let packets = rows::packets(job)?;
         let mut store = self.store();
@@ -172,9 +173,47 @@ impl Journal {
     ///
     /// [`JournalError::NoSuchJob`], or the storage fails.
     pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
+        self.change(id, |row| row.state = state.clone())
+    }
+
+    /// The same, together with what the job has behind it.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], [`JournalError::Number`], or the storage fails.
+    pub fn set_state_behind(
+        &self,
+        id: JobId,
+        state: &JobState,
+        behind: Behind,
+    ) -> Result<(), JournalError> {
+        finite("the time that it ran", behind.ran_s)?;
+        self.change(id, |row| {
+            row.state = state.clone();
+            row.behind = behind;
+        })
+    }
+
+    /// Keeps what a person has changed on a job. **Only after this returned `Ok` may a command be
+    /// sent that is changed by it**: where the arm rests after a crash depends on it.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], [`JournalError::Number`], or the storage fails.
+    pub fn adjust(&self, id: JobId, adjustment: &Adjustment) -> Result<(), JournalError> {
+        finite("the speed", [adjustment.speed_percent])?;
+        let heights = &adjustment.heights;
+        finite(
+            "a height",
+            heights.iter().flat_map(|it| [it.begin_mm, it.offset_mm]),
+        )?;
+        self.change(id, |row| row.adjustment = adjustment.clone())
+    }
+
+    fn change(&self, id: JobId, change: impl FnOnce(&mut JobRow)) -> Result<(), JournalError> {
         let mut store = self.store();
         let mut row = store.row(id)?;
-        row.state = state.clone();
+        change(&mut row);
         let row = row.to_bytes();
         store.write(|change| {
             change.open_table(JOBS)?.insert(id.0, row.as_slice())?;
@@ -224,7 +263,11 @@ impl Journal {
                 known: FORMAT,
             });
         }
-        store.write(|change| note_clean(change, false))?;
+        store.write(|change| {
+            // Jobs of the formats before are read as they are; what is written is of this one.
+            change.open_table(FACTS)?.insert(FORMAT_FACT, FORMAT)?;
+            note_clean(change, false)
+        })?;
         Ok(Self {
             store: Mutex::new(store),
             was_clean: clean == 1,
@@ -303,6 +346,14 @@ fn check_window(job: &Job, window: &Window) -> Result<(), JournalError> {
         done,
         commands: job.commands,
     })
+}
+
+/// JSON has no words for other numbers.
+fn finite(name: &'static str, numbers: impl IntoIterator<Item = f64>) -> Result<(), JournalError> {
+    match numbers.into_iter().find(|it| !it.is_finite()) {
+        Some(found) => Err(JournalError::Number { name, found }),
+        None => Ok(()),
+    }
 }
 
 /// A fact that is missing is 0, which no format, job or clean journal is.

@@ -18,7 +18,9 @@
 //!     dialect: Dialect::FIRMWARE_1_1,
 //!     lift_mm: None,
 //!     created_ms: 1_700_000_000_000,
+//!     planned_s: None,
 //!     commands: vec![Configuration::Writing { acceleration_mm_s2: 100.0 }.into()],
+//!     pauses: Vec::new(),
 //! })?;
 //!
 //! journal.set_state(id, &JobState::Running)?;
@@ -29,10 +31,12 @@
 //! # Ok::<(), dobot_journal::JournalError>(())
 //! ```
 
+mod adjustment;
 mod ends;
 mod error;
 mod job;
 mod journal;
+mod pause;
 mod prelude;
 mod recovery;
 mod rows;
@@ -40,10 +44,12 @@ mod state;
 mod store;
 mod window;
 
+pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};
 pub use error::JournalError;
-pub use job::{Job, JobId, JobKind, NewJob};
+pub use job::{Behind, Job, JobId, JobKind, NewJob};
 pub use journal::Journal;
+pub use pause::Pause;
 pub use prelude::{model_at, prelude};
 pub use recovery::{NEAR_MM, Unclear, locate, window_end};
 pub use redb::StorageBackend;

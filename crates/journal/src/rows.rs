@@ -3,7 +3,9 @@
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
-use crate::{Job, JobId, JobKind, JobState, JournalError, NewJob, Window};
+use crate::{
+    Adjustment, Behind, Job, JobId, JobKind, JobState, JournalError, NewJob, Pause, Window,
+};
 
 /// What the table of jobs holds, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,6 +18,23 @@ pub(crate) struct JobRow {
     created_ms: i64,
     commands: usize,
     pub(crate) state: JobState,
+    // Jobs of format 1 have none of these.
+    #[serde(default)]
+    planned_s: Option<f64>,
+    #[serde(default)]
+    pauses: Vec<Pause>,
+    #[serde(default)]
+    pub(crate) adjustment: Adjustment,
+    #[serde(default = "unknown")]
+    pub(crate) behind: Behind,
+}
+
+/// A job that began before anybody counted.
+const fn unknown() -> Behind {
+    Behind {
+        pauses: 0,
+        ran_s: None,
+    }
 }
 
 impl JobRow {
@@ -27,6 +46,7 @@ impl JobRow {
         {
             return Err(JournalError::Lift(lift_mm));
         }
+        check_pauses(job)?;
         Ok(Self {
             title: job.title.clone(),
             kind: job.kind,
@@ -35,6 +55,10 @@ impl JobRow {
             created_ms: job.created_ms,
             commands: job.commands.len(),
             state: JobState::Queued,
+            planned_s: job.planned_s,
+            pauses: job.pauses.clone(),
+            adjustment: Adjustment::default(),
+            behind: Behind::default(),
         })
     }
 
@@ -60,11 +84,32 @@ impl JobRow {
             kind: self.kind,
             lift_mm: self.lift_mm,
             created_ms: self.created_ms,
+            planned_s: self.planned_s,
             commands: self.commands,
+            pauses: self.pauses,
+            adjustment: self.adjustment,
             state: self.state,
+            behind: self.behind,
             window,
         })
     }
+}
+
+/// Pauses stand in the order of their commands, and each at a command of its own.
+fn check_pauses(job: &NewJob) -> Result<(), JournalError> {
+    let mut least = 0;
+    for (index, pause) in job.pauses.iter().enumerate() {
+        if !(least..job.commands.len()).contains(&pause.before) {
+            return Err(JournalError::Pause {
+                index,
+                before: pause.before,
+                least,
+                commands: job.commands.len(),
+            });
+        }
+        least = pause.before + 1;
+    }
+    Ok(())
 }
 
 /// The packets of a job, one after the other: what the arm will get, bit by bit.

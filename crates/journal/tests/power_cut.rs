@@ -3,7 +3,9 @@
 
 mod lab;
 
-use dobot_journal::{Job, JobId, JobState, Journal, JournalError, NewJob, Window};
+use dobot_journal::{
+    Adjustment, Behind, Job, JobId, JobState, Journal, JournalError, NewJob, Window,
+};
 use dobot_wire::Command;
 use lab::{Disk, START, job};
 use proptest::prelude::*;
@@ -226,8 +228,12 @@ impl Content {
             dialect: new.dialect,
             lift_mm: new.lift_mm,
             created_ms: new.created_ms,
+            planned_s: new.planned_s,
             commands: new.commands.len(),
+            pauses: new.pauses,
+            adjustment: Adjustment::default(),
             state: JobState::Queued,
+            behind: Behind::default(),
             window: Window::default(),
         };
         self.jobs.push((job, new.commands));

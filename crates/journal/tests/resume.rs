@@ -228,7 +228,9 @@ fn submit(journal: &Journal, dialect: Dialect, commands: &[Command]) -> JobId {
             dialect,
             lift_mm: Some(LIFT_MM),
             created_ms: 0,
+            planned_s: None,
             commands: commands.to_vec(),
+            pauses: Vec::new(),
         })
         .unwrap();
     journal.set_state(id, &JobState::Running).unwrap();

@@ -5,7 +5,9 @@ mod lab;
 
 use std::fs;
 
-use dobot_journal::{JobId, JobState, Journal, JournalError, NewJob, Window};
+use dobot_journal::{
+    Adjustment, Behind, HeightChange, JobId, JobState, Journal, JournalError, NewJob, Pause, Window,
+};
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use lab::{START, job, vector};
 use proptest::prelude::*;
@@ -264,7 +266,7 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
     change
         .open_table(FACTS)
         .unwrap()
-        .insert("format", 2)
+        .insert("format", 3)
         .unwrap();
     change.commit().unwrap();
     drop(newer);
@@ -274,13 +276,120 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
         matches!(
             error,
             JournalError::Newer {
-                found: 2,
-                known: 1,
+                found: 3,
+                known: 2,
                 ..
             }
         ),
         "{error}"
     );
+}
+
+#[test]
+fn a_journal_of_the_first_format_is_read_and_gone_on_with() {
+    const FACTS: redb::TableDefinition<'_, &str, u64> = redb::TableDefinition::new("dobot journal");
+    const JOBS: redb::TableDefinition<'_, u64, &[u8]> = redb::TableDefinition::new("jobs");
+    const ROW: &str = r#"{"title":"a picture","kind":"drawing","dialect":"firmware-1.1",
+        "lift_mm":5.0,"created_ms":7,"commands":3,"state":{"state":"paused","reason":"x"}}"#;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.redb");
+    let id = Journal::open(&path).unwrap().submit(&job("", 3)).unwrap();
+    let older = redb::Database::open(&path).unwrap();
+    let change = older.begin_write().unwrap();
+    let mut facts = change.open_table(FACTS).unwrap();
+    facts.insert("format", 1).unwrap();
+    drop(facts);
+    let mut jobs = change.open_table(JOBS).unwrap();
+    jobs.insert(id.0, ROW.as_bytes()).unwrap();
+    drop(jobs);
+    change.commit().unwrap();
+    drop(older);
+
+    let journal = Journal::open(&path).unwrap();
+    let found = journal.job(id).unwrap();
+    assert_eq!((found.title.as_str(), found.commands), ("a picture", 3));
+    assert_eq!(found.adjustment, Adjustment::default());
+    assert_eq!((found.planned_s, found.behind.ran_s), (None, None));
+    journal.set_state(id, &JobState::Running).unwrap();
+    assert_eq!(journal.job(id).unwrap().state, JobState::Running);
+}
+
+#[test]
+fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.redb");
+    let journal = Journal::open(&path).unwrap();
+    let pauses = vec![pause(0), pause(2)];
+    let wanted = NewJob {
+        planned_s: Some(12.5),
+        pauses: pauses.clone(),
+        ..job("a picture", 3)
+    };
+    let id = journal.submit(&wanted).unwrap();
+    let adjustment = Adjustment {
+        speed_percent: 62.5,
+        heights: vec![HeightChange {
+            from: 2,
+            begin_mm: 0.1,
+            offset_mm: -0.3,
+        }],
+    };
+    journal.adjust(id, &adjustment).unwrap();
+    let reason = "the blue pen".to_owned();
+    let behind = Behind {
+        pauses: 1,
+        ran_s: Some(3.25),
+    };
+    let paused = JobState::Paused { reason };
+    journal.set_state_behind(id, &paused, behind).unwrap();
+    drop(journal);
+    let found = Journal::open(&path).unwrap().job(id).unwrap();
+    assert_eq!((found.planned_s, found.pauses), (Some(12.5), pauses));
+    assert_eq!(found.adjustment, adjustment);
+    assert_eq!((found.state, found.behind), (paused, behind));
+}
+
+#[test]
+fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
+    let journal = Journal::in_memory().unwrap();
+    for (pauses, text) in [
+        (
+            vec![pause(3)],
+            "pause 0 of the job stands before command 3; 0 to 2 are allowed",
+        ),
+        (
+            vec![pause(1), pause(1)],
+            "pause 1 of the job stands before command 1; 2 to 2 are allowed",
+        ),
+    ] {
+        let job = NewJob {
+            pauses,
+            ..job("a picture", 3)
+        };
+        assert_eq!(journal.submit(&job).unwrap_err().to_string(), text);
+    }
+}
+
+#[test]
+fn a_number_that_is_none_is_refused() {
+    let journal = Journal::in_memory().unwrap();
+    let id = journal.submit(&job("a picture", 3)).unwrap();
+    for speed_percent in [f64::NAN, f64::INFINITY] {
+        let adjustment = Adjustment {
+            speed_percent,
+            ..Adjustment::default()
+        };
+        let refused = journal.adjust(id, &adjustment).unwrap_err().to_string();
+        assert!(refused.starts_with("the speed of the job is "), "{refused}");
+    }
+    assert_eq!(journal.job(id).unwrap().adjustment, Adjustment::default());
+}
+
+fn pause(before: usize) -> Pause {
+    Pause {
+        before,
+        message: "change the pen".into(),
+    }
 }
 
 #[test]

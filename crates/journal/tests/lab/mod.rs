@@ -23,7 +23,9 @@ pub fn job(title: &str, commands: u16) -> NewJob {
         dialect: Dialect::FIRMWARE_1_1,
         lift_mm: Some(5.0),
         created_ms: 1_700_000_000_123,
+        planned_s: None,
         commands: (0..commands).map(command).collect(),
+        pauses: Vec::new(),
     }
 }
 
