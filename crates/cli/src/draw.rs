@@ -194,6 +194,7 @@ impl Args {
             kind: JobKind::Drawing,
             commands: prepared.plan.commands().collect(),
             lift_mm: lift_mm(&prepared.plan),
+            pauses: Vec::new(),
         };
         match station.request(Request::SubmitJob { job }).await? {
             Reply::Job { job } => follow::start(station, job.job, see).await,

@@ -107,6 +107,7 @@ mod measure {
             kind: JobKind::Drawing,
             commands: commands.collect(),
             lift_mm: 0.0,
+            pauses: Vec::new(),
         }
     }
 

@@ -1,17 +1,17 @@
 //! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use dobot_arm::{Joints, Tool};
 use dobot_course::{Model, Place};
-use dobot_journal::{Job, JobId, JobState, Journal, JournalError, Window};
+use dobot_journal::{Job, JobId, JobState, Journal, JournalError, Pause, Window};
 use dobot_safety::Policy;
+use dobot_wire::Command;
 use tokio::sync::{mpsc, oneshot};
 
 use crate::handle::Message;
 use crate::keeper::{Begun, Effect, JobPlan};
-use crate::words::{ClientId, JobKind, JobPhase, JobView, NewJob, Refusal, Reply};
+use crate::words::{ClientId, JobKind, JobPause, JobPhase, JobView, NewJob, Refusal, Reply};
 
 /// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
 /// that owns the arm.
@@ -19,8 +19,6 @@ use crate::words::{ClientId, JobKind, JobPhase, JobView, NewJob, Refusal, Reply}
 pub(crate) struct Jobs {
     journal: Arc<Journal>,
     policy: Arc<Policy>,
-    /// Planned times, in seconds, of the jobs that were looked at since the start.
-    planned_s: Arc<Mutex<HashMap<u64, f64>>>,
     orders: mpsc::UnboundedSender<Order>,
 }
 
@@ -55,7 +53,6 @@ impl Jobs {
         Self {
             journal,
             policy,
-            planned_s: Arc::default(),
             orders,
         }
     }
@@ -68,9 +65,7 @@ impl Jobs {
 
     /// Looks at a job again, and gives what the keeper needs of it.
     pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
-        let begun = look_again(&self.journal, &self.policy, job, model)?;
-        self.note_planned(begun.job, begun.plan.planned_s());
-        Ok(begun)
+        look_again(&self.journal, &self.policy, job, model)
     }
 
     /// Gives up a job that cannot even be looked at again.
@@ -163,8 +158,7 @@ impl Jobs {
     }
 
     fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<JobView, Refusal> {
-        let (id, planned_s) = submit(&self.journal, &self.policy, job, model, now_ms)?;
-        self.note_planned(id.0, planned_s);
+        let id = submit(&self.journal, &self.policy, job, model, now_ms)?;
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
         let job = self
@@ -176,9 +170,7 @@ impl Jobs {
 
     fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
         self.catch_up();
-        let begun = startable(&self.journal, &self.policy, job, model)?;
-        self.note_planned(begun.job, begun.plan.planned_s());
-        Ok(begun)
+        startable(&self.journal, &self.policy, job, model)
     }
 
     /// Waits until the journal knows what the keeper has told: that a job is paused, say.
@@ -215,9 +207,6 @@ impl Jobs {
     }
 
     fn view(&self, job: &Job) -> JobView {
-        let planned = self.planned_s.lock();
-        let planned = planned.unwrap_or_else(PoisonError::into_inner);
-        let planned_s = planned.get(&job.id.0).copied();
         JobView {
             job: job.id.0,
             title: job.title.clone(),
@@ -226,41 +215,42 @@ impl Jobs {
             reason: reason(&job.state),
             commands: job.commands,
             completed: job.window.completed,
-            planned_s,
-            left_s: planned_s.filter(|_| job.window.completed == 0),
+            planned_s: job.planned_s,
+            left_s: job.planned_s.filter(|_| job.window.completed == 0),
+            took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+            speed_percent: job.adjustment.speed_percent,
+            height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
         }
-    }
-
-    fn note_planned(&self, job: u64, planned_s: f64) {
-        let planned = self.planned_s.lock();
-        let mut planned = planned.unwrap_or_else(PoisonError::into_inner);
-        planned.insert(job, planned_s);
     }
 }
 
-/// Plans a new job from its first command to its last, and keeps it; gives its number and how long
-/// it takes, in seconds.
+/// Plans a new job from its first command to its last, and keeps it; gives its number.
 pub(crate) fn submit(
     journal: &Journal,
     policy: &Policy,
     job: NewJob,
     model: Model,
     now_ms: i64,
-) -> Result<(JobId, f64), Refusal> {
+) -> Result<JobId, Refusal> {
     check_new(&job)?;
     let dialect = model.dialect;
-    let plan = JobPlan::new(policy, model, job.commands, job.lift_mm, 0)?;
-    let id = journal
+    let plan = JobPlan::new(policy, model, job.commands, &[], job.lift_mm, 0)?;
+    journal
         .submit(&dobot_journal::NewJob {
             title: job.title,
             kind: to_journal(job.kind),
             dialect,
             lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
             created_ms: now_ms,
+            planned_s: Some(plan.planned_s()),
             commands: plan.commands().to_vec(),
+            pauses: job.pauses.into_iter().map(pause).collect(),
         })
-        .map_err(|error| journal_refusal(&error))?;
-    Ok((id, plan.planned_s()))
+        .map_err(|error| journal_refusal(&error))
+}
+
+fn pause(JobPause { before, message }: JobPause) -> Pause {
+    Pause { before, message }
 }
 
 /// Looks at a job that is to be started or gone on with.
@@ -305,13 +295,18 @@ pub(crate) fn look_again(
         .commands(job.id)
         .map_err(|error| journal_refusal(&error))?;
     let lift_mm = job.lift_mm.unwrap_or(0.0);
+    let (heights, completed) = (&job.adjustment.heights, job.window.completed);
+    let plan = JobPlan::new(policy, model, commands, heights, lift_mm, completed)?;
     Ok(Begun {
         job: job.id.0,
         title: job.title.clone(),
         kind: of_journal(job.kind),
         dialect: job.dialect,
-        plan: JobPlan::new(policy, model, commands, lift_mm, job.window.completed)?,
-        completed: job.window.completed,
+        plan,
+        pauses: job.pauses.clone(),
+        adjustment: job.adjustment.clone(),
+        completed,
+        behind: job.behind,
         doubt: (job.window.upto > job.window.completed).then_some(job.window),
     })
 }
@@ -337,7 +332,61 @@ fn check_new(job: &NewJob) -> Result<(), Refusal> {
             allowed: format!("0 to {LIFT_MM} mm"),
         });
     }
+    check_pauses(job)
+}
+
+fn check_pauses(job: &NewJob) -> Result<(), Refusal> {
+    let count = job.pauses.len();
+    if count > PAUSES {
+        return Err(Refusal::Malformed(format!(
+            "the job has {count} pauses; allowed are up to {PAUSES}"
+        )));
+    }
+    let mut least = 0;
+    for pause in &job.pauses {
+        check_message(&pause.message)?;
+        check_place(job, pause.before, least)?;
+        least = pause.before + 1;
+    }
     Ok(())
+}
+
+fn check_message(message: &str) -> Result<(), Refusal> {
+    let found = message.chars().count();
+    if found == 0 || found > MESSAGE_LEN {
+        return Err(Refusal::Malformed(format!(
+            "the message of a pause has {found} characters; allowed are 1 to {MESSAGE_LEN}"
+        )));
+    }
+    if message.chars().any(char::is_control) {
+        return Err(Refusal::Malformed(format!(
+            "the message of a pause is {message:?}; allowed is one line without control characters"
+        )));
+    }
+    Ok(())
+}
+
+/// A pause stands behind the one before it, where the arm is at rest.
+fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal> {
+    if !(least..job.commands.len()).contains(&before) {
+        let most = job.commands.len().saturating_sub(1);
+        return Err(Refusal::Malformed(format!(
+            "a pause stands before command {before}; allowed are {least} to {most}, in order"
+        )));
+    }
+    let last = before.checked_sub(1).map(|it| &job.commands[it]);
+    match last {
+        Some(Command::WriteVector(it)) if !it.stop && it.end_speed_mm_s > 0.0 => {
+            Err(Refusal::BadJob {
+                index: before,
+                why: format!(
+                    "a pause stands before it, and the vector before ends at {} mm/s; allowed is 0",
+                    it.end_speed_mm_s
+                ),
+            })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes in a thread of its own: the disk takes its time.
@@ -386,6 +435,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             phase,
             reason,
             window,
+            behind,
         } => {
             // One that does not run was given nothing: how far it is has not changed.
             if let Some(window) = window
@@ -393,8 +443,10 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             {
                 journal.give(JobId(*job), window)?;
             }
-            journal.set_state(JobId(*job), &state(*phase, reason.clone()))
+            let state = state(*phase, reason.clone());
+            journal.set_state_behind(JobId(*job), &state, *behind)
         }
+        Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
     }
 }
 
@@ -451,4 +503,6 @@ const fn to_journal(kind: JobKind) -> dobot_journal::JobKind {
 /// So many jobs that are over are kept.
 const HISTORY: usize = 100;
 const TITLE_LEN: usize = 200;
+const PAUSES: usize = 1_000;
+const MESSAGE_LEN: usize = 200;
 const LIFT_MM: f32 = 100.0;

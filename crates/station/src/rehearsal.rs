@@ -204,7 +204,7 @@ impl Rehearsal {
     /// [`Refusal`].
     pub fn submit(&mut self, job: &NewJob) -> Result<u64, Refusal> {
         let model = self.keeper.planning_model()?;
-        let (id, _) = jobs::submit(&self.journal, &self.policy, job.clone(), model, 0)?;
+        let id = jobs::submit(&self.journal, &self.policy, job.clone(), model, 0)?;
         Ok(id.0)
     }
 

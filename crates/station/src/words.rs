@@ -11,7 +11,7 @@ mod request;
 mod role;
 mod state;
 
-pub use job::{JobKind, JobPhase, JobView, NewJob};
+pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
 pub use lease::{Asking, ClientId, LeaseView};
 pub use notice::{News, Notice};
 pub use problem::Problem;

@@ -161,6 +161,7 @@ fn spiral() -> NewJob {
         kind: JobKind::Drawing,
         commands,
         lift_mm: 0.0,
+        pauses: Vec::new(),
     }
 }
 

@@ -69,6 +69,24 @@ pub(super) struct Arming {
     pub(super) for_s: f64,
 }
 
+/// How fast a job is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Speed {
+    /// In percent of the planned speed.
+    #[schemars(range(min = 10.0, max = 200.0))]
+    pub(super) percent: f64,
+}
+
+/// How high a job is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Height {
+    /// How far above the plan, in millimetres; below 0 is lower.
+    #[schemars(range(min = -5.0, max = 5.0))]
+    pub(super) offset_mm: f64,
+}
+
 /// Which dialect the arm speaks.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -12,7 +12,9 @@ use tokio::sync::broadcast::error::RecvError;
 
 use super::answer::{Body, JOB, Maybe, Number, json};
 use super::app::{App, Visitor};
-use super::bodies::{Arming, Granted, Heir, NewCommand, NewStop, Nothing, Press, Speech, Wish};
+use super::bodies::{
+    Arming, Granted, Height, Heir, NewCommand, NewStop, Nothing, Press, Speech, Speed, Wish,
+};
 use super::kinds::{self, INVALID, Kind, METHOD, NO_LEASE, NOT_REACHED, UNKNOWN_PATH};
 use super::visits::LASTS;
 use crate::Client;
@@ -284,6 +286,20 @@ pub(super) async fn start_job(
 
 pub(super) async fn pause_job(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, Problem> {
     asker.ask(Request::PauseJob).await
+}
+
+pub(super) async fn set_job_speed(
+    asker: Asker,
+    Body(Speed { percent }): Body<Speed>,
+) -> Result<Json<Reply>, Problem> {
+    asker.ask(Request::SetJobSpeed { percent }).await
+}
+
+pub(super) async fn set_job_height(
+    asker: Asker,
+    Body(Height { offset_mm }): Body<Height>,
+) -> Result<Json<Reply>, Problem> {
+    asker.ask(Request::SetJobHeight { offset_mm }).await
 }
 
 pub(super) async fn cancel_job(

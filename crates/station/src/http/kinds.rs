@@ -94,6 +94,8 @@ kinds! {
         "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
     JOB_PHASE = 409 "job-phase" "the job does not allow this now"
         "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
+    NO_VECTORS = 409 "no-vectors" "the job has no vectors"
+        "Speed and height are changed on write vectors, and the job is made of targets. They keep their own.";
     CANNOT_RESUME = 409 "cannot-resume" "the job cannot be gone on with"
         "The arm is not where the job left it, or its pose is not trusted. The detail says which.";
     NOT_REACHED = 409 "not-reached" "the command was taken, but the arm is not where it leads"
@@ -181,6 +183,7 @@ mod tests {
                 found: crate::JobPhase::Done,
                 allowed: "queued",
             },
+            Refusal::NoVectors(1),
             Refusal::BadJob {
                 index: 1,
                 why: String::new(),

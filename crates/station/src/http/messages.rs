@@ -136,7 +136,9 @@ const fn has_fields(request: &Request) -> bool {
         | Request::DisarmLaser
         | Request::ConfirmPose
         | Request::Detect
-        | Request::PauseJob => false,
+        | Request::PauseJob
+        | Request::SetJobSpeed { .. }
+        | Request::SetJobHeight { .. } => false,
     }
 }
 

@@ -11,11 +11,13 @@ use dobot_safety::Policy;
 
 use super::answer::JOB;
 use super::app::App;
-use super::bodies::{Arming, Granted, Heir, NewCommand, NewStop, Nothing, Press, Speech, Wish};
+use super::bodies::{
+    Arming, Granted, Height, Heir, NewCommand, NewStop, Nothing, Press, Speech, Speed, Wish,
+};
 use super::kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, DETECTING, DIALECT_NOT_FOUND, ENDING, JOB_PHASE, JOB_RUNNING,
     JOURNAL, Kind, LASER_DISARMED, MALFORMED, NO_JOB_RUNS, NO_LEASE, NO_LINK, NO_SUCH_JOB,
-    NOT_ASKING, NOT_REACHED, OUT_OF_RANGE, POLICY, STILL_MOVING, STOPPED, TOO_MANY,
+    NO_VECTORS, NOT_ASKING, NOT_REACHED, OUT_OF_RANGE, POLICY, STILL_MOVING, STOPPED, TOO_MANY,
     TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
 };
 use super::route::Route;
@@ -74,6 +76,16 @@ const MOVES: &[Kind] = &[
     OUT_OF_RANGE,
     TOO_MANY,
     NO_LINK,
+];
+
+/// What changing a job while it runs may be refused for.
+const ADJUSTS: &[Kind] = &[
+    NO_LEASE,
+    NO_JOB_RUNS,
+    STILL_MOVING,
+    NO_VECTORS,
+    CANNOT_RESUME,
+    OUT_OF_RANGE,
 ];
 
 fn page_routes() -> Vec<Route> {
@@ -301,5 +313,15 @@ fn job_routes() -> Vec<Route> {
             .may_take::<Nothing>("{}")
             .gives::<Reply>(200, "the job is paused")
             .problems(&[NO_LEASE, NO_JOB_RUNS, JOURNAL]),
+        Route::new(PUT, "/api/v1/jobs/speed", "Draws the vectors of the job faster or slower than planned, from the next one on that is not sent yet", || put(calls::set_job_speed))
+            .asks()
+            .takes::<Speed>(r#"{"percent": 80}"#)
+            .gives::<Reply>(200, "the job goes at this speed")
+            .problems(ADJUSTS),
+        Route::new(PUT, "/api/v1/jobs/height", "Draws the job higher or lower than planned, gently, from the next command on that is not sent yet", || put(calls::set_job_height))
+            .asks()
+            .takes::<Height>(r#"{"offset_mm": 0.2}"#)
+            .gives::<Reply>(200, "the job is drawn at this height")
+            .problems(ADJUSTS),
     ]
 }

@@ -11,11 +11,10 @@ impl Keeper {
             return Err(Refusal::NoJobRuns);
         };
         let at_work = run.is_at_work();
-        self.part_from_laser();
+        self.part_from_burning();
         // One that is coming to rest already need not be told again, nor lifted twice.
         if at_work {
-            self.drop_waiting(&why);
-            self.drain(JobPhase::Paused, &why, true);
+            self.come_to_rest(JobPhase::Paused, &why);
         }
         Ok(self.job_reply())
     }
@@ -28,7 +27,7 @@ impl Keeper {
             return Err(Refusal::NoSuchJob(job));
         }
         let why = format!("ended by {}", self.name(client));
-        self.part_from_laser();
+        self.part_from_burning();
         self.end_run(&why);
         let reply = self.job_reply();
         self.watch_run();
@@ -42,8 +41,7 @@ impl Keeper {
         };
         match &mut run.phase {
             Phase::Running | Phase::Approaching { .. } => {
-                self.drop_waiting(why);
-                self.drain(JobPhase::Stopped, why, true);
+                self.come_to_rest(JobPhase::Stopped, why);
             }
             // Nothing moves for its sake: how far the job got, nobody needs to know any more.
             Phase::Paused { .. } | Phase::Locating { .. } => {
@@ -57,14 +55,38 @@ impl Keeper {
         }
     }
 
+    /// Laser off, at once, where it may be on. An arm that draws with a pen hears it when it rests:
+    /// the packet would come in the middle of a stroke, and stop it for a moment.
+    fn part_from_burning(&mut self) {
+        if self.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
+            self.part_from_laser();
+        }
+    }
+
+    /// The job goes no further: it comes to rest on its way, and the tool is lifted.
+    fn come_to_rest(&mut self, then: JobPhase, why: &str) {
+        self.drop_waiting(why);
+        let lift = self.run.as_ref().is_some_and(Run::is_down);
+        self.drain(then, why, lift);
+        if let Some(run) = &mut self.run {
+            run.brake();
+        }
+        self.pump();
+    }
+
     /// The job goes no further: what is under way comes to its end, then it is paused.
     pub(super) fn interrupt_run(&mut self, why: &str) {
         if self.run.as_ref().is_some_and(Run::is_at_work) {
             self.drain(JobPhase::Paused, why, false);
-        } else if let Some(run) = &mut self.run
-            && let Phase::Draining { lift, .. } = &mut run.phase
-        {
-            *lift = false;
+        } else if let Some(run) = &mut self.run {
+            let cut_short = run.is_cut_short();
+            run.end_here();
+            if let Phase::Draining { lift, reason, .. } = &mut run.phase {
+                *lift = false;
+                if cut_short {
+                    why.clone_into(reason);
+                }
+            }
         }
     }
 
@@ -84,6 +106,7 @@ impl Keeper {
         let Some(run) = &mut self.run else {
             return;
         };
+        run.end_here();
         run.phase = Phase::Draining {
             then,
             reason: reason.to_owned(),
@@ -94,19 +117,23 @@ impl Keeper {
         self.tell_phase(then, reason);
     }
 
-    pub(super) fn drained(&mut self, then: JobPhase, reason: String, lift: bool) {
+    /// All was given that the job does before it rests: the tool is lifted right behind that, so that
+    /// no pen stands on the paper.
+    pub(super) fn lift_run(&mut self, then: JobPhase, reason: String) {
         let up = self.run.as_ref().map_or(0.0, Run::lift_mm);
-        if lift && up > 0.0 && self.stop.is_none() && self.is_linked() {
-            let command = straight(up.into());
-            if self.check_way(&command).is_ok()
-                && let Ok(last) = self.session.send(command)
-                && let Some(run) = &mut self.run
-            {
-                run.phase = Phase::Lifting { last, then, reason };
-                return;
-            }
-        }
-        self.rest_run(then, reason);
+        let command = straight(up.into());
+        let wanted = up > 0.0 && self.stop.is_none() && self.is_linked();
+        let lifts =
+            wanted && self.check_way(&command).is_ok() && self.session.send(command).is_ok();
+        let Some(run) = &mut self.run else {
+            return;
+        };
+        run.phase = if lifts {
+            Phase::Lifting { then, reason }
+        } else {
+            let lift = false;
+            Phase::Draining { then, reason, lift }
+        };
     }
 
     /// Nothing of the job is under way any more: how far it got is certain, and kept.
@@ -120,11 +147,13 @@ impl Keeper {
             phase: then,
             reason: Some(reason),
             window,
+            behind: run.behind(),
         };
         self.keep_phase(effect);
         if then.is_over() {
             self.run = None;
         }
+        self.part_from_laser();
         self.changed = true;
     }
 

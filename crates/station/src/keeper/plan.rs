@@ -1,20 +1,32 @@
 //! A job looked at from its beginning to its end, before anything moves.
 
+mod height;
+
 use std::sync::Arc;
 
 use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
 use dobot_course::{Model, Place};
+use dobot_journal::HeightChange;
 use dobot_safety::{Policy, burns};
-use dobot_wire::{Command, Configuration, Status};
+use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
+
+use self::height::Height;
 
 use crate::words::Refusal;
 
 /// A job whose whole way has been checked: where each command ends, and how long it takes.
 #[derive(Clone, Debug)]
 pub struct JobPlan {
+    /// As they were submitted.
+    planned: Arc<[Command]>,
+    /// As they are to be drawn: higher or lower.
     commands: Arc<[Command]>,
     steps: Arc<[Step]>,
+    /// From this command on they are as submitted, and only the height may be another one.
+    altered_until: usize,
+    /// The accelerations of vectors in mm/s2, and from which command on they hold.
+    accelerations: Vec<(usize, f64)>,
     burns: bool,
     lift_mm: f32,
 }
@@ -24,57 +36,132 @@ pub struct JobPlan {
 struct Step {
     /// The arm when it is over.
     end: Status,
+    /// How far above the plan that is, in mm.
+    raised_mm: f64,
+    /// How far above that it is by now: a person has changed the height meanwhile.
+    higher_mm: f64,
     moves: bool,
     /// How long it and all before it take, in seconds.
     until_s: f64,
 }
 
 impl JobPlan {
-    /// Looks at every command of a job, from where the arm is. The way to its first target is not
-    /// judged where the job has gone on from there already.
+    /// Looks at every command of a job, from where the arm is, at the heights to which a person has
+    /// changed it. The way to its first target is not judged where the job has gone on from there
+    /// already.
     ///
     /// # Errors
     ///
     /// [`Refusal::BadJob`] with the first command that is not allowed, and why.
     pub fn new(
         policy: &Policy,
-        mut model: Model,
+        model: Model,
         commands: Vec<Command>,
+        heights: &[HeightChange],
         lift_mm: f32,
         completed: usize,
     ) -> Result<Self, Refusal> {
         let first = check_beginning(&commands)?;
-        let mut steps = Vec::with_capacity(commands.len());
-        let mut until_s = 0.0;
+        let burns = commands.iter().any(burns);
+        let mut look = Look {
+            policy,
+            model,
+            height: Height::planned(burns),
+            unjudged: (completed > first).then_some(first),
+            until_s: 0.0,
+        };
+        let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
+        let mut drawn = Vec::with_capacity(commands.len());
+        let mut accelerations = vec![(0, look.acceleration_mm_s2())];
+        let mut changes = heights.iter().peekable();
+        let mut altered_until = 0;
         for (index, command) in commands.iter().enumerate() {
-            let bad = |why: String| Refusal::BadJob { index, why };
-            let course = if index == first && completed > first {
-                // To stand there already is no reason to refuse what is done.
-                model.place = somewhere(model.tool);
-                model
-                    .course(command)
-                    .map_err(|error| bad(error.to_string()))?
-            } else {
-                let checked = policy.check(&model, command);
-                checked.map_err(|violation| bad(violation.to_string()))?
-            };
-            let takes_s = course.duration_s().ok_or_else(|| {
-                bad("a jog goes on until it is released; a job may not hold one".into())
-            })?;
-            model = model.after(command, &course);
-            until_s += takes_s;
-            steps.push(Step {
-                end: model.status(),
-                moves: course.moves(),
-                until_s,
-            });
+            if let Some(change) = changes.next_if(|it| it.from == index) {
+                let end = look.change(change);
+                if let (Some(last), Some(end)) = (steps.last_mut(), end) {
+                    (last.end, last.raised_mm) = (end, change.begin_mm);
+                }
+            }
+            let command_drawn = look.height.apply(command);
+            if command_drawn != *command {
+                altered_until = index + 1;
+            }
+            steps.push(look.step(index, &command_drawn)?);
+            drawn.push(command_drawn);
+            if matches!(command, Command::Configuration(_)) {
+                accelerations.push((index + 1, look.acceleration_mm_s2()));
+            }
         }
         Ok(Self {
-            burns: commands.iter().any(burns),
-            commands: commands.into(),
+            planned: commands.into(),
+            commands: drawn.into(),
             steps: steps.into(),
+            altered_until,
+            accelerations,
+            burns,
             lift_mm,
         })
+    }
+
+    /// Has all from a command on drawn at another height. The ways are not judged again: each is
+    /// before it is sent.
+    pub fn change_height(&mut self, change: &HeightChange) {
+        let mut height = Height::planned(self.burns);
+        (height.raised_mm, height.offset_mm) = (change.begin_mm, change.offset_mm);
+        let commands = Arc::make_mut(&mut self.commands);
+        let steps = Arc::make_mut(&mut self.steps);
+        if let Some(last) = change.from.checked_sub(1).and_then(|it| steps.get_mut(it)) {
+            last.higher_mm = change.begin_mm - last.raised_mm;
+        }
+        self.altered_until = change.from.min(self.altered_until);
+        for (index, command) in self.planned.iter().enumerate().skip(change.from) {
+            commands[index] = height.apply(command);
+            steps[index].higher_mm = height.raised_mm - steps[index].raised_mm;
+            if commands[index] != *command {
+                self.altered_until = index + 1;
+            }
+        }
+    }
+
+    /// How far above the plan the arm is when all before a command is over, in millimetres.
+    #[must_use]
+    pub fn raised_mm(&self, index: usize) -> f64 {
+        let last = index.checked_sub(1).and_then(|it| self.steps.get(it));
+        last.map_or(0.0, |it| it.raised_mm + it.higher_mm)
+    }
+
+    /// Whether a command or one behind it was changed, so that its speeds may not fit any more.
+    #[must_use]
+    pub const fn is_altered(&self, index: usize) -> bool {
+        index < self.altered_until
+    }
+
+    /// Whether there is a vector.
+    #[must_use]
+    pub fn has_vectors(&self) -> bool {
+        let vector = |it: &Command| matches!(it, Command::WriteVector(_));
+        self.planned.iter().any(vector)
+    }
+
+    /// The vectors from a command on that are drawn in one go: up to the first that ends at rest.
+    pub fn chain(&self, index: usize) -> impl Iterator<Item = &WriteVector> {
+        let mut rests = false;
+        self.commands[index.min(self.len())..]
+            .iter()
+            .map_while(move |it| match it {
+                Command::WriteVector(it) if !it.stop && !rests => {
+                    rests = it.end_speed_mm_s == 0.0;
+                    Some(it)
+                }
+                _ => None,
+            })
+    }
+
+    /// With what acceleration a vector is drawn, in mm/s2.
+    #[must_use]
+    pub fn acceleration_mm_s2(&self, index: usize) -> f64 {
+        let later = self.accelerations.partition_point(|it| it.0 <= index);
+        self.accelerations[later.saturating_sub(1)].1
     }
 
     /// How many commands there are.
@@ -120,7 +207,7 @@ impl JobPlan {
         let before = index.min(self.steps.len());
         let moved = before > self.first_motion();
         let last = before.checked_sub(1).filter(|_| moved)?;
-        self.steps.get(last).map(|it| it.end)
+        self.steps.get(last).map(Step::now)
     }
 
     /// Where the tool is then.
@@ -145,6 +232,84 @@ impl JobPlan {
     pub fn left_s(&self, index: usize) -> f64 {
         let over = index.checked_sub(1).and_then(|it| self.steps.get(it));
         self.planned_s() - over.map_or(0.0, |it| it.until_s)
+    }
+}
+
+impl Step {
+    /// The arm when it is over, at the height that holds by now.
+    fn now(&self) -> Status {
+        if self.higher_mm == 0.0 {
+            return self.end;
+        }
+        raised(&self.end, self.higher_mm)
+    }
+}
+
+/// Follows a job from command to command.
+struct Look<'a> {
+    policy: &'a Policy,
+    model: Model,
+    height: Height,
+    /// The command whose way is not judged.
+    unjudged: Option<usize>,
+    until_s: f64,
+}
+
+impl Look<'_> {
+    /// From here on another height is wanted; gives where the arm is brought for that.
+    fn change(&mut self, change: &HeightChange) -> Option<Status> {
+        let higher_mm = change.begin_mm - self.height.raised_mm;
+        (self.height.raised_mm, self.height.offset_mm) = (change.begin_mm, change.offset_mm);
+        if higher_mm == 0.0 {
+            return None;
+        }
+        let status = raised(&self.model.status(), higher_mm);
+        self.model.place = Place::of_status(&status);
+        Some(status)
+    }
+
+    fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
+        let bad = |why: String| Refusal::BadJob { index, why };
+        let course = if self.unjudged == Some(index) {
+            // To stand there already is no reason to refuse what is done.
+            self.model.place = somewhere(self.model.tool);
+            let course = self.model.course(command);
+            course.map_err(|error| bad(error.to_string()))?
+        } else {
+            let checked = self.policy.check(&self.model, command);
+            checked.map_err(|violation| bad(violation.to_string()))?
+        };
+        let takes_s = course.duration_s().ok_or_else(|| {
+            bad("a jog goes on until it is released; a job may not hold one".into())
+        })?;
+        self.model = self.model.after(command, &course);
+        self.until_s += takes_s;
+        Ok(Step {
+            end: self.model.status(),
+            raised_mm: self.height.raised_mm,
+            higher_mm: 0.0,
+            moves: course.moves(),
+            until_s: self.until_s,
+        })
+    }
+
+    const fn acceleration_mm_s2(&self) -> f64 {
+        self.model.settings.write_acceleration_mm_s2
+    }
+}
+
+/// The same arm, so much higher; where it cannot be there, the way to there will be refused.
+fn raised(status: &Status, by_mm: f64) -> Status {
+    // What a status says is the same in each dialect.
+    let mut model = Model::new(Dialect::SPECIFICATION, status);
+    let mut pose = model.place.pose;
+    pose.position.z.0 += by_mm;
+    match Place::at_pose(pose, model.tool) {
+        Ok(place) => {
+            model.place = place;
+            model.status()
+        }
+        Err(_) => *status,
     }
 }
 

@@ -78,6 +78,8 @@ impl Keeper {
                 self.set_dialect(dialect)
             }
             Request::PauseJob => self.pause_job(client),
+            Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
+            Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
             Request::Detect | Request::SubmitJob { .. } | Request::StartJob { .. } => Err(
                 Refusal::Malformed("jobs and detections are not asked for this way".into()),

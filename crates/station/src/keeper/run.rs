@@ -1,6 +1,10 @@
 //! The job that the arm is at: one vector after the other, none twice, none left out.
 
+mod adjust;
 mod approach;
+mod begun;
+mod pace;
+mod respeed;
 mod supply;
 
 use std::collections::VecDeque;
@@ -8,61 +12,16 @@ use std::time::Duration;
 
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
-use dobot_journal::{Unclear, Window, locate, model_at, window_end};
-use dobot_wire::{Command, Dialect, Status};
+use dobot_journal::{Adjustment, Behind, Unclear, Window, locate, model_at, window_end};
+use dobot_wire::{Command, Status};
 
-use super::{JobPlan, Keeper};
-use crate::words::{JobKind, JobPhase, JobView, News, Reply};
+use super::Keeper;
+use crate::words::{JobPhase, JobView, News, Reply};
 
 use self::approach::THERE_MM;
 pub(super) use self::approach::straight;
-
-/// What the journal is to keep.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Effect {
-    /// Before any command below `upto` is sent, this has to be on the disk:
-    /// [`Keeper::handle_written`] says that it is.
-    Give {
-        /// The job.
-        job: u64,
-        /// So many commands are over.
-        completed: usize,
-        /// Commands below this one may be sent.
-        upto: usize,
-        /// The arm as command `completed` finds it.
-        start: Option<Status>,
-    },
-    /// The job is in another phase.
-    Phase {
-        /// The job.
-        job: u64,
-        /// The phase.
-        phase: JobPhase,
-        /// Why.
-        reason: Option<String>,
-        /// How far the job is for certain, where that is news.
-        window: Option<Window>,
-    },
-}
-
-/// A job that is to be begun, or gone on with.
-#[derive(Clone, Debug)]
-pub struct Begun {
-    /// Its number.
-    pub job: u64,
-    /// What a person calls it.
-    pub title: String,
-    /// What kind of job.
-    pub kind: JobKind,
-    /// What the arm has to speak.
-    pub dialect: Dialect,
-    /// Its commands.
-    pub plan: JobPlan,
-    /// So many of them are over.
-    pub completed: usize,
-    /// What may have been done beyond that, where nobody has found out yet.
-    pub doubt: Option<Window>,
-}
+pub use self::begun::{Begun, Effect};
+use self::pace::Pace;
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
@@ -77,8 +36,33 @@ pub(super) struct Run {
     durable: usize,
     /// The journal has been asked for that.
     asked: usize,
+    /// Commands below this one may be given: there the job comes to rest.
+    limit: usize,
+    /// It comes to rest there because it waits for a person.
+    waits: bool,
+    /// The journal does not have this yet: what it changes is not sent before.
+    unkept: Option<Adjustment>,
+    pace: Pace,
     /// Given to the session and not over.
-    given: VecDeque<(CommandId, usize)>,
+    given: VecDeque<Given>,
+    /// With what speed the last command ends that is over, in mm/s.
+    over_mm_s: f32,
+    /// What lowers the tool to where the job goes on, as soon as something can be sent behind it.
+    lower: Option<Command>,
+    /// The same under way.
+    lowering: Option<(CommandId, Command)>,
+    /// Since when it runs, and when its last command was over.
+    since: Option<Duration>,
+    last_over: Duration,
+}
+
+/// A command of the job that the session has.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    id: CommandId,
+    index: usize,
+    /// With what speed it ends, in mm/s.
+    end_mm_s: f32,
 }
 
 #[derive(Debug)]
@@ -100,7 +84,6 @@ pub(super) enum Phase {
     },
     /// The tool is lifted for a pause.
     Lifting {
-        last: CommandId,
         then: JobPhase,
         reason: String,
     },
@@ -110,6 +93,30 @@ pub(super) enum Phase {
 }
 
 impl Run {
+    fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
+        let completed = begun.completed;
+        let mut pace = Pace::new(begun.adjustment.speed_percent);
+        pace.begin(&begun.plan, completed);
+        Self {
+            limit: begun.plan.len(),
+            begun,
+            phase,
+            from,
+            next: completed,
+            durable: completed,
+            asked: completed,
+            waits: false,
+            unkept: None,
+            pace,
+            given: VecDeque::new(),
+            over_mm_s: 0.0,
+            lower: None,
+            lowering: None,
+            since: None,
+            last_over: Duration::ZERO,
+        }
+    }
+
     pub(super) const fn job(&self) -> u64 {
         self.begun.job
     }
@@ -132,7 +139,42 @@ impl Run {
 
     /// What was given to the session and is not over.
     pub(super) fn under_way(&self) -> impl Iterator<Item = CommandId> {
-        self.given.iter().map(|(id, _)| *id)
+        self.given.iter().map(|it| it.id)
+    }
+
+    /// With what speed the last command ends that was given, in mm/s.
+    fn speed_mm_s(&self) -> f32 {
+        self.given.back().map_or(self.over_mm_s, |it| it.end_mm_s)
+    }
+
+    /// No more than what was given already.
+    pub(super) fn end_here(&mut self) {
+        self.limit = self.next;
+        self.waits = false;
+    }
+
+    /// Whether it waits for a person at a place to which it will not come.
+    pub(super) const fn is_cut_short(&self) -> bool {
+        self.waits && self.next < self.limit
+    }
+
+    /// What it has behind it, besides commands.
+    pub(super) const fn behind(&self) -> Behind {
+        self.begun.behind
+    }
+
+    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
+    /// do stops dead.
+    pub(super) fn brake(&mut self) {
+        let speed_mm_s = self.speed_mm_s();
+        if let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
+            self.limit = upto;
+        }
+    }
+
+    /// Whether the tool is where the job goes on: not above that, on its way.
+    pub(super) const fn is_down(&self) -> bool {
+        !matches!(self.phase, Phase::Approaching { .. }) && self.lower.is_none()
     }
 
     /// Whether nobody else may move the arm.
@@ -161,10 +203,27 @@ impl Run {
     /// Comes to rest; gives how far the job is, where that is certain.
     pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
         self.next = self.begun.completed;
+        let waited = self.begun.next_pause().map(|it| it.before);
+        if self.waits && waited == Some(self.next) {
+            self.begun.behind.pauses += 1;
+        }
+        self.end_here();
+        self.note_ran();
         self.phase = Phase::Paused {
             reason: reason.to_owned(),
         };
         self.begun.doubt.is_none().then(|| self.certain())
+    }
+
+    /// Takes note of how long it ran.
+    fn note_ran(&mut self) {
+        let ran = self
+            .since
+            .take()
+            .map(|it| self.last_over.saturating_sub(it));
+        if let (Some(ran), Some(before_s)) = (ran, &mut self.begun.behind.ran_s) {
+            *before_s += ran.as_secs_f64();
+        }
     }
 
     /// How long it may take until all that a station before this one has sent is over.
@@ -208,6 +267,15 @@ impl Run {
         })
     }
 
+    /// How long it took, and how far the plan was off, in words.
+    fn took(&self) -> String {
+        let Some(ran_s) = self.begun.behind.ran_s else {
+            return String::new();
+        };
+        let planned_s = self.begun.plan.planned_s();
+        format!(", in {ran_s:.1} s, planned were {planned_s:.1} s")
+    }
+
     /// How far it is when nothing is under way.
     fn certain(&self) -> Window {
         let completed = self.begun.completed;
@@ -242,6 +310,7 @@ impl Run {
             title,
             kind,
             plan,
+            adjustment,
             completed,
             ..
         } = &self.begun;
@@ -254,7 +323,10 @@ impl Run {
             commands: plan.len(),
             completed: *completed,
             planned_s: Some(plan.planned_s()),
-            left_s: Some(plan.left_s(*completed)),
+            left_s: Some(plan.left_s(*completed) * 100.0 / adjustment.speed_percent),
+            took_s: None,
+            speed_percent: adjustment.speed_percent,
+            height_mm: self.begun.height_mm(),
         }
     }
 }
@@ -262,19 +334,12 @@ impl Run {
 impl Keeper {
     /// Takes a job that was at work when the station ended without saying so: the laser goes off,
     /// and where the arm comes to rest tells how far the job got.
-    pub fn handle_recovered(&mut self, now: Duration, begun: Begun, window: Window) {
+    pub fn handle_recovered(&mut self, now: Duration, mut begun: Begun, window: Window) {
         self.handle_time(now);
         self.session.distrust(RESTARTED);
-        let completed = begun.completed;
-        self.run = Some(Run {
-            begun,
-            phase: Phase::Locating { window },
-            from: None,
-            next: completed,
-            durable: completed,
-            asked: completed,
-            given: VecDeque::new(),
-        });
+        // How long it ran nobody knows any more.
+        begun.behind.ran_s = None;
+        self.run = Some(Run::new(begun, Phase::Locating { window }, None));
         self.changed = true;
     }
 
@@ -295,11 +360,13 @@ impl Keeper {
                 let window = *window;
                 self.locate_run(&window);
             }
-            Phase::Draining { then, reason, lift } if idle && run.given.is_empty() => {
-                let (then, reason, lift) = (*then, reason.clone(), *lift);
-                self.drained(then, reason, lift);
+            Phase::Draining { then, reason, .. }
+                if idle && run.given.is_empty() && run.next >= run.limit =>
+            {
+                let (then, reason) = (*then, reason.clone());
+                self.rest_run(then, reason);
             }
-            Phase::Lifting { then, reason, .. } if idle => {
+            Phase::Lifting { then, reason } if idle => {
                 let (then, reason) = (*then, reason.clone());
                 self.rest_run(then, reason);
             }
@@ -312,10 +379,11 @@ impl Keeper {
 
     /// All of the job was seen to be over, and the arm rests: where the job ends?
     fn run_over(&mut self) {
-        let Some(run) = self.run.take() else {
+        let Some(mut run) = self.run.take() else {
             return;
         };
         self.part_from_laser();
+        run.note_ran();
         let (job, title) = (run.job(), &run.begun.title);
         let (phase, reason) = match self.last.and_then(|status| run.misses_end(&status)) {
             None => (JobPhase::Done, None),
@@ -323,13 +391,14 @@ impl Keeper {
         };
         let why = reason
             .as_ref()
-            .map_or(String::new(), |it| format!(": {it}"));
+            .map_or_else(|| run.took(), |it| format!(": {it}"));
         let text = format!("job {job} ({title}) is {}{why}", word(phase));
         self.keep_phase(Effect::Phase {
             job,
             phase,
             reason,
             window: Some(run.certain()),
+            behind: run.begun.behind,
         });
         self.tell(News::Job { job, phase }, text);
     }

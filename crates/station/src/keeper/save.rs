@@ -39,6 +39,11 @@ impl Keeper {
                     run.given_for_good(*upto);
                 }
             }
+            Effect::Adjust { job, adjustment } => {
+                if let Some(run) = self.run.as_mut().filter(|it| it.job() == *job) {
+                    run.adjusted(adjustment);
+                }
+            }
             Effect::Phase { .. } => {
                 if self.unsaved.take_if(|it| it.effect == *effect).is_some() {
                     let text = "the journal of jobs can be written again".to_owned();

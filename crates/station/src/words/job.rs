@@ -20,6 +20,21 @@ pub struct NewJob {
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 100.0))]
     pub lift_mm: f32,
+    /// Where it waits for a person, in the order of its commands.
+    #[serde(default)]
+    #[schemars(length(max = 1_000))]
+    pub pauses: Vec<JobPause>,
+}
+
+/// Where a job waits for a person: to change the pen, say. `start` goes on.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobPause {
+    /// The command before which it waits, counted from 0. The arm has to be at rest there.
+    pub before: usize,
+    /// What the person is told.
+    #[schemars(length(min = 1, max = 200))]
+    pub message: String,
 }
 
 /// What kind of job.
@@ -77,6 +92,14 @@ pub struct JobView {
     pub completed: usize,
     /// How long all of it takes, in seconds, by the motion model, where that has been looked at.
     pub planned_s: Option<f64>,
-    /// How long the rest takes, in seconds, by the motion model, where that has been looked at.
+    /// How long the rest takes, in seconds, by the motion model, where that has been looked at; at
+    /// another speed than planned that is an estimate.
     pub left_s: Option<f64>,
+    /// How long all of it really took, in seconds, without pauses; of a job that is done, where no
+    /// crash came between.
+    pub took_s: Option<f64>,
+    /// How fast its vectors are drawn, in percent of what was planned.
+    pub speed_percent: f64,
+    /// How far above the plan it is drawn, in millimetres.
+    pub height_mm: f64,
 }

@@ -81,6 +81,7 @@ const fn title_and_status(refusal: &Refusal) -> (&'static str, u16) {
         Refusal::NoJobRuns => ("no job is running", 409),
         Refusal::NoSuchJob(_) => ("there is no such job", 404),
         Refusal::JobPhase { .. } => ("the job does not allow this now", 409),
+        Refusal::NoVectors(_) => ("the job has no vectors", 409),
         Refusal::BadJob { .. } => ("the job cannot be done", 422),
         Refusal::CannotResume(_) => ("the job cannot be gone on with", 409),
         Refusal::Journal(_) => ("the journal cannot be written", 507),

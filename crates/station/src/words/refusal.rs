@@ -95,6 +95,9 @@ pub enum Refusal {
         /// How far it would have to be.
         allowed: &'static str,
     },
+    /// A job has no vectors whose speed or height could be changed.
+    #[error("job {0} has no write vectors: its speed and height are those of its targets")]
+    NoVectors(u64),
     /// A job cannot be done as it is.
     #[error("command {index} of the job: {why}")]
     BadJob {
@@ -139,6 +142,7 @@ impl Refusal {
             Self::NoJobRuns => "no-job-runs",
             Self::NoSuchJob(_) => "no-such-job",
             Self::JobPhase { .. } => "job-phase",
+            Self::NoVectors(_) => "no-vectors",
             Self::BadJob { .. } => "bad-job",
             Self::CannotResume(_) => "cannot-resume",
             Self::Journal(_) => "journal",
@@ -175,6 +179,7 @@ impl Refusal {
             Self::NotAsking(_)
             | Self::NotFound(_)
             | Self::OutOfRange { .. }
+            | Self::NoVectors(_)
             | Self::BadJob { .. }
             | Self::CannotResume(_)
             | Self::Malformed(_)

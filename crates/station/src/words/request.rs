@@ -74,6 +74,20 @@ pub enum Request {
     },
     /// Pause the running job after what the arm has got already.
     PauseJob,
+    /// Draw the vectors of the job that runs or is paused faster or slower than planned, from the
+    /// next vector on that is not sent yet.
+    SetJobSpeed {
+        /// In percent of the planned speed.
+        #[schemars(range(min = 10.0, max = 200.0))]
+        percent: f64,
+    },
+    /// Draw the job that runs or is paused higher or lower than planned, gently, from the next
+    /// command on that is not sent yet.
+    SetJobHeight {
+        /// How far above the plan, in millimetres; below 0 is lower.
+        #[schemars(range(min = -5.0, max = 5.0))]
+        offset_mm: f64,
+    },
     /// End a job for good.
     CancelJob {
         /// Its number.

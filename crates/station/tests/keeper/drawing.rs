@@ -66,6 +66,7 @@ fn job(title: &str, vectors: &[[f32; 2]], mode: WriteMode) -> NewJob {
         kind: JobKind::Drawing,
         commands,
         lift_mm: if burns { 0.0 } else { 5.0 },
+        pauses: Vec::new(),
     }
 }
 

@@ -34,6 +34,7 @@ impl Sort {
             kind,
             commands,
             lift_mm: if self == Self::Pen { 5.0 } else { 0.0 },
+            pauses: Vec::new(),
         }
     }
 }

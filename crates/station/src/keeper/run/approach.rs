@@ -1,6 +1,5 @@
 //! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
 
-use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::Position;
@@ -46,26 +45,22 @@ impl Keeper {
             self.check_laser_armed()?;
         }
         let begun = self.located(begun)?;
-        let approach = self.approach(&begun);
-        for command in &approach {
+        let Approach { first, lower } = self.approach(&begun);
+        for command in first.iter().chain(&lower) {
             self.session.check(command)?;
         }
         let mut last = None;
-        for command in approach {
+        for command in first {
             self.check_way(&command)?;
             last = Some(self.session.send(command)?);
         }
         self.halt = None;
-        let (job, completed) = (begun.job, begun.completed);
+        let (job, behind) = (begun.job, begun.behind);
         let text = format!("job {job} ({}) is under way", begun.title);
+        let phase = Phase::Approaching { last };
         self.run = Some(Run {
-            begun,
-            phase: Phase::Approaching { last },
-            from: self.last,
-            next: completed,
-            durable: completed,
-            asked: completed,
-            given: VecDeque::new(),
+            lower,
+            ..Run::new(begun, phase, self.last)
         });
         let phase = JobPhase::Running;
         self.keep_phase(Effect::Phase {
@@ -73,6 +68,7 @@ impl Keeper {
             phase,
             reason: None,
             window: None,
+            behind,
         });
         self.tell(News::Job { job, phase }, text);
         Ok(self.job_reply())
@@ -89,25 +85,37 @@ impl Keeper {
     }
 
     /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
-    /// and the way there.
-    fn approach(&self, begun: &Begun) -> Vec<Command> {
-        let mut approach = prelude(begun.plan.commands(), begun.completed);
+    /// and the way there. A tool that is lifted in a pause comes down from above.
+    fn approach(&self, begun: &Begun) -> Approach {
+        let mut first = prelude(begun.plan.commands(), begun.completed);
         let start = begun.plan.start_position(begun.completed);
         let (Some(start), Some(status)) = (start, self.last) else {
-            return approach;
+            return Approach { first, lower: None };
         };
         let here = position(&status);
-        let aside_mm = Position { z: here.z, ..start }.distance(here).0;
         if start.distance(here).0 <= THERE_MM {
-            return approach;
+            let higher_mm = start.z.0 - here.z.0;
+            if higher_mm.abs() > LEVEL_MM {
+                first.push(straight(higher_mm));
+            } else if may_jump(begun) {
+                first.extend(settle());
+            }
+            return Approach { first, lower: None };
         }
-        let held = last_target(&begun.plan.commands()[..begun.completed]);
-        approach.push(if aside_mm <= THERE_MM {
-            straight(start.z.0 - here.z.0)
+        let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
+        let above = start + Position::new(0.0, 0.0, lift_mm);
+        let mut below_mm = lift_mm;
+        if above.distance(here).0 <= THERE_MM {
+            below_mm = here.z.0 - start.z.0;
         } else {
-            hop(start, &status, held)
-        });
-        approach
+            let held = last_target(&begun.plan.commands()[..begun.completed]);
+            first.push(hop(above, &status, held));
+            if lift_mm == 0.0 && may_jump(begun) {
+                first.extend(settle());
+            }
+        }
+        let lower = (below_mm > 0.0).then(|| straight(-below_mm));
+        Approach { first, lower }
     }
 
     /// Whether a job may be started as far as its own last motion goes: one that was paused a
@@ -129,6 +137,14 @@ impl Keeper {
     }
 }
 
+/// The way to where a job begins or goes on.
+struct Approach {
+    /// What has to be over before the job.
+    first: Vec<Command>,
+    /// What lowers the tool, right before the job.
+    lower: Option<Command>,
+}
+
 /// Straight up or down, slowly, with the laser off.
 pub(in crate::keeper) fn straight(z_mm: f64) -> Command {
     WriteVector {
@@ -143,6 +159,11 @@ pub(in crate::keeper) fn straight(z_mm: f64) -> Command {
         stop: false,
     }
     .into()
+}
+
+/// Up and down a bit: behind that an arm has forgotten the speed that it had.
+fn settle() -> [Command; 2] {
+    [straight(SETTLE_MM), straight(-SETTLE_MM)]
 }
 
 /// Up, across and down, holding what is held.
@@ -161,6 +182,13 @@ fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Co
     .into()
 }
 
+/// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
+/// from a stand: one that does not use the start speed keeps the last end speed (note N48).
+fn may_jump(begun: &Begun) -> bool {
+    let vector = begun.plan.chain(begun.completed).next();
+    !begun.dialect.uses_start_speed && vector.is_some_and(|it| it.start_speed_mm_s > 0.0)
+}
+
 /// What the last target did with suction and gripper.
 fn last_target(commands: &[Command]) -> (bool, f32) {
     let target = |it: &Command| match it {
@@ -176,5 +204,8 @@ const fn single(value: f64) -> f32 {
     value as f32
 }
 
+const SETTLE_MM: f64 = 1.0;
+/// Another height than that by more is seen on the paper.
+const LEVEL_MM: f64 = 0.05;
 /// As near as this the arm is where it should be.
 pub(super) const THERE_MM: f64 = 0.3;

@@ -1,0 +1,164 @@
+//! A job drawn higher or lower than planned.
+
+use dobot_wire::{Command, WriteMode, WriteVector};
+
+/// Follows how far above its plan a job is drawn, command by command.
+///
+/// A change comes a bit with each vector, so that no stroke gets a step; all at once where the pen
+/// goes up or down anyway; not at all where a laser burns, for a stock arm keeps its height there
+/// (note N48). Targets say themselves where they are, and are shifted as a whole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Height {
+    /// How far above the plan the arm is, in mm.
+    pub(super) raised_mm: f64,
+    /// How far above the plan it is to be, in mm.
+    pub(super) offset_mm: f64,
+    /// Most of a change that a vector takes, as share of its length.
+    slope: f64,
+}
+
+impl Height {
+    /// As planned.
+    pub(super) const fn planned(burns: bool) -> Self {
+        Self {
+            raised_mm: 0.0,
+            offset_mm: 0.0,
+            slope: if burns { TRAVEL_SLOPE } else { PEN_SLOPE },
+        }
+    }
+
+    /// The next command, at the height where it is to be drawn.
+    pub(super) fn apply(&mut self, command: &Command) -> Command {
+        match command {
+            Command::WriteVector(it) if takes_height(it) => self.vector(*it).into(),
+            Command::MoveTo(it) if self.offset_mm != 0.0 => {
+                let z_mm = single(f64::from(it.z_mm) + self.offset_mm);
+                self.raised_mm = f64::from(z_mm) - f64::from(it.z_mm);
+                let mut target = *it;
+                target.z_mm = z_mm;
+                target.into()
+            }
+            Command::MoveTo(_) | Command::MoveJoints(_) => {
+                self.raised_mm = 0.0;
+                *command
+            }
+            _ => *command,
+        }
+    }
+
+    fn vector(&mut self, vector: WriteVector) -> WriteVector {
+        let missing_mm = self.offset_mm - self.raised_mm;
+        if missing_mm.abs() < ENOUGH_MM {
+            return vector;
+        }
+        let most_mm = self.most_mm(&vector, missing_mm);
+        let planned_mm = f64::from(vector.z_mm);
+        let z_mm = single(planned_mm + missing_mm.clamp(-most_mm, most_mm));
+        self.raised_mm += f64::from(z_mm) - planned_mm;
+        WriteVector { z_mm, ..vector }
+    }
+
+    /// Straight up and down the whole change fits in, unless hardly anything were left of the way:
+    /// a vector without length is the end of a stock arm's pose (note N51).
+    fn most_mm(&self, vector: &WriteVector, missing_mm: f64) -> f64 {
+        let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from);
+        let rests = vector.start_speed_mm_s == 0.0 && vector.end_speed_mm_s == 0.0;
+        if x == 0.0 && y == 0.0 && rests {
+            let longer = missing_mm * z > 0.0;
+            return if longer { f64::MAX } else { z.abs() / 2.0 };
+        }
+        self.slope * (x * x + y * y + z * z).sqrt()
+    }
+}
+
+fn takes_height(vector: &WriteVector) -> bool {
+    vector.mode == WriteMode::Writing && !vector.laser && !vector.stop
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// A stroke that rises by so much of its length is not seen to.
+const PEN_SLOPE: f64 = 0.05;
+/// With the laser off nothing is drawn.
+const TRAVEL_SLOPE: f64 = 0.5;
+/// A hundredth of what a status tells.
+const ENOUGH_MM: f64 = 1e-5;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector([x_mm, y_mm, z_mm]: [f32; 3]) -> WriteVector {
+        WriteVector {
+            mode: WriteMode::Writing,
+            x_mm,
+            y_mm,
+            z_mm,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: 40.0,
+            stop: false,
+        }
+    }
+
+    fn z_mm(height: &mut Height, vector: WriteVector) -> f64 {
+        match height.apply(&vector.into()) {
+            Command::WriteVector(it) => it.z_mm.into(),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_stroke_rises_gently_and_a_lift_takes_the_rest() {
+        let mut height = Height::planned(false);
+        height.offset_mm = 1.0;
+        let drawn_mm = z_mm(&mut height, vector([10.0, 0.0, 0.0]));
+        assert!((drawn_mm - 0.5).abs() < 1e-6, "{drawn_mm}");
+        let lifted_mm = z_mm(&mut height, vector([0.0, 0.0, 5.0]));
+        assert!((lifted_mm - 5.5).abs() < 1e-6, "{lifted_mm}");
+        assert_eq!(z_mm(&mut height, vector([10.0, 0.0, 0.0])), 0.0);
+    }
+
+    #[test]
+    fn where_a_laser_burns_nothing_changes() {
+        let mut height = Height::planned(true);
+        height.offset_mm = 1.0;
+        let burning = WriteVector {
+            mode: WriteMode::Laser,
+            laser: true,
+            ..vector([10.0, 0.0, 0.0])
+        };
+        assert_eq!(height.apply(&burning.into()), Command::from(burning));
+        assert_eq!(height.raised_mm, 0.0);
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_raised_is_what_the_vectors_lead_higher_and_none_of_them_vanishes(
+            offset_mm in -5.0..5.0_f64,
+            increments in prop::collection::vec(
+                (-20.0..20.0_f32, -20.0..20.0_f32, prop_oneof![Just(0.0_f32), -9.0..9.0_f32], any::<bool>()),
+                1..60,
+            ),
+        ) {
+            let mut height = Height::planned(false);
+            height.offset_mm = offset_mm;
+            let mut higher_mm = 0.0;
+            for (x, y, z, upright) in increments {
+                let planned = vector(if upright { [0.0, 0.0, z] } else { [x, y, z] });
+                let length = |z: f64| f64::from(planned.x_mm).hypot(planned.y_mm.into()).hypot(z);
+                let before_mm = length(planned.z_mm.into());
+                let z_mm = z_mm(&mut height, planned);
+                higher_mm += z_mm - f64::from(planned.z_mm);
+                prop_assert!(length(z_mm) >= 0.49 * before_mm);
+                prop_assert!((height.raised_mm - higher_mm).abs() < 1e-9);
+                prop_assert!(higher_mm.abs() <= offset_mm.abs() + 1e-5);
+            }
+        }
+    }
+}
