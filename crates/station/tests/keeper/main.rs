@@ -4,10 +4,13 @@
 
 mod crashes;
 mod drawing;
+mod heights;
 mod jobs;
 mod jogs;
 mod lasers;
 mod leases;
 mod links;
 mod pauses;
+mod people;
 mod stops;
+mod strokes;

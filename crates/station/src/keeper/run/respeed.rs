@@ -19,15 +19,21 @@ pub(super) fn respeed(
     let speeds = speeds(vectors, begin_mm_s, share, acceleration_mm_s2);
     let pair = |(vector, ends): (&WriteVector, &[f64])| {
         let [start, end] = [ends[0], ends[1]];
-        let max = f64::from(vector.max_speed_mm_s) * share;
         WriteVector {
             start_speed_mm_s: single(start),
             end_speed_mm_s: single(end),
-            max_speed_mm_s: single(max.max(start).max(end)),
+            max_speed_mm_s: single(limit_mm_s(vector, share).max(start).max(end)),
             ..*vector
         }
     };
     vectors.iter().zip(speeds.windows(2)).map(pair).collect()
+}
+
+/// The speed that must not be passed on a vector: no faster than the link brings the next one, where
+/// it was not planned so.
+fn limit_mm_s(vector: &WriteVector, share: f64) -> f64 {
+    let planned = f64::from(vector.max_speed_mm_s);
+    (planned * share).min(planned.max(length_mm(vector) / LINK_S))
 }
 
 /// The speeds in mm/s where each vector begins and, last, where the last one ends.
@@ -39,11 +45,7 @@ fn speeds(
 ) -> Vec<f64> {
     let gain = 2.0 * acceleration_mm_s2;
     let mut speeds = vec![begin_mm_s];
-    speeds.extend(
-        vectors
-            .iter()
-            .map(|it| f64::from(it.end_speed_mm_s) * share),
-    );
+    speeds.extend((0..vectors.len()).map(|it| joint_mm_s(&vectors[it..], share)));
     let mut most_v2 = f64::MAX;
     for (speed, vector) in speeds[1..].iter_mut().zip(vectors).rev() {
         let v2 = (*speed * *speed).min(most_v2);
@@ -60,6 +62,21 @@ fn speeds(
     speeds
 }
 
+/// The speed at which the joint behind the first of these vectors is passed: only where nothing but
+/// the vectors' own speeds limits it does it become more.
+fn joint_mm_s(vectors: &[WriteVector], share: f64) -> f64 {
+    let planned = f64::from(vectors[0].end_speed_mm_s);
+    let neighbours = &vectors[..vectors.len().min(2)];
+    let least =
+        |of: &dyn Fn(&WriteVector) -> f64| neighbours.iter().map(of).fold(f64::MAX, f64::min);
+    let is_free = planned >= 0.98 * least(&|it| it.max_speed_mm_s.into());
+    match share {
+        ..=1.0 => planned * share,
+        _ if is_free => least(&|it| limit_mm_s(it, share)),
+        _ => planned,
+    }
+}
+
 pub(super) fn length_mm(vector: &WriteVector) -> f64 {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from);
     (x * x + y * y + z * z).sqrt()
@@ -69,3 +86,6 @@ pub(super) fn length_mm(vector: &WriteVector) -> f64 {
 const fn single(value: f64) -> f32 {
     value as f32
 }
+
+/// From one packet to the next, with a bit to spare.
+const LINK_S: f64 = 0.084;
