@@ -4,7 +4,6 @@ mod adjust;
 mod approach;
 mod begun;
 mod pace;
-mod respeed;
 mod supply;
 
 use std::collections::VecDeque;
@@ -12,6 +11,7 @@ use std::time::Duration;
 
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
+use dobot_draw::Machine;
 use dobot_journal::{Adjustment, Behind, Unclear, Window, locate, model_at, window_end};
 use dobot_wire::{Command, Status};
 
@@ -95,7 +95,8 @@ pub(super) enum Phase {
 impl Run {
     fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
-        let mut pace = Pace::new(begun.adjustment.speed_percent);
+        let machine = Machine::of(begun.dialect);
+        let mut pace = Pace::new(begun.adjustment.speed_percent, machine);
         pace.begin(&begun.plan, completed);
         Self {
             limit: begun.plan.len(),

@@ -81,7 +81,11 @@ pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
 
 pub(crate) fn finish(it: &mut Rehearsal, job: u64) {
     let minutes = it.now() + Duration::from_mins(10);
-    assert!(it.run_until(minutes, |it| is_over(it, job)));
+    assert!(
+        it.run_until(minutes, |it| is_over(it, job)),
+        "{:?}",
+        it.keeper().job()
+    );
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 

@@ -1,9 +1,9 @@
 //! At which speeds the vectors go that are not sent yet.
 
+use dobot_draw::{Machine, respeed};
 use dobot_safety::burns;
 use dobot_wire::{Command, WriteVector};
 
-use super::respeed::{length_mm, respeed};
 use crate::keeper::JobPlan;
 
 /// At which speeds the vectors go that are not sent yet: as planned, or at a share of that, or as
@@ -11,15 +11,17 @@ use crate::keeper::JobPlan;
 #[derive(Clone, Debug)]
 pub(super) struct Pace {
     share: f64,
+    machine: Machine,
     /// The first vector with a speed of its own.
     first: usize,
     vectors: Vec<WriteVector>,
 }
 
 impl Pace {
-    pub(super) const fn new(speed_percent: f64) -> Self {
+    pub(super) const fn new(speed_percent: f64, machine: Machine) -> Self {
         Self {
             share: speed_percent / 100.0,
+            machine,
             first: 0,
             vectors: Vec::new(),
         }
@@ -36,10 +38,8 @@ impl Pace {
         if !self.covers(index) && (self.share != 1.0 || plan.is_altered(index)) {
             self.go_on(plan, index, speed_mm_s);
         }
-        let own = index
-            .checked_sub(self.first)
-            .and_then(|it| self.vectors.get(it));
-        Some(own.map_or(planned, |it| Command::from(*it)))
+        let own = self.covers(index).then(|| self.vectors[index - self.first]);
+        Some(own.map_or(planned, Command::from))
     }
 
     /// From here on it is another share, or another way.
@@ -65,28 +65,18 @@ impl Pace {
     /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
     /// command before which the arm rests.
     pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
-        let speed_mm_s = f64::from(speed_mm_s);
-        let acceleration_mm_s2 = plan.acceleration_mm_s2(index);
-        let needed_mm = speed_mm_s * speed_mm_s / (2.0 * acceleration_mm_s2) * TO_SPARE;
-        let mut vectors: Vec<WriteVector> = Vec::new();
-        let mut length_so_far_mm = 0.0;
-        for vector in plan.chain(index) {
-            if length_so_far_mm >= needed_mm {
-                break;
-            }
-            length_so_far_mm += length_mm(vector);
-            vectors.push(*vector);
-        }
-        let upto = index + vectors.len();
-        let takes_s = (plan.left_s(index) - plan.left_s(upto)) / self.share;
-        let any_burns = vectors.iter().any(|it| burns(&(*it).into()));
-        if any_burns || takes_s > SOON_S {
+        let speed = f64::from(speed_mm_s);
+        let needed_mm = speed * speed / (2.0 * plan.acceleration_mm_s2(index)) * TO_SPARE;
+        self.go_on(plan, index, speed_mm_s);
+        let count = reaching(&self.vectors, needed_mm);
+        let takes_s = (plan.left_s(index) - plan.left_s(index + count)) / self.share;
+        let any_burns = self.vectors[..count].iter().any(|it| burns(&(*it).into()));
+        if count == 0 || any_burns || takes_s > SOON_S {
             return None;
         }
-        vectors.last_mut()?.end_speed_mm_s = 0.0;
-        self.vectors = respeed(&vectors, speed_mm_s, self.share, acceleration_mm_s2);
-        self.first = index;
-        Some(upto)
+        self.vectors.truncate(count);
+        slow_down(&mut self.vectors, speed_mm_s);
+        Some(index + count)
     }
 
     fn covers(&self, index: usize) -> bool {
@@ -94,14 +84,112 @@ impl Pace {
     }
 
     fn go_on(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) {
-        let vectors: Vec<WriteVector> = plan.chain(index).copied().collect();
-        let acceleration_mm_s2 = plan.acceleration_mm_s2(index);
-        self.vectors = respeed(&vectors, speed_mm_s.into(), self.share, acceleration_mm_s2);
+        let chain: Vec<WriteVector> = plan.chain(index).copied().collect();
+        self.machine.acceleration_mm_s2 = plan.acceleration_mm_s2(index);
+        self.vectors = respeed(&chain, speed_mm_s, self.share, &self.machine);
         self.first = index;
     }
+}
+
+/// How many of these vectors it takes until the way is so long.
+fn reaching(vectors: &[WriteVector], way_mm: f64) -> usize {
+    let mut so_far_mm = 0.0;
+    let before = vectors.iter().take_while(|it| {
+        let is_before = so_far_mm < way_mm;
+        so_far_mm += length_mm(it);
+        is_before
+    });
+    before.count()
+}
+
+/// Slows vectors down evenly, so that the last one ends at rest.
+///
+/// ```text
+///   v2 |'--.__     as planned where that is slower
+///      |      '--.__
+///      |____________'--.__ way
+/// ```
+fn slow_down(vectors: &mut [WriteVector], begin_mm_s: f32) {
+    let way_mm: f64 = vectors.iter().map(length_mm).sum();
+    let (mut left_mm, mut speed) = (way_mm, begin_mm_s);
+    let rests = vectors.len() - 1;
+    for (index, vector) in vectors.iter_mut().enumerate() {
+        left_mm -= length_mm(vector);
+        let even = f64::from(begin_mm_s) * (left_mm.max(0.0) / way_mm).sqrt();
+        let end = if index == rests { 0.0 } else { single(even) };
+        vector.start_speed_mm_s = speed;
+        vector.end_speed_mm_s = vector.end_speed_mm_s.min(end);
+        speed = vector.end_speed_mm_s;
+        vector.max_speed_mm_s = vector.start_speed_mm_s.max(speed);
+    }
+}
+
+fn length_mm(vector: &WriteVector) -> f64 {
+    let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from);
+    (x * x + y * y + z * z).sqrt()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
 }
 
 /// A stock arm cuts vectors into whole ticks, and needs a bit more way for that.
 const TO_SPARE: f64 = 1.1;
 /// A way on which it takes longer to come to rest is not gone for that.
 const SOON_S: f64 = 1.5;
+
+#[cfg(test)]
+mod tests {
+    use dobot_wire::WriteMode;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn vector(x_mm: f32, end_speed_mm_s: f32) -> WriteVector {
+        WriteVector {
+            mode: WriteMode::Writing,
+            x_mm,
+            y_mm: 0.0,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s,
+            max_speed_mm_s: 80.0,
+            stop: false,
+        }
+    }
+
+    #[test]
+    fn as_many_vectors_are_taken_as_the_way_needs() {
+        let vectors = [vector(1.0, 9.0), vector(2.0, 9.0), vector(4.0, 9.0)];
+        assert_eq!(
+            [0.0, 0.5, 1.0, 1.1, 3.0, 9.0].map(|it| reaching(&vectors, it)),
+            [0, 1, 1, 2, 2, 3]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn vectors_that_slow_down_end_at_rest_and_keep_the_acceleration(
+            lengths in prop::collection::vec(0.05..5.0_f32, 1..40),
+            begin in 0.5..80.0_f32,
+        ) {
+            let mut vectors: Vec<_> = lengths.iter().map(|it| vector(*it, 80.0)).collect();
+            let way_mm: f64 = vectors.iter().map(length_mm).sum();
+            let acceleration = f64::from(begin) * f64::from(begin) / (2.0 * way_mm);
+            slow_down(&mut vectors, begin);
+            let mut speed = begin;
+            for vector in &vectors {
+                prop_assert_eq!(vector.start_speed_mm_s, speed);
+                speed = vector.end_speed_mm_s;
+                prop_assert!(speed <= vector.start_speed_mm_s);
+                prop_assert!(vector.max_speed_mm_s > 0.0);
+                let v2 = |v: f32| f64::from(v) * f64::from(v);
+                let change = v2(vector.start_speed_mm_s) - v2(speed);
+                prop_assert!(change <= 2.0 * acceleration * length_mm(vector) * 1.001 + 1e-6);
+            }
+            prop_assert_eq!(speed, 0.0);
+        }
+    }
+}
