@@ -174,7 +174,7 @@ pub(crate) fn virtual_arm(personality: Personality) -> VirtualArm {
 }
 
 /// The controller that speaks a dialect.
-fn speaker(dialect: Dialect) -> Personality {
+pub(crate) fn speaker(dialect: Dialect) -> Personality {
     Personality::ALL
         .into_iter()
         .find(|it| it.dialect() == dialect)

@@ -18,6 +18,7 @@ mod jog;
 mod lease;
 mod log;
 mod man;
+mod materials;
 mod output;
 mod policy;
 mod ports;
@@ -50,7 +51,8 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Verb {
     Up(up::Args),
-    Draw(draw::Args),
+    Draw(Box<draw::Args>),
+    Materials(materials::Args),
     Arm(arm::Args),
     Status(status::Args),
     Move(travel::Args),
@@ -87,7 +89,8 @@ fn main() -> ExitCode {
 fn run(cli: Cli) -> Result<(), Failure> {
     match cli.verb.unwrap_or_else(default_verb) {
         Verb::Up(args) => wait_for(up::run(args)),
-        Verb::Draw(args) => wait_for(draw::run(args)),
+        Verb::Draw(args) => wait_for(draw::run(*args)),
+        Verb::Materials(args) => materials::run(&args),
         Verb::Arm(args) => wait_for(arm::run(args)),
         Verb::Status(args) => wait_for(status::run(args)),
         Verb::Move(args) => wait_for(travel::run(args)),
@@ -132,7 +135,7 @@ const EXAMPLES: &str = "\
 Examples:
   dobot                                        start the station, with the arm that is found or a virtual one
   dobot watch                                  its dashboard, in another terminal
-  dobot draw picture.svg --picture drawn.svg   draw, and see what comes out
+  dobot draw photo.jpg --picture drawn.png     draw, and see what comes out
   dobot arm                                    serve a virtual arm on TCP and a virtual serial port
   dobot status --to serial:/dev/ttyUSB0        see where a real arm is
   dobot move 220 0 30                          go to a point

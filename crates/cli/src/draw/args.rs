@@ -1,10 +1,12 @@
 //! The options of `dobot draw`.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
-use dobot_draw::{LayersBy, Style};
+use dobot_draw::{Align, LayersBy, Machine, Settings, StartFrom, Style};
 
 use crate::connect::To;
+use crate::jog::laser_seconds;
 
 /// Draw a file, a picture or a text, or burn it with the laser
 #[derive(Debug, clap::Args)]
@@ -15,7 +17,8 @@ Examples:
   dobot draw picture.svg                                 through the running station, if there is one
   dobot draw photo.jpg --to virtual: --picture drawn.png
                                                          a virtual arm draws, as fast as it can be calculated
-  dobot draw --text 'Hello, arm' --height 15             a text in letters of single lines
+  dobot draw --text 'Hello, arm' --font script --height 20
+                                                         a text, in letters of single lines
   dobot draw photo.jpg --shade stipple --dry-run         what it would be: time, ink, reach; nothing moves
   dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
   dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
@@ -23,8 +26,7 @@ Examples:
   dobot draw long.svg --from 40%                         the rest of a drawing
 
 It draws SVG, G-code, HPGL (.plt), DXF, PNG and JPEG files, and points as CSV or JSON; - reads standard
-input. What is larger than the drawing area is made to fit, and what has no size of its own (pictures, texts
-without --height) fills it; --scale insists.
+input. What is larger than the drawing area is made to fit, and a PNG or JPEG fills it; --scale insists.
 
 The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
 arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down or
@@ -61,9 +63,12 @@ pub(crate) struct What {
     /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
     #[arg(long, value_name = "NAME", default_value = "sans", requires = "text")]
     pub(crate) font: String,
-    /// How tall the capitals of --text are, in mm (default: as tall as fits)
-    #[arg(long, value_name = "MM", requires = "text")]
-    pub(crate) height: Option<f64>,
+    /// How tall the capitals of --text are, in mm
+    #[arg(long, value_name = "MM", default_value_t = 10.0, requires = "text")]
+    pub(crate) height: f64,
+    /// Where the lines of --text meet: left, center or right
+    #[arg(long, value_name = "SIDE", default_value = "left", requires = "text", value_parser = align)]
+    pub(crate) align: Align,
     /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
     #[arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')]
     pub(crate) card: Option<Vec<f64>>,
@@ -74,12 +79,15 @@ pub(crate) struct What {
     /// for itself, and the arm waits for its pen
     #[arg(long, value_name = "BY", value_parser = layers)]
     pub(crate) layers: Option<LayersBy>,
+    /// Draw a layer with a pen or material of its own
+    #[arg(long = "layer", value_name = "NAME=PEN", requires = "layers", value_parser = layer_tool)]
+    pub(crate) layer_tools: Vec<(String, String)>,
     /// Draw these layers only, by name
     #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
     pub(crate) only: Vec<String>,
-    /// Hatch filled areas, with lines so far apart, in mm
-    #[arg(long, value_name = "MM")]
-    pub(crate) hatch: Option<f64>,
+    /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
+    #[arg(long, value_name = "MM", num_args = 0..=1)]
+    pub(crate) hatch: Option<Option<f64>>,
     /// The direction of the hatching, in degrees from left to right counterclockwise
     #[arg(long, value_name = "DEGREES", default_value_t = 45.0, requires = "hatch")]
     pub(crate) hatch_angle: f64,
@@ -134,15 +142,18 @@ pub(crate) struct Place {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Pen or laser")]
 pub(crate) struct Tool {
-    /// Draw with this pen (default: fineliner); `dobot draw --materials` lists them
-    #[arg(long, value_name = "PEN", conflicts_with = "laser")]
-    pub(crate) pen: Option<String>,
+    /// Draw with this pen
+    #[arg(long, value_name = "PEN", default_value = "fineliner", conflicts_with = "laser")]
+    pub(crate) pen: String,
     /// Burn this material with the laser
     #[arg(long, value_name = "MATERIAL")]
     pub(crate) laser: Option<String>,
-    /// A TOML file with more pens and materials
+    /// A TOML file with more pens and materials; `dobot materials` prints those that are known
     #[arg(long, value_name = "FILE")]
     pub(crate) materials: Option<PathBuf>,
+    /// Let the laser be switched on for so many seconds: everybody's goggles are on
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "laser")]
+    pub(crate) arm_laser: Option<Duration>,
     /// How far the pen is lifted to travel, in mm
     #[arg(long, value_name = "MM")]
     pub(crate) lift: Option<f64>,
@@ -156,8 +167,8 @@ pub(crate) struct Tool {
     #[arg(long, value_name = "N", requires = "laser")]
     pub(crate) passes: Option<u32>,
     /// Acceleration, in mm/s²
-    #[arg(long, value_name = "MM/S2")]
-    pub(crate) acceleration: Option<f64>,
+    #[arg(long, value_name = "MM/S2", default_value_t = Machine::default().acceleration_mm_s2)]
+    pub(crate) acceleration: f64,
 }
 
 /// How.
@@ -165,17 +176,20 @@ pub(crate) struct Tool {
 #[command(next_help_heading = "How it is drawn")]
 pub(crate) struct Way {
     /// How far the drawn path may leave the wanted one, in mm
-    #[arg(long, value_name = "MM", default_value_t = 0.05)]
+    #[arg(long, value_name = "MM", default_value_t = Settings::default().tolerance_mm)]
     pub(crate) tolerance: f64,
     /// Draw in the order of the file
     #[arg(long)]
     pub(crate) keep_order: bool,
-    /// Look for a shorter way with the pen up: so many tries for each stroke
-    #[arg(long, value_name = "N", conflicts_with = "keep_order")]
-    pub(crate) tries: Option<u32>,
-    /// Begin later: with a layer, a stroke (from 0) or a share of the ink, as in layer:red, stroke:120 or 40%
-    #[arg(long, value_name = "WHERE")]
-    pub(crate) from: Option<String>,
+    /// How long to look for the shortest way with the pen up: so many tries
+    #[arg(long, value_name = "N", default_value_t = 20_000, conflicts_with = "keep_order")]
+    pub(crate) tries: u32,
+    /// Look elsewhere: the same number gives the same order
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
+    #[arg(long, value_name = "WHERE", value_parser = from)]
+    pub(crate) from: Option<StartFrom>,
     /// First go around the drawing, pen up and laser off, to see where it will be
     #[arg(long)]
     pub(crate) frame: bool,
@@ -191,6 +205,9 @@ pub(crate) struct Results {
     /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = picture_file)]
     pub(crate) picture: Option<PathBuf>,
+    /// Colour the drawn path in the picture by how far it is from the wanted one
+    #[arg(long, requires = "picture")]
+    pub(crate) errors: bool,
     /// Show all that the arm reaches in the picture, not only the paper
     #[arg(long, requires = "picture")]
     pub(crate) whole_reach: bool,
@@ -207,6 +224,36 @@ fn layers(text: &str) -> Result<LayersBy, String> {
         "color" | "colour" => Ok(LayersBy::Color),
         "group" => Ok(LayersBy::Group),
         _ => Err("allowed are color and group".into()),
+    }
+}
+
+fn align(text: &str) -> Result<Align, String> {
+    match text {
+        "left" => Ok(Align::Left),
+        "center" | "centre" => Ok(Align::Center),
+        "right" => Ok(Align::Right),
+        _ => Err("allowed are left, center and right".into()),
+    }
+}
+
+fn layer_tool(text: &str) -> Result<(String, String), String> {
+    match text.rsplit_once('=') {
+        Some((layer, tool)) if !layer.is_empty() && !tool.is_empty() => {
+            Ok((layer.to_owned(), tool.to_owned()))
+        }
+        _ => Err("expected the layer's name, = and a pen or material, as in red=marker".into()),
+    }
+}
+
+fn from(text: &str) -> Result<StartFrom, String> {
+    let told = || "expected layer:NAME, stroke:NUMBER or a share such as 40%".to_owned();
+    if let Some(percent) = text.strip_suffix('%') {
+        return percent.parse().map(StartFrom::Percent).map_err(|_| told());
+    }
+    match text.split_once(':') {
+        Some(("layer", name)) => Ok(StartFrom::Pass(name.to_owned())),
+        Some(("stroke", number)) => number.parse().map(StartFrom::Stroke).map_err(|_| told()),
+        _ => Err(told()),
     }
 }
 

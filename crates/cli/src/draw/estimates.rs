@@ -1,0 +1,52 @@
+//! How long drawings took and how long they were to take: kept, so that a person can see how far
+//! estimates are to be trusted.
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+
+use anyhow::Context;
+use jiff::Timestamp;
+use serde::Serialize;
+
+use super::report::Times;
+use crate::failure::Failure;
+use crate::reach::folders;
+
+#[derive(Serialize)]
+struct Line<'a> {
+    at: Timestamp,
+    title: &'a str,
+    estimated_s: f64,
+    took_s: f64,
+    error_percent: f64,
+}
+
+/// Adds a line to `estimates.jsonl` in the data folder, where a drawing was estimated and made.
+pub(super) fn keep(title: &str, times: Times) -> Result<(), Failure> {
+    let (Some(estimated), Some(took), Some(error_percent)) =
+        (times.estimated, times.took, times.error_percent())
+    else {
+        return Ok(());
+    };
+    let line = Line {
+        at: Timestamp::now(),
+        title,
+        estimated_s: estimated.as_secs_f64(),
+        took_s: took.as_secs_f64(),
+        error_percent,
+    };
+    let mut text = serde_json::to_string(&line)?;
+    text.push('\n');
+    let folder = folders(None)?;
+    fs::create_dir_all(folder.data())
+        .with_context(|| format!("cannot create {}", folder.data().display()))?;
+    let file = folder.data().join("estimates.jsonl");
+    let mut open = OpenOptions::new();
+    let written = open
+        .create(true)
+        .append(true)
+        .open(&file)
+        .and_then(|mut file| file.write_all(text.as_bytes()));
+    written.with_context(|| format!("cannot write {}", file.display()))?;
+    Ok(())
+}

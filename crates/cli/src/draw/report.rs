@@ -1,0 +1,164 @@
+//! The closing report.
+
+use std::time::Duration;
+
+use dobot_draw::{Estimate, PassFigures, Prepared, ToolKind};
+use serde::Serialize;
+
+use super::Drawn;
+use crate::output::{self, clock};
+
+/// The closing report.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    strokes: usize,
+    vectors: usize,
+    /// Pen down or laser on.
+    drawn_mm: f64,
+    travelled_mm: f64,
+    /// How much larger than its file says it is.
+    scale: f64,
+    /// The time that the planned motions take.
+    planned_s: f64,
+    /// The time that a virtual arm took; absent where none was asked.
+    estimated_s: Option<f64>,
+    /// From the first vector sent to the last one over; absent where nothing moved or the drawing was
+    /// stopped.
+    time_s: Option<f64>,
+    /// How much longer it took than was estimated.
+    estimate_error_percent: Option<f64>,
+    deviation_mm: f64,
+    deviation_at_mm: [f64; 2],
+    /// What the deviation was measured from.
+    measured_from: &'static str,
+    /// What each pass is, where there is more than one.
+    passes: Vec<PassFigures>,
+}
+
+impl Report {
+    pub(super) fn new(
+        prepared: &Prepared,
+        estimate: Option<&Estimate>,
+        drawn: Option<&Drawn>,
+        times: Times,
+    ) -> Self {
+        let summary = prepared.plan.summary();
+        let worst = drawn.map(Drawn::worst).unwrap_or_default();
+        let passes = estimate.map_or_else(Vec::new, |it| it.passes.clone());
+        Self {
+            strokes: summary.strokes,
+            vectors: summary.vectors,
+            drawn_mm: summary.drawn_mm,
+            travelled_mm: summary.travelled_mm,
+            scale: prepared.scale,
+            planned_s: summary.duration_s,
+            estimated_s: times.estimated.map(|it| it.as_secs_f64()),
+            time_s: times.took.map(|it| it.as_secs_f64()),
+            estimate_error_percent: times.error_percent(),
+            deviation_mm: worst.distance_mm,
+            deviation_at_mm: [worst.at.x, worst.at.y],
+            measured_from: match drawn {
+                Some(drawn) if drawn.true_position => "the arm's true position",
+                Some(_) => "the statuses",
+                None => "nothing",
+            },
+            passes,
+        }
+    }
+
+    pub(super) fn print(&self, as_json: bool) -> std::io::Result<()> {
+        if as_json {
+            return output::json(self);
+        }
+        if (self.scale - 1.0).abs() > 1e-9 {
+            let percent = self.scale * 100.0;
+            output::line(&format!("size               {percent:.0} % of the file's"))?;
+        }
+        output::line(&format!("strokes            {}", self.strokes))?;
+        output::line(&format!("vectors            {}", self.vectors))?;
+        output::line(&format!("drawn              {:.1} mm", self.drawn_mm))?;
+        output::line(&format!(
+            "travelled          {:.1} mm without ink",
+            self.travelled_mm
+        ))?;
+        output::line(&self.time())?;
+        if self.measured_from != "nothing" {
+            let [x, y] = self.deviation_at_mm;
+            output::line(&format!(
+                "largest deviation  {:.3} mm, at x {x:.1} y {y:.1}, measured from {}",
+                self.deviation_mm, self.measured_from
+            ))?;
+        }
+        if self.passes.len() > 1 {
+            for pass in &self.passes {
+                output::line(&pass_line(pass))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn time(&self) -> String {
+        let planned = clock(self.planned_s);
+        match (self.time_s, self.estimated_s, self.estimate_error_percent) {
+            (Some(took), Some(estimated), Some(error)) => format!(
+                "time on the arm    {} ({} estimated, {error:+.1} %)",
+                clock(took),
+                clock(estimated)
+            ),
+            (Some(took), _, _) => format!("time on the arm    {} ({planned} planned)", clock(took)),
+            (None, Some(estimated), _) => {
+                format!("time on the arm    {} estimated", clock(estimated))
+            }
+            (None, None, _) => format!("time on the arm    {planned} planned"),
+        }
+    }
+
+    /// What stands below the picture.
+    pub(super) fn figures(&self) -> Vec<(String, String)> {
+        let time_s = self.time_s.or(self.estimated_s).unwrap_or(self.planned_s);
+        [
+            ("strokes", self.strokes.to_string()),
+            ("vectors", self.vectors.to_string()),
+            ("drawn", format!("{:.0} mm", self.drawn_mm)),
+            ("travelled", format!("{:.0} mm", self.travelled_mm)),
+            ("time", clock(time_s)),
+            ("deviation", format!("{:.3} mm", self.deviation_mm)),
+        ]
+        .map(|(name, figure)| (name.to_owned(), figure))
+        .to_vec()
+    }
+
+    pub(super) fn passes(&self) -> &[PassFigures] {
+        &self.passes
+    }
+}
+
+/// How long it was to take, and how long it took.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Times {
+    pub(super) estimated: Option<Duration>,
+    pub(super) took: Option<Duration>,
+}
+
+impl Times {
+    pub(super) fn error_percent(self) -> Option<f64> {
+        let estimated_s = self.estimated?.as_secs_f64();
+        let took_s = self.took?.as_secs_f64();
+        (estimated_s > 0.0).then(|| (took_s / estimated_s - 1.0) * 100.0)
+    }
+}
+
+fn pass_line(pass: &PassFigures) -> String {
+    let ink = match pass.tool {
+        ToolKind::Pen => "drawn",
+        ToolKind::Laser => "burned",
+    };
+    format!(
+        "  {:<16} {} strokes, {} vectors, {:.0} mm {ink}, {}",
+        pass.name,
+        pass.strokes,
+        pass.vectors,
+        pass.ink_mm,
+        clock(pass.time_s)
+    )
+}

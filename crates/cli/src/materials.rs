@@ -1,0 +1,55 @@
+//! `dobot materials`: the pens that can draw, and the materials that the laser can burn.
+
+use std::path::PathBuf;
+
+use dobot_draw::{Material, Materials, Tool};
+
+use crate::draw::materials;
+use crate::failure::Failure;
+use crate::output;
+
+/// List the pens and materials that `dobot draw` knows
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot materials
+  dobot materials --toml > mine.toml     a file to change; `dobot draw --materials mine.toml` takes it
+  dobot draw --card 2,5,10,20 --laser cardboard-engrave
+                                         burn a test card that finds the right numbers")]
+pub(crate) struct Args {
+    /// A TOML file with more of them
+    #[arg(long, value_name = "FILE", conflicts_with = "toml")]
+    materials: Option<PathBuf>,
+    /// Print the built-in ones as a file, with what each key means
+    #[arg(long)]
+    toml: bool,
+}
+
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if args.toml {
+        output::bytes(Materials::BUILT_IN_TOML.as_bytes())?;
+        return Ok(());
+    }
+    for (name, material) in materials(args.materials.as_deref())?.iter() {
+        output::line(&told(name, material))?;
+    }
+    Ok(())
+}
+
+fn told(name: &str, material: &Material) -> String {
+    let spacing = format!("hatched {} mm apart", material.spacing_mm);
+    match material.tool {
+        Tool::Pen(pen) => format!(
+            "{name:<20} pen    {:>4} mm/s, lifted {} mm, {spacing}",
+            pen.draw_speed_mm_s, pen.lift_mm
+        ),
+        Tool::Laser(laser) => format!(
+            "{name:<20} laser  {:>4} mm/s, {}, {spacing}",
+            laser.burn_speed_mm_s,
+            match laser.times {
+                1 => "once".to_owned(),
+                times => format!("{times} times"),
+            }
+        ),
+    }
+}
