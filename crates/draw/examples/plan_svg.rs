@@ -6,7 +6,7 @@ use std::error::Error;
 use std::fs;
 
 use dobot_arm::Position;
-use dobot_draw::{MoveKind, Picture, Settings, Source, View, prepare};
+use dobot_draw::{Colors, InkLine, MoveKind, Picture, Settings, Source, View, prepare};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -22,6 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let prepared = prepare(&Source::of_file(&file, fs::read(&file)?)?, &settings, reach)?;
     let summary = prepared.plan.summary();
     println!("{summary:#?}");
+    let drawn = prepared.plan.paths(MoveKind::Draw);
     let png = Picture {
         title: &file,
         figures: &[
@@ -40,9 +41,13 @@ fn main() -> Result<(), Box<dyn Error>> {
                 format!("{:.0} s", summary.duration_s),
             ),
         ],
+        passes: &[],
         area: settings.placement.area,
         plan: &prepared.plan,
-        drawn: &prepared.plan.paths(MoveKind::Draw),
+        drawn: &InkLine::measured(drawn, &prepared.wanted()),
+        colors: Colors::Error {
+            tolerance_mm: settings.tolerance_mm,
+        },
         view: arguments.next().map_or(View::Paper, |_| View::Reach),
     }
     .to_png(1600)?;

@@ -40,17 +40,45 @@ pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
     }
 }
 
+/// A path that can be asked how far away it is.
+///
+/// It remembers which of its segments was the nearest: whoever asks along another path finds the
+/// next one close to it.
+#[derive(Debug)]
+pub(crate) struct Near {
+    index: SegmentIndex,
+    last: u32,
+}
+
+impl Near {
+    pub(crate) fn new(path: &[Stroke]) -> Self {
+        Self {
+            index: SegmentIndex::new(path.iter().flat_map(pieces).collect()),
+            last: 0,
+        }
+    }
+
+    /// The distance in mm; infinite where there is no path.
+    pub(crate) fn distance_mm(&mut self, p: Point) -> f64 {
+        match self.index.nearest_from(self.last, p) {
+            Some((item, distance2)) => {
+                self.last = item;
+                distance2.sqrt()
+            }
+            None => f64::INFINITY,
+        }
+    }
+}
+
 /// The point of `path` that lies farthest from `other`.
 fn farthest(path: &[Stroke], other: &[Stroke]) -> Worst {
-    let index = SegmentIndex::new(other.iter().flat_map(pieces).collect());
+    let mut near = Near::new(other);
     let points = path
         .iter()
         .flat_map(pieces)
         .flat_map(|(from, to)| from.steps_to(to, STEP_MM));
     points.fold(Worst::default(), |worst, at| {
-        let distance_mm = index
-            .nearest(at)
-            .map_or(f64::INFINITY, |(_, distance2)| distance2.sqrt());
+        let distance_mm = near.distance_mm(at);
         if distance_mm > worst.distance_mm {
             Worst { distance_mm, at }
         } else {

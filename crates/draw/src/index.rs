@@ -50,6 +50,18 @@ impl SegmentIndex {
         (best.0 != NONE).then_some(best)
     }
 
+    /// As [`nearest`](Self::nearest), faster where `near` is an item not far from the point. Of
+    /// equals it may be any.
+    pub(crate) fn nearest_from(&self, near: u32, p: Point) -> Option<(u32, f64)> {
+        if self.leaf_of.get(near as usize).is_none_or(|&it| it == NONE) {
+            return self.nearest(p);
+        }
+        let (a, b) = self.segment(near);
+        let mut best = (near, (p - p.nearest_on(a, b)).length2());
+        self.nearest_in(0, p, &mut best);
+        Some(best)
+    }
+
     /// Calls `visit` for every item whose box touches `area`.
     pub(crate) fn touching(&self, area: Bounds, visit: &mut impl FnMut(u32)) {
         if !self.nodes.is_empty() {
@@ -212,6 +224,10 @@ mod tests {
                 }
             }
             prop_assert_eq!(index.nearest(p), best);
+            for near in 0..=u32::try_from(segments.len()).unwrap_or(0) {
+                let found = index.nearest_from(near, p).map(|it| it.1);
+                prop_assert_eq!(found, best.map(|it| it.1));
+            }
         }
 
         #[test]

@@ -1,79 +1,136 @@
-//! What the pen left on the paper.
+//! What the tool left on the paper.
 
 use dobot_arm::Position;
 
+use crate::deviation::Near;
+use crate::plan::{Paper, Plan};
 use crate::point::{Point, Stroke};
 
-/// The lines that a pen leaves along a path that is known everywhere: it writes where it is no
-/// higher than 0.05 mm above `down_z_mm`.
-#[must_use]
-pub fn ink(path: impl IntoIterator<Item = Position>, down_z_mm: f64) -> Vec<Stroke> {
-    let mut strokes: Vec<Stroke> = Vec::new();
-    let mut writing = false;
-    for at in path {
-        let writes = writes(at, down_z_mm);
-        if writes && !writing {
-            strokes.push(Stroke::open(Vec::new()));
-        }
-        if writes && let Some(stroke) = strokes.last_mut() {
-            stroke.points.push(point(at));
-        }
-        writing = writes;
+/// A line on the paper, and how far it lies from what was wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InkLine {
+    /// The line, or a dot.
+    pub stroke: Stroke,
+    /// For each of its points how far it lies from the wanted path, in mm.
+    pub errors_mm: Vec<f64>,
+    /// Which pass left it, from 0.
+    pub pass: u32,
+}
+
+impl InkLine {
+    /// What was seen of a drawing, compared with what was wanted; all of it in pass 0, since nobody
+    /// saw which it was.
+    #[must_use]
+    pub fn measured(seen: Vec<Stroke>, wanted: &[Stroke]) -> Vec<Self> {
+        let mut near = Near::new(wanted);
+        let mut measure = |stroke: Stroke| Self {
+            errors_mm: stroke
+                .points
+                .iter()
+                .map(|&it| near.distance_mm(it))
+                .collect(),
+            stroke,
+            pass: 0,
+        };
+        seen.into_iter().map(&mut measure).collect()
     }
-    strokes
 }
 
 /// The places where a pen was seen writing, of a path that is known there only: between two
 /// statuses nobody knows where the pen went.
+///
+/// What counts begins where the pen is first seen up, at half its lift: an arm that stands on the
+/// paper before it is told to draw has drawn nothing. A laser is not seen in a status: of it there
+/// is nothing.
 #[must_use]
-pub fn ink_seen(path: impl IntoIterator<Item = Position>, down_z_mm: f64) -> Vec<Stroke> {
+pub fn ink_seen(
+    path: impl IntoIterator<Item = Position>,
+    plan: &Plan,
+    paper: &Paper,
+) -> Vec<Stroke> {
+    if plan.burns() {
+        return Vec::new();
+    }
+    let up_mm = plan.lift_mm() / 2.0;
     path.into_iter()
-        .filter(|&at| writes(at, down_z_mm))
+        .skip_while(|&at| paper.height_mm(at) < up_mm)
+        .filter(|&at| writes(at, paper))
         .map(|at| Stroke::open(vec![point(at)]))
         .collect()
 }
 
-fn writes(at: Position, down_z_mm: f64) -> bool {
-    at.z.0 <= down_z_mm + TOUCHING_MM
+/// A pen writes where it is no higher than 0.05 mm above the paper.
+pub(crate) fn writes(at: Position, paper: &Paper) -> bool {
+    paper.height_mm(at) <= TOUCHING_MM
 }
 
-const fn point(at: Position) -> Point {
+pub(crate) const fn point(at: Position) -> Point {
     Point::new(at.x.0, at.y.0)
 }
 
 const TOUCHING_MM: f64 = 0.05;
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
+    use crate::plan::{Laser, Machine, Pass, Tool};
 
-    fn path() -> Vec<Position> {
-        [
-            (0.0, -30.0),
-            (0.0, -40.0),
-            (5.0, -40.0),
-            (5.0, -30.0),
-            (9.0, -30.0),
-            (9.0, -40.0),
-        ]
-        .map(|(x, z)| Position::new(x, 0.0, z))
-        .to_vec()
+    fn plan(tool: Tool) -> Plan {
+        let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
+        let pass = Pass::new(tool, vec![line]);
+        Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).unwrap()
     }
 
-    #[test]
-    fn a_pen_writes_only_while_it_is_down() {
-        let strokes = ink(path(), -40.0);
-        let xs: Vec<Vec<f64>> = strokes
-            .iter()
-            .map(|stroke| stroke.points.iter().map(|point| point.x).collect())
-            .collect();
-        assert_eq!(xs, [vec![0.0, 5.0], vec![9.0]]);
+    fn seen(path: &[(f64, f64)], tool: Tool) -> Vec<f64> {
+        let path = path.iter().map(|&(x, z)| Position::new(x, 0.0, z));
+        let dots = ink_seen(path, &plan(tool), &Paper::level(-40.0));
+        assert!(dots.iter().all(|dot| dot.points.len() == 1));
+        dots.iter().map(|dot| dot.points[0].x).collect()
     }
 
     #[test]
     fn statuses_give_dots_and_no_lines_between_them() {
-        let dots = ink_seen(path(), -40.0);
-        assert_eq!(dots.len(), 3);
-        assert!(dots.iter().all(|dot| dot.points.len() == 1));
+        let path = [
+            (200.0, -30.0),
+            (200.0, -40.0),
+            (205.0, -40.0),
+            (210.0, -38.0),
+            (209.0, -40.0),
+        ];
+        assert_eq!(seen(&path, Tool::default()), [200.0, 205.0, 209.0]);
+    }
+
+    #[test]
+    fn where_the_arm_stood_on_the_paper_before_it_drew_is_no_ink() {
+        let path = [
+            (150.0, -40.0),
+            (150.0, -40.0),
+            (150.0, -20.0),
+            (200.0, -30.0),
+            (200.0, -40.0),
+        ];
+        assert_eq!(seen(&path, Tool::default()), [200.0]);
+    }
+
+    #[test]
+    fn of_a_laser_the_statuses_show_nothing() {
+        let path = [(200.0, -40.0), (210.0, -40.0)];
+        assert_eq!(seen(&path, Tool::Laser(Laser::default())), [0.0; 0]);
+    }
+
+    #[test]
+    fn what_is_seen_is_measured_against_what_was_wanted() {
+        let wanted = [Stroke::open(vec![
+            Point::new(0.0, 0.0),
+            Point::new(9.0, 0.0),
+        ])];
+        let seen = vec![Stroke::open(vec![
+            Point::new(3.0, 0.25),
+            Point::new(3.0, -0.5),
+        ])];
+        let measured = InkLine::measured(seen.clone(), &wanted);
+        assert_eq!(measured[0].stroke, seen[0]);
+        assert_eq!(measured[0].errors_mm, [0.25, 0.5]);
     }
 }

@@ -35,6 +35,7 @@ mod artwork;
 mod card;
 mod clip;
 mod deviation;
+mod estimate;
 mod frame;
 mod hatch;
 mod index;
@@ -48,21 +49,25 @@ mod plan;
 mod point;
 mod prepare;
 mod run;
+mod sample;
 mod simplify;
 mod source;
 mod start;
+mod timeline;
+mod trace;
 
 pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_area, clip_to_reach};
 pub use deviation::{Deviation, Worst, deviation};
+pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
-pub use ink::{ink, ink_seen};
+pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use order::{Search, Travel, order, travel_mm};
-pub use picture::{Picture, PictureError, View};
+pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{
     Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen,
@@ -71,10 +76,13 @@ pub use plan::{
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
+pub use sample::Sample;
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use source::{
     Align, Font, ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError,
     StrokeFont, Style, SvgError, Text, TextError, Warning,
 };
 pub use start::{StartError, StartFrom};
+pub use timeline::{Moves, Path, Timeline};
+pub use trace::{NeverBegan, Trace};
 pub use usvg::fontdb;

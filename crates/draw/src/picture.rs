@@ -1,14 +1,22 @@
-//! The picture of a drawing: what was commanded, what was drawn, and where it lies.
+//! The picture of a drawing: what was drawn, how well, and where it lies.
+
+mod colors;
+mod lines;
+mod page;
+mod words;
 
 use std::fmt::Write as _;
 
-use dobot_lettering::{Anchor, lettering, width};
 use resvg::tiny_skia::{Pixmap, Transform};
 use thiserror::Error;
 
+pub use self::colors::Colors;
+use self::lines::{by_class, group, on_picture, points};
+use self::page::{frame, scale_bar, workspace};
+use crate::estimate::PassFigures;
+use crate::ink::InkLine;
 use crate::plan::{MoveKind, Plan};
 use crate::point::{Bounds, Point, Stroke};
-use crate::simplify::simplify;
 
 /// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
 #[derive(Clone, Debug)]
@@ -17,12 +25,16 @@ pub struct Picture<'a> {
     pub title: &'a str,
     /// Below the picture: what each figure is, and the figure.
     pub figures: &'a [(String, String)],
+    /// Below the figures, if there are several: the figures of each pass.
+    pub passes: &'a [PassFigures],
     /// The drawing area, in the base frame.
     pub area: Bounds,
-    /// The plan, for the commanded path and the travel moves.
+    /// The plan, for what was to be drawn and the travel moves.
     pub plan: &'a Plan,
-    /// Where the tool was while the pen was down, in the base frame.
-    pub drawn: &'a [Stroke],
+    /// The ink: what was to be drawn shows through where it is missing.
+    pub drawn: &'a [InkLine],
+    /// What the colours of the ink mean.
+    pub colors: Colors,
     /// How much of the workspace to show.
     pub view: View,
 }
@@ -63,7 +75,7 @@ impl Picture<'_> {
         let unit = unit(paper);
         let page = Bounds {
             min: paper.min - Point::new(8.0, 14.0) * unit,
-            max: paper.max + Point::new(8.0, 18.0) * unit,
+            max: paper.max + Point::new(8.0, self.words_high()) * unit,
         };
         let (left, top) = (page.min.x, page.min.y);
         let (width, height) = (page.width(), page.height());
@@ -78,7 +90,7 @@ impl Picture<'_> {
             r#"<clipPath id="paper">{}</clipPath><g clip-path="url(#paper)">"#,
             frame(paper, "", 3.0)
         );
-        svg += &self.workspace();
+        svg += &workspace(self.area, paper);
         svg += &self.lines();
         svg += &scale_bar(paper);
         svg += "</g>\n";
@@ -122,7 +134,7 @@ impl Picture<'_> {
 
     /// What is shown, on the picture.
     fn paper(&self) -> Bounds {
-        let lines = self.drawn.iter().flat_map(|s| &s.points).copied();
+        let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
         let shown = Bounds::of(lines.chain([self.area.min, self.area.max]).map(on_picture));
         match self.view {
             View::Paper => {
@@ -141,58 +153,24 @@ impl Picture<'_> {
         }
     }
 
-    /// The ring that the arm reaches, its base, and the drawing area.
-    fn workspace(&self) -> String {
-        let [near, far] = REACH_MM;
-        let ring = format!(
-            "M{far} 0A{far} {far} 0 1 0 -{far} 0A{far} {far} 0 1 0 {far} 0M{near} 0A{near} {near} 0 1 0 -{near} 0A{near} {near} 0 1 0 {near} 0"
-        );
-        let unit = unit(self.paper());
-        let label = |reach: f64, below: f64| {
-            let text = format!("reach {reach:.0} mm");
-            lettering(&text, Anchor::Middle, 0.0, below * unit - reach, 1.7 * unit)
-        };
-        let labels = label(near, -2.2) + &label(far, 4.2);
-        let area = Bounds::of([self.area.min, self.area.max].map(on_picture));
-        let area = frame(
-            area,
-            r##"fill="#fffefb" stroke="#9fb3c2" stroke-width="0.25" stroke-dasharray="2 1.4""##,
-            1.0,
-        );
-        format!(
-            r##"<path d="{ring}" fill="#e9f0f3" fill-rule="evenodd" stroke="#9fb3c2" stroke-width="0.4"/>
-{area}<g stroke="#7d8f9b" stroke-width="0.5"><circle r="38" fill="#dfe6ea"/><circle r="22" fill="#f3f6f7"/><path d="M-5 0H5M0 -5V5"/></g><g stroke="{MUTED}" stroke-width="0.75">{labels}</g>
-"##
-        )
-    }
-
-    /// Travel moves below, the commanded path above them, the ink on top.
+    /// Travel moves below, what was to be drawn above them, the ink on top.
     fn lines(&self) -> String {
-        let group =
-            |style: &str, strokes: &[Stroke]| format!("<g {style}>\n{}</g>\n", paths(strokes));
-        let travel = self.plan.paths(MoveKind::Travel);
-        let commanded = self.plan.paths(MoveKind::Draw);
-        let drawn: Vec<Stroke> = self.drawn.iter().map(|s| simplify(s, 0.015)).collect();
-        group(TRAVEL, &travel) + &group(COMMANDED, &commanded) + &group(DRAWN, &drawn)
+        let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| self.plan.paths(kind));
+        let mut lines = group(TRAVEL, points(&self.travel()));
+        lines += &group(PLANNED, points(&planned.concat()));
+        let class = |line: &InkLine, i: usize| self.colors.class(line, i);
+        for (class, pieces) in by_class(self.drawn, class) {
+            let style = self.colors.style(class, self.plan);
+            lines += &group(&style, pieces.iter().map(Vec::as_slice));
+        }
+        lines
     }
 
-    /// Title, legend and figures.
-    fn words(&self, paper: Bounds) -> String {
-        let unit = unit(paper);
-        let (left, above, below) = (paper.min.x, paper.min.y - 4.5 * unit, paper.max.y);
-        let title = lettering(self.title, Anchor::Left, left, above, 3.6 * unit);
-        let mut words = format!(r#"<g stroke="{INK}" stroke-width="0.85">{title}</g>"#);
-        let mut x = left;
-        for (name, figure) in self.figures {
-            let name_at = lettering(name, Anchor::Left, x, below + 6.0 * unit, 1.7 * unit);
-            let figure_at = lettering(figure, Anchor::Left, x, below + 11.2 * unit, 2.9 * unit);
-            let _ = writeln!(
-                words,
-                r#"<g stroke="{MUTED}" stroke-width="0.75">{name_at}<g stroke="{INK}">{figure_at}</g></g>"#
-            );
-            x += width(name, 1.7 * unit).max(width(figure, 2.9 * unit)) + 8.0 * unit;
-        }
-        words + &legend(Point::new(paper.max.x, above), unit)
+    /// The ways without ink: of a laser with all that it needs to get fast and slow again.
+    fn travel(&self) -> Vec<Stroke> {
+        use MoveKind::{Brake, RunOut, RunUp, Travel};
+        let kinds = [Travel, RunUp, RunOut, Brake];
+        kinds.map(|kind| self.plan.paths(kind)).concat()
     }
 }
 
@@ -201,92 +179,13 @@ fn unit(paper: Bounds) -> f64 {
     paper.width() / 230.0
 }
 
-/// X up, Y to the left.
-fn on_picture(p: Point) -> Point {
-    Point::new(-p.y, -p.x)
-}
-
-fn frame(bounds: Bounds, style: &str, radius: f64) -> String {
-    format!(
-        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" rx=\"{radius}\" {style}/>\n",
-        bounds.min.x,
-        bounds.min.y,
-        bounds.width(),
-        bounds.height()
-    )
-}
-
-fn paths(strokes: &[Stroke]) -> String {
-    let mut text = String::new();
-    for stroke in strokes {
-        text += "<path d=\"";
-        for (i, p) in stroke.points.iter().map(|p| on_picture(*p)).enumerate() {
-            let _ = write!(
-                text,
-                "{}{:.3} {:.3}",
-                if i == 0 { 'M' } else { 'L' },
-                p.x,
-                p.y
-            );
-        }
-        // A dot is a line of no length with round ends.
-        text += if stroke.points.len() == 1 {
-            "h0.001\"/>\n"
-        } else {
-            "\"/>\n"
-        };
-    }
-    text
-}
-
-fn scale_bar(paper: Bounds) -> String {
-    let unit = unit(paper);
-    let (x, y) = (paper.max.x - 50.0 - 6.0 * unit, paper.max.y - 5.5 * unit);
-    let label = lettering(
-        "50 mm",
-        Anchor::Middle,
-        x + 25.0,
-        y - 2.0 * unit,
-        1.9 * unit,
-    );
-    let tick = 1.2 * unit;
-    format!(
-        r#"<g stroke="{MUTED}" stroke-width="0.35"><path d="M{x:.2} {:.2}v{tick:.2}h50v-{tick:.2}"/><g stroke-width="0.75">{label}</g></g>
-"#,
-        y - tick
-    )
-}
-
-/// What the lines mean, right-aligned at a place.
-fn legend(at: Point, unit: f64) -> String {
-    let mut legend = String::new();
-    let mut x = at.x;
-    for (name, style) in [
-        ("travel", TRAVEL),
-        ("commanded", COMMANDED),
-        ("drawn", DRAWN),
-    ] {
-        x -= width(name, 1.9 * unit);
-        let name = lettering(name, Anchor::Left, x, at.y, 1.9 * unit);
-        x -= 11.0 * unit;
-        let (y, long) = (at.y - 0.95 * unit, 9.0 * unit);
-        let _ = writeln!(
-            legend,
-            r#"<g stroke="{MUTED}" stroke-width="0.75">{name}</g><path {style} d="M{x:.2} {y:.2}h{long:.2}"/>"#
-        );
-        x -= 6.0 * unit;
-    }
-    legend
-}
-
 /// How near and how far the tool of a stock arm gets from the base axis.
 const REACH_MM: [f64; 2] = [129.0, 321.0];
 const DESK: &str = "#f4f1e9";
 const INK: &str = "#1b2a41";
 const MUTED: &str = "#75838d";
 const TRAVEL: &str = r##"stroke="#5b9bc8" stroke-width="0.16" stroke-dasharray="1.3 1.3""##;
-const COMMANDED: &str = r##"stroke="#ffd3b0" stroke-width="0.9""##;
-const DRAWN: &str = r##"stroke="#1b2a41" stroke-width="0.42""##;
+const PLANNED: &str = r##"stroke="#cfc8b8" stroke-width="0.3""##;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -305,15 +204,17 @@ mod tests {
     }
 
     fn picture<T>(view: View, look: impl Fn(&Picture<'static>) -> T) -> T {
-        let drawn = Box::leak(Box::new(strokes()));
-        let pass = Pass::new(Tool::default(), drawn.clone());
+        let drawn = InkLine::measured(strokes(), &strokes());
+        let pass = Pass::new(Tool::default(), strokes());
         let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
         look(&Picture {
             title: "a < test & more",
             figures: Box::leak(Box::new([("strokes".to_owned(), "2".to_owned())])),
+            passes: &[],
             area: crate::place::AREA,
             plan: Box::leak(Box::new(plan)),
-            drawn,
+            drawn: drawn.leak(),
+            colors: Colors::Error { tolerance_mm: 0.05 },
             view,
         })
     }
@@ -321,7 +222,7 @@ mod tests {
     #[test]
     fn x_points_up_and_y_to_the_left() {
         let svg = picture(View::Paper, Picture::to_svg);
-        assert!(svg.contains("M-50.000 -200.000L-50.000 -260.000"));
+        assert!(svg.contains("M-50 -200L-50 -260"));
     }
 
     #[test]

@@ -84,6 +84,7 @@ impl Plan {
                 .extend(message.map(|message| Break { before, message }));
             plan.passes.push(PlannedPass {
                 name: pass.name.clone(),
+                color: pass.color,
                 tool: pass.tool,
                 moves: before..planner.moves.len(),
             });

@@ -162,7 +162,7 @@ fn passes<E>(
     for layer in layers {
         let tool = layers::tool(&layer, settings);
         let message = layers::message(&layer, passes.last(), settings);
-        let name = layer.name.clone();
+        let (name, color) = (layer.name.clone(), layer.color);
         let mut strokes = lines(layer, settings)?;
         if settings.clips {
             let clipped = within_reach(&strokes, tool, settings, reachable);
@@ -173,6 +173,7 @@ fn passes<E>(
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         passes.push(Pass {
             name,
+            color,
             tool,
             strokes,
             message,
@@ -238,6 +239,7 @@ fn simplified(pass: &Pass, settings: &Settings) -> Pass {
     let strokes = pass.strokes.iter().map(|it| simplify(it, tolerance_mm));
     Pass {
         name: pass.name.clone(),
+        color: pass.color,
         tool: pass.tool,
         strokes: strokes.collect(),
         message: pass.message.clone(),

@@ -1,5 +1,6 @@
 //! Sending a plan: one vector for each status, pen up and laser off at the end, whatever happens.
 
+use std::collections::VecDeque;
 use std::fmt;
 use std::future::Future;
 use std::pin::pin;
@@ -7,10 +8,10 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_client::{CommandId, Connection, Event, LinkError, SendError, position};
-use dobot_wire::{WriteMode, WriteVector};
+use dobot_wire::{JointJog, WriteMode, WriteVector};
 use thiserror::Error;
 
-use crate::plan::{LASER_OFF, MoveKind, Pen, Plan, approach, single, to_start, write};
+use crate::plan::{LASER_OFF, MoveKind, Plan, Tool, approach, single, to_start, write};
 
 /// How far a drawing has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +27,8 @@ pub struct Progress {
 /// A drawing made to its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finished {
-    /// From the first vector sent to the last one over, by the clock of the link.
+    /// From the first vector sent to the last one over, by the clock of the link, without the time
+    /// that a person took to change pens.
     pub time: Duration,
     /// Where the statuses saw the tool.
     pub seen: Vec<Position>,
@@ -82,24 +84,25 @@ pub enum Parting {
 
 /// Draws a plan: goes to its start, sends the vectors, and waits until the last one is over.
 ///
-/// `stop` ends the drawing when it completes; `tell` hears of each vector that is over.
+/// At each break of the plan the pen is up and the laser off, everything before is over, and
+/// `confirm` is given the message for the person; the drawing goes on when it completes. `stop` ends
+/// the drawing when it completes; `tell` hears of each vector that is over.
 ///
 /// # Errors
 ///
-/// [`Stopped`], with the pen lifted and the laser switched off as far as the arm can be told so.
+/// [`Stopped`], with the laser switched off and the pen lifted as far as the arm can be told so.
 pub async fn run(
     arm: &mut Connection,
     plan: &Plan,
-    pen: &Pen,
+    confirm: impl AsyncFnMut(&str),
     stop: impl Future<Output = ()>,
     tell: impl FnMut(Progress),
 ) -> Result<Finished, Stopped> {
     let mut runner = Runner {
         arm,
         plan,
-        pen,
         sent: 0,
-        first: None,
+        under_way: VecDeque::new(),
         progress: Progress::default(),
         seen: Vec::new(),
         tell,
@@ -112,7 +115,7 @@ pub async fn run(
         tokio::select! {
             biased;
             () = &mut stop => Cause::Asked,
-            drawn = runner.draw() => match drawn {
+            drawn = runner.draw(confirm) => match drawn {
                 Ok(time) => return Ok(Finished { time, seen: runner.seen }),
                 Err(error) => Cause::Failed(error),
             },
@@ -125,31 +128,70 @@ pub async fn run(
 struct Runner<'a, T> {
     arm: &'a mut Connection,
     plan: &'a Plan,
-    pen: &'a Pen,
     /// Vectors given to the session.
     sent: usize,
-    /// The first of them.
-    first: Option<CommandId>,
+    /// Those of them that are not over, as the session knows them.
+    under_way: VecDeque<CommandId>,
     progress: Progress,
     seen: Vec<Position>,
     tell: T,
 }
 
 impl<T: FnMut(Progress)> Runner<'_, T> {
-    async fn draw(&mut self) -> Result<Duration, LinkError> {
+    async fn draw(&mut self, mut confirm: impl AsyncFnMut(&str)) -> Result<Duration, LinkError> {
         self.approach().await?;
+        let plan = self.plan;
+        let mut time = Duration::ZERO;
+        for pause in &plan.breaks {
+            time += self.draw_to(pause.before).await?;
+            self.obey(LASER_OFF).await?;
+            self.ask(confirm(&pause.message)).await?;
+        }
+        time += self.draw_to(plan.moves.len()).await?;
+        if plan.burns() {
+            self.obey(LASER_OFF).await?;
+        }
+        Ok(time)
+    }
+
+    /// Draws the vectors before this one, and waits until they are over.
+    async fn draw_to(&mut self, end: usize) -> Result<Duration, LinkError> {
         let began = self.arm.now();
-        while self.progress.vectors < self.plan.moves.len() {
-            self.top_up()?;
+        while self.progress.vectors < end {
+            self.top_up(end)?;
             // A runtime that has other work (a signal that asks to stop) gets its turn.
             tokio::task::consume_budget().await;
-            match self.arm.next_event().await?.or_failed()? {
-                Event::Status(status) => self.seen.push(position(&status)),
-                Event::Completed(id) => self.completed(id),
-                _ => {}
-            }
+            self.listen().await?;
         }
         Ok(self.arm.now().saturating_sub(began))
+    }
+
+    /// Waits for a person, and keeps listening to the arm, which goes on telling where it is.
+    async fn ask(&mut self, person: impl Future<Output = ()>) -> Result<(), LinkError> {
+        let mut person = pin!(person);
+        loop {
+            tokio::task::consume_budget().await;
+            tokio::select! {
+                biased;
+                () = &mut person => return Ok(()),
+                heard = self.listen() => heard?,
+            }
+        }
+    }
+
+    /// Sends a command and waits until it is over.
+    async fn obey(&mut self, command: JointJog) -> Result<(), LinkError> {
+        let id = self.arm.send(command)?;
+        self.arm.completed(id).await
+    }
+
+    async fn listen(&mut self) -> Result<(), LinkError> {
+        match self.arm.next_event().await?.or_failed()? {
+            Event::Status(status) => self.seen.push(position(&status)),
+            Event::Completed(id) => self.completed(id),
+            _ => {}
+        }
+        Ok(())
     }
 
     /// Nothing is sent unless everything can be.
@@ -184,33 +226,25 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
     }
 
     /// Keeps a few waiting in the session, which sends them no further ahead than may be regretted.
-    fn top_up(&mut self) -> Result<(), LinkError> {
-        while self.arm.session().waiting() < FEW
-            && let Some(vector) = self.plan.moves.get(self.sent)
-        {
-            let id = self.arm.send(write(vector))?;
-            self.first.get_or_insert(id);
+    fn top_up(&mut self, end: usize) -> Result<(), LinkError> {
+        while self.arm.session().waiting() < FEW && self.sent < end {
+            let id = self.arm.send(write(&self.plan.moves[self.sent]))?;
+            self.under_way.push_back(id);
             self.sent += 1;
         }
         Ok(())
     }
 
-    fn duration_s(&self, index: usize) -> f64 {
-        self.plan.duration_of(index)
-    }
-
+    /// Whatever was sent before what is over is over too.
     fn completed(&mut self, id: CommandId) {
-        let Some(first) = self.first.filter(|&first| id >= first) else {
-            return;
-        };
-        let index = usize::try_from(id.0 - first.0).expect("a plan fits into memory");
-        for index in self.progress.vectors..=index {
-            let duration_s = self.duration_s(index);
+        while self.under_way.pop_front_if(|it| *it <= id).is_some() {
+            let index = self.progress.vectors;
+            let kind = self.plan.moves[index].kind;
             self.progress.vectors += 1;
-            self.progress.strokes += usize::from(self.plan.moves[index].kind == MoveKind::Lift);
-            self.progress.planned_s += duration_s;
+            self.progress.strokes += usize::from(matches!(kind, MoveKind::Lift | MoveKind::Brake));
+            self.progress.planned_s += self.plan.duration_of(index);
+            (self.tell)(self.progress);
         }
-        (self.tell)(self.progress);
     }
 
     /// Laser off first, then pen up; the vectors that the arm has already got come before.
@@ -244,7 +278,7 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         loop {
             match self.arm.next_event().await? {
                 Event::Completed(id) => {
-                    self.completed_before_parting(id);
+                    self.completed(id);
                     if id >= last {
                         return Ok(());
                     }
@@ -254,13 +288,6 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
                 }
                 _ => {}
             }
-        }
-    }
-
-    fn completed_before_parting(&mut self, id: CommandId) {
-        let last = self.first.map(|first| first.0 + self.sent as u64);
-        if last.is_some_and(|last| id.0 < last) {
-            self.completed(id);
         }
     }
 
@@ -277,10 +304,19 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
         Ok(())
     }
 
-    /// The way up from where the pen is after `sent` vectors, unless it is up.
+    /// The way up from where the pen is after `sent` vectors, unless it is up. A laser stays as high
+    /// as it is: there is nothing to leave.
     fn lift(&self, sent: usize) -> Option<WriteVector> {
         let moves = &self.plan.moves[..sent];
-        let risen_mm: f64 = moves.iter().map(|vector| vector.increments()[2]).sum();
+        let Tool::Pen(pen) = self.plan.passes[moves.last()?.pass as usize].tool else {
+            return None;
+        };
+        let since_up = moves.iter().rev();
+        let since_up =
+            since_up.take_while(|it| matches!(it.kind, MoveKind::Lower | MoveKind::Draw));
+        // On a slope a line rises and falls too: what brought the pen down is undone, no more.
+        let lowered = since_up.filter(|it| it.kind == MoveKind::Lower);
+        let risen_mm: f64 = lowered.map(|vector| vector.increments()[2]).sum();
         (risen_mm < -LEAST_LIFT_MM).then(|| WriteVector {
             mode: WriteMode::Writing,
             x_mm: 0.0,
@@ -289,7 +325,7 @@ impl<T: FnMut(Progress)> Runner<'_, T> {
             laser: false,
             start_speed_mm_s: 0.0,
             end_speed_mm_s: 0.0,
-            max_speed_mm_s: single(self.pen.lift_speed_mm_s),
+            max_speed_mm_s: single(pen.lift_speed_mm_s),
             stop: false,
         })
     }

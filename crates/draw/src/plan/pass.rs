@@ -10,6 +10,8 @@ use crate::point::Stroke;
 pub struct Pass {
     /// What it is called, for people.
     pub name: String,
+    /// Red, green and blue, where the file tells a colour.
+    pub color: Option<[u8; 3]>,
     /// What draws.
     pub tool: Tool,
     /// The strokes in the base frame, in their order.
@@ -24,6 +26,7 @@ impl Pass {
     pub const fn new(tool: Tool, strokes: Vec<Stroke>) -> Self {
         Self {
             name: String::new(),
+            color: None,
             tool,
             strokes,
             message: None,
@@ -40,6 +43,8 @@ impl Pass {
 pub struct PlannedPass {
     /// What it is called.
     pub name: String,
+    /// Red, green and blue, where the file tells a colour.
+    pub color: Option<[u8; 3]>,
     /// What draws.
     pub tool: Tool,
     /// Its vectors in [`Plan::moves`](crate::Plan::moves).

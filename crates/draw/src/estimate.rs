@@ -1,0 +1,126 @@
+//! The figures of a plan as a virtual arm carried it out.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::ink::point;
+use crate::plan::{PlannedPass, Tool};
+use crate::trace::{Ink, Trace};
+
+/// The figures of a drawing: the estimate of a later run is the run of a virtual arm.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
+pub struct Estimate {
+    /// From when the arm sets out for the first stroke to the end, in seconds.
+    pub time_s: f64,
+    /// How long the lines on the paper are, in mm.
+    pub ink_mm: f64,
+    /// How far the tool goes without leaving ink, seen from above, in mm.
+    pub travel_mm: f64,
+    /// How many strokes, each as often as it is drawn.
+    pub strokes: usize,
+    /// How many vectors, and so packets.
+    pub vectors: usize,
+    /// How far the ink lies from the wanted path at most, in mm.
+    pub error_mm: f64,
+    /// The same for each pass.
+    pub passes: Vec<PassFigures>,
+}
+
+/// The figures of a pass.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PassFigures {
+    /// What it is called.
+    pub name: String,
+    /// Red, green and blue, where the file tells a colour.
+    pub color: Option<[u8; 3]>,
+    /// What draws.
+    pub tool: ToolKind,
+    /// How many strokes, each as often as it is drawn.
+    pub strokes: usize,
+    /// How many vectors, and so packets.
+    pub vectors: usize,
+    /// How long its lines on the paper are, in mm.
+    pub ink_mm: f64,
+    /// How far the tool goes without leaving ink, the way to its first stroke included, in mm.
+    pub travel_mm: f64,
+    /// From the end of the pass before to its own, in seconds.
+    pub time_s: f64,
+    /// How far its ink lies from the wanted path at most, in mm.
+    pub error_mm: f64,
+}
+
+/// What draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ToolKind {
+    /// A pen.
+    Pen,
+    /// A laser.
+    Laser,
+}
+
+impl Trace<'_> {
+    /// The figures of what was carried out.
+    #[must_use]
+    pub fn estimate(&self) -> Estimate {
+        let mut passes: Vec<PassFigures> = self.plan.passes.iter().map(PassFigures::of).collect();
+        for (vector, _) in self.plan.moves.iter().zip(&self.ends) {
+            passes[vector.pass as usize].vectors += 1;
+        }
+        self.count_strokes(&mut passes);
+        self.measure(&mut passes);
+        let sum = |of: fn(&PassFigures) -> f64| passes.iter().map(of).fold(0.0, |a, b| a + b);
+        Estimate {
+            time_s: self.moments.last().map_or(0.0, |it| it.t_s),
+            ink_mm: sum(|it| it.ink_mm),
+            travel_mm: sum(|it| it.travel_mm),
+            strokes: passes.iter().map(|it| it.strokes).sum(),
+            vectors: self.ends.len(),
+            error_mm: passes.iter().map(|it| it.error_mm).fold(0.0, f64::max),
+            passes,
+        }
+    }
+
+    fn count_strokes(&self, passes: &mut [PassFigures]) {
+        let mut last = None;
+        for (vector, _) in self.plan.moves.iter().zip(&self.ends) {
+            let begins = last.replace(vector.stroke) != Some(vector.stroke);
+            passes[vector.pass as usize].strokes += usize::from(begins);
+        }
+    }
+
+    fn measure(&self, passes: &mut [PassFigures]) {
+        let ways = self.moments.windows(2).zip(self.passes().skip(1));
+        for (way, pass) in ways {
+            let [from, to] = [way[0], way[1]];
+            let length_mm = point(from.position).distance(point(to.position));
+            let figures = &mut passes[pass as usize];
+            figures.time_s += to.t_s - from.t_s;
+            figures.error_mm = figures.error_mm.max(to.error_mm);
+            if to.ink == Ink::Line {
+                figures.ink_mm += length_mm;
+            } else {
+                figures.travel_mm += length_mm;
+            }
+        }
+    }
+}
+
+impl PassFigures {
+    fn of(pass: &PlannedPass) -> Self {
+        Self {
+            name: pass.name.clone(),
+            color: pass.color,
+            tool: match pass.tool {
+                Tool::Pen(_) => ToolKind::Pen,
+                Tool::Laser(_) => ToolKind::Laser,
+            },
+            strokes: 0,
+            vectors: 0,
+            ink_mm: 0.0,
+            travel_mm: 0.0,
+            time_s: 0.0,
+            error_mm: 0.0,
+        }
+    }
+}

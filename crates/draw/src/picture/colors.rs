@@ -1,0 +1,119 @@
+//! What the colours of a picture mean.
+
+use crate::ink::InkLine;
+use crate::plan::Plan;
+
+/// What the colours of the ink mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Colors {
+    /// How far it lies from the wanted path: green up to half the tolerance, amber up to all of it,
+    /// red and wide beyond.
+    Error {
+        /// The tolerance, in mm.
+        tolerance_mm: f64,
+    },
+    /// Which pass left it: the colour that its file tells, if it can be seen on white, and one of
+    /// eight otherwise.
+    Passes,
+}
+
+impl Colors {
+    /// The class of a place: the number of its style.
+    pub(super) fn class(self, line: &InkLine, point: usize) -> usize {
+        let Self::Error { tolerance_mm } = self else {
+            return line.pass as usize;
+        };
+        let error_mm = line.errors_mm[point];
+        usize::from(error_mm > tolerance_mm / 2.0) + usize::from(error_mm > tolerance_mm)
+    }
+
+    /// How a class is drawn.
+    pub(super) fn style(self, class: usize, plan: &Plan) -> String {
+        match self {
+            Self::Error { .. } => {
+                let (color, width) = ERRORS[class];
+                format!(r#"stroke="{color}" stroke-width="{width}""#)
+            }
+            Self::Passes => {
+                let color = pass_color(plan, class);
+                format!(r#"stroke="{color}" stroke-width="{INK_MM}""#)
+            }
+        }
+    }
+
+    /// What the legend says of the ink: names and styles.
+    pub(super) fn legend(self, plan: &Plan) -> Vec<(String, String)> {
+        let Self::Error { tolerance_mm } = self else {
+            return Vec::new();
+        };
+        let names = [
+            format!("off by 0 to {} mm", tolerance_mm / 2.0),
+            format!("to {tolerance_mm} mm"),
+            "more".to_owned(),
+        ];
+        let styles = (0..).map(|class| self.style(class, plan));
+        names.into_iter().zip(styles).collect()
+    }
+}
+
+/// The colour of a pass.
+pub(super) fn pass_color(plan: &Plan, pass: usize) -> String {
+    let told = plan.passes.get(pass).and_then(|it| it.color);
+    match told.filter(|&it| can_be_seen(it)) {
+        Some([red, green, blue]) => format!("#{red:02x}{green:02x}{blue:02x}"),
+        None => PASSES[pass % PASSES.len()].to_owned(),
+    }
+}
+
+/// Whether it is dark enough on white paper.
+fn can_be_seen(rgb: [u8; 3]) -> bool {
+    let [red, green, blue] = rgb.map(f64::from);
+    0.2126 * red + 0.7152 * green + 0.0722 * blue <= BRIGHTEST
+}
+
+/// Colours that people who do not see all colours tell apart too; the width says it once more.
+const ERRORS: [(&str, f64); 3] = [("#007a5a", 0.34), ("#e69f00", 0.5), ("#d1341f", 0.95)];
+const PASSES: [&str; 8] = [
+    "#1b2a41", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a5195",
+];
+const INK_MM: f64 = 0.42;
+const BRIGHTEST: f64 = 200.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::plan::{Machine, Paper, Pass, Tool};
+    use crate::point::{Point, Stroke};
+
+    #[test]
+    fn a_place_is_green_amber_or_red() {
+        let line = InkLine {
+            stroke: Stroke::default(),
+            errors_mm: vec![0.0, 0.025, 0.03, 0.05, 0.051],
+            pass: 3,
+        };
+        let classes = |colors: Colors| (0..5).map(|i| colors.class(&line, i)).collect::<Vec<_>>();
+        assert_eq!(
+            classes(Colors::Error { tolerance_mm: 0.05 }),
+            [0, 0, 1, 1, 2]
+        );
+        assert_eq!(classes(Colors::Passes), [3; 5]);
+    }
+
+    #[test]
+    fn a_pass_has_the_colour_of_its_file_unless_nobody_would_see_it() {
+        let pass = |color| Pass {
+            color,
+            ..Pass::new(
+                Tool::default(),
+                vec![Stroke::open(vec![Point::new(200.0, 0.0)])],
+            )
+        };
+        let passes = [Some([204, 0, 16]), Some([255, 255, 250]), None].map(pass);
+        let plan = Plan::new(&passes, &Paper::default(), &Machine::default()).unwrap();
+        assert_eq!(pass_color(&plan, 0), "#cc0010");
+        assert_eq!(pass_color(&plan, 1), PASSES[1]);
+        assert_eq!(pass_color(&plan, 2), PASSES[2]);
+    }
+}

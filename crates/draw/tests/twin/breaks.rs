@@ -1,0 +1,64 @@
+//! Changing pens, and being stopped.
+
+use dobot_controller::Personality;
+use dobot_draw::{Parting, Pass, Trace};
+
+use crate::bench::{Bench, PAPER, line, pen, plan, square};
+
+#[tokio::test]
+async fn a_person_is_asked_for_each_pen_and_the_pen_is_up_meanwhile() {
+    for personality in Personality::ALL {
+        let blue = Pass {
+            message: Some("put the blue pen in".to_owned()),
+            ..pen("blue", vec![line(&[(200.0, 30.0), (210.0, 30.0)])])
+        };
+        let red = pen("red", vec![square(200.0, 0.0, 10.0)]);
+        let plan = plan(&[red, blue], personality);
+        let mut bench = Bench::new(personality);
+        bench.draw(&plan).await.unwrap();
+        assert_eq!(bench.asked, ["put the blue pen in"]);
+        let last = bench.told.last().unwrap();
+        assert_eq!((last.vectors, last.strokes), (plan.moves.len(), 2));
+    }
+}
+
+#[tokio::test]
+async fn whoever_takes_his_time_to_change_the_pen_does_not_make_the_drawing_longer() {
+    let passes = |message: Option<&str>| {
+        let second = Pass {
+            message: message.map(str::to_owned),
+            ..pen("b", vec![line(&[(200.0, 30.0), (210.0, 30.0)])])
+        };
+        [pen("a", vec![square(200.0, 0.0, 10.0)]), second]
+    };
+    let personality = Personality::ALL[0];
+    let mut times = Vec::new();
+    for message in [None, Some("wait")] {
+        let mut bench = Bench::new(personality);
+        let plan = plan(&passes(message), personality);
+        times.push(bench.draw(&plan).await.unwrap().time);
+    }
+    // The arm comes to rest at a break and hears of it with the next status.
+    let longer = times[1].as_secs_f64() - times[0].as_secs_f64();
+    assert!((0.0..0.5).contains(&longer), "{times:?}");
+}
+
+#[tokio::test]
+async fn a_drawing_that_is_stopped_leaves_the_pen_up() {
+    for personality in Personality::ALL {
+        let plan = plan(
+            &[pen("a", vec![square(200.0, 0.0, 10.0); 100])],
+            personality,
+        );
+        let mut bench = Bench::new(personality);
+        let Err(stopped) = bench.draw_until(&plan, 2).await else {
+            panic!("it was not stopped");
+        };
+        assert_eq!(stopped.parting, Parting::Done);
+        let samples = bench.samples();
+        let last = samples.last().unwrap().position.z.0;
+        assert!((last + 30.0).abs() < 0.05, "{last}");
+        let trace = Trace::new(&plan, &PAPER, &samples, &[]).unwrap();
+        assert!((2..plan.moves.len()).contains(&trace.vectors()));
+    }
+}

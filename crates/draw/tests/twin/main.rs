@@ -1,0 +1,8 @@
+//! Plans carried out by a virtual arm in this process, in virtual time.
+
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+mod bench;
+mod breaks;
+mod lasers;
+mod traces;
