@@ -7,7 +7,9 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 
-use dobot_draw::{LinkRate, Machine, MoveKind, Plan, Settings, Size, acceleration, prepare};
+use dobot_draw::{
+    LinkRate, Machine, MoveKind, Plan, Settings, Size, Source, acceleration, prepare,
+};
 use dobot_wire::Dialect;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -26,7 +28,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     settings.placement.size = Size::Fit;
     let anywhere = |_| Ok::<(), String>(());
-    let plan = prepare(&fs::read_to_string(file)?, &settings, anywhere)?.plan;
+    let plan = prepare(
+        &Source::of_file(file, fs::read(file)?)?,
+        &settings,
+        anywhere,
+    )?
+    .plan;
     println!("{}", json(&plan));
     Ok(())
 }

@@ -25,6 +25,10 @@ pub(super) struct Speeds {
     pub start_mm_s: f64,
     pub end_mm_s: f64,
     pub max_mm_s: f64,
+    /// The largest speed that is reached.
+    pub peak_mm_s: f64,
+    /// The largest that would be allowed.
+    pub limit_mm_s: f64,
     pub duration_s: f64,
 }
 
@@ -150,16 +154,22 @@ impl Pace {
             start_mm_s: start,
             end_mm_s: end,
             max_mm_s: max,
+            peak_mm_s: peak_mm_s(run.length_mm, [start, end, max], a),
+            limit_mm_s: run.limit_mm_s,
             duration_s: duration_s(run.length_mm, [start, end, max], a),
         }
     }
 }
 
 fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
-    let meet_v2 = 0.5 * (start * start + end * end) + a * length_mm;
-    let peak = max.min(meet_v2.sqrt()).max(start).max(end);
+    let peak = peak_mm_s(length_mm, [start, end, max], a);
     let ramps_mm = (peak * peak - 0.5 * (start * start + end * end)) / a;
     (2.0 * peak - start - end) / a + (length_mm - ramps_mm).max(0.0) / peak
+}
+
+fn peak_mm_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
+    let meet_v2 = 0.5 * (start * start + end * end) + a * length_mm;
+    max.min(meet_v2.sqrt()).max(start).max(end)
 }
 
 /// The time between two statuses of a stock arm: how the arm itself is seen to move.

@@ -1,7 +1,8 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
 use super::lookahead::Run;
-use super::pace::Pace;
+use super::pace::{Pace, Speeds};
+use super::ticker::Ticker;
 use super::vector::length;
 use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 use crate::point::{Point, Stroke};
@@ -11,6 +12,8 @@ pub(super) struct Planner<'a> {
     paper: &'a Paper,
     machine: &'a Machine,
     pace: Pace,
+    /// Where the arm has ticks.
+    ticker: Option<Ticker>,
     /// Where the vectors so far lead, rounding included.
     here: [f64; 3],
     pub(super) moves: Vec<PlannedVector>,
@@ -27,6 +30,7 @@ impl<'a> Planner<'a> {
             paper,
             machine,
             pace: Pace::new(machine),
+            ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
             here: start,
             moves: Vec::new(),
             stroke: 0,
@@ -122,6 +126,7 @@ impl<'a> Planner<'a> {
             start_speed_mm_s: 0.0,
             end_speed_mm_s: 0.0,
             max_speed_mm_s: 0.0,
+            duration_s: 0.0,
             kind,
             stroke: self.stroke,
             pass: self.pass,
@@ -133,12 +138,21 @@ impl<'a> Planner<'a> {
         let begin = self.moves.len() - self.chain.len();
         let speeds = self.pace.plan(&mut self.chain);
         for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
-            vector.start_speed_mm_s = round_down(speeds.start_mm_s);
-            vector.end_speed_mm_s = round_down(speeds.end_mm_s);
-            vector.max_speed_mm_s = round_down(speeds.max_mm_s);
+            match &mut self.ticker {
+                Some(ticker) => ticker.set(vector, speeds),
+                None => set(vector, speeds),
+            }
         }
         self.chain.clear();
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+fn set(vector: &mut PlannedVector, speeds: Speeds) {
+    vector.start_speed_mm_s = round_down(speeds.start_mm_s);
+    vector.end_speed_mm_s = round_down(speeds.end_mm_s);
+    vector.max_speed_mm_s = round_down(speeds.max_mm_s);
+    vector.duration_s = speeds.duration_s as f32;
 }
 
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.

@@ -17,6 +17,9 @@ pub struct PlannedVector {
     pub end_speed_mm_s: f32,
     /// The speed not to pass in between, in mm/s.
     pub max_speed_mm_s: f32,
+    /// How long it takes: accelerate, keep the largest speed for a while if it is reached, brake; on
+    /// a stock arm a number of ticks. In s.
+    pub duration_s: f32,
     /// What the tool does.
     pub kind: MoveKind,
     /// Which stroke it belongs to, from 0, counted through all passes; a travel to the stroke that
@@ -37,13 +40,6 @@ impl PlannedVector {
     #[must_use]
     pub fn length_mm(&self) -> f64 {
         length(self.increments())
-    }
-
-    /// How long it takes in seconds: accelerate, keep the largest speed for a while if it is
-    /// reached, brake.
-    #[must_use]
-    pub(crate) fn duration_s(&self, acceleration_mm_s2: f64) -> f64 {
-        self.profile(acceleration_mm_s2).duration_s()
     }
 
     pub(crate) fn profile(&self, acceleration_mm_s2: f64) -> Profile {

@@ -1,0 +1,76 @@
+//! A chain of vectors for a stock arm, tick by tick.
+
+use super::link::Credit;
+use super::pace::Speeds;
+use super::ticks::{Fit, TICK_S, Wish};
+use super::{Machine, MoveKind, PlannedVector};
+
+/// What the arm carries over from vector to vector.
+#[derive(Clone, Debug)]
+pub(super) struct Ticker {
+    acceleration_mm_s2: f32,
+    /// The end speed that the arm has stored, in mm/s.
+    stored_mm_s: f32,
+    /// How many ticks the vectors so far were too short, in ticks.
+    early: f64,
+    credit: Credit,
+}
+
+impl Ticker {
+    #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+    pub(super) fn new(machine: &Machine, stored_mm_s: f32) -> Self {
+        Self {
+            acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
+            stored_mm_s,
+            early: 0.0,
+            credit: Credit::new(machine.link),
+        }
+    }
+
+    /// Gives a vector the speeds with which a stock arm comes nearest to these.
+    pub(super) fn set(&mut self, vector: &mut PlannedVector, speeds: Speeds) {
+        let factor = if vector.kind == MoveKind::RunOut {
+            RAPID_FACTOR
+        } else {
+            1.0
+        };
+        let begin_mm_s = self.stored_mm_s;
+        let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
+        let length_mm = (x * x + y * y + z * z).sqrt();
+        let fit = self.fit(length_mm, speeds, factor);
+        vector.start_speed_mm_s = begin_mm_s.min(fit.max_mm_s);
+        vector.end_speed_mm_s = fit.end_mm_s;
+        vector.max_speed_mm_s = fit.max_mm_s;
+        vector.duration_s = f32::from(fit.cut.ticks()) * TICK_S;
+    }
+
+    /// The next vector, of this length.
+    pub(super) fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32) -> Fit {
+        let ticks = speeds.duration_s / f64::from(TICK_S);
+        let fit = Wish {
+            length_mm,
+            speeds,
+            ticks: ticks + self.early,
+            least_ticks: least_ticks(self.credit),
+            rests: speeds.end_mm_s == 0.0,
+            acceleration_mm_s2: factor * self.acceleration_mm_s2,
+        }
+        .fit(self.stored_mm_s);
+        let took = f64::from(fit.cut.ticks());
+        self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
+        self.credit.take(took * f64::from(TICK_S));
+        self.stored_mm_s = fit.cut.end_mm_s;
+        fit
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a handful")]
+fn least_ticks(credit: Credit) -> i16 {
+    (credit.least_s() / f64::from(TICK_S) - 1e-3)
+        .ceil()
+        .max(1.0) as i16
+}
+
+/// With the laser off, laser mode accelerates that much faster (note N48).
+const RAPID_FACTOR: f32 = 100.0;
+const MOST_EARLY: f64 = 1.0;
