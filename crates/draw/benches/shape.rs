@@ -55,7 +55,7 @@ fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
         .bench_local_values(|segments| merge(segments, 0.05));
 }
 
-/// A star of 20,000 corners, crossed some 100,000 times.
+/// A star of 20,000 corners, crossed more than half a million times.
 #[divan::bench(sample_count = 10)]
 fn hatch_a_star_of_20_000_corners(bencher: Bencher<'_, '_>) {
     let corner = |i: u32| {

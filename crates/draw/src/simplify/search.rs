@@ -81,12 +81,14 @@ impl<'a> Search<'a> {
     }
 
     fn run(mut self) -> Option<Vec<Corner>> {
+        let mut layer = Vec::new();
         while !self.next.is_empty() {
-            let mut layer = std::mem::take(&mut self.next);
-            // What comes last in the layer came in runs of ascending order: sorted in no time.
+            layer.clear();
+            std::mem::swap(&mut layer, &mut self.next);
+            // They come in runs of ascending order: sorted in no time.
             layer.sort_by_key(|corner| corner.passed);
             let lean = LEAN_WORK + WORK_PER_POINT * layer[layer.len() - 1].passed;
-            for corner in layer.into_iter().rev() {
+            for &corner in layer.iter().rev() {
                 let enough = self.work > lean && !self.next.is_empty();
                 if enough && (self.work > lean + EXACT_WORK || self.is_useless(corner.passed)) {
                     break;
@@ -134,6 +136,7 @@ impl<'a> Search<'a> {
                 }
             } else if sight.stops(i) {
                 self.note_corners(&mut sight, i);
+                sight.set_next_stop(i);
             }
         }
         self.note_exits(&mut sight);
@@ -144,7 +147,10 @@ impl<'a> Search<'a> {
     fn note_corners(&mut self, sight: &mut Sight<'_>, i: usize) {
         let here = self.tube.points[i];
         let [left, right] = self.tube.beside(i);
-        for (bit, at) in [(1, here), (2, left), (4, right)] {
+        let places = [(1, here), (2, left), (4, right)];
+        // Far off, where each has to be looked at, the point itself has to do.
+        let count = if sight.is_tedious(i) { 1 } else { 3 };
+        for (bit, at) in places.into_iter().take(count) {
             if self.reached[i] & bit == 0 && sight.reaches(at, i) {
                 self.note(at, i, bit);
             }

@@ -14,15 +14,18 @@ pub(super) fn put_on_the_stroke(tube: &Tube<'_>, path: &[Corner]) -> Vec<Point> 
         before: 0,
         moved: false,
     };
-    let mut layers = vec![vec![begin]];
+    let mut layers: Vec<Layer> = Vec::with_capacity(path.len());
+    layers.push([Some(begin), None, None]);
     for (i, &corner) in path.iter().enumerate().skip(1) {
+        let before = layers[i - 1];
         let places = places(tube, corner, i + 1 == path.len());
-        let choices = places.filter_map(|place| place.after(tube, &layers[i - 1]));
-        let choices = choices.collect();
-        layers.push(choices);
+        layers.push(places.map(|place| place?.after(tube, &before)));
     }
     best_of_each(&layers)
 }
+
+/// The places of one corner: where the search put it, and the two points it lies between.
+type Layer = [Option<Choice>; 3];
 
 /// A place for a corner.
 #[derive(Clone, Copy, Debug)]
@@ -38,12 +41,13 @@ struct Choice {
 
 impl Choice {
     /// This place after the best of those before; `None` if no vector joins them.
-    fn after(self, tube: &Tube<'_>, layer: &[Self]) -> Option<Self> {
-        let mut order: Vec<usize> = (0..layer.len()).collect();
-        order.sort_by_key(|&i| layer[i].off);
-        let before = order.into_iter().find(|&i| layer[i].joins(tube, self))?;
+    fn after(self, tube: &Tube<'_>, layer: &Layer) -> Option<Self> {
+        let mut order = [0, 1, 2];
+        order.sort_by_key(|&i| layer[i].map_or(usize::MAX, |before| before.off));
+        let joins = |&i: &usize| layer[i].is_some_and(|before| before.joins(tube, self));
+        let before = order.into_iter().find(joins)?;
         Some(Self {
-            off: layer[before].off + usize::from(!self.moved),
+            off: layer[before]?.off + usize::from(!self.moved),
             before,
             ..self
         })
@@ -59,13 +63,8 @@ impl Choice {
     }
 }
 
-/// Where a corner may be: where the search put it, or the two points it lies between.
-fn places(tube: &Tube<'_>, found: Corner, ends: bool) -> impl Iterator<Item = Choice> {
-    let count = if ends { 0 } else { 2 };
-    let points = (found.passed..tube.points.len()).take(count);
-    let moved = points.map(move |passed| (true, passed, tube.points[passed]));
-    let places = [(false, found.passed, found.at)].into_iter().chain(moved);
-    places.map(move |(moved, passed, at)| Choice {
+fn places(tube: &Tube<'_>, found: Corner, ends: bool) -> Layer {
+    let choice = |moved, passed, at| Choice {
         corner: Corner {
             at,
             passed,
@@ -74,15 +73,22 @@ fn places(tube: &Tube<'_>, found: Corner, ends: bool) -> impl Iterator<Item = Ch
         off: 0,
         before: 0,
         moved,
-    })
+    };
+    let point = |passed: usize| {
+        let at = tube.points.get(passed).filter(|_| !ends);
+        at.map(|&at| choice(true, passed, at))
+    };
+    let here = choice(false, found.passed, found.at);
+    [Some(here), point(found.passed), point(found.passed + 1)]
 }
 
-fn best_of_each(layers: &[Vec<Choice>]) -> Vec<Point> {
+fn best_of_each(layers: &[Layer]) -> Vec<Point> {
     let mut choice = 0;
     let mut points: Vec<Point> = Vec::with_capacity(layers.len());
     for layer in layers.iter().rev() {
-        points.push(layer[choice].corner.at);
-        choice = layer[choice].before;
+        let best = layer[choice].expect("what was found is joined to what was found");
+        points.push(best.corner.at);
+        choice = best.before;
     }
     points.reverse();
     points

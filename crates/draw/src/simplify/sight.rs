@@ -22,6 +22,8 @@ pub(super) struct Sight<'a> {
     wavering: bool,
     /// How many looks in a row found them out of order.
     misses: usize,
+    /// There was such a look since the last stop.
+    looked: bool,
     /// From far off not every point is a corner.
     next_stop: usize,
     pub(super) work: usize,
@@ -38,6 +40,7 @@ impl<'a> Sight<'a> {
             reach2: 0.0,
             wavering: false,
             misses: 0,
+            looked: false,
             next_stop: from.passed + 1,
             work: 0,
         }
@@ -96,26 +99,49 @@ impl<'a> Sight<'a> {
 
     fn in_order(&mut self, at: Point, i: usize) -> bool {
         let first = self.from.passed + 1;
-        self.work += i - first;
+        self.work += (i - first) / 2;
         let fine = self.tube.passes(self.from.at, at, first, i);
+        self.looked = true;
         self.misses = if fine { 0 } else { self.misses + 1 };
         fine
     }
 
-    /// Whether to look for corners at this point: at each of the first, then ever more rarely.
-    pub(super) fn stops(&mut self, i: usize) -> bool {
-        if i < self.next_stop {
-            return false;
+    /// Whether to look for corners at this point.
+    pub(super) const fn stops(&self, i: usize) -> bool {
+        i >= self.next_stop
+    }
+
+    /// Whether every corner costs a look at all points up to a far one.
+    pub(super) const fn is_tedious(&self, i: usize) -> bool {
+        self.wavering && i - self.from.passed > NEAR
+    }
+
+    /// After a stop at point `i`: the first points are stops, then ever fewer.
+    pub(super) fn set_next_stop(&mut self, i: usize) {
+        if self.wavering && !self.looked {
+            self.look_ahead(i);
         }
+        self.looked = false;
         let beyond = (i - self.from.passed).saturating_sub(NEAR);
-        self.next_stop = i + 1 + beyond / if self.wavering { RARE } else { NEAR };
-        true
+        self.next_stop = i + 1;
+        if self.misses == 0 {
+            self.next_stop += if self.wavering { beyond } else { beyond / NEAR };
+        }
+    }
+
+    /// Counts whether the order holds in the middle of the view, as there may be no corner to tell.
+    fn look_ahead(&mut self, i: usize) {
+        if let Some(wedge) = self.wedge {
+            let unit = |way: Point| way * (1.0 / way.length());
+            let middle = unit(unit(wedge.left) + unit(wedge.right));
+            let far = (self.tube.points[i] - self.from.at).dot(middle);
+            self.in_order(self.from.at + middle * far, i);
+        }
     }
 }
 
-/// As far as this every point is a corner; farther off the corners are this much rarer, and rarer
-/// still where each has to be looked at.
+/// As far as this every point is a stop; farther off they are this much rarer, and rarer still where
+/// the stroke wavers.
 const NEAR: usize = 64;
-const RARE: usize = 4;
 /// A line that comes back may be in order again after so many looks.
 const LOOK_PAST: usize = 100;

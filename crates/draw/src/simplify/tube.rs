@@ -11,40 +11,34 @@ pub(super) struct Tube<'a> {
     pub(super) closed: bool,
     /// The radius of the discs around the points that have to be hit in order.
     pub(super) radius: f64,
+    /// For each point the way across the stroke, as long as the radius.
+    across: Vec<Point>,
 }
 
 impl<'a> Tube<'a> {
     pub(super) fn new(points: &'a [Point], closed: bool, radius: f64) -> Self {
+        let closed = closed && points.len() > 2 && points.first() == points.last();
+        let last = points.len().saturating_sub(1);
+        let across = (0..points.len()).map(|i| {
+            let before = if i == 0 && closed {
+                last - 1
+            } else {
+                i.saturating_sub(1)
+            };
+            let after = (i + 1).min(last);
+            across(points[i] - points[before], points[after] - points[i]) * radius
+        });
         Self {
-            closed: closed && points.len() > 2 && points.first() == points.last(),
+            across: across.collect(),
             points,
+            closed,
             radius,
         }
     }
 
     /// The two places beside a point, across the stroke.
     pub(super) fn beside(&self, i: usize) -> [Point; 2] {
-        let last = self.points.len() - 1;
-        let (before, after) = match i {
-            0 if self.closed => (last - 1, 1),
-            _ => (i.saturating_sub(1), (i + 1).min(last)),
-        };
-        let here = self.points[i];
-        let unit = |way: Point| way * (1.0 / way.length());
-        let (came, goes) = (here - self.points[before], self.points[after] - here);
-        let along = match (came.length2() > 0.0, goes.length2() > 0.0) {
-            (true, true) => unit(came) + unit(goes),
-            (true, false) => came,
-            (false, _) => goes,
-        };
-        let across = Point::new(-along.y, along.x);
-        let length = across.length();
-        // Where the stroke turns right back there is no across.
-        let off = if length > 1e-6 {
-            across * (self.radius / length)
-        } else {
-            Point::default()
-        };
+        let (here, off) = (self.points[i], self.across[i]);
         [here + off, here - off]
     }
 
@@ -110,6 +104,19 @@ impl<'a> Tube<'a> {
             }
         }
         (enter <= leave && leave.is_finite()).then_some(leave)
+    }
+}
+
+/// The direction of length 1 to the left of a way that comes and goes on; zero where it turns right
+/// back.
+fn across(came: Point, goes: Point) -> Point {
+    let unit = |way: Point| way * (1.0 / way.length().max(f64::MIN_POSITIVE));
+    let along = unit(came) + unit(goes);
+    let length = along.length();
+    if length > 1e-6 {
+        Point::new(-along.y, along.x) * (1.0 / length)
+    } else {
+        Point::default()
     }
 }
 
