@@ -207,6 +207,7 @@ fn bad_jpeg(problem: impl ToString) -> ImageError {
     damaged("JPEG", problem)
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "stands in `map_err`")]
 fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
     let problem = problem.to_string();
     let line = problem.lines().next().unwrap_or_default();

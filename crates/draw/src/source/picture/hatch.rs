@@ -50,19 +50,19 @@ fn pieces(tone: &Tone, rows: &Rows, [a, b]: [Point; 2], threshold: f64) -> Vec<V
 /// Where a line is darker than the threshold: from and to, in millimetres from its start.
 fn runs(tone: &Tone, [a, b]: [Point; 2], threshold: f64) -> Vec<(f64, f64)> {
     let length_mm = a.distance(b);
-    let step_mm = tone.cell.x.min(tone.cell.y);
-    let steps = (length_mm / step_mm).ceil().max(1.0);
+    let cell_mm = tone.cell.x.min(tone.cell.y);
+    let places = a.steps_to(b, cell_mm);
+    let step_mm = length_mm / (length_mm / cell_mm).ceil().max(1.0);
     let mut runs = Vec::new();
     let mut began = None;
-    let mut before = 0.0;
-    for (i, p) in a.steps_to(b, step_mm).enumerate() {
-        let at_mm = length_mm * count(i) / steps;
+    let mut before = tone.at(a);
+    for (i, p) in places.enumerate() {
         let ink = tone.at(p);
-        let crossing_mm = || at_mm - step_mm * ((ink - threshold) / (ink - before)).clamp(0.0, 1.0);
+        let back = ((ink - threshold) / (ink - before)).clamp(0.0, 1.0);
+        let crossing_mm = || step_mm * (count(i) - back);
         match began {
-            None if ink >= threshold => {
-                began = Some(if i == 0 { 0.0 } else { crossing_mm() });
-            }
+            None if i == 0 && ink >= threshold => began = Some(0.0),
+            None if ink >= threshold => began = Some(crossing_mm()),
             Some(from) if ink < threshold => {
                 runs.push((from, crossing_mm()));
                 began = None;
@@ -89,7 +89,7 @@ fn cleaned(runs: Vec<(f64, f64)>, spacing_mm: f64) -> Vec<(f64, f64)> {
 }
 
 /// How far tones are mixed before they are told apart, in spacings.
-const SOFTNESS: f64 = 0.5;
+const SOFTNESS: f64 = 0.2;
 /// How far it may be from one piece to the next for the pen to stay down, in spacings.
 const REACH: f64 = 1.6;
 /// Of a gap, in spacings.

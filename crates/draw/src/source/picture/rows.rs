@@ -31,12 +31,18 @@ impl Rows {
     pub(super) fn lines(&self) -> Vec<[Point; 2]> {
         let middle = self.page * 0.5;
         let half = middle.length();
-        let lines = (2.0 * half / self.spacing_mm).floor();
-        let first = middle - self.across() * (lines * self.spacing_mm / 2.0);
+        let room = self.page - Point::new(self.margin_mm, self.margin_mm) * 2.0;
+        if room.x < 0.0 || room.y < 0.0 {
+            return Vec::new();
+        }
+        let across = self.across();
+        let extent = across.x.abs() * room.x + across.y.abs() * room.y;
+        let lines = (extent / self.spacing_mm).floor();
+        let first = middle - across * (lines * self.spacing_mm / 2.0);
         let steps = std::iter::successors(Some(0.0), |step| Some(step + 1.0));
         let starts = steps
             .take_while(|&step| step <= lines)
-            .map(|step| first + self.across() * (step * self.spacing_mm));
+            .map(|step| first + across * (step * self.spacing_mm));
         starts.filter_map(|at| self.clipped(at, half)).collect()
     }
 
@@ -142,8 +148,9 @@ mod tests {
         ];
         let strokes = woven(lines, 1.5);
         let points: Vec<usize> = strokes.iter().map(|it| it.points.len()).collect();
-        assert_eq!(points, [4, 2, 2]);
+        assert_eq!(points, [4, 4]);
         assert_eq!(strokes[0].last(), Some(p(5.0, 1.0)));
+        assert_eq!(strokes[1].last(), Some(p(0.0, 2.0)));
     }
 
     proptest! {
