@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+use proptest::prelude::*;
+
 use super::*;
 use crate::artwork::{Area, FillRule, Layer};
 use crate::point::Bounds;
@@ -201,4 +203,93 @@ fn areas_are_moved_as_their_shapes_are() {
         r#"<path transform="translate(10 10) scale(2 -1)" d="M0 0H10V-10H0Z"/>"#,
     );
     assert_eq!(extent(&layers[0].areas[0]), [10.0, 10.0, 30.0, 20.0]);
+}
+
+#[test]
+fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
+    let text = include_str!("../../../../../examples/drawings/sailing.svg");
+    let by = |layers| {
+        let options = ReadOptions {
+            layers,
+            ..ReadOptions::default()
+        };
+        let (artwork, warnings) = read(text, &options).unwrap();
+        assert_eq!(warnings, []);
+        let layers = artwork.layers.into_iter();
+        layers
+            .map(|it| (it.name, it.areas.len()))
+            .collect::<Vec<_>>()
+    };
+    let named = |names: [&str; 3]| names.map(str::to_owned).into_iter().zip([1, 3, 2]);
+    let colors = named(["orange", "crimson", "navy"]);
+    assert_eq!(by(LayersBy::Color), colors.collect::<Vec<_>>());
+    let labels = named(["orange pen", "crimson pen", "navy pen"]);
+    assert_eq!(by(LayersBy::Group), labels.collect::<Vec<_>>());
+}
+
+#[test]
+fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
+    let points: String = (0..8000)
+        .map(|i| {
+            format!(
+                "{} {:.3} ",
+                -5 + 100 * (i % 2),
+                if i % 2 == 0 {
+                    0.006 * f64::from(i)
+                } else {
+                    48.0 - 0.006 * f64::from(i)
+                }
+            )
+        })
+        .collect();
+    let (layers, warnings) = read_by(
+        LayersBy::Nothing,
+        &format!(r#"<polygon points="{points}"/>"#),
+    );
+    assert_eq!(layers[0].areas.len(), 0);
+    assert!(!layers[0].strokes.is_empty());
+    assert_eq!(
+        warnings[0].to_string(),
+        "1 filled shape: not hatched, it crosses itself too often to be clipped"
+    );
+}
+
+#[test]
+fn hostile_files_are_refused_however_layers_are_made() {
+    for layers in [LayersBy::Color, LayersBy::Group, LayersBy::Nothing] {
+        let options = ReadOptions {
+            layers,
+            ..ReadOptions::default()
+        };
+        for text in [
+            "",
+            "<svg",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g></svg>",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g/><g id=''/></svg>",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g><path d='M0 0L1e30 1'/></g></svg>",
+        ] {
+            let error = read(text, &options).unwrap_err().to_string();
+            assert!(!error.contains('\n'), "{error}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_file_of_groups_is_read_or_refused(
+        at in 0..4000_usize,
+        length in 0..40_usize,
+        filler in proptest::sample::select(vec!["", "<g>", "</g>", "<g/>", "<g id=''/>", "\"", "white", "é"]),
+    ) {
+        let text = include_str!("../../../../../examples/drawings/sailing.svg");
+        let start = at.min(text.len());
+        let end = (start + length).min(text.len());
+        let damaged = [&text[..start], filler, &text[end..]].concat();
+        for layers in [LayersBy::Color, LayersBy::Group] {
+            let options = ReadOptions { layers, ..ReadOptions::default() };
+            if let Ok((artwork, _)) = read(&damaged, &options) {
+                prop_assert!(artwork.layers.iter().all(|it| !it.is_empty()));
+            }
+        }
+    }
 }
