@@ -33,16 +33,24 @@ pub(crate) async fn start(
         match ended {
             End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
             End::Over(text) => return Err(anyhow!(text).into()),
-            End::Paused(text) => return Err(paused(job, &text)),
-            End::Interrupted => match ask(job).await {
-                Answer::GoOn => {}
-                Answer::Cancel => {
-                    station.request(Request::CancelJob { job }).await?;
-                    return Err(anyhow!("job {job} is cancelled; the tool is up").into());
-                }
-                Answer::Leave => return Err(paused(job, "interrupted")),
-            },
+            End::Paused(text) => go_on(station, job, &text).await?,
+            End::Interrupted => go_on(station, job, "interrupted; the tool is up").await?,
         }
+    }
+}
+
+/// Asks a person whether a paused job is to go on: because it waits for a new pen, say.
+async fn go_on(station: &mut Remote, job: u64, why: &str) -> Result<(), Failure> {
+    let why = why
+        .strip_prefix(&format!("job {job} is paused: "))
+        .unwrap_or(why);
+    match ask(job, why).await {
+        Answer::GoOn => Ok(()),
+        Answer::Cancel => {
+            station.request(Request::CancelJob { job }).await?;
+            Err(anyhow!("job {job} is cancelled").into())
+        }
+        Answer::Leave => Err(paused(job, why)),
     }
 }
 
@@ -133,13 +141,11 @@ fn paused(job: u64, text: &str) -> Failure {
 }
 
 /// Asks the person, if one is there.
-async fn ask(job: u64) -> Answer {
+async fn ask(job: u64, why: &str) -> Answer {
     if !std::io::stdin().is_terminal() {
         return Answer::Leave;
     }
-    eprintln!(
-        "job {job} is paused, the tool is up: g goes on, c cancels it, Enter leaves it paused"
-    );
+    eprintln!("{why}\njob {job} is paused: g goes on, c cancels it, Enter leaves it paused");
     tokio::select! {
         line = tokio::task::spawn_blocking(read_line) => {
             line.ok().map_or(Answer::Leave, |it| answer(&it))

@@ -24,6 +24,8 @@ Examples:
   dobot jobs show 4
   dobot jobs start 4                     start it, or go on with it, and follow it
   dobot jobs pause                       the one that runs, with the tool lifted
+  dobot jobs speed 150                   draw it half as fast again as planned
+  dobot jobs height -0.2                 0.2 mm lower than planned: the pen leaves no ink
   dobot jobs cancel 4
   dobot jobs submit program.json         queue a file; `dobot draw` queues a picture
 
@@ -58,12 +60,24 @@ enum Action {
     },
     /// Pause the running job after what the arm has got already
     Pause,
+    /// Draw the job that runs or is paused faster or slower than planned, from its next vector on
+    Speed {
+        /// In percent of the planned speed, 10 to 200; 100 is as planned
+        #[arg(value_name = "PERCENT", allow_negative_numbers = true)]
+        percent: f64,
+    },
+    /// Draw the job that runs or is paused higher or lower than planned, gently
+    Height {
+        /// How far above the plan, -5 to 5 mm; below 0 is lower, 0 is as planned
+        #[arg(value_name = "MM", allow_negative_numbers = true)]
+        offset_mm: f64,
+    },
     /// End a job for good
     Cancel {
         /// Its number
         job: u64,
     },
-    /// Queue a job from a JSON file with its title, kind, commands and `lift_mm`
+    /// Queue a job from a JSON file with its title, kind, commands, `lift_mm` and `pauses`
     Submit {
         /// The file, or - for standard input
         file: PathBuf,
@@ -81,6 +95,14 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         }
         Action::Start { job, arm_laser } => start(&args, job, arm_laser).await,
         Action::Pause => ask(&args, Request::PauseJob, "the job is paused").await,
+        Action::Speed { percent } => {
+            let text = "the job goes at another speed";
+            ask(&args, Request::SetJobSpeed { percent }, text).await
+        }
+        Action::Height { offset_mm } => {
+            let text = "the job is drawn at another height";
+            ask(&args, Request::SetJobHeight { offset_mm }, text).await
+        }
         Action::Cancel { job } => {
             let text = format!("job {job} is cancelled");
             ask(&args, Request::CancelJob { job }, &text).await
@@ -155,13 +177,34 @@ fn line(job: &JobView) -> String {
     };
     let reason = job.reason.as_ref().map(|it| format!(": {it}"));
     format!(
-        "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}",
+        "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}{}",
         job.job,
         job.completed,
         job.commands,
         job.title,
+        adjusted(job),
         reason.unwrap_or_default()
     )
+}
+
+/// ` (150 %, 0.2 mm lower)`, where a person has changed it, or ` (took 1:20 min, planned 1:18 min)`.
+fn adjusted(job: &JobView) -> String {
+    let took = job.took_s.map(|took_s| {
+        let planned = job.planned_s.map(|it| format!(", planned {}", clock(it)));
+        format!("took {}{}", clock(took_s), planned.unwrap_or_default())
+    });
+    let speed = (job.speed_percent != 100.0).then(|| format!("{} %", job.speed_percent));
+    let side = if job.height_mm < 0.0 {
+        "lower"
+    } else {
+        "higher"
+    };
+    let height = (job.height_mm != 0.0).then(|| format!("{} mm {side}", job.height_mm.abs()));
+    let parts: Vec<String> = [took, speed, height].into_iter().flatten().collect();
+    if parts.is_empty() {
+        return String::new();
+    }
+    format!(" ({})", parts.join(", "))
 }
 
 fn read(file: &Path) -> Result<NewJob, Failure> {

@@ -2,7 +2,7 @@
 // Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
 
 /** @typedef {{client: number, name: string, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
-/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number | null}} Job */
+/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number | null, speed_percent: number, height_mm: number}} Job */
 /** @typedef {{by: string, reason: string | null, at_rest: boolean}} Stop */
 /** @typedef {{title: string, detail: string, hint?: string}} Problem */
 /** @typedef {{number: number, at_s: number, text: string}} Notice */
@@ -184,11 +184,32 @@ function drawJob(job) {
   chip("job-phase", job.phase, job.phase === "running" ? "good" : "warn");
   const progress = /** @type {HTMLProgressElement} */ (part("job-progress"));
   progress.value = job.commands ? job.completed / job.commands : 0;
-  const why = job.reason ? ` It is ${job.phase}: ${job.reason}.` : "";
   const left = job.left_s === null ? "" : `; ${span(job.left_s)} left`;
-  write("job-left", `${job.completed} of ${job.commands} commands${left}.${why}`);
+  write("job-left", `${job.completed} of ${job.commands} commands${left}.`);
+  write("job-reason", job.reason ?? "");
+  show("job-waits", job.phase === "paused" || job.phase === "queued");
   show("pause", job.phase === "running");
-  show("resume", job.phase === "paused" || job.phase === "queued");
+  drawAdjustment(job);
+}
+
+/** @param {Job} job */
+function drawAdjustment(job) {
+  const mine = state?.lease?.client === me;
+  /** @type {HTMLFieldSetElement} */ (part("adjust")).disabled = !mine;
+  write("adjust-why", mine ? "" : "Take control to change speed and height.");
+  if (!dialing) {
+    /** @type {HTMLInputElement} */ (part("job-speed")).value = String(job.speed_percent);
+    write("job-speed-shown", `${Math.round(job.speed_percent)} %`);
+  }
+  write("job-height-shown", height(job.height_mm));
+  show("job-speed-planned", job.speed_percent !== 100);
+  show("job-height-planned", job.height_mm !== 0);
+}
+
+/** How far above the plan, in words. @param {number} mm */
+function height(mm) {
+  if (mm === 0) return "as planned";
+  return `${mm > 0 ? "+" : "−"}${Math.abs(mm).toFixed(1)} mm`;
 }
 
 /** Why the arm cannot be jogged now, or nothing. @param {State} state */
@@ -413,6 +434,7 @@ function listen() {
     show("token", false);
     connect();
   });
+  listenToJob();
   listenToJog();
   // Before all else, wherever the focus is.
   document.addEventListener("keydown", (event) => {
@@ -421,6 +443,31 @@ function listen() {
     event.preventDefault();
     if (!event.repeat) stop();
   }, { capture: true });
+}
+
+/** Whether somebody is turning the job's speed. */
+let dialing = false;
+
+function listenToJob() {
+  const speed = /** @type {HTMLInputElement} */ (part("job-speed"));
+  speed.addEventListener("input", () => {
+    dialing = true;
+    write("job-speed-shown", `${speed.value} %`);
+  });
+  speed.addEventListener("change", () => {
+    dialing = false;
+    ask({ type: "set_job_speed", percent: Number(speed.value) });
+  });
+  on("job-speed-planned", () => ask({ type: "set_job_speed", percent: 100 }));
+  on("job-height-planned", () => ask({ type: "set_job_height", offset_mm: 0 }));
+  on("job-lower", () => raise(-0.1));
+  on("job-higher", () => raise(0.1));
+}
+
+/** @param {number} by_mm */
+function raise(by_mm) {
+  const now_mm = state?.job?.height_mm ?? 0;
+  ask({ type: "set_job_height", offset_mm: Math.round((now_mm + by_mm) * 10) / 10 });
 }
 
 function listenToJog() {

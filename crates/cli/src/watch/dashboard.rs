@@ -286,6 +286,9 @@ mod tests {
                 completed: 100,
                 planned_s: Some(120.0),
                 left_s: Some(83.0),
+                took_s: None,
+                speed_percent: 100.0,
+                height_mm: 0.0,
             });
         });
         shows(

@@ -9,6 +9,8 @@ use dobot_draw::{Deviation, Machine, Paper, Pass, Pen, Plan, Point, Stroke, Tool
 use dobot_sim::Sample;
 use dobot_station::{ClientId, JobKind, JobPause, JobView, NewJob, Rehearsal, Request};
 
+use dobot_wire::{Command, WriteVector};
+
 use crate::drawing::{is_over, rehearsal};
 
 pub(crate) const PERSONALITIES: [Personality; 2] = Personality::ALL;
@@ -44,9 +46,22 @@ pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)
     NewJob {
         title: "a spiral".into(),
         kind: JobKind::Drawing,
-        commands: plan.commands().collect(),
+        commands: plan.commands().map(|it| exact(personality, it)).collect(),
         lift_mm: 5.0,
         pauses: plan.breaks_in_commands().map(pause).collect(),
+    }
+}
+
+/// A stock arm makes a vector exactly where it begins and ends at rest (note N48).
+fn exact(personality: Personality, command: Command) -> Command {
+    match command {
+        Command::WriteVector(it) if personality == Personality::Firmware11 => WriteVector {
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            ..it
+        }
+        .into(),
+        command => command,
     }
 }
 

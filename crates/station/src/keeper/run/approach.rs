@@ -114,7 +114,11 @@ impl Keeper {
                 first.extend(settle());
             }
         }
-        let lower = (below_mm > 0.0).then(|| straight(-below_mm));
+        let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
+        if begun.completed == begun.plan.len() {
+            // Nothing comes behind it.
+            first.extend(lower.take());
+        }
         Approach { first, lower }
     }
 
