@@ -12,8 +12,8 @@ use std::path::Path;
 
 use anyhow::Context;
 use dobot_draw::{
-    Colors, Deviation, FrameShape, InkLine, Picture, Plan, Prepared, Settings, Stroke, View,
-    Worst, deviation, frame, ink_seen,
+    Colors, Deviation, FrameShape, InkLine, Picture, Plan, Prepared, Settings, Stroke, View, Worst,
+    deviation, frame, ink_seen,
 };
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::Dialect;
@@ -85,7 +85,14 @@ async fn dry_run(
         took: None,
     };
     let drawn = carried.as_ref().map(Drawn::carried);
-    let report = write_files(args, work, prepared, carried.as_ref(), drawn.as_ref(), times)?;
+    let report = write_files(
+        args,
+        work,
+        prepared,
+        carried.as_ref(),
+        drawn.as_ref(),
+        times,
+    )?;
     print(args, &report)
 }
 
@@ -148,7 +155,14 @@ async fn draw(
     if !is_virtual {
         estimates::keep(&work.title, times)?;
     }
-    let report = write_files(args, work, prepared, carried.as_ref(), drawn.as_ref(), times)?;
+    let report = write_files(
+        args,
+        work,
+        prepared,
+        carried.as_ref(),
+        drawn.as_ref(),
+        times,
+    )?;
     executed.outcome?;
     print(args, &report)
 }
@@ -225,7 +239,7 @@ fn write_picture(
                 tolerance_mm: args.way.tolerance,
             }
         } else {
-            Colors::Pass
+            Colors::Passes
         },
         view: if args.result.whole_reach {
             View::Reach

@@ -33,7 +33,11 @@ async fn drawn(file: &str, personality: Personality) -> Result<String, Box<dyn E
     };
     settings.placement.size = Size::Fit;
     let anywhere = |_| Ok::<(), String>(());
-    let prepared = prepare(&Source::of_file(file, fs::read(file)?)?, &settings, anywhere)?;
+    let prepared = prepare(
+        &Source::of_file(file, fs::read(file)?)?,
+        &settings,
+        anywhere,
+    )?;
     let plan = &prepared.plan;
 
     let controller = Controller::power_up(PowerUp::new(personality));
@@ -63,7 +67,10 @@ fn moved_s(samples: &[Sample], start: [f64; 3], lift_mm: f64) -> f64 {
         let away = [p.x.0 - start[0], p.y.0 - start[1], p.z.0 - start[2]];
         away.iter().all(|it| it.abs() < 0.001 * lift_mm)
     };
-    let began = samples.iter().rfind(at_start).map_or(0.0, |it| it.at.as_secs_f64());
+    let began = samples
+        .iter()
+        .rfind(at_start)
+        .map_or(0.0, |it| it.at.as_secs_f64());
     samples.last().map_or(0.0, |it| it.at.as_secs_f64()) - began
 }
 

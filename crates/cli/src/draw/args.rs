@@ -89,7 +89,12 @@ pub(crate) struct What {
     #[arg(long, value_name = "MM", num_args = 0..=1)]
     pub(crate) hatch: Option<Option<f64>>,
     /// The direction of the hatching, in degrees from left to right counterclockwise
-    #[arg(long, value_name = "DEGREES", default_value_t = 45.0, requires = "hatch")]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 45.0,
+        requires = "hatch"
+    )]
     pub(crate) hatch_angle: f64,
     /// Hatch crosswise
     #[arg(long, requires = "hatch")]
@@ -143,7 +148,12 @@ pub(crate) struct Place {
 #[command(next_help_heading = "Pen or laser")]
 pub(crate) struct Tool {
     /// Draw with this pen
-    #[arg(long, value_name = "PEN", default_value = "fineliner", conflicts_with = "laser")]
+    #[arg(
+        long,
+        value_name = "PEN",
+        default_value = "fineliner",
+        conflicts_with = "laser"
+    )]
     pub(crate) pen: String,
     /// Burn this material with the laser
     #[arg(long, value_name = "MATERIAL")]
@@ -182,7 +192,12 @@ pub(crate) struct Way {
     #[arg(long)]
     pub(crate) keep_order: bool,
     /// How long to look for the shortest way with the pen up: so many tries
-    #[arg(long, value_name = "N", default_value_t = 20_000, conflicts_with = "keep_order")]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 20_000,
+        conflicts_with = "keep_order"
+    )]
     pub(crate) tries: u32,
     /// Look elsewhere: the same number gives the same order
     #[arg(long, value_name = "N", default_value_t = 1)]

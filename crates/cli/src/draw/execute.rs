@@ -124,7 +124,9 @@ pub(super) async fn enter() {
         eprintln!("press Enter to go on");
         let mut line = String::new();
         // Whoever closes the terminal is heard as a signal.
-        let _ = BufReader::new(tokio::io::stdin()).read_line(&mut line).await;
+        let _ = BufReader::new(tokio::io::stdin())
+            .read_line(&mut line)
+            .await;
     }
 }
 

@@ -22,11 +22,7 @@ pub(super) struct Carried {
 
 impl Carried {
     /// Reads what the arm recorded; nothing where it never came to the plan's start.
-    pub(super) fn of(
-        arm: &InProcess,
-        prepared: &Prepared,
-        settings: &Settings,
-    ) -> Option<Self> {
+    pub(super) fn of(arm: &InProcess, prepared: &Prepared, settings: &Settings) -> Option<Self> {
         let samples: Vec<Sample> = arm.arm().samples().iter().map(sample).collect();
         let wanted = prepared.wanted();
         let trace = Trace::new(&prepared.plan, &settings.paper, &samples, &wanted).ok()?;
