@@ -156,7 +156,8 @@ impl<'a> Sketch<'a> {
     ) -> Result<Vec<Point>, SourceError> {
         // Before anything is stored; what is no number is refused too.
         #[expect(clippy::cast_precision_loss, reason = "a few millions")]
-        if !(chords <= self.segments_left as f64) {
+        let fits = chords <= self.segments_left as f64;
+        if !fits {
             let limit = MAX_SEGMENTS;
             return Err(SourceError::TooManySegments { limit });
         }

@@ -47,7 +47,7 @@ pub(super) const fn g(code: u32) -> Meaning {
         | 970
         | 980
         | 990 => Plain,
-        50 | 51 | 52 => Refused("splines are not read; have them written as lines or arcs"),
+        50..=52 => Refused("splines are not read; have them written as lines or arcs"),
         70 => Refused("diameters of a lathe are not read"),
         100 => Refused("offsets set by the program are not read; have the file written without"),
         120 | 130 => Refused("pockets are not read; have them written as lines or arcs"),

@@ -53,7 +53,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             let instead =
                 "burned at full power, for this laser is on or off; draw it faster instead";
             let warnings = self.sketch.warnings();
-            warnings.add(at, "layer below full power", instead);
+            warnings.add(at, "weaker layer", instead);
         }
     }
 
@@ -129,7 +129,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         if first.is_some() && tool.speed_mm_s.is_some() && tool.speed_mm_s != first {
             let instead = "drawn with the first speed of its tool";
             let warnings = self.sketch.warnings();
-            warnings.add(it.at, "change of speed", instead);
+            warnings.add(it.at, "speed change", instead);
         }
         Ok(())
     }

@@ -50,6 +50,7 @@ pub(super) struct Tool {
 
 /// The state of a machine.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a mode of its own")]
 pub(super) struct Machine<'a, 'w> {
     text: &'a [u8],
     warnings: &'w mut Warnings<'a>,
@@ -104,15 +105,19 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// Takes a line; what comes back is the move that it asks for.
     pub(super) fn handle(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
         if self.has_ended {
-            self.warn(block.at, "line after the end (M2 or M30)", "left out");
+            self.warn(
+                block.at,
+                "unreached line",
+                "left out, after the end (M2 or M30)",
+            );
             return Ok(None);
         }
         if block.is_setting {
-            self.warn(block.at, "setting of the machine ($)", "left out");
+            self.warn(block.at, "machine setting", "left out ($)");
             return Ok(None);
         }
         if block.is_optional {
-            self.warn(block.at, "optional line (/)", "drawn");
+            self.warn(block.at, "optional line", "drawn (/)");
         }
         self.check_codes(block)?;
         self.modes(block)?;

@@ -66,7 +66,7 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
     assert_eq!(
         warnings,
         [
-            "4:1: 1 layer below full power: burned at full power, for this laser is on or off; draw it faster instead"
+            "4:1: 1 weaker layer: burned at full power, for this laser is on or off; draw it faster instead"
         ]
     );
 }
@@ -250,14 +250,14 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
         warnings,
         [
             "1:1: 1 M117 code: its message is not shown",
-            "2:1: 1 setting of the machine ($): left out",
+            "2:1: 1 machine setting: left out ($)",
             "4:1: 2 M999 codes: not known, left out",
             "5:7: 2 E words: left out, for only X and Y are drawn",
             "7:1: 1 G55 coordinate system: drawn as if it lay where G54 lies",
             "9:1: 1 G93 code: speeds are taken for those by minute",
             "10:1: 1 G28 or G30 homing: taken for a travel to X 0, Y 0",
             "11:1: 1 G53 move: taken for a travel with the pen up",
-            "13:1: 1 line after the end (M2 or M30): left out",
+            "13:1: 1 unreached line: left out, after the end (M2 or M30)",
             "1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
         ]
     );

@@ -12,6 +12,7 @@ use crate::source::sketch::{Sketch, excerpt};
 
 /// The state of a plotter.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 pub(super) struct Plotter<'a> {
     pub(super) sketch: Sketch<'a>,
     pub(super) frame: Frame,
@@ -171,7 +172,7 @@ impl<'a> Plotter<'a> {
     }
 
     fn go(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        if it.numbers.len() % 2 != 0 {
+        if !it.numbers.len().is_multiple_of(2) {
             return Err(self.refused(it, "pairs of coordinates x,y"));
         }
         for pair in it.numbers.chunks_exact(2) {
@@ -191,7 +192,7 @@ impl<'a> Plotter<'a> {
         self.at = to;
         if self.polygon.is_open {
             if !self.is_down && self.polygon.rings.last().is_some_and(|it| it.len() > 1) {
-                self.warn(it, "hidden edge of a polygon", "drawn as the others");
+                self.warn(it, "hidden polygon edge", "drawn as the others");
             }
             self.polygon.point(to_mm);
             return self.sketch.spend(1);
@@ -234,11 +235,11 @@ impl<'a> Plotter<'a> {
     /// Uses the pen's layer; whether there is a pen.
     fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
         if self.pen == Pen::None {
-            self.warn(it, "line without a pen (SP 0)", "left out");
+            self.warn(it, "penless line", "left out (SP 0)");
             return Ok(false);
         }
         if std::mem::take(&mut self.is_new_page) && self.has_drawn {
-            self.warn(it, "further page (PG)", "drawn onto the same sheet");
+            self.warn(it, "further page", "drawn onto the same sheet (PG)");
         }
         if !self.is_selected {
             self.select_layer(it)?;
@@ -260,8 +261,8 @@ impl<'a> Plotter<'a> {
         if self.sketch.layer().speed_mm_s != self.speed_mm_s {
             self.warn(
                 it,
-                "change of speed (VS)",
-                "drawn with the first speed of its pen",
+                "speed change",
+                "drawn with the first speed of its pen (VS)",
             );
         }
         Ok(())
@@ -293,11 +294,11 @@ impl<'a> Plotter<'a> {
     /// How lines and fills look and where they end, of which nothing is shown.
     fn style(&mut self, it: &Command<'_>) {
         match (&it.name, it.number(0)) {
-            (b"LT", Some(_)) => self.warn(it, "dashed line type (LT)", "drawn solid"),
+            (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),
             (b"FT", Some(kind)) if kind > 2.0 => {
-                self.warn(it, "pattern of fills (FT)", "filled as all areas are");
+                self.warn(it, "fill pattern", "filled as all areas are (FT)");
             }
-            (b"IW", Some(_)) => self.warn(it, "window (IW)", "nothing is cut off by it"),
+            (b"IW", Some(_)) => self.warn(it, "clip window", "nothing is cut off by it (IW)"),
             _ => {}
         }
     }
@@ -334,8 +335,8 @@ impl<'a> Plotter<'a> {
         if scale.is_some() && !self.knows_corners {
             self.warn(
                 it,
-                "scale (SC) without corners (IP)",
-                "taken for that of a sheet of A4",
+                "cornerless scale",
+                "taken for that of a sheet of A4 (SC without IP)",
             );
         }
         self.use_frame(Frame {
@@ -354,8 +355,8 @@ impl<'a> Plotter<'a> {
             _ => return Err(self.refused(it, "a turn of 0, 90, 180 or 270 degrees")),
         };
         if self.has_drawn && quarters != self.frame.quarters {
-            let instead = "turned about the origin, not on its sheet, whose size is not known";
-            self.warn(it, "turn (RO) after the first line", instead);
+            let instead = "turned about the origin, not on its sheet, whose size is not known (RO)";
+            self.warn(it, "late turn", instead);
         }
         self.use_frame(Frame {
             quarters,
@@ -432,8 +433,7 @@ fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
     let share = |percent: f64| (percent / 100.0).clamp(0.0, 1.0);
     let (ends, kind) = match numbers {
         [] => return Ok(None),
-        [ends @ ..] if ends.len() == 4 => (ends, ScaleKind::Stretched),
-        [ends @ .., 0.0] if ends.len() == 4 => (ends, ScaleKind::Stretched),
+        ends | [ends @ .., 0.0] if ends.len() == 4 => (ends, ScaleKind::Stretched),
         [ends @ .., 2.0] if ends.len() == 4 => (ends, ScaleKind::Factor),
         [ends @ .., 1.0] if ends.len() == 4 => (ends, EVEN),
         [ends @ .., 1.0, left, bottom] if ends.len() == 4 => {

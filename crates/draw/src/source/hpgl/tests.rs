@@ -79,7 +79,7 @@ fn scaled_units_are_stretched_into_their_corners() {
     let (_, warnings) = draw("SC0,1,0,1;PD1,1");
     assert_eq!(
         warnings,
-        ["1:1: 1 scale (SC) without corners (IP): taken for that of a sheet of A4"]
+        ["1:1: 1 cornerless scale: taken for that of a sheet of A4 (SC without IP)"]
     );
 }
 
@@ -110,7 +110,7 @@ fn each_pen_is_a_layer_with_its_speed() {
         .collect();
     assert_eq!(found, [("pen 1", Some(200.0)), ("pen 2", Some(50.0))]);
     assert_eq!(artwork.layers[0].strokes.len(), 2);
-    assert_eq!(warnings, ["1:60: 1 line without a pen (SP 0): left out"]);
+    assert_eq!(warnings, ["1:60: 1 penless line: left out (SP 0)"]);
 }
 
 #[test]
@@ -232,18 +232,19 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
     assert_eq!(
         warnings,
         [
-            "1:4: 1 dashed line type (LT): drawn solid",
+            "1:4: 1 dashed line type: drawn solid (LT)",
             "2:1: 2 LB commands: left out; have text written as lines",
             "2:30: 1 ZZ command: not known, left out",
-            "3:1: 1 window (IW): nothing is cut off by it",
-            "3:11: 1 pattern of fills (FT): filled as all areas are",
-            "3:18: 1 further page (PG): drawn onto the same sheet",
-            "3:32: 1 turn (RO) after the first line: turned about the origin, not on its sheet, whose size is not known",
+            "3:1: 1 clip window: nothing is cut off by it (IW)",
+            "3:11: 1 fill pattern: filled as all areas are (FT)",
+            "3:18: 1 further page: drawn onto the same sheet (PG)",
+            "3:32: 1 late turn: turned about the origin, not on its sheet, whose size is not known (RO)",
         ]
     );
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn what_cannot_be_drawn_is_refused_with_its_place() {
     for (text, expected) in [
         (
@@ -256,7 +257,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"SP0;PD5,5;",
-            "nothing to draw: no command draws with a pen down; 1:5: 1 line without a pen (SP 0): left out",
+            "nothing to draw: no command draws with a pen down; 1:5: 1 penless line: left out (SP 0)",
         ),
         (
             b"PD1,2;\n1,2",
