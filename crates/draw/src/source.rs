@@ -4,6 +4,7 @@ mod error;
 mod gcode;
 mod hpgl;
 mod picture;
+mod points;
 mod sketch;
 mod svg;
 mod text;
@@ -30,6 +31,10 @@ pub enum Source {
     Gcode(Vec<u8>),
     /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
     Hpgl(Vec<u8>),
+    /// Points in lines: x to the right, y down, in mm.
+    Csv(String),
+    /// Points in JSON: lists of strokes, which are lists of points, in mm.
+    Json(String),
     /// Text, in letters of single lines or outlines.
     Text(Text),
 }
@@ -48,6 +53,8 @@ impl Source {
             "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
             "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
             "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
+            "csv" => Ok(Self::Csv(text(bytes)?)),
+            "json" => Ok(Self::Json(text(bytes)?)),
             _ => Self::of_contents(name, bytes),
         }
     }
@@ -87,6 +94,8 @@ impl Source {
             Self::Text(text) => text.read(options),
             Self::Gcode(text) => gcode::read(text, options),
             Self::Hpgl(text) => hpgl::read(text, options),
+            Self::Csv(text) => points::read_csv(text, options),
+            Self::Json(text) => points::read_json(text, options),
             Self::Picture(bytes) => picture::read(bytes, options),
         }
     }
