@@ -1,5 +1,6 @@
 //! What can be drawn: files of several kinds, pictures and texts, each read as [`Artwork`].
 
+mod dxf;
 mod error;
 mod gcode;
 mod hpgl;
@@ -31,6 +32,8 @@ pub enum Source {
     Gcode(Vec<u8>),
     /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
     Hpgl(Vec<u8>),
+    /// DXF in text. Bytes, for older ones are no UTF-8.
+    Dxf(Vec<u8>),
     /// Points in lines: x to the right, y down, in mm.
     Csv(String),
     /// Points in JSON: lists of strokes, which are lists of points, in mm.
@@ -53,6 +56,7 @@ impl Source {
             "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
             "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
             "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
+            "dxf" => Ok(Self::Dxf(bytes)),
             "csv" => Ok(Self::Csv(text(bytes)?)),
             "json" => Ok(Self::Json(text(bytes)?)),
             _ => Self::of_contents(name, bytes),
@@ -94,6 +98,7 @@ impl Source {
             Self::Text(text) => text.read(options),
             Self::Gcode(text) => gcode::read(text, options),
             Self::Hpgl(text) => hpgl::read(text, options),
+            Self::Dxf(text) => dxf::read(text, options),
             Self::Csv(text) => points::read_csv(text, options),
             Self::Json(text) => points::read_json(text, options),
             Self::Picture(bytes) => picture::read(bytes, options),
