@@ -4,6 +4,7 @@ mod dxf;
 mod error;
 mod gcode;
 mod hpgl;
+mod kind;
 mod picture;
 mod points;
 mod sketch;
@@ -78,13 +79,12 @@ impl Source {
         if picture::is_picture(&bytes) {
             return Ok(Self::Picture(bytes));
         }
-        let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
-        if bytes.is_empty() || start.contains("<svg") || start.trim_start().starts_with("<?xml") {
-            return Ok(Self::Svg(text(bytes)?));
+        match kind::Kind::of_start(&bytes) {
+            Some(kind) => kind.source(bytes),
+            None => Err(SourceError::UnknownKind {
+                name: name.to_owned(),
+            }),
         }
-        Err(SourceError::UnknownKind {
-            name: name.to_owned(),
-        })
     }
 
     /// Reads it as layers of lines and areas, with what a pen cannot show as warnings.
@@ -174,3 +174,6 @@ fn text(bytes: Vec<u8>) -> Result<String, SourceError> {
         SourceError::NotText { line: lines }
     })
 }
+
+#[cfg(test)]
+mod tests;

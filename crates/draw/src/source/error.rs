@@ -28,7 +28,9 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum SourceError {
     /// Neither name nor contents tell what it is.
-    #[error("{name:?} is of no kind that can be drawn; known are .svg, .png and .jpg files")]
+    #[error(
+        "{name:?} is of no kind that can be drawn; known are .svg, .png, .jpg, .gcode, .plt, .dxf, .csv and .json files"
+    )]
     UnknownKind {
         /// The file's name.
         name: String,
