@@ -115,3 +115,37 @@ fn likely_number(byte: u8) -> f32 {
 
 /// A byte at 9600 baud.
 const BYTE_TIME: Duration = Duration::from_micros(1040);
+
+/// A text of half-finished words: after a first byte that is odd, each byte is one of them, so that
+/// commands are found sooner than by letters alone; after an even one the rest is the text.
+#[must_use]
+pub fn spelled(input: &[u8], words: &[&str]) -> Vec<u8> {
+    let Some((kind, rest)) = input.split_first() else {
+        return Vec::new();
+    };
+    if kind % 2 == 0 {
+        return rest.to_vec();
+    }
+    let words = rest
+        .iter()
+        .map(|&byte| words[usize::from(byte) % words.len()]);
+    words.collect::<String>().into_bytes()
+}
+
+/// Reads a source: what comes back lies within the limits of a drawing.
+///
+/// # Panics
+///
+/// If it does not.
+pub fn read(source: dobot_draw::Source) {
+    if let Ok((artwork, _)) = source.read(&dobot_draw::ReadOptions::default()) {
+        assert!(artwork.points().next().is_some());
+        for p in artwork.points() {
+            // Twice as far as allowed from the origin: the page begins at the ink.
+            assert!(
+                (0.0..=2.1e6).contains(&p.x) && (0.0..=2.1e6).contains(&p.y),
+                "{p:?}"
+            );
+        }
+    }
+}
