@@ -10,7 +10,7 @@ use dobot_arm::Position;
 use thiserror::Error;
 
 pub use self::settings::Settings;
-use crate::artwork::Layer;
+use crate::artwork::{Artwork, Layer};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
@@ -134,18 +134,48 @@ fn read(source: &Source, settings: &Settings) -> Result<(Placed, Vec<Warning>), 
     let mut options = ReadOptions {
         tolerance_mm: settings.flatten_mm(),
         layers: settings.layers.unwrap_or_default(),
-        shading: settings.shading.clone(),
+        shading: settings.shading,
         fonts: Arc::clone(&settings.fonts),
         ..ReadOptions::default()
     };
+    if let Some(page) = source.picture_page()? {
+        return read_picture(source, settings, options, page);
+    }
     let (artwork, warnings) = source.read(&options)?;
     let placed = settings.placement.place(artwork)?;
-    if placed.scale <= 1.0 && !source.depends_on_scale() {
+    if placed.scale <= 1.0 {
         return Ok((placed, warnings));
     }
     // What is enlarged must be read more finely; the size is known only now.
     options.scale = placed.scale;
     options.tolerance_mm = (settings.flatten_mm() / placed.scale).max(1e-6);
+    let (artwork, warnings) = source.read(&options)?;
+    Ok((settings.placement.place(artwork)?, warnings))
+}
+
+/// The lines of a picture depend on how large it becomes. Its page tells that, but what counts is
+/// the ink: where that is much smaller, it is read once more.
+fn read_picture(
+    source: &Source,
+    settings: &Settings,
+    mut options: ReadOptions,
+    page: Point,
+) -> Result<(Placed, Vec<Warning>), PrepareError> {
+    let corners = Layer {
+        strokes: vec![Stroke::open(vec![Point::default(), page])],
+        ..Layer::default()
+    };
+    let sheet = Artwork {
+        layers: vec![corners],
+        ..Artwork::default()
+    };
+    options.scale = settings.placement.place(sheet)?.scale;
+    let (artwork, warnings) = source.read(&options)?;
+    let placed = settings.placement.place(artwork)?;
+    if (placed.scale / options.scale - 1.0).abs() < SAME_SCALE {
+        return Ok((placed, warnings));
+    }
+    options.scale = placed.scale;
     let (artwork, warnings) = source.read(&options)?;
     Ok((settings.placement.place(artwork)?, warnings))
 }
@@ -246,6 +276,9 @@ fn simplified(pass: &Pass, settings: &Settings) -> Pass {
     }
 }
 
+/// How much larger than its page says the ink of a picture may become for its lines to stay.
+const SAME_SCALE: f64 = 0.05;
+
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
@@ -328,6 +361,31 @@ mod tests {
         assert!(
             matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
             "{error}"
+        );
+    }
+
+    #[test]
+    fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
+        // All black, with a white margin as wide as itself on the right.
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, 4800, 1600);
+        encoder.set_depth(png::BitDepth::One);
+        let row = [[0; 300], [255; 300]].concat();
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&row.repeat(1600)).unwrap();
+        drop(writer);
+        let mut settings = Settings::default();
+        settings.placement.size = Size::Fit;
+        settings.shading.levels = 1;
+        settings.tries = None;
+        let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+        let wanted = prepared.wanted();
+        let length_mm: f64 = wanted.iter().map(Stroke::length_mm).sum();
+        // The ink is as deep as the area and half as wide again.
+        let lines_mm = 120.0 * 180.0 / settings.shading.spacing_mm;
+        assert!(
+            (length_mm / lines_mm - 1.0).abs() < 0.06,
+            "{length_mm} mm, not {lines_mm} mm"
         );
     }
 }

@@ -64,11 +64,6 @@ impl Source {
         }
     }
 
-    /// Whether it becomes other lines at another scale, not only finer ones.
-    pub(crate) const fn depends_on_scale(&self) -> bool {
-        matches!(self, Self::Picture(_))
-    }
-
     /// Whether it says how large it is to be drawn; otherwise it fills the paper.
     #[must_use]
     pub const fn has_size(&self) -> bool {
