@@ -30,7 +30,7 @@ pub(super) fn near(tree: &Tree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> 
 /// The nearest of all, with their squared distances.
 fn nearest(tree: &Tree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
     let mut found = [(f64::INFINITY, not[0]); NEAR];
-    tree.around(at, p, EVERYWHERE, &mut |other, distance2| {
+    tree.around(at, p, None, &mut |other, distance2| {
         if !not.contains(&other) {
             let mut slot = NEAREST - 1;
             while slot > 0 && found[slot - 1].0 > distance2 {
@@ -68,7 +68,7 @@ fn nearest_in(
     not: [u32; 2],
 ) -> Option<(f64, u32)> {
     let mut best = None;
-    tree.around(at, p, quadrant, &mut |other, distance2| {
+    tree.around(at, p, Some(quadrant), &mut |other, distance2| {
         let here = Bounds::of([at[other as usize]]);
         if distance2 > 0.0 && !not.contains(&other) && here.touches(quadrant) {
             best = Some((distance2, other));
@@ -78,10 +78,6 @@ fn nearest_in(
     best
 }
 
-const EVERYWHERE: Bounds = Bounds {
-    min: Bounds::EMPTY.max,
-    max: Bounds::EMPTY.min,
-};
 /// How many neighbours a node has.
 pub(super) const NEAR: usize = NEAREST + 3;
 const NEAREST: usize = 7;

@@ -1,9 +1,9 @@
 //! The ends of the strokes as the nodes of a tour.
 
 use super::near::{NEAR, near};
-use super::stop::Stop;
 use super::travel::Travel;
 use super::tree::Tree;
+use super::way::Stop;
 use crate::point::{Point, Stroke};
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
@@ -34,10 +34,10 @@ impl Nodes {
             },
         )];
         for &stop in way {
-            let stroke = &strokes[stop.stroke as usize];
-            stops.push((stop.begin(stroke), stop));
-            if stop.end(stroke) != stop.begin(stroke) {
-                stops.push((stop.end(stroke), stop.other_end(stroke)));
+            let (begin, end) = (stop.begin(strokes), stop.end(strokes));
+            stops.push((begin, stop));
+            if end != begin {
+                stops.push((end, stop.other_end(strokes)));
             }
         }
         let tree = Tree::sort(&mut stops, |stop| stop.0);
@@ -102,7 +102,8 @@ impl Nodes {
 
     /// The tour that goes through the strokes in an order.
     pub(super) fn tour(&self, way: &[Stop]) -> Vec<u32> {
-        let mut of_stroke = vec![NONE; way.len().max(self.stops.len())];
+        let most = way.iter().map(|stop| stop.stroke).max().unwrap_or(0);
+        let mut of_stroke = vec![NONE; most as usize + 1];
         for (node, stop) in (0..).zip(&self.stops) {
             if stop.stroke != NONE {
                 of_stroke[stop.stroke as usize] = node;

@@ -10,7 +10,7 @@ use super::tour::{MOST, Tour};
 /// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
 /// two loose ends leaves a gain.
 #[derive(Debug)]
-pub(super) struct Search<'a> {
+pub(super) struct Settling<'a> {
     nodes: &'a Nodes,
     tour: Tour,
     /// The nodes around which something has changed, each once.
@@ -20,7 +20,7 @@ pub(super) struct Search<'a> {
     ends: [u32; 2 * MOST],
 }
 
-impl<'a> Search<'a> {
+impl<'a> Settling<'a> {
     pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>) -> Self {
         let size = tour.len();
         Self {
@@ -50,6 +50,10 @@ impl<'a> Search<'a> {
         let ends = places.map(|place| [self.tour.at(place), self.after(place)]);
         for [a, b] in ends {
             gain += self.nodes.cost(a, b);
+        }
+        if gain <= EPSILON {
+            // Nothing is cheaper than no way at all.
+            return;
         }
         let [[a0, b0], [a1, b1], [a2, b2], [a3, b3]] = ends;
         for [a, b] in [[a0, b2], [a3, b1], [a2, b0], [a1, b3]] {

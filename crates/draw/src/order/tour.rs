@@ -67,16 +67,35 @@ impl Tour {
     /// The exchange that takes out the edges (0, 1), (2, 3) and so on of `ends` and puts in (1, 2),
     /// (3, 4), ... and from the last to the first; none where the tour would fall apart.
     pub(super) fn exchange(&self, ends: &[u32]) -> Option<Exchange> {
+        let sides = self.sides(ends);
+        let count = ends.len() / 2;
+        let (mut pieces, mut passed, mut entry) = ([0; MOST], 0, 0);
+        loop {
+            pieces[passed] = entry;
+            passed += 1;
+            entry = sides.of_end[joined(sides.end_at[usize::from(entry ^ 1)], 2 * count)];
+            if entry == 0 {
+                break;
+            }
+        }
+        let cuts = sides.cuts;
+        let exchange = Exchange {
+            count,
+            cuts,
+            pieces,
+        };
+        (passed == count && self.writes(&exchange) <= self.reach).then_some(exchange)
+    }
+
+    /// Cuts the tour at the edges (0, 1), (2, 3) and so on.
+    fn sides(&self, ends: &[u32]) -> Sides {
         let count = ends.len() / 2;
         // The cuts in the order of the tour, each with its edge, and whether that lies backwards.
         let mut sorted = [(0, 0, false); MOST];
         for (i, edge) in ends.chunks_exact(2).enumerate() {
             let backward = self.next(edge[0]) != edge[1];
-            let cut = (
-                self.place[edge[usize::from(backward)] as usize],
-                i,
-                backward,
-            );
+            let before = edge[usize::from(backward)];
+            let cut = (self.place[before as usize], 2 * i, backward);
             let mut slot = i;
             while slot > 0 && sorted[slot - 1].0 > cut.0 {
                 sorted[slot] = sorted[slot - 1];
@@ -84,48 +103,23 @@ impl Tour {
             }
             sorted[slot] = cut;
         }
-        // Each end of an edge is an end of a piece: 2 p where piece p begins, 2 p + 1 where it ends.
-        let (mut piece_end, mut end_at) = ([0; 2 * MOST], [0; 2 * MOST]);
-        let mut cuts = [0; MOST];
-        for (piece, &(cut, edge, backward)) in sorted[..count].iter().enumerate() {
-            let before = 2 * if piece == 0 { count - 1 } else { piece - 1 } + 1;
-            let sides = if backward {
-                [2 * piece, before]
-            } else {
-                [before, 2 * piece]
-            };
-            for (side, end) in sides.into_iter().zip([2 * edge, 2 * edge + 1]) {
-                piece_end[end] = side;
-                end_at[side] = end;
+        let mut sides = Sides::default();
+        let mut left = last_side(count);
+        for ((entry, (cut, edge, backward)), cut_at) in
+            (0..).step_by(2).zip(sorted).zip(&mut sides.cuts[..count])
+        {
+            *cut_at = cut;
+            // The first node of the edge is where a piece is left, the second where one is entered.
+            for (side, end) in [
+                (left, edge + usize::from(backward)),
+                (entry, edge + usize::from(!backward)),
+            ] {
+                sides.of_end[end] = side;
+                sides.end_at[usize::from(side)] = end;
             }
-            cuts[piece] = cut;
+            left = entry + 1;
         }
-        let (mut pieces, mut passed, mut entry) = ([0; MOST], 0, 0);
-        loop {
-            #[expect(clippy::cast_possible_truncation, reason = "below 2 * MOST")]
-            let entered = entry as u8;
-            pieces[passed] = entered;
-            passed += 1;
-            let left = end_at[entry ^ 1];
-            // An even end is joined with the one before it, an odd one with the next.
-            let joined = if left % 2 == 1 {
-                if left + 1 == 2 * count { 0 } else { left + 1 }
-            } else if left == 0 {
-                2 * count - 1
-            } else {
-                left - 1
-            };
-            entry = piece_end[joined];
-            if entry == 0 {
-                break;
-            }
-        }
-        let exchange = Exchange {
-            count,
-            cuts,
-            pieces,
-        };
-        (passed == count && self.writes(&exchange) <= self.reach).then_some(exchange)
+        sides
     }
 
     /// Three pieces in a row change places: cut after four places, ascending, the second, third and
@@ -232,6 +226,32 @@ impl Tour {
             }
         }
         to
+    }
+}
+
+/// The two sides of each piece: 2 p where piece p begins, 2 p + 1 where it ends.
+#[derive(Default)]
+struct Sides {
+    cuts: [u32; MOST],
+    /// Which side of a piece an end of an edge is.
+    of_end: [u8; 2 * MOST],
+    /// Which end of an edge a side of a piece is.
+    end_at: [usize; 2 * MOST],
+}
+
+/// The side where the last of so many pieces ends.
+fn last_side(count: usize) -> u8 {
+    u8::try_from(2 * count - 1).expect("at most MOST pieces")
+}
+
+/// The end that is joined with this one: an odd one with the next, an even one with the one before.
+const fn joined(end: usize, count: usize) -> usize {
+    if end % 2 == 1 {
+        if end + 1 == count { 0 } else { end + 1 }
+    } else if end == 0 {
+        count - 1
+    } else {
+        end - 1
     }
 }
 

@@ -1,4 +1,4 @@
-//! A tree of boxes over points, for the nearest few of each.
+//! A tree of nodes over points, for the nearest few of each.
 
 use crate::point::{Bounds, Point};
 
@@ -6,29 +6,30 @@ use crate::point::{Bounds, Point};
 /// neighbours together in memory too.
 #[derive(Debug)]
 pub(super) struct Tree {
-    boxes: Vec<Box>,
+    nodes: Vec<Node>,
 }
 
 impl Tree {
     /// Sorts the items by place, and makes the tree over them.
     pub(super) fn sort<T>(items: &mut [T], at: impl Fn(&T) -> Point) -> Self {
-        let mut boxes = Vec::with_capacity(items.len() / 2 + 1);
-        build(&mut boxes, items, 0, &at);
-        Self { boxes }
+        let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
+        build(&mut nodes, items, 0, &at);
+        Self { nodes }
     }
 
-    /// Calls `visit` for the points around `p`, nearer boxes first; it returns the squared distance
-    /// beyond which no point is of interest any more.
+    /// Calls `visit` for the points around `p`, nearer nodes first; it returns the squared distance
+    /// beyond which no point is of interest any more. Given bounds, it leaves out most of what lies
+    /// outside of them, and heaps of points at `p` itself.
     pub(super) fn around(
         &self,
         points: &[Point],
         p: Point,
-        area: Bounds,
+        within: Option<Bounds>,
         visit: &mut impl FnMut(u32, f64) -> f64,
     ) {
-        if !self.boxes.is_empty() {
+        if !self.nodes.is_empty() {
             let mut limit2 = f64::INFINITY;
-            self.around_in(0, points, p, area, &mut limit2, visit);
+            self.around_in(0, points, p, within, &mut limit2, visit);
         }
     }
 
@@ -37,11 +38,11 @@ impl Tree {
         id: u32,
         points: &[Point],
         p: Point,
-        area: Bounds,
+        within: Option<Bounds>,
         limit2: &mut f64,
         visit: &mut impl FnMut(u32, f64) -> f64,
     ) {
-        let node = &self.boxes[id as usize];
+        let node = &self.nodes[id as usize];
         if node.right == LEAF {
             for item in node.start..node.end {
                 let distance2 = (points[item as usize] - p).length2();
@@ -52,20 +53,22 @@ impl Tree {
             return;
         }
         let mut children =
-            [id + 1, node.right].map(|c| (self.boxes[c as usize].bounds.distance2(p), c));
+            [id + 1, node.right].map(|c| (self.nodes[c as usize].bounds.distance2(p), c));
         if children[1].0 < children[0].0 {
             children.swap(0, 1);
         }
         for (distance2, child) in children {
-            if distance2 < *limit2 && self.boxes[child as usize].bounds.touches(area) {
-                self.around_in(child, points, p, area, limit2, visit);
+            let bounds = self.nodes[child as usize].bounds;
+            let is_sought = within.is_none_or(|within| bounds.touches(within) && !is_at(bounds, p));
+            if distance2 < *limit2 && is_sought {
+                self.around_in(child, points, p, within, limit2, visit);
             }
         }
     }
 }
 
 #[derive(Debug)]
-struct Box {
+struct Node {
     bounds: Bounds,
     start: u32,
     end: u32,
@@ -73,10 +76,10 @@ struct Box {
     right: u32,
 }
 
-fn build<T>(boxes: &mut Vec<Box>, items: &mut [T], start: u32, at: &impl Fn(&T) -> Point) -> u32 {
-    let id = number(boxes.len());
+fn build<T>(nodes: &mut Vec<Node>, items: &mut [T], start: u32, at: &impl Fn(&T) -> Point) -> u32 {
+    let id = number(nodes.len());
     let bounds: Bounds = items.iter().map(at).collect();
-    boxes.push(Box {
+    nodes.push(Node {
         bounds,
         start,
         end: start + number(items.len()),
@@ -90,11 +93,15 @@ fn build<T>(boxes: &mut Vec<Box>, items: &mut [T], start: u32, at: &impl Fn(&T) 
             items.select_nth_unstable_by(middle, |a, b| at(a).x.total_cmp(&at(b).x));
         }
         let (left, right) = items.split_at_mut(middle);
-        build(boxes, left, start, at);
-        let child = build(boxes, right, start + number(middle), at);
-        boxes[id as usize].right = child;
+        build(nodes, left, start, at);
+        let child = build(nodes, right, start + number(middle), at);
+        nodes[id as usize].right = child;
     }
     id
+}
+
+fn is_at(bounds: Bounds, p: Point) -> bool {
+    bounds.min == p && bounds.max == p
 }
 
 fn number(count: usize) -> u32 {
