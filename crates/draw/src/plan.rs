@@ -3,6 +3,7 @@
 mod acceleration;
 mod commands;
 mod error;
+mod landing;
 mod link;
 mod lookahead;
 mod machine;
@@ -29,6 +30,7 @@ pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};
 
+use landing::Landing;
 use planner::Planner;
 
 use crate::point::{Point, Stroke};
@@ -70,7 +72,8 @@ impl Plan {
     pub fn new(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
         check(passes, paper, machine)?;
         let start = start(passes, paper)?;
-        let mut planner = Planner::new(start, paper, machine);
+        let landing = Landing::new(machine, &passes[0].tool);
+        let mut planner = Planner::new(start, landing, paper, machine);
         let mut plan = Self {
             start,
             moves: Vec::new(),
@@ -134,9 +137,9 @@ impl Plan {
 
     /// Where each vector leads: X, Y, Z in the base frame, in mm.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
-        self.moves.iter().scan(self.start, |here, vector| {
-            let [x, y, z] = vector.increments();
-            *here = [here[0] + x, here[1] + y, here[2] + z];
+        let landing = Landing::new(&self.machine, &self.passes[0].tool);
+        self.moves.iter().scan(self.start, move |here, vector| {
+            *here = landing.of(*here, [vector.x_mm, vector.y_mm, vector.z_mm]);
             Some(*here)
         })
     }

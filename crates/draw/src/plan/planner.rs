@@ -1,5 +1,6 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
+use super::landing::Landing;
 use super::lookahead::Run;
 use super::pace::{Pace, Speeds};
 use super::ticker::Ticker;
@@ -16,6 +17,7 @@ pub(super) struct Planner<'a> {
     ticker: Option<Ticker>,
     /// Where the vectors so far lead, rounding included.
     here: [f64; 3],
+    landing: Landing,
     pub(super) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
     stroke: u32,
@@ -25,13 +27,19 @@ pub(super) struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(start: [f64; 3], paper: &'a Paper, machine: &'a Machine) -> Self {
+    pub(super) fn new(
+        start: [f64; 3],
+        landing: Landing,
+        paper: &'a Paper,
+        machine: &'a Machine,
+    ) -> Self {
         Self {
             paper,
             machine,
             pace: Pace::new(machine),
             ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
             here: start,
+            landing,
             moves: Vec::new(),
             stroke: 0,
             pass: 0,
@@ -113,7 +121,7 @@ impl<'a> Planner<'a> {
         if length_mm < LEAST_VECTOR_MM {
             return;
         }
-        self.here = [0, 1, 2].map(|i| here[i] + way[i]);
+        self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
         self.chain.push(Run {
             direction: way.map(|d| d / length_mm),
             length_mm,
