@@ -13,6 +13,7 @@ use super::LinkRate;
 ///         short      long
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "units")]
 pub(super) struct Credit {
     period_s: f64,
     /// How much time those that wait took on the link, in s.

@@ -202,7 +202,7 @@ impl Joint {
         let length_mm = self.cap_v2 / acceleration_mm_s2 * half_turn;
         let inner_mm_s = self.speed_mm_s();
         let (sin, cos) = half_turn.sin_cos();
-        let middle = Self { sin, cos, ..*self }.half_arc(self.v2).sqrt();
+        let middle = Self { cos, sin, ..*self }.half_arc(self.v2).sqrt();
         let middle_mm_s = middle.min(inner_mm_s.max(outer_mm_s));
         length_mm / (inner_mm_s + middle_mm_s) + length_mm / (middle_mm_s + outer_mm_s)
     }

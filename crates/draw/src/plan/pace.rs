@@ -21,6 +21,7 @@ pub(super) struct Pace {
 
 /// The speeds of one vector, in mm/s, and how long it takes with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "units")]
 pub(super) struct Speeds {
     pub start_mm_s: f64,
     pub end_mm_s: f64,
@@ -150,13 +151,21 @@ impl Pace {
         let root = (time * time - 4.0 * way).max(0.0).sqrt();
         let even = 2.0 * way / (time + root);
         let max = even.clamp(start.max(end), run.limit_mm_s.max(start).max(end));
-        Speeds {
-            start_mm_s: start,
-            end_mm_s: end,
-            max_mm_s: max,
-            peak_mm_s: peak_mm_s(run.length_mm, [start, end, max], a),
-            limit_mm_s: run.limit_mm_s,
-            duration_s: duration_s(run.length_mm, [start, end, max], a),
+        Speeds::of(run.length_mm, [start, end, max], run.limit_mm_s, a)
+    }
+}
+
+impl Speeds {
+    /// A vector with these speeds: at its start, at its end, and the largest, in mm/s.
+    pub(super) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
+        let [start_mm_s, end_mm_s, max_mm_s] = speeds;
+        Self {
+            start_mm_s,
+            end_mm_s,
+            max_mm_s,
+            peak_mm_s: peak_mm_s(length_mm, speeds, acceleration),
+            limit_mm_s,
+            duration_s: duration_s(length_mm, speeds, acceleration),
         }
     }
 }

@@ -144,6 +144,7 @@ impl<'a> Planner<'a> {
     /// The chain ends: its speeds can be planned.
     fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
+        self.even_burning(begin);
         let speeds = self.pace.plan(&mut self.chain);
         for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
             match &mut self.ticker {
@@ -152,6 +153,30 @@ impl<'a> Planner<'a> {
             }
         }
         self.chain.clear();
+    }
+}
+
+/// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
+/// speed, all of the stroke is run at the speed that they do allow.
+impl Planner<'_> {
+    fn even_burning(&mut self, begin: usize) {
+        let burns = |vector: &&PlannedVector| vector.kind == MoveKind::Burn;
+        let Some(first) = self.moves[begin..].iter().position(|it| burns(&it)) else {
+            return;
+        };
+        let burned = self.moves[begin..].iter().filter(burns).count();
+        let limit_mm_s = self.chain[first].limit_mm_s;
+        let mut chain = self.chain.clone();
+        let mut pace = self.pace.clone();
+        let speeds = pace.plan(&mut chain).skip(first).take(burned);
+        let slowest_mm_s = speeds
+            .map(|it| it.start_mm_s.min(it.end_mm_s).min(it.max_mm_s))
+            .fold(limit_mm_s, f64::min);
+        if slowest_mm_s * MOST_SPREAD >= limit_mm_s {
+            for run in &mut self.chain {
+                run.limit_mm_s = run.limit_mm_s.min(slowest_mm_s);
+            }
+        }
     }
 }
 
@@ -228,6 +253,8 @@ pub(super) fn round_down(value: f64) -> f32 {
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
 /// A laser burns a dot as a line, as long as its spot is wide.
 const DOT_MM: f64 = 0.1;
+/// How much more may be burned on a millimetre for it to be as much everywhere.
+const MOST_SPREAD: f64 = 1.2;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

@@ -6,6 +6,7 @@ use super::Machine;
 use super::lookahead::Run;
 use super::pace::Pace;
 use super::planner::round_down;
+use super::ticker::Ticker;
 use super::vector::length;
 
 /// The same vectors at `share` times their speeds, from the speed at which the vector before them
@@ -27,21 +28,64 @@ pub fn respeed(
     share: f64,
     machine: &Machine,
 ) -> Vec<WriteVector> {
-    let mut speed = f64::from(begin_speed_mm_s);
-    let mut respeeded = Vec::with_capacity(vectors.len());
-    for chain in vectors.split_inclusive(|it| it.end_speed_mm_s == 0.0) {
-        let targets = if share > 1.0 {
-            faster(chain, speed, share, machine)
-        } else {
-            slower(chain, share)
-        };
-        for (vector, [end, max]) in chain.iter().zip(targets) {
-            let next = from_speed(vector, speed, [end, max], machine.acceleration_mm_s2);
-            speed = f64::from(next.end_speed_mm_s);
-            respeeded.push(next);
+    let mut respeeding = Respeeding {
+        machine,
+        share,
+        speed_mm_s: begin_speed_mm_s,
+        ticker: machine
+            .has_ticks
+            .then(|| Ticker::new(machine, begin_speed_mm_s)),
+    };
+    vectors
+        .split_inclusive(|it| it.end_speed_mm_s == 0.0)
+        .flat_map(|chain| respeeding.chain(chain))
+        .collect()
+}
+
+struct Respeeding<'a> {
+    machine: &'a Machine,
+    share: f64,
+    /// The end speed of the vector before.
+    speed_mm_s: f32,
+    ticker: Option<Ticker>,
+}
+
+impl Respeeding<'_> {
+    /// Other speeds up to the next rest.
+    fn chain(&mut self, chain: &[WriteVector]) -> Vec<WriteVector> {
+        let begins_as_planned = (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
+        if self.share == 1.0 && begins_as_planned {
+            chain.iter().for_each(|vector| self.follow(vector));
+            return chain.to_vec();
         }
+        let targets = if self.share > 1.0 {
+            faster(chain, self.speed_mm_s.into(), self.share, self.machine)
+        } else {
+            slower(chain, self.share)
+        };
+        let pairs = chain.iter().zip(targets);
+        pairs
+            .map(|(vector, targets)| self.vector(vector, targets))
+            .collect()
     }
-    respeeded
+
+    fn vector(&mut self, vector: &WriteVector, targets: [f64; 2]) -> WriteVector {
+        let acceleration_mm_s2 = self.machine.acceleration_mm_s2;
+        let mut next = from_speed(vector, self.speed_mm_s.into(), targets, acceleration_mm_s2);
+        if let Some(ticker) = &mut self.ticker {
+            ticker.respeed(&mut next, vector.end_speed_mm_s == 0.0, acceleration_mm_s2);
+        }
+        self.follow(&next);
+        next
+    }
+
+    /// A vector is run as it is.
+    fn follow(&mut self, vector: &WriteVector) {
+        self.speed_mm_s = match &mut self.ticker {
+            Some(ticker) => ticker.follow(vector, self.speed_mm_s),
+            None => vector.end_speed_mm_s,
+        };
+    }
 }
 
 /// The end speed and the largest speed of each vector.
@@ -93,6 +137,9 @@ fn from_speed(
     }
 }
 
+/// Speeds that differ by less are the same.
+const SAME_MM_S: f32 = 1e-3;
+
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
@@ -135,6 +182,32 @@ mod tests {
             (faster[1].start_speed_mm_s, faster[1].end_speed_mm_s),
             (0.0, 0.0)
         );
+    }
+
+    #[test]
+    fn a_stock_arm_gets_half_the_speed_in_whole_ticks() {
+        let machine = Machine {
+            has_ticks: true,
+            ..Machine::default()
+        };
+        let points = [(200.0, 0.0), (203.0, 0.0), (206.0, 0.5), (209.0, 1.5)];
+        let stroke = Stroke::open(points.map(|(x, y)| Point::new(x, y)).to_vec());
+        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+        let planned: Vec<WriteVector> = plan.moves.iter().map(super::super::write).collect();
+        assert_eq!(respeed(&planned, 0.0, 1.0, &machine), planned);
+        let slower = respeed(&planned, 0.0, 0.5, &machine);
+        let mut ticker = Ticker::new(&machine, 0.0);
+        let mut stored = 0.0;
+        for (vector, was) in slower.iter().zip(&planned) {
+            assert!(vector.max_speed_mm_s <= 0.5 * was.max_speed_mm_s + 2.0);
+            assert_eq!(vector.end_speed_mm_s == 0.0, was.end_speed_mm_s == 0.0);
+            stored = ticker.follow(vector, stored);
+            assert!(
+                (0.0..=0.5 * was.max_speed_mm_s + 2.0).contains(&stored),
+                "{stored}"
+            );
+        }
     }
 
     fn strokes() -> impl Strategy<Value = Vec<(f64, f64)>> {

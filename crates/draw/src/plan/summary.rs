@@ -15,8 +15,8 @@ pub struct Summary {
     pub travelled_mm: f64,
     /// How long all of it takes, in seconds.
     pub duration_s: f64,
-    /// The least and the most that the laser burns on a millimetre, where 1 is what the burn speed
-    /// gives; nothing for a pen.
+    /// The least and the most that the laser burns on a millimetre of a vector, where 1 is what the
+    /// burn speed gives; nothing for a pen.
     pub burn_share: Option<[f64; 2]>,
 }
 
@@ -48,14 +48,9 @@ impl Plan {
         let burned = self.moves.iter().filter(|it| it.kind == MoveKind::Burn);
         burned.fold(None, |share, vector| {
             let wanted = self.burn_speed_mm_s(vector)?;
-            let speeds = [
-                vector.start_speed_mm_s,
-                vector.end_speed_mm_s,
-                vector.max_speed_mm_s,
-            ];
-            let [start, end, max] = speeds.map(f64::from);
+            let burned = wanted * f64::from(vector.duration_s) / vector.length_mm();
             let [least, most] = share.unwrap_or([f64::INFINITY, 0.0]);
-            Some([least.min(wanted / max), most.max(wanted / start.min(end))])
+            Some([least.min(burned), most.max(burned)])
         })
     }
 

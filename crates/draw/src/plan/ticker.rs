@@ -1,9 +1,11 @@
 //! A chain of vectors for a stock arm, tick by tick.
 
+use dobot_wire::{WriteMode, WriteVector};
+
 use super::link::Credit;
 use super::pace::Speeds;
-use super::ticks::{Fit, TICK_S, Wish};
-use super::{Machine, MoveKind, PlannedVector};
+use super::ticks::{Cut, Fit, TICK_S, Wish};
+use super::{Machine, PlannedVector, write};
 
 /// What the arm carries over from vector to vector.
 #[derive(Clone, Debug)]
@@ -29,23 +31,49 @@ impl Ticker {
 
     /// Gives a vector the speeds with which a stock arm comes nearest to these.
     pub(super) fn set(&mut self, vector: &mut PlannedVector, speeds: Speeds) {
-        let factor = if vector.kind == MoveKind::RunOut {
-            RAPID_FACTOR
-        } else {
-            1.0
-        };
         let begin_mm_s = self.stored_mm_s;
-        let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
-        let length_mm = (x * x + y * y + z * z).sqrt();
-        let fit = self.fit(length_mm, speeds, factor);
+        let packet = write(vector);
+        let fit = self.fit(length(&packet), speeds, factor(&packet));
         vector.start_speed_mm_s = begin_mm_s.min(fit.max_mm_s);
         vector.end_speed_mm_s = fit.end_mm_s;
         vector.max_speed_mm_s = fit.max_mm_s;
         vector.duration_s = f32::from(fit.cut.ticks()) * TICK_S;
     }
 
+    /// The same for a vector of a job, whose speeds are those of a plan without ticks.
+    pub(super) fn respeed(&mut self, vector: &mut WriteVector, rests: bool, acceleration: f64) {
+        let [start, end, max] = [
+            vector.start_speed_mm_s,
+            vector.end_speed_mm_s,
+            vector.max_speed_mm_s,
+        ]
+        .map(f64::from);
+        let length_mm = length(vector);
+        let end = if rests { 0.0 } else { end };
+        let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
+        let stored_mm_s = self.stored_mm_s;
+        let fit = self.fit(length_mm, speeds, factor(vector));
+        self.stored_mm_s = stored_mm_s;
+        vector.start_speed_mm_s = stored_mm_s.min(fit.max_mm_s);
+        vector.end_speed_mm_s = fit.end_mm_s;
+        vector.max_speed_mm_s = fit.max_mm_s;
+    }
+
+    /// What the arm stores behind a vector that it runs from this speed.
+    pub(super) fn follow(&mut self, vector: &WriteVector, stored_mm_s: f32) -> f32 {
+        let cut = Cut::of(
+            length(vector),
+            stored_mm_s,
+            vector.end_speed_mm_s,
+            vector.max_speed_mm_s,
+            factor(vector) * self.acceleration_mm_s2,
+        );
+        self.stored_mm_s = cut.end_mm_s;
+        cut.end_mm_s
+    }
+
     /// The next vector, of this length.
-    pub(super) fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32) -> Fit {
+    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32) -> Fit {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let fit = Wish {
             length_mm,
@@ -71,6 +99,20 @@ fn least_ticks(credit: Credit) -> i16 {
         .max(1.0) as i16
 }
 
+/// The length as the arm calculates it.
+fn length(vector: &WriteVector) -> f32 {
+    let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
+    (x * x + y * y + z * z).sqrt()
+}
+
+fn factor(vector: &WriteVector) -> f32 {
+    if vector.mode == WriteMode::Laser && !vector.laser {
+        RAPID_FACTOR
+    } else {
+        1.0
+    }
+}
+
 /// With the laser off, laser mode accelerates that much faster (note N48).
 const RAPID_FACTOR: f32 = 100.0;
-const MOST_EARLY: f64 = 1.0;
+const MOST_EARLY: f64 = 0.5;

@@ -256,11 +256,6 @@ impl Wish {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let late = f64::from(cut.ticks()) - self.ticks;
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
-        let over = if self.rests {
-            (over - 1.0).max(0.0)
-        } else {
-            over
-        };
         let first = if cut.counts[0] == 0 && cut.counts[1] == 0 {
             cut.first_mm_s - cut.change_mm_s
         } else {
@@ -269,7 +264,7 @@ impl Wish {
         let jump = steps(f64::from(first - stored_mm_s)).abs();
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        let weight = if over > 0.0 { 4.0 } else { 0.5 };
+        let weight = if over > 0.0 { OVER } else { UNDER };
         late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
@@ -317,6 +312,8 @@ pub(super) const TICK_S: f32 = 0.02;
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
 const NEAR: f32 = 0.4;
+const OVER: f64 = 8.0;
+const UNDER: f64 = 0.5;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;

@@ -1,0 +1,209 @@
+//! Plans on virtual arms of both personalities: in the time planned, on the path, and with the
+//! laser on where it should be and nowhere else.
+
+use std::f64::consts::TAU;
+use std::time::Duration;
+
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_draw::{
+    Laser, Machine, MoveKind, Paper, Pass, Plan, Point, Stroke, Tool, deviation, respeed,
+};
+use dobot_wire::{Command, WriteVector};
+
+/// What the arm does in a tick: where it is behind it, and whether it burned.
+#[derive(Clone, Copy, PartialEq)]
+struct Seen {
+    place: [f64; 3],
+    laser: bool,
+}
+
+/// Sends a command for each status, which takes as long on the line as it does at 9600 baud, and
+/// looks where the arm is behind each tick until it rests; from where it stands at `start`.
+fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec<Seen> {
+    let mut arm = Controller::power_up(PowerUp::new(personality));
+    let (mut now, mut sent, mut rests) = (Duration::ZERO, 0, 0);
+    let mut on_the_line: Vec<(Duration, usize)> = Vec::new();
+    let mut seen: Vec<Seen> = Vec::new();
+    while sent < commands.len() || !on_the_line.is_empty() || rests < 50 {
+        now += TICK;
+        on_the_line.retain(|&(at, i)| {
+            if at <= now {
+                arm.handle_bytes(at, &commands[i].emit(&personality.dialect()).to_bytes());
+            }
+            at > now
+        });
+        arm.handle_time(now);
+        while arm.poll_bytes().is_some() {
+            if sent < commands.len() {
+                on_the_line.push((now + STATUS_AND_PACKET, sent));
+                sent += 1;
+            }
+        }
+        let p = arm.pose_at(now).position;
+        let next = Seen {
+            place: [p.x.0, p.y.0, p.z.0],
+            laser: arm.laser(),
+        };
+        rests = if seen.last() == Some(&next) {
+            rests + 1
+        } else {
+            0
+        };
+        seen.push(next);
+    }
+    assert_eq!(arm.poll_refused(), None);
+    let stands = |it: &Seen| distance(it.place, start) < 1e-3;
+    let came = seen.iter().position(stands).expect("it goes to the start");
+    let left = seen[came..]
+        .iter()
+        .position(|it| !stands(it))
+        .expect("it leaves");
+    seen.split_off(came + left - 1)
+}
+
+/// How many ticks it was moving.
+fn moving(seen: &[Seen]) -> usize {
+    let last = seen[seen.len() - 1].place;
+    seen.iter()
+        .rposition(|it| it.place != last)
+        .expect("it moves")
+        + 1
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The way it went while `which` held, from above.
+fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
+    let mut ways: Vec<Stroke> = Vec::new();
+    let mut goes_on = false;
+    for pair in seen.windows(2) {
+        let [from, to] = [pair[0], pair[1]].map(|it| Point::new(it.place[0], it.place[1]));
+        match ways.last_mut().filter(|_| goes_on) {
+            _ if !which(&pair[1]) => {}
+            Some(way) => way.points.push(to),
+            None => ways.push(Stroke::open(vec![from, to])),
+        }
+        goes_on = which(&pair[1]);
+    }
+    ways
+}
+
+fn plan(tool: Tool, strokes: Vec<Stroke>, personality: Personality) -> Plan {
+    let machine = Machine::of(personality.dialect());
+    Plan::new(&[Pass::new(tool, strokes)], &Paper::level(-40.0), &machine).expect("a plan")
+}
+
+fn line(points: &[(f64, f64)]) -> Stroke {
+    Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+}
+
+/// A spiral of short vectors, a zigzag, a long line with a short vector in it, a dot.
+fn strokes() -> Vec<Stroke> {
+    let spiral = (0..200_u32).map(|i| {
+        let (sin, cos) = (TAU * f64::from(i) / 40.0).sin_cos();
+        Point::new(210.0, 0.0) + Point::new(cos, sin) * (2.0 + 0.1 * f64::from(i))
+    });
+    let zigzag = (0..30_u32).map(|i| (180.0 + 1.5 * f64::from(i), 30.0 + 4.0 * f64::from(i % 2)));
+    vec![
+        Stroke::open(spiral.collect()),
+        line(&zigzag.collect::<Vec<_>>()),
+        line(&[
+            (160.0, -50.0),
+            (210.0, -50.0),
+            (210.2, -50.1),
+            (260.0, -50.1),
+            (160.0, -50.0),
+        ]),
+        line(&[(200.0, 60.0)]),
+    ]
+}
+
+#[test]
+fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
+    for personality in Personality::ALL {
+        let plan = plan(Tool::default(), strokes(), personality);
+        let seen = drive(
+            &plan.commands().collect::<Vec<_>>(),
+            personality,
+            plan.start,
+        );
+        let took_s = TICK.as_secs_f64() * moving(&seen) as f64;
+        let planned_s = plan.duration_s();
+        assert!(
+            (took_s - planned_s).abs() < 0.021,
+            "{personality:?}: {took_s} s, planned {planned_s} s"
+        );
+        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let found = deviation(&strokes()[..3], &drawn);
+        // Between two looks a corner is cut.
+        assert!(
+            found.astray.distance_mm < 0.02,
+            "{personality:?}: {found:?}"
+        );
+        let end = plan.positions().last().expect("vectors");
+        let off_mm = distance(seen[seen.len() - 1].place, end);
+        assert!(off_mm < 0.002, "{personality:?}: {off_mm} mm");
+    }
+}
+
+#[test]
+fn a_stock_arm_draws_the_path_at_any_speed() {
+    let personality = Personality::Firmware11;
+    let plan = plan(Tool::default(), strokes(), personality);
+    let head: Vec<Command> = plan.commands().take(plan.command_of(0)).collect();
+    let vectors: Vec<WriteVector> = plan
+        .commands()
+        .filter_map(|it| match it {
+            Command::WriteVector(vector) => Some(vector),
+            _ => None,
+        })
+        .collect();
+    for share in [0.1, 0.5, 2.0] {
+        let mut commands = head.clone();
+        let machine = Machine::of(personality.dialect());
+        let others = respeed(&vectors, 0.0, share, &machine);
+        commands.extend(others.into_iter().map(Command::from));
+        let seen = drive(&commands, personality, plan.start);
+        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let found = deviation(&strokes()[..3], &drawn);
+        assert!(found.astray.distance_mm < 0.02, "{share}: {found:?}");
+    }
+}
+
+#[test]
+fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
+    let laser = Laser {
+        burn_speed_mm_s: 10.0,
+        ..Laser::default()
+    };
+    let strokes = strokes()[..3].to_vec();
+    for personality in Personality::ALL {
+        let plan = plan(Tool::Laser(laser), strokes.clone(), personality);
+        let seen = drive(
+            &plan.commands().collect::<Vec<_>>(),
+            personality,
+            plan.start,
+        );
+        let burned = ways(&seen, |it| it.laser);
+        let found = deviation(&strokes, &burned);
+        // A tick goes 0.2 mm at 10 mm/s.
+        assert!(
+            found.missed.distance_mm < 0.25,
+            "{personality:?}: {found:?}"
+        );
+        assert!(
+            found.astray.distance_mm < 0.25,
+            "{personality:?}: {found:?}"
+        );
+        assert_eq!(burned.len(), strokes.len(), "{personality:?}");
+        let travels = plan.moves.iter().filter(|it| it.kind == MoveKind::Travel);
+        assert_eq!(travels.count(), strokes.len());
+        assert!(!seen[seen.len() - 1].laser);
+    }
+}
+
+const TICK: Duration = Duration::from_millis(20);
+/// A status and a packet one after the other on the line.
+const STATUS_AND_PACKET: Duration = Duration::from_millis(88);
