@@ -149,7 +149,7 @@ async fn ten_minutes_of_drawing_are_less_than_two_megabytes() {
         let radius = 5.0 + angle * 0.35;
         (210.0 + radius * angle.cos(), radius * angle.sin())
     };
-    let spiral: Vec<(f64, f64)> = (0..7200).map(wave).collect();
+    let spiral: Vec<(f64, f64)> = (0..9000).map(wave).collect();
     let passes = [pen("spiral", vec![line(&spiral)])];
     let personality = Personality::ALL[0];
     let plan = plan(&passes, personality);
