@@ -12,8 +12,8 @@ pub enum Colors {
         /// The tolerance, in mm.
         tolerance_mm: f64,
     },
-    /// Which pass left it: the colour that its file tells, if it can be seen on white, and one of
-    /// eight otherwise.
+    /// Which pass left it: the colour that its file tells, darker if it could not be seen on white,
+    /// and one of eight where it tells none.
     Passes,
 }
 
@@ -58,26 +58,39 @@ impl Colors {
 
 /// The colour of a pass.
 pub(super) fn pass_color(plan: &Plan, pass: usize) -> String {
-    let told = plan.passes.get(pass).and_then(|it| it.color);
-    match told.filter(|&it| can_be_seen(it)) {
-        Some([red, green, blue]) => format!("#{red:02x}{green:02x}{blue:02x}"),
+    match plan.passes.get(pass).and_then(|it| it.color) {
+        Some(color) => {
+            let [red, green, blue] = seen_on_white(color);
+            format!("#{red:02x}{green:02x}{blue:02x}")
+        }
         None => PASSES[pass % PASSES.len()].to_owned(),
     }
 }
 
-/// Whether it is dark enough on white paper.
-fn can_be_seen(rgb: [u8; 3]) -> bool {
+/// The colour, darker if it is too bright.
+fn seen_on_white(rgb: [u8; 3]) -> [u8; 3] {
     let [red, green, blue] = rgb.map(f64::from);
-    0.2126 * red + 0.7152 * green + 0.0722 * blue <= BRIGHTEST
+    let brightness = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+    if brightness <= BRIGHTEST {
+        return rgb;
+    }
+    let darker = DARKER / brightness;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "less than it was"
+    )]
+    [red, green, blue].map(|it| (it * darker) as u8)
 }
 
 /// Colours that people who do not see all colours tell apart too; the width says it once more.
-const ERRORS: [(&str, f64); 3] = [("#007a5a", 0.34), ("#e69f00", 0.5), ("#d1341f", 0.95)];
+const ERRORS: [(&str, f64); 3] = [("#007a5a", 0.34), ("#e69f00", 0.42), ("#d1341f", 0.95)];
 const PASSES: [&str; 8] = [
     "#1b2a41", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a5195",
 ];
 const INK_MM: f64 = 0.42;
 const BRIGHTEST: f64 = 200.0;
+const DARKER: f64 = 130.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -113,7 +126,8 @@ mod tests {
         let passes = [Some([204, 0, 16]), Some([255, 255, 250]), None].map(pass);
         let plan = Plan::new(&passes, &Paper::default(), &Machine::default()).unwrap();
         assert_eq!(pass_color(&plan, 0), "#cc0010");
-        assert_eq!(pass_color(&plan, 1), PASSES[1]);
+        // All three are as much darker as 130 is than 255.
+        assert_eq!(pass_color(&plan, 1), "#82827f");
         assert_eq!(pass_color(&plan, 2), PASSES[2]);
     }
 }

@@ -19,7 +19,7 @@ impl Picture<'_> {
         let legend = self.legend(Point::new(paper.max.x, above), unit);
         let figures = self.figures(Point::new(left, below), unit);
         let table = Bounds {
-            min: Point::new(left, below + FIGURES_HIGH * unit),
+            min: Point::new(left, below + self.figures_high() * unit),
             max: paper.max,
         };
         title + &legend + &figures + &self.table(table, unit)
@@ -27,18 +27,21 @@ impl Picture<'_> {
 
     /// How much room the words below the paper take, in units.
     pub(super) fn words_high(&self) -> f64 {
-        let figures = if self.figures.is_empty() {
-            0.0
-        } else {
-            FIGURES_HIGH
-        };
         let rows = self.rows();
         let table = if rows == 0 {
             0.0
         } else {
             ROW_HIGH * (f64::from(rows) + 2.0)
         };
-        figures + table + 4.0
+        self.figures_high() + table + 4.0
+    }
+
+    const fn figures_high(&self) -> f64 {
+        if self.figures.is_empty() {
+            2.0
+        } else {
+            FIGURES_HIGH
+        }
     }
 
     fn figures(&self, at: Point, unit: f64) -> String {
