@@ -47,7 +47,9 @@ readonly CI_STEPS=(
   "fuzz         30 seconds of each fuzz target"
 )
 readonly OTHER_STEPS=(
-  "bench        all benchmarks (not part of CI; see docs/performance.md)"
+  "bench          all benchmarks (not part of CI; see docs/performance.md)"
+  "compare-vpype  pen-up travel beside vpype's and LKH's (fetched from PyPI; takes an hour)"
+  "compare-toppra arm time beside the time-optimal motion of toppra (fetched from PyPI)"
 )
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
@@ -72,6 +74,7 @@ MIT / Apache-2.0
 MIT AND BSD-3-Clause
 MIT OR Apache-2.0
 MIT OR Apache-2.0 OR LGPL-2.1-or-later
+MIT OR Apache-2.0 OR Zlib
 MIT OR GPL-3.0-only
 MIT OR Zlib OR Apache-2.0
 MIT/Apache-2.0
@@ -191,6 +194,30 @@ step_bench() {
   # A plain byte bridge, to compare the station with.
   needs_command socat socat
   cargo bench --locked --workspace --bench '*'
+}
+
+step_compare-vpype() {
+  needs_drawings order_drawings
+  needs_python vpype elkai
+  target/compare/bin/python tests/compare/vpype.py
+}
+
+step_compare-toppra() {
+  needs_drawings plan_json
+  needs_python toppra numpy
+  target/compare/bin/python tests/compare/toppra_time.py target/drawings/*.svg
+}
+
+# The drawings that programs are compared on, and ours to be compared.
+needs_drawings() {
+  cargo run --locked --release -p dobot-draw --example benchmark_drawings -- target/drawings
+  cargo build --locked --release -p dobot-draw --example "$1"
+}
+
+needs_python() {
+  needs_venv
+  [[ -x target/compare/bin/pip ]] || python3 -m venv target/compare
+  target/compare/bin/pip install --quiet "$@"
 }
 
 # Installs a Debian package for a command where that is possible, and else says what to do.
