@@ -262,3 +262,53 @@ const fn u32_of(place: usize) -> u32 {
 
 /// The most edges that one exchange takes out.
 pub(super) const MOST: usize = 4;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// The edges of a tour, each with the smaller node first.
+    fn edges(order: &[u32]) -> Vec<(u32, u32)> {
+        let next = order.iter().cycle().skip(1);
+        let mut edges: Vec<_> = order
+            .iter()
+            .zip(next)
+            .map(|(&a, &b)| (a.min(b), a.max(b)))
+            .collect();
+        edges.sort_unstable();
+        edges
+    }
+
+    proptest! {
+        #[test]
+        fn an_exchange_swaps_just_its_edges_and_can_be_taken_back(
+            places in proptest::collection::btree_set(0_u32..12, 2..=MOST),
+            backward in proptest::collection::vec(any::<bool>(), MOST),
+        ) {
+            let given: Vec<u32> = (0..12).map(|i| i * 5 % 12).collect();
+            let mut tour = Tour::new(given.clone(), 12);
+            let mut ends = Vec::new();
+            for (&place, backward) in places.iter().zip(backward) {
+                let (a, b) = (tour.at(place), tour.next(tour.at(place)));
+                ends.extend(if backward { [b, a] } else { [a, b] });
+            }
+            if let Some(exchange) = tour.exchange(&ends) {
+                tour.apply(&exchange);
+                let mut expected = edges(&given);
+                for pair in ends.chunks(2) {
+                    let out = (pair[0].min(pair[1]), pair[0].max(pair[1]));
+                    expected.retain(|edge| *edge != out);
+                }
+                ends.rotate_left(1);
+                expected.extend(ends.chunks(2).map(|p| (p[0].min(p[1]), p[0].max(p[1]))));
+                expected.sort_unstable();
+                prop_assert_eq!(edges(tour.order()), expected);
+                tour.take_back();
+            }
+            prop_assert_eq!(tour.order(), &given);
+            prop_assert!(given.iter().all(|&node| tour.previous(tour.next(node)) == node));
+        }
+    }
+}

@@ -110,3 +110,31 @@ fn number(count: usize) -> u32 {
 
 const LEAF: u32 = u32::MAX;
 const LEAF_ITEMS: usize = 8;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn point() -> impl Strategy<Value = Point> {
+        (-9..9_i32, -9..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
+    }
+
+    proptest! {
+        #[test]
+        fn the_nearest_point_is_as_near_as_by_looking_at_all_of_them(
+            mut points in proptest::collection::vec(point(), 1..80),
+            p in point(),
+        ) {
+            let tree = Tree::sort(&mut points, |&p| p);
+            let mut found = f64::INFINITY;
+            tree.around(&points, p, None, &mut |_, distance2| {
+                found = distance2;
+                found
+            });
+            let distances = points.iter().map(|&other| (other - p).length2());
+            prop_assert_eq!(found, distances.fold(f64::INFINITY, f64::min));
+        }
+    }
+}
