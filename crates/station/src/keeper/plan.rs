@@ -70,37 +70,39 @@ impl JobPlan {
             unjudged: (completed > first).then_some(first),
             until_s: 0.0,
         };
-        let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
-        let mut drawn = Vec::with_capacity(commands.len());
-        let mut accelerations = vec![(0, look.acceleration_mm_s2())];
-        let mut changes = heights.iter().peekable();
-        let mut altered_until = 0;
-        for (index, command) in commands.iter().enumerate() {
-            if let Some(change) = changes.next_if(|it| it.from == index) {
-                let end = look.change(change);
-                if let (Some(last), Some(end)) = (steps.last_mut(), end) {
-                    (last.end, last.raised_mm) = (end, change.begin_mm);
-                }
-            }
-            let command_drawn = look.height.apply(command);
-            if command_drawn != *command {
-                altered_until = index + 1;
-            }
-            steps.push(look.step(index, &command_drawn)?);
-            drawn.push(command_drawn);
-            if matches!(command, Command::Configuration(_)) {
-                accelerations.push((index + 1, look.acceleration_mm_s2()));
-            }
-        }
-        Ok(Self {
-            planned: commands.into(),
-            commands: drawn.into(),
-            steps: steps.into(),
-            altered_until,
-            accelerations,
+        let mut plan = Self {
+            planned: Arc::default(),
+            commands: Arc::default(),
+            steps: Arc::default(),
+            altered_until: 0,
+            accelerations: vec![(0, look.acceleration_mm_s2())],
             burns,
             lift_mm,
-        })
+        };
+        let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
+        let mut drawn = Vec::with_capacity(commands.len());
+        let mut changes = heights.iter().peekable();
+        for (index, command) in commands.iter().enumerate() {
+            if let Some(change) = changes.next_if(|it| it.from == index) {
+                look.change(change, steps.last_mut());
+            }
+            drawn.push(look.height.apply(command));
+            steps.push(look.step(index, &drawn[index])?);
+            plan.note(index, command, &drawn[index], look.acceleration_mm_s2());
+        }
+        plan.planned = commands.into();
+        plan.commands = drawn.into();
+        plan.steps = steps.into();
+        Ok(plan)
+    }
+
+    fn note(&mut self, index: usize, planned: &Command, drawn: &Command, acceleration_mm_s2: f64) {
+        if drawn != planned {
+            self.altered_until = index + 1;
+        }
+        if matches!(planned, Command::Configuration(_)) {
+            self.accelerations.push((index + 1, acceleration_mm_s2));
+        }
     }
 
     /// Has all from a command on drawn at another height. The ways are not judged again: each is
@@ -256,16 +258,15 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// From here on another height is wanted; gives where the arm is brought for that.
-    fn change(&mut self, change: &HeightChange) -> Option<Status> {
+    /// From here on another height is wanted; where the arm is brought for that, the last step ends.
+    fn change(&mut self, change: &HeightChange, last: Option<&mut Step>) {
         let higher_mm = change.begin_mm - self.height.raised_mm;
         (self.height.raised_mm, self.height.offset_mm) = (change.begin_mm, change.offset_mm);
-        if higher_mm == 0.0 {
-            return None;
+        if let Some(last) = last.filter(|_| higher_mm != 0.0) {
+            let status = raised(&self.model.status(), higher_mm);
+            self.model.place = Place::of_status(&status);
+            (last.end, last.raised_mm) = (status, change.begin_mm);
         }
-        let status = raised(&self.model.status(), higher_mm);
-        self.model.place = Place::of_status(&status);
-        Some(status)
     }
 
     fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
