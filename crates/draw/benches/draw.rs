@@ -7,7 +7,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{
     Cornering, Machine, Paper, Pass, Placement, Plan, Point, ReadOptions, Run, Search, Settings,
-    Size, Source, Stroke, Tool, Travel, deviation, order, prepare, simplify,
+    Size, Source, Stroke, Text, Tool, Travel, deviation, order, prepare, simplify,
 };
 
 fn main() {
@@ -58,6 +58,32 @@ fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
     bencher
         .counter(ItemsCount::new(vectors))
         .bench_local(|| source.read(&options));
+}
+
+/// The aim is below a second, so that the plan is there in two.
+#[divan::bench(args = [1, 65_535], sample_count = 5)]
+fn read_a_million_segments_in_paths(bencher: Bencher<'_, '_>, paths: u32) {
+    let source = Source::Svg(short_lines(1_000_000, paths));
+    bencher
+        .counter(ItemsCount::new(1_000_000_usize))
+        .bench_local(|| source.read(&ReadOptions::default()));
+}
+
+#[divan::bench]
+fn read_10_000_dots(bencher: Bencher<'_, '_>) {
+    let source = Source::Svg(short_lines(0, 10_000));
+    bencher
+        .counter(ItemsCount::new(10_000_usize))
+        .bench_local(|| source.read(&ReadOptions::default()));
+}
+
+/// Text as long as may be, in letters of single lines.
+#[divan::bench]
+fn write_20_000_letters(bencher: Bencher<'_, '_>) {
+    let source = Source::Text(Text::new("Hamburgefonts, 0123!\n".repeat(950)));
+    bencher
+        .counter(ItemsCount::new(20_000_usize))
+        .bench_local(|| source.read(&ReadOptions::default()));
 }
 
 /// The whole way, from the text of the file to the plan.
@@ -118,6 +144,31 @@ fn waves() -> String {
     for line in 0..124 {
         write!(svg, r#"<path d="M0 {:.1}"#, 0.96 * f64::from(line)).expect("a string takes all");
         svg += &"q.5 -.7 1 0t1 0".repeat(100);
+        svg += r#""/>"#;
+    }
+    svg + "</svg>"
+}
+
+/// So many segments shared out to paths; without any, the paths are dots.
+fn short_lines(segments: u32, paths: u32) -> String {
+    let mut svg =
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="120mm" viewBox="0 0 200 120" fill="none" stroke="black" stroke-linecap="round">"#
+            .to_owned();
+    for path in 0..paths {
+        let place = |i: u32| (f64::from(path) * 0.37 + f64::from(i) * 0.61).sin_cos();
+        let (sin, cos) = place(0);
+        write!(
+            svg,
+            r#"<path d="M{:.3} {:.3}h0"#,
+            100.0 + 90.0 * cos,
+            60.0 + 50.0 * sin
+        )
+        .expect("a string takes all");
+        for i in 1..=segments / paths {
+            let (sin, cos) = place(i);
+            write!(svg, "L{:.3} {:.3}", 100.0 + 90.0 * cos, 60.0 + 50.0 * sin)
+                .expect("a string takes all");
+        }
         svg += r#""/>"#;
     }
     svg + "</svg>"
