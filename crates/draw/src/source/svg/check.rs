@@ -1,10 +1,9 @@
 //! Values read strictly: what a lenient reader would skip or cut short in silence is an error.
 
-use std::collections::HashMap;
 use std::str::FromStr;
 
 use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, ViewBox};
-use usvg::roxmltree::{Attribute, Document, Node, NodeId};
+use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::error::SvgError;
 use super::{Budget, MAX_NUMBER};
@@ -12,14 +11,15 @@ use super::{Budget, MAX_NUMBER};
 /// Reads every path, point list, length, transform and viewBox of the document, and tells how many
 /// line segments and curves each element describes.
 pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments, SvgError> {
-    let mut segments = Segments::new();
+    // As many as there are nodes, each at the place that its number tells.
+    let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
         for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
             match check_value(node, attribute.name(), attribute.value()) {
                 Ok(0) => {}
                 Ok(count) => {
                     budget.spend(count)?;
-                    segments.insert(node.id(), count as u64);
+                    segments[node.id().get_usize()] = count as u64;
                 }
                 Err(problem) => return Err(bad_value(doc, node, &attribute, &problem)),
             }
@@ -28,8 +28,8 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments,
     Ok(segments)
 }
 
-/// How many line segments and curves the elements describe that describe any.
-pub(crate) type Segments = HashMap<NodeId, u64>;
+/// How many line segments and curves each node describes, by its number in the document.
+pub(crate) type Segments = Vec<u64>;
 
 struct Problem {
     /// Where in the value, in bytes.

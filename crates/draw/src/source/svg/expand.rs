@@ -2,14 +2,13 @@
 
 use std::collections::HashMap;
 
-use usvg::roxmltree::{Document, Node, NodeId};
+use usvg::roxmltree::{Document, Node};
 
-use super::check::Segments;
 use super::error::SvgError;
 
 /// Refuses a document that grows too large or too deep once every reference is replaced by a copy
 /// of what it names, and one in which that never ends.
-pub(crate) fn check(doc: &Document<'_>, segments: &Segments) -> Result<(), SvgError> {
+pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError> {
     let named = doc
         .descendants()
         .filter_map(|node| Some((node.attribute("id")?, node)));
@@ -18,7 +17,7 @@ pub(crate) fn check(doc: &Document<'_>, segments: &Segments) -> Result<(), SvgEr
         segments,
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
-        known: HashMap::new(),
+        known: vec![Known::No; segments.len()],
     };
     let cost = counter.cost(doc.root_element(), 0)?;
     if cost.elements > MAX_ELEMENTS {
@@ -54,20 +53,28 @@ impl Cost {
 
 struct Counter<'a> {
     doc: &'a Document<'a>,
-    segments: &'a Segments,
+    segments: &'a [u64],
     named: HashMap<&'a str, Node<'a, 'a>>,
-    /// `None` while an element is being counted.
-    known: HashMap<NodeId, Option<Cost>>,
+    /// By the number of the element in the document.
+    known: Vec<Known>,
+}
+
+#[derive(Clone, Copy)]
+enum Known {
+    No,
+    /// While it is being counted.
+    Soon,
+    Yes(Cost),
 }
 
 impl<'a> Counter<'a> {
     /// What an element costs with all that it holds and names. Never deeper than the limit.
     fn cost(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
-        let cost = match self.known.get(&node.id()) {
-            Some(Some(cost)) => *cost,
-            Some(None) => return Err(self.recursive(node)),
-            None if depth > MAX_DEPTH => return Err(self.too_deep(node)),
-            None => self.count(node, depth)?,
+        let cost = match self.known[node.id().get_usize()] {
+            Known::Yes(cost) => cost,
+            Known::Soon => return Err(self.recursive(node)),
+            Known::No if depth > MAX_DEPTH => return Err(self.too_deep(node)),
+            Known::No => self.count(node, depth)?,
         };
         if depth + cost.height > MAX_DEPTH {
             return Err(self.too_deep(node));
@@ -76,10 +83,11 @@ impl<'a> Counter<'a> {
     }
 
     fn count(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
-        self.known.insert(node.id(), None);
+        let number = node.id().get_usize();
+        self.known[number] = Known::Soon;
         let mut cost = Cost {
             elements: 1,
-            segments: self.segments.get(&node.id()).copied().unwrap_or(0),
+            segments: self.segments[number],
             height: 0,
         };
         for child in node.children().filter(Node::is_element) {
@@ -92,7 +100,7 @@ impl<'a> Counter<'a> {
                 cost.add(self.cost(target, depth + 1)?, times);
             }
         }
-        self.known.insert(node.id(), Some(cost));
+        self.known[number] = Known::Yes(cost);
         Ok(cost)
     }
 
