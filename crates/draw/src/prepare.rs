@@ -189,21 +189,24 @@ fn passes<E>(
 ) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
     let mut here = settings.placement.area.max;
-    for layer in layers {
+    for mut layer in layers {
         let tool = layers::tool(&layer, settings);
-        let message = layers::message(&layer, passes.last(), settings);
-        let (name, color) = (layer.name.clone(), layer.color);
-        let mut strokes = lines(layer, settings)?;
+        let mut strokes = lines(&mut layer, settings)?;
         if settings.clips {
             let clipped = within_reach(&strokes, tool, settings, reachable);
             warnings.extend(cut_off(&clipped));
             strokes = clipped.strokes;
         }
+        // Areas that are not hatched leave no ink.
+        if strokes.is_empty() {
+            continue;
+        }
         let strokes = ordered(strokes, here, tool, settings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
+        let message = layers::message(&layer, passes.last(), settings);
         passes.push(Pass {
-            name,
-            color,
+            name: layer.name,
+            color: layer.color,
             tool,
             strokes,
             message,
@@ -213,8 +216,8 @@ fn passes<E>(
 }
 
 /// The lines of a layer, and those that its areas are hatched with.
-fn lines(layer: Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareError> {
-    let mut lines = layer.strokes;
+fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareError> {
+    let mut lines = std::mem::take(&mut layer.strokes);
     if let Some(hatching) = &settings.hatch {
         for area in &layer.areas {
             lines.append(&mut hatch(area, hatching)?);
