@@ -35,6 +35,14 @@ fn a_closed_stroke_begins_at_its_nearest_corner() {
     );
 }
 
+#[test]
+fn a_line_that_ends_where_it_began_may_begin_anywhere_too() {
+    let ring = line(&[(9.0, 0.0), (5.0, 0.0), (5.0, 5.0), (9.0, 0.0)]);
+    let ordered = order(vec![ring], Point::default(), &SEARCH);
+    assert_eq!(ordered[0].points[0], Point::new(5.0, 0.0));
+    assert_eq!(ordered[0].points.len(), 4);
+}
+
 fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
     let point = (0.0..100.0_f64, 0.0..100.0_f64).prop_map(|(x, y)| Point::new(x, y));
     let stroke =

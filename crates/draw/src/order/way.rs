@@ -26,13 +26,19 @@ impl Stop {
     pub(super) fn other_end(self, strokes: &[Stroke]) -> Self {
         let stroke = &strokes[self.stroke as usize];
         let last = u32::try_from(stroke.points.len() - 1).expect("far fewer than 2^32 points");
-        let point = if stroke.closed {
+        let point = if is_loop(stroke) {
             self.point
         } else {
             last - self.point
         };
         Self { point, ..self }
     }
+}
+
+/// Whether a stroke may be begun anywhere: files do not call all of them closed that end where they
+/// began.
+fn is_loop(stroke: &Stroke) -> bool {
+    stroke.closed || (stroke.points.len() > 2 && stroke.points.first() == stroke.points.last())
 }
 
 /// The strokes in the order given, without those that have no points.
@@ -67,7 +73,7 @@ pub(super) fn turn_loops(
     for i in 0..way.len() {
         let next = way.get(i + 1).map(|next| next.begin(strokes));
         let stroke = &strokes[way[i].stroke as usize];
-        if stroke.closed {
+        if is_loop(stroke) {
             let cost = |p: Point| {
                 let on = next.map_or(0.0, |next| travel.cost(p.distance(next)));
                 travel.cost(here.distance(p)) + on
@@ -97,7 +103,7 @@ pub(super) fn drawn(mut strokes: Vec<Stroke>, way: &[Stop]) -> Vec<Stroke> {
 
 /// The stroke, begun at one of its points.
 fn begun(mut stroke: Stroke, point: usize) -> Stroke {
-    if stroke.closed && point > 0 {
+    if is_loop(&stroke) && point > 0 {
         // The last point repeats the first: leave it out while turning.
         stroke.points.pop();
         let count = stroke.points.len().max(1);

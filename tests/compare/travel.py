@@ -1,4 +1,4 @@
-"""Compares the order of strokes with vpype's and LKH's: `python tests/compare/vpype.py`.
+"""Compares the order of strokes with vpype's and LKH's: `python tests/compare/travel.py`.
 
 Needs vpype and elkai from PyPI, and runs from the project's root. Makes the benchmark drawings,
 lets vpype (`linesort --two-opt`, with and without `linemerge`) and the example `order_drawings` put
