@@ -52,13 +52,12 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
         seen.push(next);
     }
     assert_eq!(arm.poll_refused(), None);
-    let stands = |it: &Seen| distance(it.place, start) < 1e-3;
-    let came = seen.iter().position(stands).expect("it goes to the start");
-    let left = seen[came..]
-        .iter()
-        .position(|it| !stands(it))
-        .expect("it leaves");
-    seen.split_off(came + left - 1)
+    let away = |it: &Seen| distance(it.place, start);
+    let came = seen.iter().position(|it| away(it) < 0.3);
+    let came = came.expect("it goes to the start");
+    let stands = (came..came + 12).rev();
+    let stands = stands.min_by(|&a, &b| away(&seen[a]).total_cmp(&away(&seen[b])));
+    seen.split_off(stands.expect("a dozen"))
 }
 
 /// How many ticks it was moving.
@@ -74,18 +73,18 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The way it went while `which` held, from above.
+/// The way it went from where `which` held, from above.
 fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     let mut ways: Vec<Stroke> = Vec::new();
     let mut goes_on = false;
     for pair in seen.windows(2) {
         let [from, to] = [pair[0], pair[1]].map(|it| Point::new(it.place[0], it.place[1]));
         match ways.last_mut().filter(|_| goes_on) {
-            _ if !which(&pair[1]) => {}
+            _ if !which(&pair[0]) => {}
             Some(way) => way.points.push(to),
             None => ways.push(Stroke::open(vec![from, to])),
         }
-        goes_on = which(&pair[1]);
+        goes_on = which(&pair[0]);
     }
     ways
 }
@@ -132,14 +131,14 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
         let took_s = TICK.as_secs_f64() * moving(&seen) as f64;
         let planned_s = plan.duration_s();
         assert!(
-            (took_s - planned_s).abs() < 0.021,
+            (took_s - planned_s).abs() < 0.041,
             "{personality:?}: {took_s} s, planned {planned_s} s"
         );
         let drawn = ways(&seen, |it| it.place[2] < -39.999);
-        let found = deviation(&strokes()[..3], &drawn);
+        let found = deviation(&strokes(), &drawn);
         // Between two looks a corner is cut.
         assert!(
-            found.astray.distance_mm < 0.02,
+            found.astray.distance_mm < 0.05,
             "{personality:?}: {found:?}"
         );
         let end = plan.positions().last().expect("vectors");
@@ -167,7 +166,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
         commands.extend(others.into_iter().map(Command::from));
         let seen = drive(&commands, personality, plan.start);
         let drawn = ways(&seen, |it| it.place[2] < -39.999);
-        let found = deviation(&strokes()[..3], &drawn);
+        let found = deviation(&strokes(), &drawn);
         assert!(found.astray.distance_mm < 0.02, "{share}: {found:?}");
     }
 }

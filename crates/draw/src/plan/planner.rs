@@ -4,6 +4,7 @@ use super::landing::Landing;
 use super::lookahead::Run;
 use super::pace::{Pace, Speeds};
 use super::ticker::Ticker;
+use super::ticks::TICK_S;
 use super::vector::length;
 use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 use crate::point::{Point, Stroke};
@@ -97,13 +98,12 @@ impl<'a> Planner<'a> {
         let ways = Ways::of(stroke, self.here, speed, self.machine);
         self.go(MoveKind::Travel, ways.run_up, 0.0, travel);
         self.rest();
-        self.go(MoveKind::RunUp, stroke.points[0], 0.0, speed);
-        for &p in &stroke.points[1..] {
+        self.go(MoveKind::RunUp, ways.on, 0.0, speed);
+        let inner = 1..stroke.points.len().max(2) - 1;
+        for &p in &stroke.points[inner] {
             self.go(MoveKind::Burn, p, 0.0, speed);
         }
-        if stroke.points.len() == 1 {
-            self.go(MoveKind::Burn, ways.end, 0.0, speed);
-        }
+        self.go(MoveKind::Burn, ways.off, 0.0, speed);
         self.go(MoveKind::RunOut, ways.run_out, 0.0, speed);
         self.go(MoveKind::Brake, ways.brake, 0.0, speed);
         self.rest();
@@ -191,7 +191,9 @@ fn set(vector: &mut PlannedVector, speeds: Speeds) {
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.
 struct Ways {
     run_up: Point,
-    end: Point,
+    /// Where it is switched on and off.
+    on: Point,
+    off: Point,
     run_out: Point,
     brake: Point,
 }
@@ -219,10 +221,22 @@ impl Ways {
         let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
         let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
         let gain_mm = gain_mm.max(packet_mm);
-        let run_out = end + out * packet_mm.max(LEAST_RUN_OUT_MM);
+        // A stock arm switches the laser a tick before its motors begin the vector.
+        let early_mm = if machine.has_ticks {
+            speed_mm_s * f64::from(TICK_S)
+        } else {
+            0.0
+        };
+        let first_mm = stroke
+            .segments()
+            .next()
+            .map_or(DOT_MM, |(a, b)| a.distance(b));
+        let off = end + out * early_mm;
+        let run_out = off + out * packet_mm.max(LEAST_RUN_OUT_MM);
         Self {
             run_up: first - into * gain_mm,
-            end,
+            on: first + into * early_mm.min(0.5 * first_mm),
+            off,
             run_out,
             brake: run_out + out * gain_mm,
         }

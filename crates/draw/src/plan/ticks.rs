@@ -317,3 +317,59 @@ const UNDER: f64 = 0.5;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn wish(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> Wish {
+        let end = if rests { 0.0 } else { end };
+        let speeds = Speeds::of(length_mm.into(), [start, end, max], max, 100.0);
+        Wish {
+            length_mm,
+            speeds,
+            ticks: speeds.duration_s / f64::from(TICK_S),
+            least_ticks: 1,
+            rests,
+            acceleration_mm_s2: 100.0,
+        }
+    }
+
+    #[test]
+    fn a_vector_from_rest_to_rest_is_cut_as_the_note_tells() {
+        // 10 mm at 100 mm/s2: the peak is sqrt(1000) = 31.6 mm/s, 16 steps of 2 mm/s up and down;
+        // their ways are 4.8 mm each, and the 0.4 mm left make 50 * 0.4 / 32 = 0.625 mm/s more.
+        let cut = Cut::of(10.0, 0.0, 0.0, 40.0, 100.0);
+        assert_eq!(cut.counts, [16, 0, 16]);
+        assert!((cut.correction_mm_s - 0.625).abs() < 1e-4);
+        assert!((cut.end_mm_s - 0.625).abs() < 1e-4);
+        assert!(cut.is_true());
+    }
+
+    #[test]
+    fn a_short_vector_in_full_motion_would_be_too_short_and_is_found_untrue() {
+        // 3 mm at 40 mm/s: three ticks of 0.8 mm leave 0.6 mm, which is 10 mm/s for each.
+        let cut = Cut::of(3.0, 40.0, 40.0, 40.0, 100.0);
+        assert_eq!(cut.counts, [0, 3, 0]);
+        assert!(!cut.is_true());
+    }
+
+    proptest! {
+        #[test]
+        fn every_vector_is_as_long_as_it_should_be(
+            length_mm in 0.002..150.0_f32,
+            stored in 0.0..60.0_f32,
+            end in 0.0..60.0_f64,
+            max in 1.0..80.0_f64,
+            rests: bool,
+        ) {
+            let max = max.max(stored.into()).max(end);
+            let fit = wish(length_mm, [stored.into(), end, max], rests).fit(stored);
+            prop_assert!(fit.cut.is_true(), "{fit:?}");
+            prop_assert_eq!(fit.end_mm_s == 0.0, rests);
+            prop_assert!(fit.max_mm_s > 0.0);
+        }
+    }
+}
