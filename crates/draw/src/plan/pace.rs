@@ -71,7 +71,7 @@ impl Pace {
             self.lower_to_link(chain);
             self.plan_with_link(chain);
         } else {
-            self.plan_motion(chain);
+            self.plan_without_link(chain);
         }
         (0..chain.len()).map(|i| self.speeds(chain, i))
     }
@@ -94,9 +94,12 @@ impl Pace {
     fn plan_with_link(&mut self, chain: &mut [Run]) {
         for _ in 0..ROUNDS {
             self.plan_motion(chain);
-            if self.wait_for_link(chain) {
+            let credit = self.credit;
+            let keeps_up = self.wait_for_link(chain);
+            if !self.ease(chain) && keeps_up {
                 return;
             }
+            self.credit = credit;
         }
         // Slow enough whatever the others do.
         for run in chain.iter_mut() {
@@ -104,6 +107,40 @@ impl Pace {
         }
         self.plan_motion(chain);
         self.wait_for_link(chain);
+    }
+
+    fn plan_without_link(&mut self, chain: &mut [Run]) {
+        for _ in 0..ROUNDS {
+            self.plan_motion(chain);
+            if !self.ease(chain) {
+                return;
+            }
+        }
+        self.plan_motion(chain);
+    }
+
+    /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
+    /// may: several corners may lie within the time over which that is measured. Whether any had
+    /// to be eased.
+    fn ease(&mut self, chain: &mut [Run]) -> bool {
+        if chain.len() < 2 {
+            return false;
+        }
+        let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
+        let a = self.cornering.acceleration_mm_s2;
+        let mut eased = false;
+        for corner in 1..chain.len() {
+            let ahead = away(chain[corner..].iter().zip(&speeds[corner..]), false, a);
+            let behind = chain[..corner].iter().zip(&speeds[..corner]).rev();
+            let behind = away(behind, true, a);
+            let seen = super::vector::length([0, 1, 2].map(|k| ahead[k] - behind[k]));
+            let share = a * WINDOW_S * WINDOW_S / seen;
+            if share < LEAST_SHARE {
+                chain[corner - 1].ease *= share * SLOWER;
+                eased = true;
+            }
+        }
+        eased
     }
 
     fn plan_motion(&mut self, chain: &[Run]) {
@@ -170,6 +207,43 @@ impl Speeds {
     }
 }
 
+/// How far the tool goes along these vectors within the time over which acceleration is measured;
+/// backwards, how far it came.
+fn away<'a>(way: impl Iterator<Item = (&'a Run, &'a Speeds)>, backwards: bool, a: f64) -> [f64; 3] {
+    let (mut left_s, mut sum) = (WINDOW_S, [0.0; 3]);
+    for (run, speeds) in way {
+        let far_mm = if speeds.duration_s <= left_s {
+            run.length_mm
+        } else {
+            let (from, to) = (speeds.start_mm_s, speeds.end_mm_s);
+            let (from, to) = if backwards { (to, from) } else { (from, to) };
+            distance_mm(run.length_mm, [from, to, speeds.peak_mm_s], a, left_s)
+        };
+        sum = [0, 1, 2].map(|k| sum[k] + far_mm * run.direction[k]);
+        left_s -= speeds.duration_s;
+        if left_s <= 0.0 {
+            break;
+        }
+    }
+    sum
+}
+
+/// How far a vector with this peak has come after a time.
+fn distance_mm(length_mm: f64, [start, end, peak]: [f64; 3], a: f64, t_s: f64) -> f64 {
+    let up_s = (peak - start) / a;
+    if t_s <= up_s {
+        return (start + 0.5 * a * t_s) * t_s;
+    }
+    let up_mm = 0.5 * (start + peak) * up_s;
+    let down_mm = 0.5 * (end + peak) * (peak - end) / a;
+    let even_s = (length_mm - up_mm - down_mm).max(0.0) / peak;
+    if t_s <= up_s + even_s {
+        return up_mm + peak * (t_s - up_s);
+    }
+    let braking_s = t_s - up_s - even_s;
+    up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
+}
+
 fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
     let peak = peak_mm_s(length_mm, [start, end, max], a);
     let ramps_mm = (peak * peak - 0.5 * (start * start + end * end)) / a;
@@ -188,3 +262,5 @@ const REACH: usize = 1;
 const MOST_EVEN: f64 = 1.0;
 const ROUNDS: usize = 12;
 const SLOWER: f64 = 0.999;
+/// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
+const LEAST_SHARE: f64 = 0.995;

@@ -126,6 +126,7 @@ impl<'a> Planner<'a> {
             direction: way.map(|d| d / length_mm),
             length_mm,
             limit_mm_s,
+            ease: 1.0,
         });
         self.moves.push(PlannedVector {
             x_mm,

@@ -55,7 +55,9 @@ impl Respeeding<'_> {
     fn chain(&mut self, chain: &[WriteVector]) -> Vec<WriteVector> {
         let begins_as_planned = (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
         if self.share == 1.0 && begins_as_planned {
-            chain.iter().for_each(|vector| self.follow(vector));
+            for vector in chain {
+                self.follow(vector);
+            }
             return chain.to_vec();
         }
         let targets = if self.share > 1.0 {
@@ -110,6 +112,7 @@ fn run(vector: &WriteVector, share: f64) -> Run {
         direction: way.map(|part| part / length_mm),
         length_mm,
         limit_mm_s: share * f64::from(vector.max_speed_mm_s),
+        ease: 1.0,
     }
 }
 

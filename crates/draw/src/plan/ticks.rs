@@ -205,8 +205,14 @@ impl Wish {
         let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
         let up = whole(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
         let down = whole(((peak - end) / change).clamp(0.0, 3000.0));
+        // Before a rest the end speed is 0, whatever the counts are meant to be.
+        let downs = if self.rests {
+            down..=down
+        } else {
+            (down - 3).max(0)..=down + 2
+        };
         for up in (up - 3).max(1)..=up + 2 {
-            for down in (down - 3).max(0)..=down + 2 {
+            for down in downs.clone() {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
                     self.consider(
