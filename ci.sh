@@ -199,7 +199,7 @@ step_bench() {
 step_compare-vpype() {
   needs_drawings order_drawings
   needs_python vpype elkai
-  target/compare/bin/python tests/compare/vpype.py
+  target/compare/bin/python tests/compare/travel.py
 }
 
 step_compare-toppra() {

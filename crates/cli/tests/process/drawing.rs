@@ -1,5 +1,6 @@
 //! `dobot draw` with a virtual arm in the process.
 
+use std::collections::BTreeSet;
 use std::fs;
 
 use serde_json::Value;
@@ -10,6 +11,12 @@ fn report(text: &str) -> Value {
     serde_json::from_str(text).expect("the report is JSON")
 }
 
+fn number(report: &Value, key: &str) -> f64 {
+    report[key]
+        .as_f64()
+        .unwrap_or_else(|| panic!("{key} of {report} is no number"))
+}
+
 /// A page in millimetres with that inside.
 fn page(inside: &str) -> String {
     format!(
@@ -18,12 +25,11 @@ fn page(inside: &str) -> String {
 }
 
 #[test]
-fn every_bundled_drawing_is_drawn_within_tolerance_of_the_true_position() {
+fn every_bundled_drawing_of_each_kind_is_drawn_within_tolerance_of_the_true_position() {
+    let mut kinds = BTreeSet::new();
     for entry in fs::read_dir(example("")).expect("it is bundled") {
         let path = entry.expect("it can be read").path();
-        if path.extension().is_none_or(|it| it != "svg") {
-            continue;
-        }
+        kinds.insert(path.extension().map(ToOwned::to_owned));
         let file = path.to_str().expect("the path is text");
         for (tolerance, dialect) in [
             ("0.05", "specification"),
@@ -33,18 +39,148 @@ fn every_bundled_drawing_is_drawn_within_tolerance_of_the_true_position() {
             let arguments = ["--tolerance", tolerance, "--dialect", dialect, "--json"];
             let outcome = dobot(&[&["draw", file][..], &arguments].concat()).succeeds();
             let report = report(&outcome.stdout);
-            let deviation = report["deviation_mm"].as_f64().expect("a number");
-            let allowed = tolerance.parse::<f64>().expect("a number") + 0.05;
-            assert!(deviation <= allowed, "{file}: {report}");
+            let allowed = tolerance.parse::<f64>().expect("a number");
+            assert!(
+                number(&report, "deviation_mm") <= allowed,
+                "{file}: {report}"
+            );
             assert_eq!(report["measured_from"], "the arm's true position");
-            if dialect == "specification" {
-                // The plan is what happens: two statuses pass until the end is seen.
-                let [planned, time] =
-                    ["planned_s", "time_s"].map(|it| report[it].as_f64().expect("a number"));
-                assert!((time - planned).abs() < 1.0, "{file}: {report}");
-            }
+            // The plan is what happens: two statuses pass until the end is seen.
+            let late_s = number(&report, "time_s") - number(&report, "planned_s");
+            assert!(late_s.abs() < 1.0, "{file}: {report}");
         }
     }
+    let known = ["csv", "dxf", "gcode", "jpg", "json", "plt", "svg"];
+    assert_eq!(kinds, known.map(|it| Some(it.into())).into());
+}
+
+#[test]
+fn a_dry_run_takes_as_long_as_the_run_itself() {
+    for dialect in ["specification", "firmware-1.1"] {
+        let harbour = example("harbour.svg");
+        let arguments = ["draw", &harbour, "--dialect", dialect, "--json"];
+        let estimated = dobot(&[&arguments[..], &["--dry-run"]].concat()).succeeds();
+        let made = dobot(&arguments).succeeds();
+        let [estimated, made] = [&estimated, &made].map(|it| report(&it.stdout));
+        assert_eq!(estimated["estimated_s"], made["time_s"], "{dialect}");
+        assert_eq!(estimated["time_s"], Value::Null);
+    }
+}
+
+#[test]
+fn a_photo_and_a_text_become_ink_with_one_line_each() {
+    let photo = example("still-life.jpg");
+    for shade in ["hatch", "lines", "stipple", "outline"] {
+        // Dots apart as far as this are few enough for a test.
+        let outcome = dobot(&["draw", &photo, "--shade", shade, "--spacing", "4", "--json"]);
+        assert!(number(&report(&outcome.succeeds().stdout), "strokes") > 1.0);
+    }
+    let text = ["draw", "--text", "Hello,\\narm", "--json"];
+    for more in [
+        &["--font", "script"][..],
+        &["--height", "20", "--align", "center"],
+    ] {
+        let outcome = dobot(&[&text[..], more].concat()).succeeds();
+        assert!(number(&report(&outcome.stdout), "drawn_mm") > 50.0);
+    }
+    dobot(&["draw", "--text", " "]).fails(1, &["nothing to draw"]);
+}
+
+#[test]
+fn layers_are_passes_of_their_own() {
+    let sailing = example("sailing.svg");
+    let names = |more: &[&str]| -> Vec<String> {
+        let arguments = ["draw", &sailing, "--layers", "color", "--json", "--dry-run"];
+        let outcome = dobot(&[&arguments[..], more].concat()).succeeds();
+        let report = report(&outcome.stdout);
+        let passes = report["passes"].as_array().expect("a list").clone();
+        passes
+            .iter()
+            .map(|it| it["name"].as_str().expect("a name").to_owned())
+            .collect()
+    };
+    assert_eq!(names(&[]), ["orange", "crimson", "navy"]);
+    assert_eq!(names(&["--only", "navy,orange"]), ["orange", "navy"]);
+    assert_eq!(names(&["--from", "layer:crimson"]), ["crimson", "navy"]);
+    let wrong = ["draw", &sailing, "--layers", "color", "--only", "green"];
+    dobot(&wrong).fails(1, &["green", "orange, crimson, navy"]);
+}
+
+#[test]
+fn a_drawing_may_begin_later() {
+    let drawn_mm = |more: &[&str]| {
+        let square = example("square.svg");
+        let arguments = ["draw", &square, "--json"];
+        let outcome = dobot(&[&arguments[..], more].concat()).succeeds();
+        number(&report(&outcome.stdout), "drawn_mm")
+    };
+    let (whole, rest) = (drawn_mm(&[]), drawn_mm(&["--from", "40%"]));
+    assert!((rest - 0.6 * whole).abs() < 0.1, "{rest} of {whole}");
+    for (wrong, part) in [
+        ("stroke:9", "1 to 1"),
+        ("100%", "below 100"),
+        ("layer:x", "x"),
+    ] {
+        dobot(&["draw", &example("square.svg"), "--from", wrong]).fails(1, &[part]);
+    }
+    dobot(&["draw", &example("square.svg"), "--from", "9"]).fails(2, &["stroke:NUMBER"]);
+}
+
+#[test]
+fn a_timeline_tells_every_moment_of_the_drawing() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("timeline.json");
+    let file_text = file.to_str().expect("the path is text");
+    let arguments = ["draw", &example("rosette.svg"), "--dry-run", "--json"];
+    let outcome = dobot(&[&arguments[..], &["--timeline", file_text]].concat()).succeeds();
+    let timeline = report(&fs::read_to_string(&file).expect("it was written"));
+    let estimated_s = number(&report(&outcome.stdout), "estimated_s");
+    let late_s = estimated_s - number(&timeline, "duration_s");
+    // Two statuses pass until the end is seen.
+    assert!((0.0..1.0).contains(&late_s), "{late_s}");
+    let moments = timeline["path"]["t_s"].as_array().expect("a column");
+    assert_eq!(moments.last(), Some(&timeline["duration_s"]));
+}
+
+#[test]
+fn the_laser_burns_materials_and_the_pen_does_not() {
+    let square = example("square.svg");
+    for dialect in ["specification", "firmware-1.1"] {
+        let arguments = [
+            "draw",
+            &square,
+            "--laser",
+            "plywood-engrave",
+            "--dialect",
+            dialect,
+        ];
+        let outcome = dobot(&[&arguments[..], &["--dry-run", "--json"]].concat()).succeeds();
+        let report = report(&outcome.stdout);
+        assert!(
+            (number(&report, "drawn_mm") - 120.0).abs() < 0.2,
+            "{report}"
+        );
+        assert!(number(&report, "deviation_mm") <= 0.05, "{report}");
+    }
+    dobot(&["draw", &square, "--laser", "fineliner"]).fails(1, &["fineliner is a pen", "--pen"]);
+    dobot(&["draw", &square, "--pen", "biro"]).fails(1, &["biro", "ballpoint"]);
+    dobot(&["draw", "--card", "5,10"]).fails(1, &["--laser"]);
+    let card = [
+        "draw",
+        "--card",
+        "5,10",
+        "--card-passes",
+        "2",
+        "--laser",
+        "cork-engrave",
+    ];
+    let outcome = dobot(&[&card[..], &["--dry-run", "--json"]].concat()).succeeds();
+    let passes = report(&outcome.stdout)["passes"].clone();
+    assert_eq!(
+        passes.as_array().map(Vec::len),
+        Some(5),
+        "labels and four fields"
+    );
 }
 
 #[test]
@@ -102,8 +238,28 @@ fn size_and_place_are_obeyed() {
 }
 
 #[test]
+fn what_is_larger_than_the_area_shrinks_unless_a_scale_insists() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="500mm" height="300mm" viewBox="0 0 500 300">
+        <rect width="400" height="100" fill="none" stroke="black"/></svg>"#;
+    let outcome = dobot_reading(&["draw", "-", "--json"], svg.as_bytes()).succeeds();
+    assert_eq!(number(&report(&outcome.stdout), "scale"), 0.5);
+    dobot_reading(&["draw", "-", "--scale", "1"], svg.as_bytes()).fails(1, &["--fit"]);
+}
+
+#[test]
+fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
+    let svg = page(r#"<path d="M0 0H100" stroke="black"/>"#);
+    let far = ["draw", "-", "--at", "300", "0", "--rotate", "90"];
+    dobot_reading(&far, svg.as_bytes()).fails(1, &["reach", "--clip"]);
+    let outcome = dobot_reading(&[&far[..], &["--clip", "--json"]].concat(), svg.as_bytes());
+    let outcome = outcome.succeeds();
+    let drawn_mm = number(&report(&outcome.stdout), "drawn_mm");
+    assert!((60.0..75.0).contains(&drawn_mm), "{drawn_mm}");
+    assert!(outcome.stderr.contains("cut off"), "{}", outcome.stderr);
+}
+
+#[test]
 fn bad_drawings_are_one_clear_error_each() {
-    let large = r#"<svg xmlns="http://www.w3.org/2000/svg" width="500mm" height="300mm"><rect width="1800" height="1000"/></svg>"#;
     for (svg, parts) in [
         (String::new(), &["-:"][..]),
         ("hello".to_owned(), &["1:1"]),
@@ -114,14 +270,13 @@ fn bad_drawings_are_one_clear_error_each() {
             page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
             &["NaN", "1:"],
         ),
-        (large.to_owned(), &["--fit"]),
     ] {
         let outcome = dobot_reading(&["draw", "-"], svg.as_bytes()).fails(1, parts);
         assert_eq!(outcome.stdout, "", "{svg}");
     }
     dobot(&["draw", "no-such-file.svg"]).fails(1, &["no-such-file.svg", "hint:"]);
     dobot(&["draw", &example("")]).fails(1, &["cannot read"]);
-    dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["is not text"]);
+    dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["of no kind that can be drawn"]);
 }
 
 #[test]
@@ -134,7 +289,10 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
         ("--speed", "-5", "speed"),
         ("--acceleration", "inf", "acceleration"),
         ("--scale", "0", "scale"),
-        ("--pen-lift", "-10", "lifted"),
+        ("--lift", "-10", "lift"),
+        ("--margin", "70", "margin"),
+        ("--rotate", "nan", "degrees"),
+        ("--hatch", "0", "apart"),
         ("--pen-down", "200", "z"),
     ] {
         dobot(&["draw", &square, option, value]).fails(1, &[part]);
