@@ -56,8 +56,8 @@ impl Plan {
     /// 1. A pen stands still before and after it is lowered or lifted, and draws each stroke in
     ///    one go, with the corner speeds of [`Cornering::speeds`]. A laser is switched on and off
     ///    in full motion, on straight ways into the stroke and out of it.
-    /// 2. A vector costs one packet: it is never over before the link can bring the next one, so
-    ///    short vectors are slow.
+    /// 2. A vector costs one packet: however short vectors are, the arm never waits for the link in
+    ///    the middle of a stroke. A few that the arm has in hand may follow one another faster.
     /// 3. Every number is rounded to single precision as the packet will hold it, before speeds
     ///    are planned; each increment aims from where the rounded ones before it really lead, so
     ///    that rounding does not add up.

@@ -61,12 +61,11 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
 }
 
 /// How many ticks it was moving.
-fn moving(seen: &[Seen]) -> usize {
+fn moving(seen: &[Seen]) -> f64 {
     let last = seen[seen.len() - 1].place;
-    seen.iter()
-        .rposition(|it| it.place != last)
-        .expect("it moves")
-        + 1
+    let ends = seen.iter().rposition(|it| it.place != last);
+    let ticks = u32::try_from(ends.expect("it moves") + 1);
+    f64::from(ticks.expect("a few minutes"))
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -128,7 +127,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
             personality,
             plan.start,
         );
-        let took_s = TICK.as_secs_f64() * moving(&seen) as f64;
+        let took_s = TICK.as_secs_f64() * moving(&seen);
         let planned_s = plan.duration_s();
         assert!(
             (took_s - planned_s).abs() < 0.041,

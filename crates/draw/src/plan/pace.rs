@@ -85,9 +85,8 @@ impl Pace {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let packets_s = near.len() as f64 * self.period_s;
             let even_mm_s = near.iter().sum::<f64>() / packets_s;
-            run.limit_mm_s = run
-                .limit_mm_s
-                .min(even_mm_s.max(run.length_mm / self.period_s / MOST_EVEN));
+            let alone_mm_s = run.length_mm / self.period_s;
+            run.limit_mm_s = run.limit_mm_s.min(even_mm_s.max(alone_mm_s));
         }
     }
 
@@ -259,7 +258,6 @@ fn peak_mm_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
 const WINDOW_S: f64 = 0.08;
 /// How many vectors before and behind count for how fast one may be.
 const REACH: usize = 1;
-const MOST_EVEN: f64 = 1.0;
 const ROUNDS: usize = 12;
 const SLOWER: f64 = 0.999;
 /// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.

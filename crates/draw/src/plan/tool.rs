@@ -79,8 +79,8 @@ impl Pen {
 }
 
 impl Default for Pen {
-    /// 10 mm up; 40 mm/s to draw and to lift, 80 mm/s to travel; the last half millimetre down at
-    /// 10 mm/s, which costs no time: the arm brakes there anyway.
+    /// 10 mm up; 40 mm/s to draw and to lift, 80 mm/s to travel. It touches the paper as it comes to
+    /// rest there anyway; a soft one may want `touch_mm` of 1 at 10 mm/s.
     fn default() -> Self {
         Self {
             lift_mm: 10.0,
