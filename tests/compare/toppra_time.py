@@ -153,7 +153,8 @@ def optimum(pieces, limit, end_speed):
     grid, curvatures = [0.0], []
     for length, curvature in pieces:
         count = max(6, math.ceil(length / 0.05)) if curvature == 0.0 else 8
-        grid.extend(grid[-1] + length * (i + 1) / count for i in range(count))
+        start = grid[-1]
+        grid.extend(start + length * (i + 1) / count for i in range(count))
         curvatures.extend([curvature] * count)
     curvatures.append(0.0)
     grid = numpy.array(grid)

@@ -1,6 +1,6 @@
 //! `cargo run --release -p dobot-draw --example plan_json -- DRAWING.svg [DIALECT] [link]`
 //!
-//! Plans a drawing and prints, as JSON for `tests/compare/toppra.py`, how long the plan takes, how
+//! Plans a drawing and prints, as JSON for `tests/compare/toppra_time.py`, how long the plan takes, how
 //! much the motion accelerates, and the strokes with their speeds. Moves nothing.
 
 use std::error::Error;
