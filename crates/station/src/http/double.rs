@@ -133,6 +133,9 @@ pub(super) fn job(number: u64) -> JobView {
         completed: 480,
         planned_s: Some(300.0),
         left_s: Some(180.0),
+        took_s: None,
+        speed_percent: 100.0,
+        height_mm: 0.0,
     }
 }
 

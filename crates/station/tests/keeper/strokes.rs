@@ -53,7 +53,7 @@ pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)
 }
 
 /// A stock arm makes a vector exactly where it begins and ends at rest (note N48).
-fn exact(personality: Personality, command: Command) -> Command {
+pub(crate) fn exact(personality: Personality, command: Command) -> Command {
     match command {
         Command::WriteVector(it) if personality == Personality::Firmware11 => WriteVector {
             start_speed_mm_s: 0.0,
