@@ -1,0 +1,151 @@
+//! Laser drawings: what is burned, and what is not while a job rests.
+
+use std::time::Duration;
+
+use dobot_controller::Personality;
+use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
+use dobot_station::{ClientId, JobKind, NewJob, Rehearsal, Request};
+
+use crate::drawing::rehearsal;
+use crate::strokes::{DOWN_MM, exact, finish, length_mm, machine, run_to, wait_until_paused};
+
+/// A plan goes out of a line in laser mode with the laser off, which a stock arm does only at
+/// 100 mm/s and more (note N48): such a job is refused there.
+const PERSONALITIES: [Personality; 1] = [Personality::Specification];
+
+const LINES: [f64; 3] = [-10.0, 0.0, 10.0];
+
+/// Three lines with corners in them.
+fn wanted() -> Vec<Stroke> {
+    let line = |y: f64| {
+        let points = (0..=20).map(|step| {
+            let x = f64::from(step) * 2.0;
+            Point::new(200.0 + x, y + 1.5 * (x / 6.0).sin())
+        });
+        Stroke::open(points.collect())
+    };
+    LINES.map(line).to_vec()
+}
+
+fn laser_job(personality: Personality) -> NewJob {
+    let pass = Pass::new(Tool::Laser(Laser::default()), wanted());
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
+    NewJob {
+        title: "three lines".into(),
+        kind: JobKind::Drawing,
+        commands: plan.commands().map(|it| exact(personality, it)).collect(),
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+    }
+}
+
+fn armed(personality: Personality) -> (Rehearsal, ClientId, u64) {
+    let mut it = rehearsal(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&laser_job(personality)).unwrap();
+    let refused = it.start(anna, job).unwrap_err();
+    assert_eq!(refused.kind(), "laser-disarmed");
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+    (it, anna, job)
+}
+
+/// What was burned.
+fn burned(it: &Rehearsal) -> Vec<Stroke> {
+    let samples = it.arm().samples();
+    let mut strokes: Vec<Stroke> = Vec::new();
+    let mut burns = false;
+    for pair in samples.windows(2) {
+        let [from, to] = [pair[0].position, pair[1].position].map(|it| Point::new(it.x.0, it.y.0));
+        if pair[1].laser && !burns {
+            strokes.push(Stroke::open(vec![from]));
+        }
+        if let Some(stroke) = strokes.last_mut().filter(|_| pair[1].laser) {
+            stroke.points.push(to);
+        }
+        burns = pair[1].laser;
+    }
+    strokes
+}
+
+/// How long the laser was on at the most while the arm stood, in seconds.
+fn longest_hole_s(it: &Rehearsal) -> f64 {
+    let mut longest_s: f64 = 0.0;
+    let mut stood_s = 0.0;
+    for pair in it.arm().samples().windows(2) {
+        let stands = pair[1].position.distance(pair[0].position).0 < 0.005;
+        stood_s = if stands && pair[1].laser {
+            stood_s + (pair[1].at - pair[0].at).as_secs_f64()
+        } else {
+            0.0
+        };
+        longest_s = longest_s.max(stood_s);
+    }
+    longest_s
+}
+
+fn assert_burned_once(it: &Rehearsal, what: &str) {
+    let (wanted, burned) = (wanted(), burned(it));
+    let off_mm = deviation(&wanted, &burned).largest_mm();
+    // A tick at 10 mm/s is 0.2 mm: so exactly can a laser be switched.
+    assert!(off_mm < 0.45, "{what}: {off_mm} mm off");
+    let (found_mm, wanted_mm) = (length_mm(&burned), length_mm(&wanted));
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.03 * wanted_mm,
+        "{what}: {found_mm} mm were burned, wanted are {wanted_mm} mm"
+    );
+}
+
+#[test]
+fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
+    for personality in PERSONALITIES {
+        let (mut it, _, job) = armed(personality);
+        finish(&mut it, job);
+        assert_burned_once(&it, &personality.to_string());
+    }
+}
+
+#[test]
+fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, job) = armed(personality);
+        for command in [12, 20, 40] {
+            run_to(&mut it, command);
+            it.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut it, job);
+            assert!(!it.arm().controller().outputs().laser, "{personality}");
+            it.run_for(Duration::from_secs(5));
+            it.start(anna, job).unwrap();
+        }
+        finish(&mut it, job);
+        assert_burned_once(&it, &personality.to_string());
+        let hole_s = longest_hole_s(&it);
+        assert!(hole_s < 0.3, "{personality}: {hole_s} s");
+    }
+}
+
+#[test]
+fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, job) = armed(personality);
+        run_to(&mut it, 10);
+        it.ask(anna, Request::SetJobSpeed { percent: 60.0 })
+            .unwrap();
+        run_to(&mut it, 14);
+        it.ask(anna, Request::SetJobHeight { offset_mm: 0.5 })
+            .unwrap();
+        finish(&mut it, job);
+        assert_burned_once(&it, &personality.to_string());
+        let heights = it.arm().samples().windows(2).filter(|it| it[1].laser);
+        let steepest_mm = heights
+            .map(|it| (it[1].position.z.0 - it[0].position.z.0).abs())
+            .fold(0.0, f64::max);
+        assert!(steepest_mm < 0.01, "{personality}: {steepest_mm} mm");
+        let last_mm = it.arm().samples().last().unwrap().position.z.0;
+        assert!(
+            (last_mm - DOWN_MM - 0.5).abs() < 0.05,
+            "{personality}: {last_mm} mm"
+        );
+    }
+}
