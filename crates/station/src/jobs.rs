@@ -137,7 +137,7 @@ impl Jobs {
             let jobs = self.journal.jobs().unwrap_or_default();
             let view = |job: &Job| match &current {
                 Some(current) if current.job == job.id.0 => current.clone(),
-                _ => self.view(job),
+                _ => view(job),
             };
             // Whoever asked may have left.
             let _ = reply.send(jobs.iter().map(view).collect());
@@ -167,7 +167,7 @@ impl Jobs {
             .journal
             .job(id)
             .map_err(|error| journal_refusal(&error))?;
-        Ok(self.view(&job))
+        Ok(view(&job))
     }
 
     fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
@@ -199,30 +199,29 @@ impl Jobs {
             .set_state(job.id, &JobState::Stopped { reason })
             .map_err(|error| journal_refusal(&error))?;
         let job = self.find(job.id.0)?;
-        Ok(Reply::Job {
-            job: self.view(&job),
-        })
+        Ok(Reply::Job { job: view(&job) })
     }
 
     fn find(&self, job: u64) -> Result<Job, Refusal> {
         find(&self.journal, job)
     }
+}
 
-    fn view(&self, job: &Job) -> JobView {
-        JobView {
-            job: job.id.0,
-            title: job.title.clone(),
-            kind: of_journal(job.kind),
-            phase: phase(&job.state),
-            reason: reason(&job.state),
-            commands: job.commands,
-            completed: job.window.completed,
-            planned_s: job.planned_s,
-            left_s: job.planned_s.filter(|_| job.window.completed == 0),
-            took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
-            speed_percent: job.adjustment.speed_percent,
-            height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
-        }
+/// A job as the journal has it.
+fn view(job: &Job) -> JobView {
+    JobView {
+        job: job.id.0,
+        title: job.title.clone(),
+        kind: of_journal(job.kind),
+        phase: phase(&job.state),
+        reason: reason(&job.state),
+        commands: job.commands,
+        completed: job.window.completed,
+        planned_s: job.planned_s,
+        left_s: job.planned_s.filter(|_| job.window.completed == 0),
+        took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+        speed_percent: job.adjustment.speed_percent,
+        height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
     }
 }
 

@@ -76,7 +76,7 @@ fn longest_hole_s(it: &Rehearsal) -> f64 {
     for pair in it.arm().samples().windows(2) {
         let stands = pair[1].position.distance(pair[0].position).0 < 0.005;
         stood_s = if stands && pair[1].laser {
-            stood_s + (pair[1].at - pair[0].at).as_secs_f64()
+            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
         } else {
             0.0
         };

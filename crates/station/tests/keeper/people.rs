@@ -39,7 +39,7 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
             "{personality}: the pen is at {z_mm} mm"
         );
         assert!(it.notices().iter().any(|it| it.text.contains(MESSAGE)));
-        it.run_for(Duration::from_secs(60));
+        it.run_for(Duration::from_mins(1));
         assert_eq!(view(&it).phase, JobPhase::Paused);
         it.start(anna, job).unwrap();
         finish(&mut it, job);

@@ -144,7 +144,7 @@ pub(crate) fn assert_drawn_once(it: &Rehearsal, wanted: &[Stroke], allowed_mm: f
 fn roughest_mm_s(samples: &[Sample]) -> f64 {
     let down = |at: Position| at.z.0 < DOWN_MM + 0.5;
     let speed_mm_s = |pair: &[Sample]| {
-        let s = (pair[1].at - pair[0].at).as_secs_f64();
+        let s = pair[1].at.saturating_sub(pair[0].at).as_secs_f64();
         pair[1].position.distance(pair[0].position).0 / s
     };
     samples
@@ -219,7 +219,7 @@ fn longest_stand_s(samples: &[Sample]) -> f64 {
         if !stands || sample.position.z.0 > DOWN_MM + 0.05 {
             since = *sample;
         }
-        longest_s = longest_s.max((sample.at - since.at).as_secs_f64());
+        longest_s = longest_s.max(sample.at.saturating_sub(since.at).as_secs_f64());
     }
     longest_s
 }
@@ -234,7 +234,12 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
             it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
             assert_eq!(view(&it).speed_percent, percent);
             finish(&mut it, job);
-            assert_drawn_once(&it, &[line.clone()], 0.1, &personality.to_string());
+            assert_drawn_once(
+                &it,
+                std::slice::from_ref(&line),
+                0.1,
+                &personality.to_string(),
+            );
             drawing_s(it.arm().samples())
         };
         let planned_s = took_s(100.0);
@@ -251,7 +256,7 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
 /// How long the pen is on the paper, in seconds.
 fn drawing_s(samples: &[Sample]) -> f64 {
     let down = |it: &&[Sample]| it.iter().all(|it| it.position.z.0 < DOWN_MM + 0.02);
-    let takes_s = |it: &[Sample]| (it[1].at - it[0].at).as_secs_f64();
+    let takes_s = |it: &[Sample]| it[1].at.saturating_sub(it[0].at).as_secs_f64();
     samples.windows(2).filter(down).map(takes_s).sum()
 }
 
