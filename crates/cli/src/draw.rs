@@ -32,25 +32,21 @@ use crate::output;
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let work = Work::new(&args)?;
     // What is wrong with it is told before any arm is touched.
-    let (prepared, settings) = work.prepare(&args, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
-    for warning in &prepared.warnings {
+    let mut drawing = Drawing::new(&args, &work, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
+    for warning in &drawing.prepared.warnings {
         eprintln!("warning: {warning}");
     }
     if args.way.dry_run {
-        let dialect = args.to.dialect.unwrap_or(Dialect::SPECIFICATION);
-        return dry_run(&args, &work, &prepared, &settings, dialect).await;
+        return drawing.estimate().await;
     }
     let mut reached = args.to.reach("draw").await?;
-    match standing(&args, &mut reached).await? {
-        Some((z_mm, dialect)) => {
-            let (prepared, settings) = work.prepare(&args, dialect, z_mm)?;
-            draw(&args, &work, &prepared, &settings, &mut reached, dialect).await
-        }
-        None => {
-            let dialect = args.to.dialect;
-            draw(&args, &work, &prepared, &settings, &mut reached, dialect).await
-        }
+    if let Some((z_mm, dialect)) = standing(&args, &mut reached).await? {
+        drawing = Drawing::new(&args, &work, dialect, z_mm)?;
     }
+    if args.way.frame {
+        drawing.frame(&mut reached).await?;
+    }
+    drawing.draw(&mut reached).await
 }
 
 /// How high the arm stands and which dialect it speaks, where that decides how it draws: a virtual
@@ -72,134 +68,161 @@ async fn standing(
     Ok(Some((z_mm.into(), dialect)))
 }
 
-async fn dry_run(
-    args: &Args,
-    work: &Work,
-    prepared: &Prepared,
-    settings: &Settings,
-    dialect: Dialect,
-) -> Result<(), Failure> {
-    let (finished, carried) = rehearse(prepared, settings, dialect).await?;
-    let times = Times {
-        estimated: Some(finished.time),
-        took: None,
-    };
-    let drawn = carried.as_ref().map(Drawn::carried);
-    let report = write_files(
-        args,
-        work,
-        prepared,
-        carried.as_ref(),
-        drawn.as_ref(),
-        times,
-    )?;
-    print(args, &report)
+/// A drawing, planned for an arm.
+struct Drawing<'a> {
+    args: &'a Args,
+    title: &'a str,
+    prepared: Prepared,
+    settings: Settings,
+    /// What the arm speaks, where that is known.
+    dialect: Option<Dialect>,
 }
 
-async fn draw(
-    args: &Args,
-    work: &Work,
-    prepared: &Prepared,
-    settings: &Settings,
-    reached: &mut Reached,
-    dialect: Option<Dialect>,
-) -> Result<(), Failure> {
-    if args.way.frame {
-        let plan = frame(
-            &prepared.passes,
-            &settings.paper,
-            &settings.machine,
-            FrameShape::Rectangle,
-        )?;
-        let title = format!("frame of {}", work.title);
-        execute(args, &plan, &title, reached, plan.duration_s())
-            .await
-            .outcome?;
+impl<'a> Drawing<'a> {
+    fn new(
+        args: &'a Args,
+        work: &'a Work,
+        dialect: Option<Dialect>,
+        standing_z_mm: f64,
+    ) -> Result<Self, Failure> {
+        let (prepared, settings) = work.prepare(args, dialect, standing_z_mm)?;
+        Ok(Self {
+            args,
+            title: &work.title,
+            prepared,
+            settings,
+            dialect,
+        })
+    }
+
+    /// Tells what it would be; nothing moves.
+    async fn estimate(&self) -> Result<(), Failure> {
+        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
+        let (finished, carried) = rehearse(&self.prepared, &self.settings, dialect).await?;
+        let times = Times {
+            estimated: Some(finished.time),
+            took: None,
+        };
+        let drawn = carried.as_ref().map(Drawn::carried);
+        let report = self.write_files(carried.as_ref(), drawn.as_ref(), times)?;
+        print(self.args, &report)
+    }
+
+    /// Goes around it, and asks whether that is the place.
+    async fn frame(&self, reached: &mut Reached) -> Result<(), Failure> {
+        let Settings { paper, machine, .. } = &self.settings;
+        let plan = frame(&self.prepared.passes, paper, machine, FrameShape::Rectangle)?;
+        let title = format!("frame of {}", self.title);
+        let executed = self
+            .execute(&plan, &title, reached, plan.duration_s())
+            .await;
+        executed.outcome?;
         eprintln!("this is where it will be; Ctrl-C leaves it undone");
         enter().await;
+        Ok(())
     }
-    let is_virtual = matches!(reached, Reached::Arm(it) if it.virtual_arm.is_some());
-    // Nobody knows the dialect of this arm: the session will refuse what depends on it.
-    let known = dialect.filter(|_| !is_virtual);
-    let rehearsed = match known {
-        Some(dialect) => Some(rehearse(prepared, settings, dialect).await?),
-        None => None,
-    };
-    let estimated = rehearsed.as_ref().map(|(finished, _)| finished.time);
-    let total_s = estimated.map_or_else(|| prepared.plan.duration_s(), |it| it.as_secs_f64());
-    if let Reached::Arm(it) = reached
-        && let Some(arm) = &it.virtual_arm
-    {
-        arm.arm().record(RECORDING_PERIOD);
-    }
-    let executed = execute(args, &prepared.plan, &work.title, reached, total_s).await;
-    let times = Times {
-        estimated,
-        took: executed.outcome.as_ref().ok().copied(),
-    };
-    let virtual_arm = match reached {
-        Reached::Arm(it) => it.virtual_arm.as_ref(),
-        Reached::Station(_) => None,
-    };
-    let (carried, drawn) = match virtual_arm {
-        Some(arm) => {
-            let carried = Carried::of(arm, prepared, settings);
-            let drawn = carried.as_ref().map(Drawn::carried);
-            (carried, drawn)
+
+    async fn draw(&self, reached: &mut Reached) -> Result<(), Failure> {
+        let arm = match reached {
+            Reached::Arm(it) => it.virtual_arm.clone(),
+            Reached::Station(_) => None,
+        };
+        // What a virtual arm in this process does is not estimated, it is seen.
+        let rehearsed = match self.dialect.filter(|_| arm.is_none()) {
+            Some(dialect) => Some(rehearse(&self.prepared, &self.settings, dialect).await?),
+            None => None,
+        };
+        let (estimated, estimate) =
+            rehearsed.map_or((None, None), |(it, carried)| (Some(it.time), carried));
+        let total_s = estimated.map_or(self.prepared.plan.duration_s(), |it| it.as_secs_f64());
+        if let Some(arm) = &arm {
+            arm.arm().record(RECORDING_PERIOD);
         }
-        None => {
-            let drawn = Drawn::seen(&executed, prepared, settings);
-            (rehearsed.and_then(|(_, carried)| carried), Some(drawn))
-        }
-    };
-    if !is_virtual {
-        estimates::keep(&work.title, times)?;
+        let executed = self
+            .execute(&self.prepared.plan, self.title, reached, total_s)
+            .await;
+        let times = Times {
+            estimated,
+            took: executed.outcome.as_ref().ok().copied(),
+        };
+        let carried = arm
+            .as_ref()
+            .and_then(|it| Carried::of(it, &self.prepared, &self.settings));
+        let drawn = match (&arm, &carried) {
+            (Some(_), carried) => carried.as_ref().map(Drawn::carried),
+            (None, _) => Some(Drawn::seen(&executed, &self.prepared, &self.settings)),
+        };
+        let report = self.write_files(carried.or(estimate).as_ref(), drawn.as_ref(), times)?;
+        executed.outcome?;
+        estimates::keep(self.title, times)?;
+        print(self.args, &report)
     }
-    let report = write_files(
-        args,
-        work,
-        prepared,
-        carried.as_ref(),
-        drawn.as_ref(),
-        times,
-    )?;
-    executed.outcome?;
-    print(args, &report)
+
+    async fn execute(
+        &self,
+        plan: &Plan,
+        title: &str,
+        reached: &mut Reached,
+        total_s: f64,
+    ) -> Executed {
+        match reached {
+            Reached::Station(station) => through(station, plan, title, self.args).await,
+            Reached::Arm(connected) => direct(connected, plan, total_s).await,
+        }
+    }
+
+    /// Writes the files that were asked for: of a drawing that was stopped half way, too.
+    fn write_files(
+        &self,
+        carried: Option<&Carried>,
+        drawn: Option<&Drawn>,
+        times: Times,
+    ) -> Result<Report, Failure> {
+        let results = &self.args.result;
+        let estimate = carried.map(|it| &it.estimate);
+        let report = Report::new(&self.prepared, estimate, drawn, times);
+        if let Some(file) = &results.picture {
+            let ink = drawn.map_or(&[][..], |it| &it.ink);
+            write(file, &self.picture(file, ink, &report)?)?;
+        }
+        if let (Some(file), Some(carried)) = (&results.timeline, carried) {
+            write(file, &serde_json::to_vec(&carried.timeline)?)?;
+        }
+        Ok(report)
+    }
+
+    fn picture(&self, file: &Path, ink: &[InkLine], report: &Report) -> Result<Vec<u8>, Failure> {
+        let results = &self.args.result;
+        let tolerance_mm = self.args.way.tolerance;
+        let picture = Picture {
+            title: self.title,
+            figures: &report.figures(),
+            passes: report.passes(),
+            area: dobot_draw::AREA,
+            plan: &self.prepared.plan,
+            drawn: ink,
+            colors: if results.errors {
+                Colors::Error { tolerance_mm }
+            } else {
+                Colors::Passes
+            },
+            view: if results.whole_reach {
+                View::Reach
+            } else {
+                View::Paper
+            },
+        };
+        Ok(if is_png(file) {
+            picture.to_png(PNG_WIDTH_PX)?
+        } else {
+            picture.to_svg().into_bytes()
+        })
+    }
 }
 
-async fn execute(
-    args: &Args,
-    plan: &Plan,
-    title: &str,
-    reached: &mut Reached,
-    total_s: f64,
-) -> Executed {
-    match reached {
-        Reached::Station(station) => through(station, plan, title, args).await,
-        Reached::Arm(connected) => direct(connected, plan, total_s).await,
-    }
-}
-
-/// Writes the files that were asked for: of a drawing that was stopped half way, too.
-fn write_files(
-    args: &Args,
-    work: &Work,
-    prepared: &Prepared,
-    carried: Option<&Carried>,
-    drawn: Option<&Drawn>,
-    times: Times,
-) -> Result<Report, Failure> {
-    let estimate = carried.map(|it| &it.estimate);
-    let report = Report::new(prepared, estimate, drawn, times);
-    if let Some(file) = &args.result.picture {
-        let ink = drawn.map_or(&[][..], |it| &it.ink);
-        write_picture(args, file, &work.title, prepared, ink, &report)?;
-    }
-    if let (Some(file), Some(carried)) = (&args.result.timeline, carried) {
-        let text = serde_json::to_string(&carried.timeline)?;
-        fs::write(file, text).with_context(|| format!("cannot write {}", file.display()))?;
-    }
-    Ok(report)
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
+    Ok(())
 }
 
 fn print(args: &Args, report: &Report) -> Result<(), Failure> {
@@ -216,43 +239,6 @@ fn print(args: &Args, report: &Report) -> Result<(), Failure> {
             output::line(&format!("{what:<19}{}", file.display()))?;
         }
     }
-    Ok(())
-}
-
-fn write_picture(
-    args: &Args,
-    file: &Path,
-    title: &str,
-    prepared: &Prepared,
-    ink: &[InkLine],
-    report: &Report,
-) -> Result<(), Failure> {
-    let picture = Picture {
-        title,
-        figures: &report.figures(),
-        passes: report.passes(),
-        area: dobot_draw::AREA,
-        plan: &prepared.plan,
-        drawn: ink,
-        colors: if args.result.errors {
-            Colors::Error {
-                tolerance_mm: args.way.tolerance,
-            }
-        } else {
-            Colors::Passes
-        },
-        view: if args.result.whole_reach {
-            View::Reach
-        } else {
-            View::Paper
-        },
-    };
-    let bytes = if is_png(file) {
-        picture.to_png(PNG_WIDTH_PX)?
-    } else {
-        picture.to_svg().into_bytes()
-    };
-    fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
     Ok(())
 }
 

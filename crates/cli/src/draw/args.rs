@@ -86,8 +86,8 @@ pub(crate) struct What {
     #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
     pub(crate) only: Vec<String>,
     /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
-    #[arg(long, value_name = "MM", num_args = 0..=1)]
-    pub(crate) hatch: Option<Option<f64>>,
+    #[arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto", value_parser = spacing)]
+    pub(crate) hatch: Option<Spacing>,
     /// The direction of the hatching, in degrees from left to right counterclockwise
     #[arg(
         long,
@@ -108,6 +108,15 @@ pub(crate) struct What {
     /// Draw the light parts of a picture instead of the dark ones
     #[arg(long)]
     pub(crate) invert: bool,
+}
+
+/// How far apart the lines of a hatching are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Spacing {
+    /// As suits the pen or material.
+    OfTool,
+    /// So many millimetres.
+    Millimeters(f64),
 }
 
 /// Where it goes.
@@ -270,6 +279,14 @@ fn from(text: &str) -> Result<StartFrom, String> {
         Some(("stroke", number)) => number.parse().map(StartFrom::Stroke).map_err(|_| told()),
         _ => Err(told()),
     }
+}
+
+fn spacing(text: &str) -> Result<Spacing, String> {
+    if text == "auto" {
+        return Ok(Spacing::OfTool);
+    }
+    let spacing_mm = text.parse().map(Spacing::Millimeters);
+    spacing_mm.map_err(|_| "expected a number of millimetres".into())
 }
 
 fn style(text: &str) -> Result<Style, String> {

@@ -14,7 +14,7 @@ use dobot_draw::{
 };
 use dobot_wire::Dialect;
 
-use super::args::Args;
+use super::args::{Args, Spacing};
 use crate::failure::Failure;
 
 /// What is to be drawn, and how, apart from what depends on the arm.
@@ -243,7 +243,10 @@ fn size(args: &Args, what: &What) -> Size {
 }
 
 fn hatch(args: &Args, material: &Material) -> Option<Hatch> {
-    let spacing_mm = args.what.hatch?.unwrap_or(material.spacing_mm);
+    let spacing_mm = match args.what.hatch? {
+        Spacing::OfTool => material.spacing_mm,
+        Spacing::Millimeters(spacing_mm) => spacing_mm,
+    };
     Some(Hatch {
         spacing_mm,
         // As a person behind the arm sees it: left to right is -Y.

@@ -229,19 +229,13 @@ fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
 
 #[test]
 fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
-    let points: String = (0..8000)
-        .map(|i| {
-            format!(
-                "{} {:.3} ",
-                -5 + 100 * (i % 2),
-                if i % 2 == 0 {
-                    0.006 * f64::from(i)
-                } else {
-                    48.0 - 0.006 * f64::from(i)
-                }
-            )
-        })
-        .collect();
+    let point = |i: i32| {
+        let y = 0.006 * f64::from(i);
+        let y = if i % 2 == 0 { y } else { 48.0 - y };
+        format!("{} {y:.3}", -5 + 100 * (i % 2))
+    };
+    let points: Vec<String> = (0..8000).map(point).collect();
+    let points = points.join(" ");
     let (layers, warnings) = read_by(
         LayersBy::Nothing,
         &format!(r#"<polygon points="{points}"/>"#),
