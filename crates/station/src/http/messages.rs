@@ -126,6 +126,8 @@ const fn has_fields(request: &Request) -> bool {
         | Request::SetDialect { .. }
         | Request::SubmitJob { .. }
         | Request::StartJob { .. }
+        | Request::SetJobSpeed { .. }
+        | Request::SetJobHeight { .. }
         | Request::CancelJob { .. } => true,
         Request::Release
         | Request::ResetStop
@@ -136,9 +138,7 @@ const fn has_fields(request: &Request) -> bool {
         | Request::DisarmLaser
         | Request::ConfirmPose
         | Request::Detect
-        | Request::PauseJob
-        | Request::SetJobSpeed { .. }
-        | Request::SetJobHeight { .. } => false,
+        | Request::PauseJob => false,
     }
 }
 
