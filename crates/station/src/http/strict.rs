@@ -115,8 +115,8 @@ struct Plain {
     may_be_list: bool,
 }
 
-/// The only field of any request that holds a list.
-const LIST: &str = "commands";
+/// The only fields of any request that hold a list.
+const LISTS: [&str; 2] = ["commands", "pauses"];
 
 impl<'de> DeserializeSeed<'de> for Plain {
     type Value = ();
@@ -180,7 +180,7 @@ impl<'de> Visitor<'de> for Plain {
 
 const NO_LIST: Plain = Plain { may_be_list: false };
 
-/// The name of a field: whether it is the one that holds a list.
+/// The name of a field: whether it is one that holds a list.
 struct Name(bool);
 
 impl<'de> Deserialize<'de> for Name {
@@ -195,7 +195,7 @@ impl<'de> Deserialize<'de> for Name {
             }
 
             fn visit_str<E>(self, name: &str) -> Result<Name, E> {
-                Ok(Name(name == LIST))
+                Ok(Name(LISTS.contains(&name)))
             }
         }
 

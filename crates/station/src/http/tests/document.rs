@@ -22,11 +22,14 @@ pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
     )
 }
 
+/// Parts of an address that are no number of a job.
+const WORDS: [&str; 3] = ["/jobs/pause", "/jobs/speed", "/jobs/height"];
+
 fn matches(pattern: &str, path: &str) -> bool {
     let same = |(pattern, part): (&str, &str)| pattern == part || pattern.starts_with('{');
     pattern.split('/').count() == path.split('/').count()
         && pattern.split('/').zip(path.split('/')).all(same)
-        && !(path.ends_with("/jobs/pause") && pattern.ends_with("{id}"))
+        && !(pattern.ends_with("{id}") && WORDS.iter().any(|it| path.ends_with(it)))
 }
 
 #[test]
