@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_controller::Personality;
-use dobot_draw::{Deviation, Machine, Paper, Pass, Pen, Plan, Point, Stroke, Tool, deviation, ink};
+use dobot_draw::{Deviation, Machine, Paper, Pass, Pen, Plan, Point, Stroke, Tool, deviation};
 use dobot_sim::Sample;
 use dobot_station::{ClientId, JobKind, JobPause, JobView, NewJob, Rehearsal, Request};
 
@@ -113,7 +113,19 @@ pub(crate) fn run_to(it: &mut Rehearsal, command: usize) {
 
 /// What the pen left on the paper.
 pub(crate) fn drawn(it: &Rehearsal) -> Vec<Stroke> {
-    ink(it.arm().samples().iter().map(|it| it.position), DOWN_MM)
+    let mut strokes: Vec<Stroke> = Vec::new();
+    let mut was_down = false;
+    for at in it.arm().samples().iter().map(|it| it.position) {
+        let is_down = at.z.0 <= DOWN_MM + 0.05;
+        if is_down && !was_down {
+            strokes.push(Stroke::default());
+        }
+        if is_down && let Some(stroke) = strokes.last_mut() {
+            stroke.points.push(Point::new(at.x.0, at.y.0));
+        }
+        was_down = is_down;
+    }
+    strokes
 }
 
 pub(crate) fn length_mm(strokes: &[Stroke]) -> f64 {
