@@ -55,9 +55,24 @@ pub enum Anchor {
     Right,
 }
 
+/// The letter without its accent: titles hold names.
+const fn plain(c: char) -> char {
+    match c {
+        'À'..='Å' | 'à'..='å' => 'A',
+        'Ç' | 'ç' => 'C',
+        'È'..='Ë' | 'è'..='ë' => 'E',
+        'Ì'..='Ï' | 'ì'..='ï' => 'I',
+        'Ñ' | 'ñ' => 'N',
+        'Ò'..='Ö' | 'ò'..='ö' | 'Ø' | 'ø' => 'O',
+        'Ù'..='Ü' | 'ù'..='ü' => 'U',
+        'ß' => 'S',
+        _ => c,
+    }
+}
+
 /// The lines of a letter and its width, on a grid where capitals stand from y 0 to y 6.
 fn glyph(c: char) -> (&'static str, f64) {
-    match c.to_ascii_uppercase() {
+    match plain(c).to_ascii_uppercase() {
         ' ' => ("", 1.6),
         'A' => ("M0 6L2 0L4 6M.7 4H3.3", 4.0),
         'B' => (
@@ -146,6 +161,12 @@ mod tests {
             );
             assert!((0.0..6.0).contains(&width));
         }
+    }
+
+    #[test]
+    fn letters_with_accents_are_written_without_them() {
+        let written = |text| lettering(text, Anchor::Left, 0.0, 0.0, 6.0);
+        assert_eq!(written("Grüße, Çelik"), written("GRUSE, CELIK"));
     }
 
     #[test]

@@ -116,7 +116,7 @@ impl Paint {
 /// What to do next.
 const NEXT: [(&str, &str); 4] = [
     ("dobot watch", "a dashboard, in another terminal"),
-    ("dobot draw", "draw an SVG file"),
+    ("dobot draw", "draw a file, a photo or a text"),
     ("dobot stop", "stop the arm, from anywhere"),
     (
         "Ctrl-C",

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use usvg::fontdb;
 
 use super::PrepareError;
-use crate::hatch::Hatch;
+use crate::artwork::Area;
+use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
 use crate::plan::{Machine, Paper, Tool};
@@ -52,10 +53,14 @@ pub struct Settings {
 impl Settings {
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
-        if tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite() {
-            return Ok(());
+        if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
+            return Err(PrepareError::Tolerance { tolerance_mm });
         }
-        Err(PrepareError::Tolerance { tolerance_mm })
+        // Told for a drawing without areas, too.
+        if let Some(hatching) = &self.hatch {
+            hatch(&Area::default(), hatching)?;
+        }
+        Ok(())
     }
 
     /// How to look for a good order of the strokes that this tool draws.
