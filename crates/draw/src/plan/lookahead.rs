@@ -71,7 +71,7 @@ impl Cornering {
     /// 2. Backward: no joint is reached faster than what follows can brake from.
     /// 3. Forward: no joint is reached faster than what is before can accelerate to.
     /// 4. On an arc only what the turning leaves of the acceleration changes the speed; see
-    ///    [`Joint::half_arc`].
+    ///    `Joint::half_arc`.
     pub fn speeds(self, begin_mm_s: f64, chain: &[Run], joints: &mut Vec<Joint>) {
         joints.clear();
         if chain.is_empty() {
