@@ -367,7 +367,9 @@ impl Keeper {
                 let (then, reason) = (*then, reason.clone());
                 self.rest_run(then, reason);
             }
-            Phase::Lifting { then, reason } if idle => {
+            // The session may be done with commands of which it has not told yet: how far the job is,
+            // only what was told says.
+            Phase::Lifting { then, reason } if idle && run.given.is_empty() => {
                 let (then, reason) = (*then, reason.clone());
                 self.rest_run(then, reason);
             }

@@ -75,6 +75,21 @@ fn a_job_that_is_paused_twice_is_lifted_once() {
 }
 
 #[test]
+fn a_cable_that_is_out_while_a_paused_job_comes_to_rest_repeats_nothing() {
+    for pull_ms in [0, 60, 120, 180, 240, 300, 600] {
+        let (mut it, anna, job, drawing) = drawing();
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(Duration::from_millis(pull_ms));
+        it.unplug();
+        it.run_for(Duration::from_secs(6));
+        it.plug();
+        wait_until_paused(&mut it, job);
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        finish(&mut it, anna, job, &drawing);
+    }
+}
+
+#[test]
 fn a_job_that_was_ended_is_not_paused_afterwards() {
     let (mut it, anna, job, _) = drawing();
     it.ask(anna, Request::CancelJob { job }).unwrap();
