@@ -38,10 +38,10 @@ pub enum CourseError {
         "the packet moves nothing, and that would make the arm hang until it is reset (note N51); leave it out"
     )]
     NothingToFollow,
-    /// A vector of laser mode without the laser, so slow that a stock arm goes 4 mm at most and
-    /// calls it done.
+    /// A vector of laser mode without the laser that begins at rest, so slow that a stock arm goes
+    /// 4 mm at most and calls it done.
     #[error(
-        "the largest speed is {found} mm/s; without the laser, laser mode needs {least} mm/s at least at this acceleration, or the vector ends early (note N48); use writing mode"
+        "the largest speed is {found} mm/s; from rest and without the laser, laser mode needs {least} mm/s at least at this acceleration, or the vector ends early (note N48); use writing mode"
     )]
     SlowRapid {
         /// The largest speed in mm/s.

@@ -134,24 +134,45 @@ fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, Co
     } else {
         model.write_speed_mm_s
     };
-    let mut acceleration_mm_s2 = model.settings.write_acceleration_mm_s2;
-    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
-    if model.dialect.has_rapid_laser_mode && is_rapid {
-        acceleration_mm_s2 *= RAPID_FACTOR;
-        // Less than half of what a tick changes the speed by, and no tick is planned for it.
-        let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
-        if max_mm_s < least_mm_s {
-            return Err(CourseError::SlowRapid {
-                found: max_mm_s,
-                least: least_mm_s,
-            });
-        }
-    }
-    Ok(StrokeSpeeds {
+    let speeds = StrokeSpeeds {
         start_mm_s: f64::min(start_mm_s, max_mm_s),
         end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
         max_mm_s,
+        acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
+    };
+    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
+    if model.dialect.has_rapid_laser_mode && is_rapid {
+        rapid(&speeds)
+    } else {
+        Ok(speeds)
+    }
+}
+
+/// Without the laser, laser mode accelerates a hundredfold (note N48).
+fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
+    let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
+    let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
+    if speeds.max_mm_s >= least_mm_s {
+        return Ok(StrokeSpeeds {
+            acceleration_mm_s2,
+            ..*speeds
+        });
+    }
+    // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
+    // fast as it begins it goes on; at rest it stays. An end speed below half a change of the
+    // vector before may have been rounded to rest.
+    let begin_mm_s = speeds.start_mm_s;
+    if begin_mm_s < speeds.acceleration_mm_s2 * HALF_A_TICK_S {
+        return Err(CourseError::SlowRapid {
+            found: speeds.max_mm_s,
+            least: least_mm_s,
+        });
+    }
+    Ok(StrokeSpeeds {
+        end_mm_s: begin_mm_s,
+        max_mm_s: begin_mm_s,
         acceleration_mm_s2,
+        ..*speeds
     })
 }
 
