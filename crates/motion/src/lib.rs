@@ -10,6 +10,7 @@
 //! | [`LineMove`] | MOVL (Table 3.7) | a straight line |
 //! | [`Jump`] | JUMP (Table 3.7) | up, across, down (Figure 3.2) |
 //! | [`Stroke`] | writing and laser vector (Table 2.6) | a straight line with a speed at each end |
+//! | [`Cut`] | the same on a stock arm | the same, in whole ticks |
 //! | [`Ramp`] | jog (Tables 3.5 and 2.5) | one axis, until told otherwise |
 //!
 //! ```
@@ -28,6 +29,7 @@
 
 #![no_std]
 
+mod cut;
 mod joint_move;
 mod jump;
 mod line_move;
@@ -38,6 +40,7 @@ mod ramp;
 mod speeds;
 mod stroke;
 
+pub use cut::Cut;
 pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;

@@ -1,10 +1,11 @@
 //! A chain of vectors for a stock arm, tick by tick.
 
+use dobot_motion::Cut;
 use dobot_wire::{WriteMode, WriteVector};
 
 use super::link::Credit;
 use super::pace::Speeds;
-use super::ticks::{Cut, Fit, TICK_S, Wish};
+use super::ticks::{Fit, TICK_S, Wish};
 use super::{Machine, PlannedVector, write};
 
 /// What the arm carries over from vector to vector.

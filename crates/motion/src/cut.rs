@@ -1,0 +1,179 @@
+//! How a stock arm cuts a vector into ticks (note N48).
+
+/// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
+///
+/// ```text
+///   speed in a tick     begin 4, up 2, even 1, down 3          each tick's way is its speed times
+///     |      _8_         correction included                   20 ms; the rest of the length is
+///     |    _6|  |6_                                            spread over all ticks: correction
+///     |  4|        |4_
+///     |  |            |2        the next vector begins with what the last tick had
+///     +-------------------- ticks
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Ticks that accelerate, go on as fast, and slow down.
+    pub counts: [i16; 3],
+    /// The speed of the first tick, before it accelerates, in mm/s.
+    pub first_mm_s: f32,
+    /// The speed of the fastest tick, in mm/s.
+    pub top_mm_s: f32,
+    /// What the next vector begins with, in mm/s.
+    pub end_mm_s: f32,
+    /// By how much all ticks would have to be faster to be as long as the vector, in mm/s.
+    pub correction_mm_s: f32,
+    /// How much faster one tick is than the one before, in mm/s.
+    pub change_mm_s: f32,
+}
+
+impl Cut {
+    /// What the controller makes of a vector of this length, in its own arithmetic: single precision,
+    /// in this order. `stored_mm_s` is what the vector before left; end speed and largest speed are
+    /// those of the packet, and the acceleration is a hundredfold in laser mode without the laser.
+    #[must_use]
+    pub fn of(
+        length_mm: f32,
+        stored_mm_s: f32,
+        end_mm_s: f32,
+        max_mm_s: f32,
+        acceleration_mm_s2: f32,
+    ) -> Self {
+        let change = acceleration_mm_s2 * TICK_S;
+        let begin = if stored_mm_s > max_mm_s {
+            max_mm_s
+        } else {
+            stored_mm_s
+        };
+        let end = if end_mm_s > max_mm_s {
+            max_mm_s
+        } else {
+            end_mm_s
+        };
+        let (begin, up, down) = ramps(length_mm, [begin, end, max_mm_s], acceleration_mm_s2);
+        let (ups, downs) = (f32::from(up), f32::from(down));
+        let way_up = ups * (2.0 * begin + (ups - 1.0) * change) * 0.01;
+        let way_down = if up > 0 {
+            downs * (2.0 * begin + 2.0 * (ups - 1.0) * change - (downs - 1.0) * change) * 0.01
+        } else {
+            downs * (2.0 * begin - (downs + 1.0) * change) * 0.01
+        };
+        let top = begin + ups * change;
+        let mut even = whole(50.0 * (length_mm - way_up - way_down) / top);
+        if up.wrapping_add(even).wrapping_add(down) == 0 {
+            even = 1;
+        }
+        let ticks = f32::from(up.wrapping_add(even).wrapping_add(down));
+        let rest = length_mm - (way_up + f32::from(even) * top * TICK_S + way_down);
+        let correction_mm_s = 50.0 * rest / ticks;
+        let correction = if correction_mm_s.abs() > change {
+            change
+        } else {
+            correction_mm_s
+        };
+        let last = match (up > 0, down > 0) {
+            (true, true) => begin + ups * change - downs * change,
+            (false, false) => begin,
+            (true, false) if even <= 0 => begin + (ups - 1.0) * change,
+            (true, false) => begin + ups * change,
+            (false, true) => begin - downs * change,
+        };
+        let fastest = if even <= 0 && up > 0 {
+            begin + (ups - 1.0) * change
+        } else if even <= 0 {
+            begin - change
+        } else {
+            top
+        };
+        Self {
+            counts: [up, even, down],
+            first_mm_s: begin + correction,
+            top_mm_s: fastest + correction,
+            end_mm_s: correction + last,
+            correction_mm_s,
+            change_mm_s: change,
+        }
+    }
+
+    /// How many ticks it takes.
+    #[must_use]
+    pub fn ticks(&self) -> i16 {
+        self.counts.iter().sum()
+    }
+
+    /// Whether the vector becomes as long as it should. Where more than one step of speed is left
+    /// to spread, the controller spreads one step and is off the way.
+    #[must_use]
+    pub fn is_true(&self) -> bool {
+        self.counts.iter().all(|&count| count >= 0)
+            && self.correction_mm_s.abs() <= self.change_mm_s * (1.0 - SPARE)
+            && self.end_mm_s >= 0.0
+            && self.first_mm_s >= 0.0
+    }
+}
+
+/// The begin speed, and how many ticks accelerate and slow down.
+fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i16, i16) {
+    let step = acceleration * TICK_S;
+    let ticks = |change: f32| whole(change / step + 0.5);
+    let full = (max * max - begin * begin / 2.0 - end * end / 2.0) / acceleration;
+    if full <= length {
+        return (begin, ticks(max - begin), ticks(max - end));
+    }
+    let least = (end * end - begin * begin) / (2.0 * acceleration);
+    let is_rising = least >= 0.0;
+    if length <= least.abs() {
+        return if is_rising {
+            let end = libm::sqrtf(2.0 * acceleration * length + begin * begin);
+            (begin, ticks(end - begin), 0)
+        } else {
+            let begin = libm::sqrtf(2.0 * acceleration * length + end * end);
+            (begin, 0, ticks(begin - end))
+        };
+    }
+    if begin < 0.1 * max && end < 0.1 * max {
+        let peak = libm::sqrtf(acceleration * length + begin * begin / 2.0 + end * end / 2.0);
+        (begin, ticks(peak - begin), ticks(peak - end))
+    } else if is_rising {
+        (begin, ticks(end - begin), 0)
+    } else {
+        (begin, 0, ticks(begin - end))
+    }
+}
+
+/// A number cut to a whole one, as the stock processor does it: 0 for one that is none.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "what is too large is found untrue"
+)]
+fn whole(value: f32) -> i16 {
+    if value.is_finite() { value as i16 } else { 0 }
+}
+
+/// The control tick in s.
+const TICK_S: f32 = 0.02;
+/// How much of a step is spared, for rounding.
+const SPARE: f32 = 1e-5;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_vector_from_rest_to_rest_is_cut_as_the_note_tells() {
+        // 10 mm at 100 mm/s2: the peak is sqrt(1000) = 31.6 mm/s, 16 steps of 2 mm/s up and down;
+        // their ways are 4.8 mm each, and the 0.4 mm left make 50 * 0.4 / 32 = 0.625 mm/s more.
+        let cut = Cut::of(10.0, 0.0, 0.0, 40.0, 100.0);
+        assert_eq!(cut.counts, [16, 0, 16]);
+        assert!((cut.correction_mm_s - 0.625).abs() < 1e-4);
+        assert!((cut.end_mm_s - 0.625).abs() < 1e-4);
+        assert!(cut.is_true());
+    }
+
+    #[test]
+    fn a_short_vector_in_full_motion_would_be_too_short_and_is_found_untrue() {
+        // 3 mm at 40 mm/s: three ticks of 0.8 mm leave 0.6 mm, which is 10 mm/s for each.
+        let cut = Cut::of(3.0, 40.0, 40.0, 40.0, 100.0);
+        assert_eq!(cut.counts, [0, 3, 0]);
+        assert!(!cut.is_true());
+    }
+}
