@@ -1,7 +1,7 @@
 //! From a command to its course: pure, nothing has moved yet.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable};
-use dobot_motion::{JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
+use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
 use dobot_wire::{
     Command, Configuration, Gesture, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
     WriteVector,
@@ -111,7 +111,8 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
         return Err(CourseError::OnTheSpot);
     }
-    let stroke = Stroke::new(from.position, by, &stroke_speeds(vector, model)?)?;
+    let speeds = stroke_speeds(vector, model)?;
+    let stroke = Stroke::new(from.position, by, &speeds)?;
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
     let way = Way::Stroke {
         stroke,
@@ -121,9 +122,28 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     let course = relative(way, model)?;
     Ok(Course {
         burns: model.laser_during(vector),
-        end_speed_mm_s: Some(stroke.end_speed()),
+        end_speed_mm_s: Some(if model.dialect.uses_start_speed {
+            stroke.end_speed()
+        } else {
+            left_mm_s(vector, speeds.acceleration_mm_s2, model)
+        }),
         ..course
     })
+}
+
+/// The speed that a stock arm keeps for the next vector: whole ticks seldom end with the one asked
+/// for (note N48).
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+fn left_mm_s(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> f64 {
+    let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
+    let cut = Cut::of(
+        libm::sqrtf(x * x + y * y + z * z),
+        model.write_speed_mm_s as f32,
+        vector.end_speed_mm_s,
+        vector.max_speed_mm_s,
+        acceleration_mm_s2 as f32,
+    );
+    cut.end_mm_s.into()
 }
 
 /// Speeds above the largest count as the largest (note N5).
@@ -132,7 +152,8 @@ fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, Co
     let start_mm_s = if model.dialect.uses_start_speed {
         vector.start_speed_mm_s.into()
     } else {
-        model.write_speed_mm_s
+        // It may have kept a little less than nothing, where a short vector was braked.
+        model.write_speed_mm_s.max(0.0)
     };
     let speeds = StrokeSpeeds {
         start_mm_s: f64::min(start_mm_s, max_mm_s),

@@ -372,6 +372,38 @@ fn a_rapid_vector_that_a_stock_arm_cuts_short_is_refused() {
 }
 
 #[test]
+fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
+    let burn = WriteVector {
+        mode: WriteMode::Laser,
+        laser: true,
+        end_speed_mm_s: 10.0,
+        ..vector(0.0, 40.0, 0.0, 10.0)
+    };
+    let run_out = WriteVector {
+        mode: WriteMode::Laser,
+        end_speed_mm_s: 10.0,
+        ..vector(0.0, 2.0, 0.0, 10.0)
+    };
+    let burned = after(&model(STOCK), burn);
+    let course = course(&burned, run_out);
+    // 2 mm at about 10 mm/s: whole ticks of the burn make it a little more or less.
+    close("time", course.motion_s().expect("it ends"), 0.2, 0.02);
+    let end = course.end().expect("known").pose.position;
+    close("y", end.y.0 - burned.place.pose.position.y.0, 2.0, 1e-9);
+    let rested = after(
+        &model(STOCK),
+        WriteVector {
+            end_speed_mm_s: 0.0,
+            ..burn
+        },
+    );
+    assert!(matches!(
+        refusal(&rested, run_out),
+        CourseError::SlowRapid { .. }
+    ));
+}
+
+#[test]
 fn a_tool_moves_the_position_and_not_the_angles() {
     let laser = Configuration::EndEffector {
         tool: EndEffector::Laser,

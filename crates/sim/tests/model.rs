@@ -179,6 +179,36 @@ fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
     }
 }
 
+/// Behind a burn that left some speed a laser vector without the laser arrives, and so the model
+/// lets it, however slow it is (note N48).
+#[test]
+fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
+    let personality = Personality::Firmware11;
+    let vector = |y_mm: f32, laser: bool, speed: f32| WriteVector {
+        mode: WriteMode::Laser,
+        x_mm: 0.0,
+        y_mm,
+        z_mm: 0.0,
+        laser,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: speed,
+        max_speed_mm_s: speed,
+        stop: false,
+    };
+    for speed in [2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
+        let mut lab = Lab::power_up(personality);
+        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let mut model = Model::new(personality.dialect(), &status);
+        for command in [vector(40.0, true, speed), vector(7.3, false, speed)].map(Command::from) {
+            let course = model.course(&command).expect("it is allowed");
+            model = model.after(&command, &course);
+            lab.obey(&command, personality);
+        }
+        let y_mm = lab.controller.pose_at(lab.now).position.y.0;
+        assert!((y_mm - 47.3).abs() < 0.01, "{speed} mm/s: {y_mm}");
+    }
+}
+
 const TICK: Duration = Duration::from_millis(20);
 /// A minute and more.
 const MOST_TICKS: u32 = 5000;
