@@ -7,11 +7,7 @@ use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
 use dobot_station::{ClientId, JobKind, NewJob, Rehearsal, Request};
 
 use crate::drawing::rehearsal;
-use crate::strokes::{DOWN_MM, exact, finish, length_mm, machine, run_to, wait_until_paused};
-
-/// A plan goes out of a line in laser mode with the laser off, which a stock arm does only at
-/// 100 mm/s and more (note N48): such a job is refused there.
-const PERSONALITIES: [Personality; 1] = [Personality::Specification];
+use crate::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
 
 const LINES: [f64; 3] = [-10.0, 0.0, 10.0];
 
@@ -33,7 +29,7 @@ fn laser_job(personality: Personality) -> NewJob {
     NewJob {
         title: "three lines".into(),
         kind: JobKind::Drawing,
-        commands: plan.commands().map(|it| exact(personality, it)).collect(),
+        commands: plan.commands().collect(),
         lift_mm: 0.0,
         pauses: Vec::new(),
     }
@@ -99,7 +95,7 @@ fn assert_burned_once(it: &Rehearsal, what: &str) {
 
 #[test]
 fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
-    for personality in PERSONALITIES {
+    for personality in Personality::ALL {
         let (mut it, _, job) = armed(personality);
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
@@ -108,7 +104,7 @@ fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
 
 #[test]
 fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice() {
-    for personality in PERSONALITIES {
+    for personality in Personality::ALL {
         let (mut it, anna, job) = armed(personality);
         for command in [12, 20, 40] {
             run_to(&mut it, command);
@@ -127,7 +123,7 @@ fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice()
 
 #[test]
 fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
-    for personality in PERSONALITIES {
+    for personality in Personality::ALL {
         let (mut it, anna, job) = armed(personality);
         run_to(&mut it, 10);
         it.ask(anna, Request::SetJobSpeed { percent: 60.0 })
