@@ -3,6 +3,7 @@
 mod acceleration;
 mod commands;
 mod error;
+mod joints;
 mod landing;
 mod link;
 mod lookahead;
@@ -63,7 +64,10 @@ impl Plan {
     ///    that rounding does not add up.
     /// 4. Speeds are rounded down, and the start speed of a vector is exactly the end speed of
     ///    the one before.
-    /// 5. A vector shorter than a micrometre is left out; the next one makes up for it.
+    /// 5. Base, rear arm and forearm turn no faster than the machine's
+    ///    [`joint_speed_deg_s`](Machine::joint_speed_deg_s): near the axis and with the arm stretched a
+    ///    vector is slower for that.
+    /// 6. A vector shorter than a micrometre is left out; the next one makes up for it.
     ///
     /// # Errors
     ///
@@ -72,8 +76,7 @@ impl Plan {
     pub fn new(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
         check(passes, paper, machine)?;
         let start = start(passes, paper)?;
-        let landing = Landing::new(machine, &passes[0].tool);
-        let mut planner = Planner::new(start, landing, paper, machine);
+        let mut planner = Planner::new(start, &passes[0].tool, paper, machine);
         let mut plan = Self {
             start,
             moves: Vec::new(),

@@ -16,12 +16,8 @@ pub(super) struct Landing {
 
 impl Landing {
     pub(super) fn new(machine: &Machine, tool: &Tool) -> Self {
-        let tool_mm = match tool {
-            Tool::Pen(_) => dobot_arm::Tool::SuctionCup.reach().0,
-            Tool::Laser(_) => dobot_arm::Tool::Laser.reach().0,
-        };
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
-        let stock_tool_mm = machine.has_ticks.then_some(tool_mm as f32);
+        let stock_tool_mm = machine.has_ticks.then_some(tool.reach_mm() as f32);
         Self { stock_tool_mm }
     }
 

@@ -10,6 +10,10 @@ use super::error::{not_negative, positive};
 pub struct Machine {
     /// Largest acceleration of the tool, along its path and across it, in mm/s2.
     pub acceleration_mm_s2: f64,
+    /// The largest speed of base, rear arm and forearm, in degrees per second. Where a millimetre
+    /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
+    /// planned slower.
+    pub joint_speed_deg_s: f64,
     /// How far an imagined arc may cut a corner, in mm; best the tolerance of the drawing. See
     /// [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
@@ -32,16 +36,19 @@ impl Machine {
 
     pub(super) fn check(&self) -> Result<(), PlanError> {
         positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
+        positive("joint speed", self.joint_speed_deg_s, "deg/s")?;
         positive("corner deviation", self.corner_deviation_mm, "mm")?;
         self.link.check()
     }
 }
 
 impl Default for Machine {
-    /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2.
+    /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s
+    /// as in a stock arm's own moves.
     fn default() -> Self {
         Self {
             acceleration_mm_s2: 100.0,
+            joint_speed_deg_s: 100.0,
             corner_deviation_mm: 0.05,
             link: LinkRate::default(),
             has_ticks: false,

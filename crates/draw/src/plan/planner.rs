@@ -1,5 +1,6 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
+use super::joints::JointSpeeds;
 use super::landing::Landing;
 use super::lookahead::Run;
 use super::pace::{Pace, Speeds};
@@ -19,6 +20,7 @@ pub(super) struct Planner<'a> {
     /// Where the vectors so far lead, rounding included.
     here: [f64; 3],
     landing: Landing,
+    joints: JointSpeeds,
     pub(super) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
     stroke: u32,
@@ -30,7 +32,7 @@ pub(super) struct Planner<'a> {
 impl<'a> Planner<'a> {
     pub(super) fn new(
         start: [f64; 3],
-        landing: Landing,
+        tool: &Tool,
         paper: &'a Paper,
         machine: &'a Machine,
     ) -> Self {
@@ -40,7 +42,8 @@ impl<'a> Planner<'a> {
             pace: Pace::new(machine),
             ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
             here: start,
-            landing,
+            landing: Landing::new(machine, tool),
+            joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
             stroke: 0,
             pass: 0,
@@ -122,6 +125,7 @@ impl<'a> Planner<'a> {
             return;
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
+        let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(Run {
             direction: way.map(|d| d / length_mm),
             length_mm,

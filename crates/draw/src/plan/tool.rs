@@ -28,6 +28,14 @@ impl Tool {
         }
     }
 
+    /// How far it reaches beyond the wrist, in mm.
+    pub(super) const fn reach_mm(&self) -> f64 {
+        match self {
+            Self::Pen(_) => dobot_arm::Tool::SuctionCup.reach().0,
+            Self::Laser(_) => dobot_arm::Tool::Laser.reach().0,
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), PlanError> {
         match self {
             Self::Pen(pen) => pen.check(),
