@@ -145,7 +145,9 @@ fn a_timeline_tells_every_moment_of_the_drawing() {
 #[test]
 fn the_laser_burns_materials_and_the_pen_does_not() {
     let square = example("square.svg");
-    for dialect in ["specification", "firmware-1.1"] {
+    // A stock arm switches the laser at a tick of 20 ms: where the last tick before that is not as
+    // fast as the others, the line ends up to a tick's way off, 0.16 mm at this material's 8 mm/s.
+    for (dialect, most_mm) in [("specification", 0.05), ("firmware-1.1", 0.16)] {
         let arguments = [
             "draw",
             &square,
@@ -160,7 +162,7 @@ fn the_laser_burns_materials_and_the_pen_does_not() {
             (number(&report, "drawn_mm") - 120.0).abs() < 0.2,
             "{report}"
         );
-        assert!(number(&report, "deviation_mm") <= 0.05, "{report}");
+        assert!(number(&report, "deviation_mm") <= most_mm, "{report}");
     }
     dobot(&["draw", &square, "--laser", "fineliner"]).fails(1, &["fineliner is a pen", "--pen"]);
     dobot(&["draw", &square, "--pen", "biro"]).fails(1, &["biro", "ballpoint"]);
