@@ -71,7 +71,8 @@ pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{
     Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen,
-    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration, respeed,
+    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration, end_speed_mm_s,
+    respeed,
 };
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};

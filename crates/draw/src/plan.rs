@@ -26,7 +26,7 @@ pub use lookahead::{Cornering, Joint, Run};
 pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
-pub use respeed::respeed;
+pub use respeed::{end_speed_mm_s, respeed};
 pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};

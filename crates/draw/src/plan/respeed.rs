@@ -20,7 +20,8 @@ use super::vector::length;
 ///    so, as long as the vectors up to there are long enough to brake in.
 /// 3. Where each vector leads, what it does with the laser, and a stop stay as they are.
 ///
-/// A share of 1 from the speed that the first vector was planned to begin with changes nothing.
+/// A share of 1 from the speed that the first vector was planned to begin with changes nothing,
+/// unless the vectors have another length by now, and a stock arm would miss their ends.
 #[must_use]
 pub fn respeed(
     vectors: &[WriteVector],
@@ -42,6 +43,17 @@ pub fn respeed(
         .collect()
 }
 
+/// The speed that an arm has behind a vector, in mm/s, if it had this one before: a stock arm ends
+/// a vector at another speed than it says, and begins the next one with that (note N48).
+#[must_use]
+pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
+    if machine.has_ticks {
+        Ticker::new(machine, begin_speed_mm_s).follow(vector, begin_speed_mm_s)
+    } else {
+        vector.end_speed_mm_s
+    }
+}
+
 struct Respeeding<'a> {
     machine: &'a Machine,
     share: f64,
@@ -53,8 +65,7 @@ struct Respeeding<'a> {
 impl Respeeding<'_> {
     /// Other speeds up to the next rest.
     fn chain(&mut self, chain: &[WriteVector]) -> Vec<WriteVector> {
-        let begins_as_planned = (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
-        if self.share == 1.0 && begins_as_planned {
+        if self.share == 1.0 && self.runs_as_planned(chain) {
             for vector in chain {
                 self.follow(vector);
             }
@@ -69,6 +80,16 @@ impl Respeeding<'_> {
         pairs
             .map(|(vector, targets)| self.vector(vector, targets))
             .collect()
+    }
+
+    /// Whether the vectors lead where they should from this speed, without a jerk.
+    fn runs_as_planned(&self, chain: &[WriteVector]) -> bool {
+        let Some(ticker) = &self.ticker else {
+            return (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
+        };
+        let begin_mm_s = self.speed_mm_s.min(chain[0].max_speed_mm_s);
+        let is_near = (chain[0].start_speed_mm_s - begin_mm_s).abs() < ticker.step_mm_s();
+        is_near && ticker.runs_true(chain)
     }
 
     fn vector(&mut self, vector: &WriteVector, targets: [f64; 2]) -> WriteVector {

@@ -55,22 +55,40 @@ impl Ticker {
         let stored_mm_s = self.stored_mm_s;
         let fit = self.fit(length_mm, speeds, factor(vector));
         self.stored_mm_s = stored_mm_s;
-        vector.start_speed_mm_s = stored_mm_s.min(fit.max_mm_s);
+        vector.start_speed_mm_s = stored_mm_s.clamp(0.0, fit.max_mm_s);
         vector.end_speed_mm_s = fit.end_mm_s;
         vector.max_speed_mm_s = fit.max_mm_s;
     }
 
     /// What the arm stores behind a vector that it runs from this speed.
     pub(super) fn follow(&mut self, vector: &WriteVector, stored_mm_s: f32) -> f32 {
-        let cut = Cut::of(
+        self.stored_mm_s = self.cut(vector, stored_mm_s).end_mm_s;
+        self.stored_mm_s
+    }
+
+    /// Whether the arm makes each of these vectors as long as it should be.
+    pub(super) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
+        let mut stored_mm_s = self.stored_mm_s;
+        vectors.iter().all(|vector| {
+            let cut = self.cut(vector, stored_mm_s);
+            stored_mm_s = cut.end_mm_s;
+            cut.is_true()
+        })
+    }
+
+    /// How much faster one tick may be than the one before, in mm/s.
+    pub(super) fn step_mm_s(&self) -> f32 {
+        self.acceleration_mm_s2 * TICK_S
+    }
+
+    fn cut(&self, vector: &WriteVector, stored_mm_s: f32) -> Cut {
+        Cut::of(
             length(vector),
             stored_mm_s,
             vector.end_speed_mm_s,
             vector.max_speed_mm_s,
             factor(vector) * self.acceleration_mm_s2,
-        );
-        self.stored_mm_s = cut.end_mm_s;
-        cut.end_mm_s
+        )
     }
 
     /// The next vector, of this length.
