@@ -1,4 +1,4 @@
-//! `cargo run --release -p dobot-draw --example order_drawings -- length 1000 1 examples/drawings/harbour.svg`
+//! `cargo run -p dobot-draw --example order_drawings -- length 1000 1 examples/drawings/harbour.svg`
 //!
 //! Puts the strokes of SVG files in order and prints, a line of JSON for each, how far the pen
 //! travels before and after and how much processor time that took. Arguments: what is to be small

@@ -1,4 +1,4 @@
-//! `cargo run --release -p dobot-draw --example plan_json -- DRAWING.svg [DIALECT] [link]`
+//! `cargo run -p dobot-draw --example plan_json -- examples/drawings/harbour.svg specification link`
 //!
 //! Plans a drawing and prints, as JSON for `tests/compare/toppra_time.py`, how long the plan takes, how
 //! much the motion accelerates, and the strokes with their speeds. Moves nothing.

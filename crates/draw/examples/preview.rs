@@ -1,4 +1,4 @@
-//! `cargo run --release -p dobot-draw --example preview -- examples/drawings/harbour.svg target/preview`
+//! `cargo run -p dobot-draw --example preview -- examples/drawings/harbour.svg target/preview`
 //!
 //! Draws a file on a virtual stock arm, prints its figures, and makes pictures and the timeline of
 //! it: `preview.png`, `preview-passes.png`, `preview.svg` and `preview.json`. Moves nothing real.

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use dobot_client::{CommandId, position};
 use dobot_course::Model;
-use dobot_draw::Machine;
+use dobot_draw::{Machine, end_speed_mm_s};
 use dobot_journal::{Adjustment, Behind, Unclear, Window, locate, model_at, window_end};
 use dobot_wire::{Command, Status};
 
@@ -45,8 +45,8 @@ pub(super) struct Run {
     pace: Pace,
     /// Given to the session and not over.
     given: VecDeque<Given>,
-    /// With what speed the last command ends that is over, in mm/s.
-    over_mm_s: f32,
+    /// What the last command has left that is over.
+    left: Left,
     /// What lowers the tool to where the job goes on, as soon as something can be sent behind it.
     lower: Option<Command>,
     /// The same under way.
@@ -61,8 +61,20 @@ pub(super) struct Run {
 struct Given {
     id: CommandId,
     index: usize,
-    /// With what speed it ends, in mm/s.
-    end_mm_s: f32,
+    /// What the arm has behind it.
+    left: Left,
+}
+
+/// What a command leaves to the next one.
+#[derive(Clone, Copy, Debug, Default)]
+struct Left {
+    /// The speed that the arm has, or keeps for the next vector, in mm/s: in a stock arm that is a
+    /// bit even where it rests.
+    speed_mm_s: f32,
+    /// It goes on.
+    moves: bool,
+    /// Nobody knows that speed: another station has sent what went before.
+    is_unknown: bool,
 }
 
 #[derive(Debug)]
@@ -96,8 +108,7 @@ impl Run {
     fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
-        let mut pace = Pace::new(begun.adjustment.speed_percent, machine);
-        pace.begin(&begun.plan, completed);
+        let pace = Pace::new(begun.adjustment.speed_percent, machine);
         Self {
             limit: begun.plan.len(),
             begun,
@@ -110,7 +121,7 @@ impl Run {
             unkept: None,
             pace,
             given: VecDeque::new(),
-            over_mm_s: 0.0,
+            left: Left::default(),
             lower: None,
             lowering: None,
             since: None,
@@ -143,9 +154,40 @@ impl Run {
         self.given.iter().map(|it| it.id)
     }
 
-    /// With what speed the last command ends that was given, in mm/s.
+    /// What the last command leaves that was given.
+    fn left(&self) -> Left {
+        self.given.back().map_or(self.left, |it| it.left)
+    }
+
     fn speed_mm_s(&self) -> f32 {
-        self.given.back().map_or(self.over_mm_s, |it| it.end_mm_s)
+        self.left().speed_mm_s
+    }
+
+    /// What is left by all that is over, where that was done as planned.
+    fn planned_left(&self) -> Left {
+        let next = self.begun.plan.chain(self.begun.completed).next();
+        Left {
+            speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
+            is_unknown: self.begun.completed > 0,
+            ..Left::default()
+        }
+    }
+
+    /// What a command leaves that comes next, on what the one before has left.
+    fn after(&self, before: Left, command: &Command) -> Left {
+        let machine = self.pace.machine_at(&self.begun.plan, self.next);
+        match command {
+            Command::WriteVector(it) => Left {
+                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
+                moves: it.end_speed_mm_s > 0.0 && !it.stop,
+                is_unknown: before.is_unknown && self.pace.rests_each(self.next),
+            },
+            _ if machine.has_ticks => Left {
+                moves: false,
+                ..before
+            },
+            _ => Left::default(),
+        }
     }
 
     /// No more than what was given already.
@@ -167,8 +209,10 @@ impl Run {
     /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
     /// do stops dead.
     pub(super) fn brake(&mut self) {
-        let speed_mm_s = self.speed_mm_s();
-        if let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
+        let Left {
+            speed_mm_s, moves, ..
+        } = self.left();
+        if moves && let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
             self.limit = upto;
         }
     }
@@ -203,6 +247,9 @@ impl Run {
 
     /// Comes to rest; gives how far the job is, where that is certain.
     pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
+        if matches!(self.phase, Phase::Lifting { .. }) {
+            self.left = self.after(self.left, &straight(self.lift_mm().into()));
+        }
         self.next = self.begun.completed;
         let waited = self.begun.next_pause().map(|it| it.before);
         if self.waits && waited == Some(self.next) {
@@ -340,7 +387,9 @@ impl Keeper {
         self.session.distrust(RESTARTED);
         // How long it ran nobody knows any more.
         begun.behind.ran_s = None;
-        self.run = Some(Run::new(begun, Phase::Locating { window }, None));
+        let mut run = Run::new(begun, Phase::Locating { window }, None);
+        run.left.is_unknown = true;
+        self.run = Some(run);
         self.changed = true;
     }
 

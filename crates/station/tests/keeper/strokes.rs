@@ -9,8 +9,6 @@ use dobot_draw::{Deviation, Machine, Paper, Pass, Pen, Plan, Point, Stroke, Tool
 use dobot_sim::Sample;
 use dobot_station::{ClientId, JobKind, JobPause, JobView, NewJob, Rehearsal, Request};
 
-use dobot_wire::{Command, WriteVector};
-
 use crate::drawing::{is_over, rehearsal};
 
 pub(crate) const PERSONALITIES: [Personality; 2] = Personality::ALL;
@@ -46,22 +44,9 @@ pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)
     NewJob {
         title: "a spiral".into(),
         kind: JobKind::Drawing,
-        commands: plan.commands().map(|it| exact(personality, it)).collect(),
+        commands: plan.commands().collect(),
         lift_mm: 5.0,
         pauses: plan.breaks_in_commands().map(pause).collect(),
-    }
-}
-
-/// A stock arm makes a vector exactly where it begins and ends at rest (note N48).
-pub(crate) fn exact(personality: Personality, command: Command) -> Command {
-    match command {
-        Command::WriteVector(it) if personality == Personality::Firmware11 => WriteVector {
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            ..it
-        }
-        .into(),
-        command => command,
     }
 }
 
@@ -91,7 +76,11 @@ pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
     // A job that was started a moment ago is so for the journal soon.
     it.run_for(Duration::from_millis(10));
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_paused(it, job)));
+    assert!(
+        it.run_until(minute, |it| is_paused(it, job)),
+        "{:?}",
+        it.job(job).map(|j| j.state)
+    );
 }
 
 pub(crate) fn finish(it: &mut Rehearsal, job: u64) {

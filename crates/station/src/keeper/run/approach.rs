@@ -7,7 +7,7 @@ use dobot_client::position;
 use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
-use super::{Begun, Effect, Phase, Run, locate_at};
+use super::{Begun, Effect, Left, Phase, Run, locate_at};
 use crate::keeper::Keeper;
 use crate::words::{ClientId, JobPhase, News, Refusal, Reply};
 
@@ -46,6 +46,13 @@ impl Keeper {
         }
         let begun = self.located(begun)?;
         let Approach { first, lower } = self.approach(&begun);
+        let mut run = Run::new(begun, Phase::Approaching { last: None }, self.last);
+        let left = self.left_before(&run);
+        if left.is_unknown {
+            run.pace.rest_each(&run.begun.plan, run.begun.completed);
+        }
+        let ways = first.iter().chain(&lower);
+        run.left = ways.fold(left, |left, it| run.after(left, it));
         for command in first.iter().chain(&lower) {
             self.session.check(command)?;
         }
@@ -55,12 +62,13 @@ impl Keeper {
             last = Some(self.session.send(command)?);
         }
         self.halt = None;
-        let (job, behind) = (begun.job, begun.behind);
-        let text = format!("job {job} ({}) is under way", begun.title);
+        let (job, behind) = (run.job(), run.behind());
+        let text = format!("job {job} ({}) is under way", run.begun.title);
         let phase = Phase::Approaching { last };
         self.run = Some(Run {
+            phase,
             lower,
-            ..Run::new(begun, phase, self.last)
+            ..run
         });
         let phase = JobPhase::Running;
         self.keep_phase(Effect::Phase {
@@ -72,6 +80,14 @@ impl Keeper {
         });
         self.tell(News::Job { job, phase }, text);
         Ok(self.job_reply())
+    }
+
+    /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
+    /// left, or else what the plan says.
+    fn left_before(&self, run: &Run) -> Left {
+        let paused = self.run.as_ref().filter(|it| it.job() == run.job());
+        let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
+        left.unwrap_or_else(|| run.planned_left())
     }
 
     /// A job of which nobody knows how far it got goes on only from where the arm rests.
@@ -189,8 +205,10 @@ fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Co
 /// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
 /// from a stand: one that does not use the start speed keeps the last end speed (note N48).
 fn may_jump(begun: &Begun) -> bool {
-    let vector = begun.plan.chain(begun.completed).next();
-    !begun.dialect.uses_start_speed && vector.is_some_and(|it| it.start_speed_mm_s > 0.0)
+    let before = begun.completed.checked_sub(1);
+    let before = before.and_then(|it| begun.plan.commands().get(it));
+    let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
+    !begun.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
 /// What the last target did with suction and gripper.

@@ -15,6 +15,8 @@ pub(super) struct Pace {
     /// The first vector with a speed of its own.
     first: usize,
     vectors: Vec<WriteVector>,
+    /// Up to here each vector ends at rest.
+    rests_until: usize,
 }
 
 impl Pace {
@@ -24,6 +26,15 @@ impl Pace {
             machine,
             first: 0,
             vectors: Vec::new(),
+            rests_until: 0,
+        }
+    }
+
+    /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
+    /// rests becomes as long as it should whatever that is, so each of them is one.
+    pub(super) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
+        if self.machine.has_ticks {
+            self.rests_until = index + plan.chain(index).count();
         }
     }
 
@@ -35,7 +46,13 @@ impl Pace {
         speed_mm_s: f32,
     ) -> Option<Command> {
         let planned = *plan.commands().get(index)?;
-        if !self.covers(index) && (self.share != 1.0 || plan.is_altered(index)) {
+        let begins_so = |it: &Command| begins_with(it, speed_mm_s);
+        if !self.covers(index)
+            && (index < self.rests_until
+                || self.share != 1.0
+                || plan.is_altered(index)
+                || !begins_so(&planned))
+        {
             self.go_on(plan, index, speed_mm_s);
         }
         let own = self.covers(index).then(|| self.vectors[index - self.first]);
@@ -54,14 +71,6 @@ impl Pace {
         self.go_on(plan, index, speed_mm_s);
     }
 
-    /// Begins the rest of a stroke from rest.
-    pub(super) fn begin(&mut self, plan: &JobPlan, index: usize) {
-        let planned = plan.chain(index).next();
-        if planned.is_some_and(|it| it.start_speed_mm_s > 0.0) {
-            self.go_on(plan, index, 0.0);
-        }
-    }
-
     /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
     /// command before which the arm rests.
     pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
@@ -76,7 +85,22 @@ impl Pace {
         }
         self.vectors.truncate(count);
         slow_down(&mut self.vectors, speed_mm_s);
+        if self.machine.has_ticks {
+            self.vectors = respeed(&self.vectors, speed_mm_s, 1.0, &self.machine);
+        }
         Some(index + count)
+    }
+
+    /// The arm as it does a vector of the job.
+    pub(super) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
+        Machine {
+            acceleration_mm_s2: plan.acceleration_mm_s2(index),
+            ..self.machine
+        }
+    }
+
+    pub(super) const fn rests_each(&self, index: usize) -> bool {
+        index < self.rests_until
     }
 
     fn covers(&self, index: usize) -> bool {
@@ -85,9 +109,37 @@ impl Pace {
 
     fn go_on(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) {
         let chain: Vec<WriteVector> = plan.chain(index).copied().collect();
-        self.machine.acceleration_mm_s2 = plan.acceleration_mm_s2(index);
-        self.vectors = respeed(&chain, speed_mm_s, self.share, &self.machine);
+        self.machine = self.machine_at(plan, index);
         self.first = index;
+        self.vectors = if self.rests_each(index) {
+            chain
+                .iter()
+                .map(|it| between_rests(it, self.share))
+                .collect()
+        } else {
+            respeed(&chain, speed_mm_s, self.share, &self.machine)
+        };
+    }
+}
+
+fn between_rests(vector: &WriteVector, share: f64) -> WriteVector {
+    WriteVector {
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: single(f64::from(vector.max_speed_mm_s) * share.min(1.0)),
+        ..*vector
+    }
+}
+
+/// Whether a command is planned to begin with this speed. Only a vector can begin otherwise, and
+/// between two rests it becomes as long as it should all the same.
+fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
+    match planned {
+        Command::WriteVector(it) if it.end_speed_mm_s > 0.0 || it.start_speed_mm_s > MOVES_MM_S => {
+            let found_mm_s = speed_mm_s.max(0.0).min(it.max_speed_mm_s);
+            (it.start_speed_mm_s - found_mm_s).abs() < SAME_MM_S
+        }
+        _ => true,
     }
 }
 
@@ -134,6 +186,10 @@ const fn single(value: f64) -> f32 {
     value as f32
 }
 
+/// What a stock arm keeps where it rests is less.
+const MOVES_MM_S: f32 = 4.0;
+/// Speeds that differ by less are the same.
+const SAME_MM_S: f32 = 1e-3;
 /// A stock arm cuts vectors into whole ticks, and needs a bit more way for that.
 const TO_SPARE: f64 = 1.1;
 /// A way on which it takes longer to come to rest is not gone for that.

@@ -106,11 +106,8 @@ impl Keeper {
         let id = self.session.send(*command)?;
         self.note_laser(command);
         let run = self.run.as_mut().expect("the command is of the run");
-        run.given.push_back(Given {
-            id,
-            index: run.next,
-            end_mm_s: end_mm_s(command),
-        });
+        let (index, left) = (run.next, run.after(run.left(), command));
+        run.given.push_back(Given { id, index, left });
         run.next += 1;
         Ok(())
     }
@@ -200,16 +197,8 @@ impl Run {
         self.last_over = now;
         if is_done && self.begun.completed == given.index {
             self.begun.completed = given.index + 1;
-            self.over_mm_s = given.end_mm_s;
+            self.left = given.left;
         }
-    }
-}
-
-/// With what speed a command ends, in mm/s.
-const fn end_mm_s(command: &Command) -> f32 {
-    match command {
-        Command::WriteVector(it) if !it.stop => it.end_speed_mm_s,
-        _ => 0.0,
     }
 }
 
