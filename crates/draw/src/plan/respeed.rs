@@ -246,6 +246,28 @@ mod tests {
         }
 
         #[test]
+        fn a_stock_arm_makes_vectors_of_another_length_as_long_as_they_are(
+            points in strokes(), slope in -0.05..0.05_f32, begin in 0.0..1.5_f32,
+        ) {
+            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
+            let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+            let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+            let planned: Vec<WriteVector> = plan.moves.iter().map(super::super::write).collect();
+            let steeper = |it: &WriteVector| {
+                let z_mm = it.z_mm + slope * it.x_mm.hypot(it.y_mm);
+                WriteVector { z_mm, ..*it }
+            };
+            let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
+            let next = respeed(&steeper, begin, 1.0, &machine);
+            prop_assert!(Ticker::new(&machine, begin).runs_true(&next));
+            let same = next.iter().zip(&steeper);
+            prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
+            let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;
+            prop_assert!(same.clone().all(|(it, was)| ends(it) == ends(was)));
+        }
+
+        #[test]
         fn speeds_meet_and_can_be_had_and_the_end_is_a_rest(
             points in strokes(), share in 0.1..2.0_f64, at in 0.0..1.0_f64, before in 0.1..2.0_f64,
         ) {

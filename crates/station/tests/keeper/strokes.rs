@@ -285,6 +285,57 @@ fn another_speed_in_a_stroke_comes_smoothly_and_draws_the_same() {
 }
 
 #[test]
+fn a_drawing_that_is_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines() {
+    for personality in PERSONALITIES {
+        let passes = [(spiral(), None), (spiral(), None)];
+        let (mut it, _, job) = started(personality, &pen_job(personality, &passes));
+        for command in [30, 70, 110, 160, 230] {
+            run_to(&mut it, command);
+            it.crash(Duration::from_millis(300)).unwrap();
+            let anna = it.client("Anna");
+            it.ask(anna, Request::TakeLease).unwrap();
+            wait_until_paused(&mut it, job);
+            it.run_for(Duration::from_secs(3));
+            it.ask(anna, Request::ConfirmPose).unwrap();
+            it.start(anna, job).unwrap();
+            run_to(&mut it, command + 15);
+            let offset_mm = -0.001 * f64::from(u16::try_from(command).unwrap());
+            it.ask(anna, Request::SetJobHeight { offset_mm }).unwrap();
+            it.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut it, job);
+            it.start(anna, job).unwrap();
+        }
+        finish(&mut it, job);
+        let what = personality.to_string();
+        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&it));
+        let off_mm = astray.distance_mm.max(missed.distance_mm);
+        assert!(off_mm < 0.1, "{what}: {off_mm} mm off");
+        let (found_mm, wanted_mm) = (length_mm(&drawn(&it)), 2.0 * length_mm(&[spiral()]));
+        assert!(
+            (found_mm - wanted_mm).abs() < 0.01 * wanted_mm,
+            "{what}: {found_mm} mm were drawn, wanted are {wanted_mm} mm"
+        );
+    }
+}
+
+#[test]
+fn a_job_behind_another_one_is_drawn_where_it_should_be() {
+    for personality in PERSONALITIES {
+        let planned = pen_job(personality, &[(spiral(), None)]);
+        let (mut it, anna, job) = started(personality, &planned);
+        run_to(&mut it, 60);
+        it.ask(anna, Request::CancelJob { job }).unwrap();
+        it.run_for(Duration::from_secs(5));
+        let next = it.submit(&planned).unwrap();
+        it.start(anna, next).unwrap();
+        finish(&mut it, next);
+        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&it));
+        let off_mm = astray.distance_mm.max(missed.distance_mm);
+        assert!(off_mm < 0.1, "{personality}: {off_mm} mm off");
+    }
+}
+
+#[test]
 fn a_speed_that_was_set_holds_for_the_job_and_not_for_the_next() {
     let personality = Personality::Firmware11;
     let planned = pen_job(personality, &[(spiral(), None)]);
