@@ -267,7 +267,7 @@ fn bad_drawings_are_one_clear_error_each() {
         (String::new(), &["-:"][..]),
         ("hello".to_owned(), &["of no kind that can be drawn"]),
         ("<svg".to_owned(), &["1:"]),
-        ("<html/>".to_owned(), &["html"]),
+        ("<html/>".to_owned(), &["of no kind that can be drawn"]),
         (page(""), &["nothing"]),
         (
             page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
@@ -295,7 +295,7 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
         ("--lift", "-10", "lift"),
         ("--margin", "70", "margin"),
         ("--rotate", "nan", "degrees"),
-        ("--hatch", "0", "apart"),
+        ("--hatch", "0", "spacing"),
         ("--pen-down", "200", "z"),
     ] {
         dobot(&["draw", &square, option, value]).fails(1, &[part]);

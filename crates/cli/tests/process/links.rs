@@ -291,6 +291,9 @@ fn an_arm_that_falls_silent_in_a_drawing_gets_pen_up_and_laser_off_all_the_same(
     );
 }
 
+/// How high the default pen travels (crates/draw/materials.toml).
+const FINELINER_LIFT_MM: f32 = 5.0;
+
 /// Laser off, then pen up; nothing of the drawing any more.
 fn parts(trouble: Trouble, told: &[&str]) {
     // Travel, lower, and four vectors with the pen down.
@@ -314,10 +317,10 @@ fn parts(trouble: Trouble, told: &[&str]) {
     };
     let sent_down = z(&before) + z(&after[..after.len() - 1]);
     assert!(
-        (sent_down + 10.0).abs() < 1e-3,
+        (sent_down + FINELINER_LIFT_MM).abs() < 1e-3,
         "the pen was down: {sent_down}"
     );
-    assert!((lift.z_mm - 10.0).abs() < 1e-3, "{lift:?}");
+    assert!((lift.z_mm - FINELINER_LIFT_MM).abs() < 1e-3, "{lift:?}");
     assert_eq!((lift.x_mm, lift.y_mm, parting.len()), (0.0, 0.0, 2));
 }
 
