@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 draw() {
   local picture=$1
   shift
-  cargo run --quiet --release -- draw "$@" --dry-run --picture "docs/pictures/$picture"
+  cargo run --quiet --release -p dobot-cli -- draw "$@" --dry-run --picture "docs/pictures/$picture"
 }
 
 readonly STILL_LIFE=examples/drawings/still-life.jpg
