@@ -7,23 +7,30 @@ use anyhow::anyhow;
 use dobot_station::{Heard, JobPhase, JobView, News, Remote, RemoteError, Request, State};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::control::{self, request_at_rest};
+use crate::control::{self, request_at_rest, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
 
 /// Starts a job, or goes on with it, and follows it until it is over; control has been taken.
+/// Where the job does not `burn`, control is given back while it runs: whoever is there may change
+/// its speed.
 ///
 /// Ctrl-C pauses it with the tool lifted and asks what is to become of it. `see` is shown every
 /// state. Gives how long the arm was at it.
 pub(crate) async fn start(
     station: &mut Remote,
     job: u64,
+    burns: bool,
     mut see: impl FnMut(&State),
 ) -> Result<Duration, Failure> {
     let mut spent_s = 0.0;
     loop {
+        take_control(station).await?;
         request_at_rest(station, Request::StartJob { job }).await?;
+        if !burns {
+            station.request(Request::ReleaseLease).await?;
+        }
         let (ended, took_s) = follow(station, job, &mut see).await?;
         spent_s += took_s;
         if matches!(ended, End::Paused(_) | End::Interrupted) {

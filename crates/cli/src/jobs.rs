@@ -134,7 +134,10 @@ async fn start(args: &Args, job: u64, laser: Option<Duration>) -> Result<(), Fai
     let mut station = args.station.connect("jobs").await?;
     take_control(&mut station).await?;
     arm_laser(&mut station, laser).await?;
-    let time = follow::start(&mut station, job, |_| {}).await?;
+    // Whoever may burn keeps control.
+    let burns =
+        laser.is_some() || control::first_state(&mut station).await?.laser.armed_for_s > 0.0;
+    let time = follow::start(&mut station, job, burns, |_| {}).await?;
     let time = clock(time.as_secs_f64());
     Ok(output::line(&format!("job {job} is done, in {time}"))?)
 }

@@ -113,7 +113,7 @@ async fn job(
         pauses: pauses.collect(),
     };
     match station.request(Request::SubmitJob { job }).await? {
-        Reply::Job { job } => follow::start(station, job.job, see).await,
+        Reply::Job { job } => follow::start(station, job.job, plan.burns(), see).await,
         other => Err(anyhow!("the station answers {other:?} to a new job").into()),
     }
 }
