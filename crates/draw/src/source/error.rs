@@ -125,6 +125,20 @@ impl fmt::Display for Warning {
     }
 }
 
+/// A text from a file as it may stand in a message: on one line, and without what would steer a
+/// terminal.
+pub(crate) fn printable(text: &str) -> String {
+    let mut printable = String::with_capacity(text.len());
+    for character in text.chars() {
+        if character.is_control() {
+            printable.extend(character.escape_debug());
+        } else {
+            printable.push(character);
+        }
+    }
+    printable
+}
+
 /// No drawing is larger than that many line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
 /// No drawing leads farther than that, in mm.

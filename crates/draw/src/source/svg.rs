@@ -29,7 +29,7 @@ use self::error::{Unshown, WarningKind};
 use self::groups::Groups;
 use self::sheet::Sheet;
 use self::walk::Walk;
-use super::error::MAX_SEGMENTS;
+use super::error::{MAX_SEGMENTS, printable};
 use super::{LayersBy, ReadOptions, SourceError, Warning};
 use crate::artwork::Artwork;
 
@@ -183,7 +183,7 @@ fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
     let suffix = format!(" at {place}");
     SvgError::Malformed {
         place: place.into(),
-        problem: problem.strip_suffix(&suffix).unwrap_or(&problem).to_owned(),
+        problem: printable(problem.strip_suffix(&suffix).unwrap_or(&problem)),
     }
 }
 

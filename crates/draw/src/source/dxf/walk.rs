@@ -7,6 +7,7 @@ use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::point::Point;
 use crate::source::SourceError;
+use crate::source::error::printable;
 use crate::source::sketch::Sketch;
 
 /// A walk that draws.
@@ -167,7 +168,7 @@ impl<'s, 'a> Walk<'s, 'a> {
         }
         self.layer = Some(name.to_owned());
         self.sketch.use_layer(Layer {
-            name: name.to_owned(),
+            name: printable(name),
             color: self.file.layers.get(name).and_then(LayerInfo::rgb),
             ..Layer::default()
         })

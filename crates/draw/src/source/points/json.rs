@@ -14,7 +14,7 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use crate::artwork::{Artwork, Layer};
 use crate::point::Point;
-use crate::source::error::LIMIT_MM;
+use crate::source::error::{LIMIT_MM, printable};
 use crate::source::sketch::{Sketch, Y, excerpt};
 use crate::source::{Place, ReadOptions, SourceError, Warning};
 
@@ -92,7 +92,7 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
     };
     SourceError::Found {
         place,
-        found: found + &inside,
+        found: printable(&(found + &inside)),
         expected,
     }
 }

@@ -175,6 +175,7 @@ fn bad_json_is_refused_with_its_place() {
         ),
         (r#"[[{"x":1}]]"#, "1:9: found missing field `y` in [0][0]"),
         (r#"{"lines":[]}"#, "1:8: found unknown field `lines`"),
+        ("{\"li\\nes\":[]}", r"1:9: found unknown field `li\nes`"),
         (
             "[[[1e300,0]]]",
             "1:9: found floating point `1e+300` in [0][0][0]; expected a number from -1000000 to 1000000 (mm)",

@@ -7,6 +7,7 @@ use super::ink::Color;
 use crate::artwork::{Area, Layer};
 use crate::point::Stroke;
 use crate::source::LayersBy;
+use crate::source::error::printable;
 
 /// Sorts lines and areas into layers, in the order in which each first appears.
 #[derive(Debug)]
@@ -102,7 +103,7 @@ impl Key {
         match self {
             Self::Color(Some(rgb)) => color::name(*rgb),
             Self::Color(None) => "pattern".to_owned(),
-            Self::Group(Some(name)) => name.clone(),
+            Self::Group(Some(name)) => printable(name),
             Self::Group(None) => "outside groups".to_owned(),
             Self::All => "all".to_owned(),
         }

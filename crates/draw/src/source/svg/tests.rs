@@ -227,6 +227,10 @@ fn what_is_no_svg_file_is_named_with_its_place() {
     );
     assert!(error("<svg>\n  <g></svg>").starts_with("2:6: not well-formed XML: expected 'g' tag"));
     assert!(error("hello").starts_with("1:1: not well-formed XML"));
+    assert_eq!(
+        error("<svg><g/\n</svg>"),
+        r"1:9: not well-formed XML: expected '>' not '\n'"
+    );
 }
 
 #[test]
