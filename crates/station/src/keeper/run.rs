@@ -36,6 +36,11 @@ pub(super) struct Run {
     durable: usize,
     /// The journal has been asked for that.
     asked: usize,
+    /// As many commands are done as the journal has it: a station that is started after a crash
+    /// looks for the arm from there on.
+    kept: usize,
+    /// The same when what it was asked for is there.
+    asked_kept: usize,
     /// Commands below this one may be given: there the job comes to rest.
     limit: usize,
     /// It comes to rest there because it waits for a person.
@@ -117,6 +122,8 @@ impl Run {
             next: completed,
             durable: completed,
             asked: completed,
+            kept: completed,
+            asked_kept: completed,
             waits: false,
             unkept: None,
             pace,
@@ -243,6 +250,9 @@ impl Run {
     /// Takes that the journal has what it was asked for.
     pub(super) fn given_for_good(&mut self, upto: usize) {
         self.durable = self.durable.max(upto.min(self.asked));
+        if self.durable == self.asked {
+            self.kept = self.asked_kept;
+        }
     }
 
     /// Comes to rest; gives how far the job is, where that is certain.

@@ -180,6 +180,20 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     assert_sent_once(&it, personality, &planned);
 }
 
+#[test]
+fn a_height_counts_until_the_journal_is_past_it() {
+    // The second crash comes before the journal has heard how far the job got after the first: the
+    // place is looked for from before the first change of height, and the arm rests below the plan.
+    draw_and_kill(
+        Personality::Firmware11,
+        &[
+            (306, 104.63, -0.8435, false),
+            (1500, 59.794, 0.0, false),
+            (300, 10.0, 0.0, false),
+        ],
+    );
+}
+
 /// Whatever the height, each vector that draws was sent once, in its turn.
 fn assert_sent_once(it: &Rehearsal, personality: Personality, planned: &NewJob) {
     let drawing = |it: Command| match it {

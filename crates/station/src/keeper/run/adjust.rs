@@ -107,7 +107,7 @@ impl Run {
         self.begun.plan.change_height(&change);
         let heights = &mut self.begun.adjustment.heights;
         heights.retain(|it| it.from < from);
-        forget_older(heights, self.begun.completed);
+        forget_older(heights, self.kept);
         heights.push(change);
     }
 
@@ -117,9 +117,10 @@ impl Run {
     }
 }
 
-/// Of the changes before the commands that are done only the last one still matters.
-fn forget_older(heights: &mut Vec<HeightChange>, completed: usize) {
-    let done = heights.partition_point(|it| it.from <= completed);
+/// Of the changes before the commands that the journal knows to be done only the last one still
+/// matters.
+fn forget_older(heights: &mut Vec<HeightChange>, kept: usize) {
+    let done = heights.partition_point(|it| it.from <= kept);
     heights.drain(..done.saturating_sub(1));
 }
 

@@ -44,9 +44,11 @@ impl Keeper {
         if begun.plan.burns() {
             self.check_laser_armed()?;
         }
+        let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = self.located(begun)?;
         let Approach { first, lower } = self.approach(&begun);
         let mut run = Run::new(begun, Phase::Approaching { last: None }, self.last);
+        (run.kept, run.asked_kept) = (kept, kept);
         let left = self.left_before(&run);
         if left.is_unknown {
             run.pace.rest_each(&run.begun.plan, run.begun.completed);

@@ -157,7 +157,7 @@ impl Keeper {
         };
         let upto = upto.min(run.limit);
         if upto > run.asked {
-            run.asked = upto;
+            (run.asked, run.asked_kept) = (upto, run.begun.completed);
             let effect = Effect::Give {
                 job: run.job(),
                 completed: run.begun.completed,
