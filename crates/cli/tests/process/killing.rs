@@ -1,9 +1,8 @@
 //! A station that is killed while the laser burns, and started again: as processes, in real time.
 
-use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::path::Path;
-use std::process::{Child, ChildStdout, Stdio};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 use std::time::Duration;
@@ -16,6 +15,7 @@ use dobot_wire::{
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::going::Going;
 use crate::program::{command, command_at, run};
 
 const DIALECT: Dialect = Dialect::SPECIFICATION;
@@ -23,50 +23,6 @@ const LASER_OFF: Command = Command::JointJog(JointJog {
     axis: JointJogAxis::LaserOff,
     speed_percent: 0.0,
 });
-
-/// A program that goes on; it ends with the test.
-struct Going {
-    child: Child,
-    output: BufReader<ChildStdout>,
-}
-
-impl Going {
-    fn new(mut command: std::process::Command) -> Self {
-        let mut child = command
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the program starts");
-        let output = BufReader::new(child.stdout.take().expect("it is piped"));
-        Self { child, output }
-    }
-
-    /// Reads until a line with this text.
-    fn reads(&mut self, text: &str) -> String {
-        loop {
-            let mut line = String::new();
-            let read = self.output.read_line(&mut line).expect("it prints text");
-            assert!(read > 0, "it ended before `{text}`");
-            if line.contains(text) {
-                return line;
-            }
-        }
-    }
-
-    /// As `SIGKILL` does.
-    fn kill(mut self) {
-        self.child.kill().expect("it is there");
-        self.child.wait().expect("it ends");
-    }
-}
-
-impl Drop for Going {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
 
 /// What passes the wire to the arm.
 enum Passed {
@@ -200,8 +156,7 @@ struct Bench {
 impl Bench {
     fn new() -> Self {
         let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0", "--speed", "4"]));
-        let line = arm.reads("127.0.0.1");
-        let address = line.split_whitespace().next().expect("an address");
+        let address = arm.address();
         let address = address.trim_start_matches("tcp:");
         let (wire, passed) = wire(address.parse().expect("an address"));
         Self {

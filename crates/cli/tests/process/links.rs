@@ -1,8 +1,8 @@
 //! Ports and TCP in real time: good ones, bad ones, and Ctrl-C.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
-use std::process::{Child, ChildStdout, Stdio};
+use std::process::Stdio;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread;
@@ -10,50 +10,19 @@ use std::thread;
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, WriteVector};
 use rustix::process::{Pid, Signal, kill_process};
 
+use crate::going::Going;
 use crate::program::{Outcome, command, dobot, example};
 
-/// `dobot arm` as a process of its own; it ends with the test.
-struct Served {
-    child: Child,
-    output: BufReader<ChildStdout>,
-}
-
-impl Served {
-    fn new(arguments: &[&str]) -> Self {
-        let mut child = command(&[&["arm"], arguments].concat())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the program starts");
-        let output = BufReader::new(child.stdout.take().expect("it is piped"));
-        Self { child, output }
-    }
-
-    /// The next address that it prints.
-    fn address(&mut self) -> String {
-        let mut line = String::new();
-        self.output
-            .read_line(&mut line)
-            .expect("it prints where it is");
-        line.split_whitespace()
-            .next()
-            .expect("an address comes first")
-            .to_owned()
-    }
-}
-
-impl Drop for Served {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
+/// `dobot arm` as a process of its own.
+fn served(arguments: &[&str]) -> Going {
+    Going::new(command(&[&["arm"], arguments].concat()))
 }
 
 #[test]
 fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
     let folder = tempfile::tempdir().expect("there is room");
     let link = folder.path().join("dobot");
-    let mut arm = Served::new(&[
+    let mut arm = served(&[
         "--tcp",
         "127.0.0.1:0",
         "--pty",
@@ -82,7 +51,7 @@ fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
 
 #[test]
 fn over_a_port_the_dialect_is_undecided_until_it_is_given() {
-    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
     dobot(&["draw", &example("square.svg"), "--to", &address])
         .fails(1, &["--dialect firmware-1.1"]);
@@ -101,20 +70,13 @@ fn a_port_that_does_not_exist_or_is_none_is_told() {
 fn a_port_in_use_is_told() {
     let folder = tempfile::tempdir().expect("there is room");
     let link = folder.path().join("dobot");
-    let mut arm = Served::new(&["--pty", link.to_str().expect("the path is text")]);
+    let mut arm = served(&["--pty", link.to_str().expect("the path is text")]);
     let address = arm.address();
-    let mut first = command(&["status", "--json", "--to", &address])
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let mut line = String::new();
-    let mut output = BufReader::new(first.stdout.take().expect("it is piped"));
-    output
-        .read_line(&mut line)
-        .expect("the first one has the port");
+    let mut first = Going::new(command(&["status", "--json", "--to", &address]));
+    // A line of it shows that the first one has the port.
+    first.reads("");
     let second = dobot(&["status", "--to", &address]);
-    let _ = first.kill();
-    let _ = first.wait();
+    drop(first);
     second.fails(1, &["in use by another program", "fuser"]);
 }
 
@@ -207,7 +169,7 @@ enum Trouble {
 /// Stands between the program and a virtual arm, and makes trouble after so many write vectors.
 /// Returns what came of the program, the commands before that and those after it.
 fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Command>, Vec<Command>) {
-    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
     let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
@@ -326,15 +288,14 @@ fn parts(trouble: Trouble, told: &[&str]) {
 
 #[test]
 fn ctrl_c_ends_the_served_arm() {
-    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
     arm.address();
-    kill_process(Pid::from_child(&arm.child), Signal::INT).expect("it runs");
-    assert_eq!(arm.child.wait().expect("it ends").code(), Some(0));
+    assert_eq!(arm.interrupt(), Some(0));
 }
 
 #[test]
 fn a_tcp_port_that_is_taken_is_told() {
-    let mut arm = Served::new(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
     let taken = arm.address()[4..].to_owned();
     dobot(&["arm", "--tcp", &taken]).fails(1, &["cannot serve on", "127.0.0.1:0"]);
 }

@@ -4,6 +4,7 @@ mod arguments;
 mod conformance;
 mod decoding;
 mod drawing;
+mod going;
 #[cfg(unix)]
 mod killing;
 #[cfg(unix)]

@@ -1,62 +1,16 @@
 //! A station, and several programs that share it.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::PathBuf;
-use std::process::{Child, ChildStdout, Stdio};
 use std::time::Duration;
 
 use dobot_wire::{Command, Decoder, Dialect, JointJog, JointJogAxis};
-use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::going::Going;
 use crate::program::{Outcome, command_at, example, run};
-
-/// A program that goes on; it ends with the test.
-struct Going {
-    child: Child,
-    output: BufReader<ChildStdout>,
-}
-
-impl Going {
-    fn new(mut command: std::process::Command) -> Self {
-        let mut child = command
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the program starts");
-        let output = BufReader::new(child.stdout.take().expect("it is piped"));
-        Self { child, output }
-    }
-
-    /// Reads until a line with this text.
-    fn reads(&mut self, text: &str) -> String {
-        loop {
-            let mut line = String::new();
-            let read = self.output.read_line(&mut line).expect("it prints text");
-            assert!(read > 0, "it ended before `{text}`");
-            if line.contains(text) {
-                return line;
-            }
-        }
-    }
-
-    fn interrupt(mut self) -> Option<i32> {
-        let pid = i32::try_from(self.child.id()).expect("a process number");
-        let pid = Pid::from_raw(pid).expect("it is not zero");
-        kill_process(pid, Signal::INT).expect("it is there");
-        self.child.wait().expect("it ends").code()
-    }
-}
-
-impl Drop for Going {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
 
 /// A station with a virtual arm.
 struct Up {
@@ -317,8 +271,7 @@ fn ctrl_c_ends_the_station_and_the_verbs_find_none_any_more() {
 #[test]
 fn a_station_that_was_killed_is_not_waited_for() {
     let mut up = Up::new(&[]);
-    up.station.child.kill().expect("it is there");
-    up.station.child.wait().expect("it ends");
+    up.station.kill();
     assert!(up.file().exists());
     let own = up.json(&["status"]);
     assert!(near(&own["rear_deg"], 45.0), "{own}");

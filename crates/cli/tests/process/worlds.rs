@@ -1,15 +1,16 @@
 //! An arm in a world, and what is told of it.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::BufReader;
 use std::net::TcpListener;
-use std::process::{Child, ChildStderr, Stdio};
+use std::process::ChildStderr;
 use std::thread;
 
+use crate::going::{Going, line_with};
 use crate::program::{command, dobot};
 
 /// `dobot arm --world` as a process of its own; it ends with the test.
 struct Inhabited {
-    child: Child,
+    _served: Going,
     told: BufReader<ChildStderr>,
     /// Where the arm is, and where its world is told.
     arm: String,
@@ -19,26 +20,11 @@ struct Inhabited {
 impl Inhabited {
     fn new(scene: &str) -> Self {
         let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
-        let mut child = command(&[&["arm", "--world", scene], &ports[..]].concat())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program starts");
-        let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
-        let told = BufReader::new(child.stderr.take().expect("it is piped"));
-        let mut address = || {
-            let mut line = String::new();
-            output.read_line(&mut line).expect("it prints where it is");
-            line.split_whitespace()
-                .next()
-                .expect("an address comes first")
-                .to_owned()
-        };
-        let (arm, world) = (address(), address());
-        // Nobody reads the rest.
-        thread::spawn(move || output.read_to_end(&mut Vec::new()));
+        let command = command(&[&["arm", "--world", scene], &ports[..]].concat());
+        let (mut served, told) = Going::with_errors(command);
+        let (arm, world) = (served.address(), served.address());
         Self {
-            child,
+            _served: served,
             told,
             arm,
             world,
@@ -57,19 +43,7 @@ impl Inhabited {
 
     /// Waits until it tells something.
     fn wait_for(&mut self, part: &str) {
-        let mut line = String::new();
-        while !line.contains(part) {
-            line.clear();
-            let count = self.told.read_line(&mut line).expect("it is text");
-            assert!(count > 0, "it ended without telling {part}");
-        }
-    }
-}
-
-impl Drop for Inhabited {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        line_with(part, &mut self.told);
     }
 }
 

@@ -1,0 +1,83 @@
+//! A `dobot` that goes on while a test talks to it.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
+
+#[cfg(unix)]
+use rustix::process::{Pid, Signal, kill_process};
+
+/// A program that goes on; it ends with the test.
+pub(crate) struct Going {
+    child: Child,
+    output: BufReader<ChildStdout>,
+}
+
+impl Going {
+    /// Its standard error is seen by nobody.
+    pub(crate) fn new(command: Command) -> Self {
+        Self::start(command, Stdio::null())
+    }
+
+    /// And what it prints on standard error.
+    pub(crate) fn with_errors(command: Command) -> (Self, BufReader<ChildStderr>) {
+        let mut going = Self::start(command, Stdio::piped());
+        let errors = going.child.stderr.take().expect("it is piped");
+        (going, BufReader::new(errors))
+    }
+
+    fn start(mut command: Command, errors: Stdio) -> Self {
+        let mut child = command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(errors)
+            .spawn()
+            .expect("the program starts");
+        let output = BufReader::new(child.stdout.take().expect("it is piped"));
+        Self { child, output }
+    }
+
+    /// Reads until a line with this text.
+    pub(crate) fn reads(&mut self, text: &str) -> String {
+        line_with(text, &mut self.output)
+    }
+
+    /// The next address that it prints, first in its line.
+    pub(crate) fn address(&mut self) -> String {
+        let line = self.reads("");
+        let address = line.split_whitespace().next();
+        address.expect("an address comes first").to_owned()
+    }
+
+    /// As Ctrl-C does; the exit code.
+    #[cfg(unix)]
+    pub(crate) fn interrupt(mut self) -> Option<i32> {
+        kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is there");
+        self.child.wait().expect("it ends").code()
+    }
+
+    /// As `SIGKILL` does.
+    #[cfg(unix)]
+    pub(crate) fn kill(&mut self) {
+        self.child.kill().expect("it is there");
+        self.child.wait().expect("it ends");
+    }
+}
+
+impl Drop for Going {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Reads until a line with this text.
+pub(crate) fn line_with(text: &str, output: &mut impl BufRead) -> String {
+    loop {
+        let mut line = String::new();
+        let read = output.read_line(&mut line).expect("it prints text");
+        assert!(read > 0, "it ended before `{text}`");
+        if line.contains(text) {
+            return line;
+        }
+    }
+}
