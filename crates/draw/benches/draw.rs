@@ -24,7 +24,7 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
                 direction: [cos, sin, 0.0],
                 length_mm: 0.5 + cos.abs(),
                 limit_mm_s: 40.0,
-                ease: 1.0,
+                corner_mm_s: f64::INFINITY,
             }
         })
         .collect();

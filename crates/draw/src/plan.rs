@@ -13,11 +13,13 @@ mod paper;
 mod pass;
 mod planner;
 mod respeed;
+mod seen;
 mod summary;
 mod ticker;
 mod ticks;
 mod tool;
 mod vector;
+mod ways;
 
 pub use acceleration::acceleration;
 pub(crate) use commands::{LASER_OFF, approach, single, to_start, write};
@@ -444,6 +446,16 @@ mod tests {
                 prop_assert!(vector.length_mm() >= planner::LEAST_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);
+        }
+
+        #[test]
+        fn the_tool_is_never_seen_to_accelerate_more_than_it_may(
+            strokes in strokes(),
+            period_s in prop_oneof![Just(0.0), Just(0.08)],
+        ) {
+            let plan = plan(&strokes, LinkRate { period_s });
+            let seen = acceleration(&plan, 0.08) / plan.machine().acceleration_mm_s2;
+            prop_assert!(seen <= 1.01, "{seen}");
         }
 
         #[test]

@@ -100,6 +100,18 @@ impl Cut {
         self.counts.iter().sum()
     }
 
+    /// The speed of each tick in mm/s.
+    pub fn speeds_mm_s(&self) -> impl Iterator<Item = f32> {
+        let [up, even, down] = self.counts;
+        let change = self.change_mm_s;
+        let top = self.first_mm_s + f32::from(up) * change;
+        let first = self.first_mm_s;
+        let rises = (0..up).map(move |tick| first + f32::from(tick) * change);
+        let keeps = (0..even).map(move |_| top);
+        let falls = (1..=down).map(move |tick| top - f32::from(tick) * change);
+        rises.chain(keeps).chain(falls)
+    }
+
     /// Whether the vector becomes as long as it should. Where more than one step of speed is left
     /// to spread, the controller spreads one step and is off the way.
     #[must_use]
@@ -166,6 +178,8 @@ mod tests {
         assert_eq!(cut.counts, [16, 0, 16]);
         assert!((cut.correction_mm_s - 0.625).abs() < 1e-4);
         assert!((cut.end_mm_s - 0.625).abs() < 1e-4);
+        let way_mm: f32 = cut.speeds_mm_s().map(|it| it * TICK_S).sum();
+        assert!((way_mm - 10.0).abs() < 1e-4, "{way_mm}");
         assert!(cut.is_true());
     }
 

@@ -1,6 +1,9 @@
 //! How much a planned motion accelerates, measured from the motion itself.
 
-use super::Plan;
+use super::seen::second_difference;
+use super::ticker::Ticker;
+use super::ticks::TICK_S;
+use super::{Plan, write};
 
 /// The largest acceleration of a plan's motion in mm/s2, as seen by somebody who looks where the
 /// tool is each `apart_s` seconds.
@@ -25,6 +28,48 @@ pub fn acceleration(plan: &Plan, apart_s: f64) -> f64 {
 
 /// Where the tool is each `step_s` seconds.
 fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
+    if plan.machine().has_ticks {
+        between(&ticks(plan), step_s / f64::from(TICK_S))
+    } else {
+        smooth(plan, step_s)
+    }
+}
+
+/// Where the tool is at each tick of a stock arm.
+fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
+    let mut ticker = Ticker::new(plan.machine(), 0.0);
+    let (mut places, mut from) = (vec![plan.start], plan.start);
+    for (vector, to) in plan.moves.iter().zip(plan.positions()) {
+        let (way, length_mm) = (vector.increments(), vector.length_mm());
+        let mut gone_mm = 0.0;
+        for speed_mm_s in ticker.run(&write(vector)).speeds_mm_s() {
+            gone_mm += f64::from(speed_mm_s * TICK_S);
+            places.push([0, 1, 2].map(|i| from[i] + gone_mm / length_mm * way[i]));
+        }
+        from = to;
+    }
+    places
+}
+
+/// So many places from the first to the last of these, so many of them apart.
+fn between(places: &[[f64; 3]], apart: f64) -> Vec<[f64; 3]> {
+    let at = |index: u32| {
+        let place = f64::from(index) * apart;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "an index"
+        )]
+        let before = place as usize;
+        let (a, b) = (places.get(before)?, places.get(before + 1)?);
+        let share = place.fract();
+        Some([0, 1, 2].map(|i| a[i] + share * (b[i] - a[i])))
+    };
+    (0..).map_while(at).collect()
+}
+
+/// Where the tool is if it follows its profiles without ticks.
+fn smooth(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
     let acceleration = plan.machine().acceleration_mm_s2;
     let (mut places, mut from, mut t_s) = (Vec::new(), plan.start, 0.0);
     for (vector, to) in plan.moves.iter().zip(plan.positions()) {
@@ -39,11 +84,6 @@ fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
         from = to;
     }
     places
-}
-
-fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
-    let parts = [0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]);
-    parts.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
 const LOOKS: f64 = 4.0;

@@ -9,9 +9,9 @@ pub struct Run {
     pub length_mm: f64,
     /// The speed that must not be passed on it, in mm/s.
     pub limit_mm_s: f64,
-    /// How much of the radius that the corner behind it allows is used: 1, or less where the corners
-    /// near to it leave less.
-    pub ease: f64,
+    /// The largest speed at the corner behind it in mm/s: infinite, or less where that corner and
+    /// those near to it together turn the tool too fast.
+    pub corner_mm_s: f64,
 }
 
 /// What corners are measured against.
@@ -103,6 +103,7 @@ impl Cornering {
         let ([ax, ay, az], [bx, by, bz]) = (before.direction, after.direction);
         let cos = (ax * bx + ay * by + az * bz).clamp(-1.0, 1.0);
         let limit = before.limit_mm_s.min(after.limit_mm_s);
+        let limit = limit.min(before.corner_mm_s);
         let sin_half = (0.5 * (1.0 - cos)).sqrt();
         let cos_half = (0.5 * (1.0 + cos)).sqrt();
         if sin_half < STRAIGHT {
@@ -116,7 +117,6 @@ impl Cornering {
         let most_mm = reach_mm.min(0.5 * before.length_mm.min(after.length_mm));
         let seen_mm_s = self.acceleration_mm_s2 * self.window_s * (0.5 / sin_half - 0.5);
         let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
-        let cap_v2 = cap_v2 * before.ease;
         if cap_v2 < LEAST_V2 {
             return Joint::REST;
         }
@@ -237,7 +237,7 @@ mod tests {
             direction: [cos, sin, 0.0],
             length_mm,
             limit_mm_s,
-            ease: 1.0,
+            corner_mm_s: f64::INFINITY,
         }
     }
 

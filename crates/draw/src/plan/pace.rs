@@ -4,6 +4,7 @@
 use super::Machine;
 use super::link::Credit;
 use super::lookahead::{Cornering, Joint, Run};
+use super::seen::{Seen, WINDOW_S};
 
 /// Speeds for a chain: reused from chain to chain.
 #[derive(Clone, Debug)]
@@ -95,7 +96,7 @@ impl Pace {
             self.plan_motion(chain);
             let credit = self.credit;
             let keeps_up = self.wait_for_link(chain);
-            if !self.ease(chain) && keeps_up {
+            if !self.ease_corners(chain) && keeps_up {
                 return;
             }
             self.credit = credit;
@@ -111,7 +112,7 @@ impl Pace {
     fn plan_without_link(&mut self, chain: &mut [Run]) {
         for _ in 0..ROUNDS {
             self.plan_motion(chain);
-            if !self.ease(chain) {
+            if !self.ease_corners(chain) {
                 return;
             }
         }
@@ -121,23 +122,19 @@ impl Pace {
     /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
     /// may: several corners may lie within the time over which that is measured. Whether any had
     /// to be eased.
-    fn ease(&mut self, chain: &mut [Run]) -> bool {
+    fn ease_corners(&self, chain: &mut [Run]) -> bool {
         if chain.len() < 2 {
             return false;
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
+        let mut shares = vec![1.0_f64; chain.len()];
+        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
+        Seen::new(chain, &speeds, a).too_much(LEAST_SHARE, note);
         let mut eased = false;
-        for corner in 1..chain.len() {
-            let ahead = away(chain[corner..].iter().zip(&speeds[corner..]), false, a);
-            let behind = chain[..corner].iter().zip(&speeds[..corner]).rev();
-            let behind = away(behind, true, a);
-            let seen = super::vector::length([0, 1, 2].map(|k| ahead[k] - behind[k]));
-            let share = a * WINDOW_S * WINDOW_S / seen;
-            if share < LEAST_SHARE {
-                chain[corner - 1].ease *= share * SLOWER;
-                eased = true;
-            }
+        for (corner, share) in shares.into_iter().enumerate().filter(|it| it.1 < 1.0) {
+            chain[corner].corner_mm_s = speeds[corner].end_mm_s * share;
+            eased = true;
         }
         eased
     }
@@ -204,43 +201,23 @@ impl Speeds {
             duration_s: duration_s(length_mm, speeds, acceleration),
         }
     }
-}
 
-/// How far the tool goes along these vectors within the time over which acceleration is measured;
-/// backwards, how far it came.
-fn away<'a>(way: impl Iterator<Item = (&'a Run, &'a Speeds)>, backwards: bool, a: f64) -> [f64; 3] {
-    let (mut left_s, mut sum) = (WINDOW_S, [0.0; 3]);
-    for (run, speeds) in way {
-        let far_mm = if speeds.duration_s <= left_s {
-            run.length_mm
-        } else {
-            let (from, to) = (speeds.start_mm_s, speeds.end_mm_s);
-            let (from, to) = if backwards { (to, from) } else { (from, to) };
-            distance_mm(run.length_mm, [from, to, speeds.peak_mm_s], a, left_s)
-        };
-        sum = [0, 1, 2].map(|k| sum[k] + far_mm * run.direction[k]);
-        left_s -= speeds.duration_s;
-        if left_s <= 0.0 {
-            break;
+    /// How far along the vector the tool is after a time, with these speeds.
+    pub(super) fn distance_mm(&self, length_mm: f64, a: f64, t_s: f64) -> f64 {
+        let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
+        let up_s = (peak - start) / a;
+        if t_s <= up_s {
+            return (start + 0.5 * a * t_s) * t_s;
         }
+        let up_mm = 0.5 * (start + peak) * up_s;
+        let down_mm = 0.5 * (end + peak) * (peak - end) / a;
+        let even_s = (length_mm - up_mm - down_mm).max(0.0) / peak;
+        if t_s <= up_s + even_s {
+            return up_mm + peak * (t_s - up_s);
+        }
+        let braking_s = t_s - up_s - even_s;
+        up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
     }
-    sum
-}
-
-/// How far a vector with this peak has come after a time.
-fn distance_mm(length_mm: f64, [start, end, peak]: [f64; 3], a: f64, t_s: f64) -> f64 {
-    let up_s = (peak - start) / a;
-    if t_s <= up_s {
-        return (start + 0.5 * a * t_s) * t_s;
-    }
-    let up_mm = 0.5 * (start + peak) * up_s;
-    let down_mm = 0.5 * (end + peak) * (peak - end) / a;
-    let even_s = (length_mm - up_mm - down_mm).max(0.0) / peak;
-    if t_s <= up_s + even_s {
-        return up_mm + peak * (t_s - up_s);
-    }
-    let braking_s = t_s - up_s - even_s;
-    up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
 }
 
 fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
@@ -254,11 +231,9 @@ fn peak_mm_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
     max.min(meet_v2.sqrt()).max(start).max(end)
 }
 
-/// The time between two statuses of a stock arm: how the arm itself is seen to move.
-const WINDOW_S: f64 = 0.08;
 /// How many vectors before and behind count for how fast one may be.
 const REACH: usize = 1;
-const ROUNDS: usize = 12;
+const ROUNDS: usize = 60;
 const SLOWER: f64 = 0.999;
 /// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
-const LEAST_SHARE: f64 = 0.995;
+pub(super) const LEAST_SHARE: f64 = 0.994;

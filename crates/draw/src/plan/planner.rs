@@ -3,10 +3,12 @@
 use super::joints::JointSpeeds;
 use super::landing::Landing;
 use super::lookahead::Run;
-use super::pace::{Pace, Speeds};
+use super::pace::{LEAST_SHARE, Pace, Speeds};
+use super::seen::Ticks;
 use super::ticker::Ticker;
-use super::ticks::TICK_S;
+use super::ticks::OVER;
 use super::vector::length;
+use super::ways::Ways;
 use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 use crate::point::{Point, Stroke};
 
@@ -130,7 +132,7 @@ impl<'a> Planner<'a> {
             direction: way.map(|d| d / length_mm),
             length_mm,
             limit_mm_s,
-            ease: 1.0,
+            corner_mm_s: f64::INFINITY,
         });
         self.moves.push(PlannedVector {
             x_mm,
@@ -150,15 +152,80 @@ impl<'a> Planner<'a> {
     fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
-        let speeds = self.pace.plan(&mut self.chain);
-        for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
-            match &mut self.ticker {
-                Some(ticker) => ticker.set(vector, speeds),
-                None => set(vector, speeds),
+        if let Some(ticker) = self.ticker.take() {
+            self.plan_in_ticks(begin, &ticker);
+        } else {
+            let speeds = self.pace.plan(&mut self.chain);
+            for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
+                set(vector, speeds);
             }
         }
         self.chain.clear();
     }
+}
+
+/// A chain in ticks.
+impl Planner<'_> {
+    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
+    /// are taken slower, and all is planned again. A laser keeps its even speed.
+    fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker) {
+        let draws = self.moves[begin..]
+            .iter()
+            .any(|it| it.kind == MoveKind::Draw);
+        let rounds = if draws { MOST_ROUNDS } else { 0 };
+        let mut over = vec![OVER; self.chain.len()];
+        for left in (0..=rounds).rev() {
+            let attempt = self.attempt(begin, ticker.clone(), &over);
+            if left == 0 || attempt.shares.iter().all(|it| *it >= 1.0) {
+                self.pace = attempt.pace;
+                self.ticker = Some(attempt.ticker);
+                return;
+            }
+            self.take_slower(&attempt, &mut over);
+        }
+    }
+
+    fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64]) -> Attempt {
+        let mut pace = self.pace.clone();
+        let speeds: Vec<Speeds> = pace.plan(&mut self.chain).collect();
+        let mut ticks = Ticks::default();
+        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
+            let cut = ticker.set(vector, speeds[i], over[i]);
+            ticks.push(&self.chain[i], &cut);
+        }
+        let mut shares = vec![1.0_f64; self.chain.len()];
+        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
+        ticks.too_much(self.machine.acceleration_mm_s2, LEAST_SHARE, note);
+        Attempt {
+            pace,
+            ticker,
+            speeds,
+            shares,
+        }
+    }
+
+    /// Corners that are too fast, round after round more so; those that are hardly faster than one
+    /// tick becomes a stop in the end.
+    fn take_slower(&mut self, attempt: &Attempt, over: &mut [f64]) {
+        let step_mm_s = f64::from(attempt.ticker.step_mm_s());
+        let shares = attempt.shares.iter().enumerate();
+        for (i, share) in shares.filter(|it| *it.1 < 1.0) {
+            over[i] = (2.0 * over[i]).min(MOST_OVER);
+            let slower_mm_s = attempt.speeds[i].end_mm_s * share;
+            let stops = over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
+        }
+    }
+}
+
+/// A chain as it comes out in ticks.
+struct Attempt {
+    pace: Pace,
+    ticker: Ticker,
+    /// What was wanted of each vector.
+    speeds: Vec<Speeds>,
+    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    shares: Vec<f64>,
 }
 
 /// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
@@ -193,71 +260,6 @@ fn set(vector: &mut PlannedVector, speeds: Speeds) {
     vector.duration_s = speeds.duration_s as f32;
 }
 
-/// Where a laser gets to its speed before a stroke, and where it loses it behind.
-struct Ways {
-    run_up: Point,
-    /// Where it is switched on and off.
-    on: Point,
-    off: Point,
-    run_out: Point,
-    brake: Point,
-}
-
-impl Ways {
-    fn of(stroke: &Stroke, here: [f64; 3], speed_mm_s: f64, machine: &Machine) -> Self {
-        let points = &stroke.points;
-        let (first, last) = (points[0], points[points.len() - 1]);
-        let come = Point::new(first.x - here[0], first.y - here[1]);
-        let into = way_of(stroke.segments()).or_else(|| unit(come));
-        let into = into.unwrap_or(Point::new(1.0, 0.0));
-        let out = way_of(
-            stroke
-                .points
-                .windows(2)
-                .rev()
-                .map(|pair| (pair[0], pair[1])),
-        )
-        .unwrap_or(into);
-        let end = if points.len() == 1 {
-            first + into * DOT_MM
-        } else {
-            last
-        };
-        let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
-        let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
-        let gain_mm = gain_mm.max(packet_mm);
-        // A stock arm switches the laser a tick before its motors begin the vector.
-        let early_mm = if machine.has_ticks {
-            speed_mm_s * f64::from(TICK_S)
-        } else {
-            0.0
-        };
-        let first_mm = stroke
-            .segments()
-            .next()
-            .map_or(DOT_MM, |(a, b)| a.distance(b));
-        let off = end + out * early_mm;
-        let run_out = off + out * packet_mm.max(LEAST_RUN_OUT_MM);
-        Self {
-            run_up: first - into * gain_mm,
-            on: first + into * early_mm.min(0.5 * first_mm),
-            off,
-            run_out,
-            brake: run_out + out * gain_mm,
-        }
-    }
-}
-
-/// The direction of the first piece that has one.
-fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Point> {
-    segments.find_map(|(a, b)| unit(b - a))
-}
-
-fn unit(way: Point) -> Option<Point> {
-    let length = way.length();
-    (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
-}
-
 /// The largest single-precision number that is not above `value`.
 pub(super) fn round_down(value: f64) -> f32 {
     #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
@@ -270,10 +272,9 @@ pub(super) fn round_down(value: f64) -> f32 {
 }
 
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
-/// A laser burns a dot as a line, as long as its spot is wide.
-const DOT_MM: f64 = 0.1;
 /// How much more may be burned on a millimetre for it to be as much everywhere.
 const MOST_SPREAD: f64 = 1.2;
-const LEAST_RUN_OUT_MM: f64 = 0.1;
-/// Ways to get faster and slower are a little longer than they have to be, for rounding.
-const RUN_SPARE: f64 = 1.01;
+/// How often a chain is planned again for the ticks of a stock arm.
+const MOST_ROUNDS: u32 = 12;
+/// How much an end speed above the one wanted counts at the most.
+const MOST_OVER: f64 = 128.0;

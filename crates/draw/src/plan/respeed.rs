@@ -48,7 +48,7 @@ pub fn respeed(
 #[must_use]
 pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
     if machine.has_ticks {
-        Ticker::new(machine, begin_speed_mm_s).follow(vector, begin_speed_mm_s)
+        Ticker::new(machine, begin_speed_mm_s).run(vector).end_mm_s
     } else {
         vector.end_speed_mm_s
     }
@@ -105,7 +105,7 @@ impl Respeeding<'_> {
     /// A vector is run as it is.
     fn follow(&mut self, vector: &WriteVector) {
         self.speed_mm_s = match &mut self.ticker {
-            Some(ticker) => ticker.follow(vector, self.speed_mm_s),
+            Some(ticker) => ticker.run(vector).end_mm_s,
             None => vector.end_speed_mm_s,
         };
     }
@@ -133,7 +133,7 @@ fn run(vector: &WriteVector, share: f64) -> Run {
         direction: way.map(|part| part / length_mm),
         length_mm,
         limit_mm_s: share * f64::from(vector.max_speed_mm_s),
-        ease: 1.0,
+        corner_mm_s: f64::INFINITY,
     }
 }
 
@@ -222,11 +222,10 @@ mod tests {
         assert_eq!(respeed(&planned, 0.0, 1.0, &machine), planned);
         let slower = respeed(&planned, 0.0, 0.5, &machine);
         let mut ticker = Ticker::new(&machine, 0.0);
-        let mut stored = 0.0;
         for (vector, was) in slower.iter().zip(&planned) {
             assert!(vector.max_speed_mm_s <= 0.5 * was.max_speed_mm_s + 2.0);
             assert_eq!(vector.end_speed_mm_s == 0.0, was.end_speed_mm_s == 0.0);
-            stored = ticker.follow(vector, stored);
+            let stored = ticker.run(vector).end_mm_s;
             assert!(
                 (0.0..=0.5 * was.max_speed_mm_s + 2.0).contains(&stored),
                 "{stored}"

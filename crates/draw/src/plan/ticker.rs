@@ -5,7 +5,7 @@ use dobot_wire::{WriteMode, WriteVector};
 
 use super::link::Credit;
 use super::pace::Speeds;
-use super::ticks::{Fit, TICK_S, Wish};
+use super::ticks::{Fit, OVER, TICK_S, Wish};
 use super::{Machine, PlannedVector, write};
 
 /// What the arm carries over from vector to vector.
@@ -30,15 +30,17 @@ impl Ticker {
         }
     }
 
-    /// Gives a vector the speeds with which a stock arm comes nearest to these.
-    pub(super) fn set(&mut self, vector: &mut PlannedVector, speeds: Speeds) {
+    /// Gives a vector the speeds with which a stock arm comes nearest to these, and tells how it runs
+    /// it then.
+    pub(super) fn set(&mut self, vector: &mut PlannedVector, speeds: Speeds, over: f64) -> Cut {
         let begin_mm_s = self.stored_mm_s;
         let packet = write(vector);
-        let fit = self.fit(length(&packet), speeds, factor(&packet));
+        let fit = self.fit(length(&packet), speeds, factor(&packet), over);
         vector.start_speed_mm_s = begin_mm_s.min(fit.max_mm_s);
         vector.end_speed_mm_s = fit.end_mm_s;
         vector.max_speed_mm_s = fit.max_mm_s;
         vector.duration_s = f32::from(fit.cut.ticks()) * TICK_S;
+        fit.cut
     }
 
     /// The same for a vector of a job, whose speeds are those of a plan without ticks.
@@ -53,17 +55,18 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let fit = self.fit(length_mm, speeds, factor(vector));
+        let fit = self.fit(length_mm, speeds, factor(vector), OVER);
         self.stored_mm_s = stored_mm_s;
         vector.start_speed_mm_s = stored_mm_s.clamp(0.0, fit.max_mm_s);
         vector.end_speed_mm_s = fit.end_mm_s;
         vector.max_speed_mm_s = fit.max_mm_s;
     }
 
-    /// What the arm stores behind a vector that it runs from this speed.
-    pub(super) fn follow(&mut self, vector: &WriteVector, stored_mm_s: f32) -> f32 {
-        self.stored_mm_s = self.cut(vector, stored_mm_s).end_mm_s;
-        self.stored_mm_s
+    /// How the arm runs a vector behind those before.
+    pub(super) fn run(&mut self, vector: &WriteVector) -> Cut {
+        let cut = self.cut(vector, self.stored_mm_s);
+        self.stored_mm_s = cut.end_mm_s;
+        cut
     }
 
     /// Whether the arm makes each of these vectors as long as it should be.
@@ -92,7 +95,7 @@ impl Ticker {
     }
 
     /// The next vector, of this length.
-    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32) -> Fit {
+    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> Fit {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let fit = Wish {
             length_mm,
@@ -101,6 +104,7 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
+            over,
         }
         .fit(self.stored_mm_s);
         let took = f64::from(fit.cut.ticks());

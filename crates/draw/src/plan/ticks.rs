@@ -26,6 +26,8 @@ pub(super) struct Wish {
     /// The arm is to rest behind it.
     pub rests: bool,
     pub acceleration_mm_s2: f32,
+    /// How much an end speed above the one wanted counts.
+    pub over: f64,
 }
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
@@ -82,7 +84,8 @@ impl Wish {
         } else {
             (down - 3).max(0)..=down + 2
         };
-        for up in (up - 3).max(1)..=up + 2 {
+        let fewest = (up - if self.over > OVER { 8 } else { 3 }).max(1);
+        for up in fewest..=up + 2 {
             for down in downs.clone() {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
@@ -141,7 +144,7 @@ impl Wish {
         let jump = steps(f64::from(first - stored_mm_s)).abs();
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        let weight = if over > 0.0 { OVER } else { UNDER };
+        let weight = if over > 0.0 { self.over } else { UNDER };
         late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
@@ -189,7 +192,7 @@ pub(super) const TICK_S: f32 = 0.02;
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
 const NEAR: f32 = 0.4;
-const OVER: f64 = 8.0;
+pub(super) const OVER: f64 = 8.0;
 const UNDER: f64 = 0.5;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
@@ -211,6 +214,7 @@ mod tests {
             least_ticks: 1,
             rests,
             acceleration_mm_s2: 100.0,
+            over: OVER,
         }
     }
 
