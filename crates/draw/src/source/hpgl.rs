@@ -1,12 +1,15 @@
 //! Reading HP-GL and HP-GL/2, the language of pen plotters: 40 units are a millimetre.
 
+mod characters;
 mod command;
 mod encoded;
 mod frame;
+mod label;
 mod names;
 mod plotter;
 mod polygon;
 mod shapes;
+mod units;
 
 use self::command::commands;
 use self::plotter::Plotter;

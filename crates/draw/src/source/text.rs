@@ -3,6 +3,7 @@
 mod error;
 mod hershey;
 mod letter;
+mod lettering;
 mod outline;
 mod smooth;
 mod stroke;
@@ -11,12 +12,9 @@ mod symbols;
 use std::fmt;
 
 pub use self::error::TextError;
+pub(super) use self::hershey::CAPITAL;
 pub use self::hershey::StrokeFont;
-#[cfg_attr(
-    not(test),
-    expect(unused_imports, reason = "for plotter files that hold text")
-)]
-pub(crate) use self::stroke::letters;
+pub(super) use self::lettering::{Lettering, Pose};
 use super::{ReadOptions, SourceError, Warning};
 use crate::artwork::{Artwork, Layer};
 use crate::point::{Bounds, Point};

@@ -11,8 +11,8 @@ pub(super) struct Command<'a> {
     /// Its two letters, as capitals.
     pub(super) name: [u8; 2],
     pub(super) numbers: Vec<f64>,
-    /// What PE encodes.
-    pub(super) encoded: &'a [u8],
+    /// What PE encodes, LB writes and SM marks with.
+    pub(super) bytes: &'a [u8],
 }
 
 impl Command<'_> {
@@ -39,6 +39,7 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
         text,
         at: 0,
         label_end: ETX,
+        writes_end: false,
     };
     std::iter::from_fn(move || {
         let command = lexer.next_command().transpose();
@@ -54,6 +55,8 @@ struct Lexer<'a> {
     at: usize,
     /// What ends a label (DT).
     label_end: u8,
+    /// That end belongs to the label too.
+    writes_end: bool,
 }
 
 impl<'a> Lexer<'a> {
@@ -75,15 +78,19 @@ impl<'a> Lexer<'a> {
             at,
             name,
             numbers: Vec::new(),
-            encoded: &[],
+            bytes: &[],
         };
         match &name {
-            b"PE" => command.encoded = self.until(b';'),
-            b"LB" | b"BL" | b"WD" => _ = self.until(self.label_end),
+            b"PE" => command.bytes = self.until(b';'),
+            b"LB" | b"BL" => command.bytes = self.label(at)?,
+            b"WD" => _ = self.until(self.label_end),
             b"CO" => self.comment(),
-            b"DT" => self.label_end = self.character().unwrap_or(ETX),
-            b"SM" => _ = self.character(),
+            b"DT" => self.set_label_end()?,
+            b"SM" => command.bytes = self.character(),
             _ => command.numbers = self.numbers()?,
+        }
+        if matches!(&name, b"IN" | b"DF") {
+            (self.label_end, self.writes_end) = (ETX, false);
         }
         Ok(Some(command))
     }
@@ -178,11 +185,31 @@ impl<'a> Lexer<'a> {
         }
     }
 
+    /// What LB, which stands at an offset, writes.
+    fn label(&mut self, at: usize) -> Result<&'a [u8], SourceError> {
+        let begin = self.at;
+        let text = self.until(self.label_end);
+        if begin + text.len() == self.text.len() {
+            let expected = "ETX (character 3) behind it, or the character that DT sets";
+            return Err(found_at(self.text, at, "a label without an end", expected));
+        }
+        let length = text.len() + usize::from(self.writes_end);
+        Ok(&self.text[begin..begin + length])
+    }
+
+    /// `DT #` or `DT #,0`, which writes the end too.
+    fn set_label_end(&mut self) -> Result<(), SourceError> {
+        self.label_end = self.character().first().copied().unwrap_or(ETX);
+        self.writes_end = self.numbers()? == [0.0];
+        Ok(())
+    }
+
     /// A single character as a parameter, where there is one.
-    fn character(&mut self) -> Option<u8> {
-        let byte = self.text.get(self.at).copied().filter(|&it| it != b';')?;
-        self.at += 1;
-        Some(byte)
+    fn character(&mut self) -> &'a [u8] {
+        let rest = &self.text[self.at..];
+        let length = usize::from(rest.first().is_some_and(|&it| it != b';'));
+        self.at += length;
+        &rest[..length]
     }
 
     fn found(&self, expected: &str) -> SourceError {

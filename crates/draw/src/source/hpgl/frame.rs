@@ -91,7 +91,8 @@ impl Frame {
         (factor, p1 + gap - from)
     }
 
-    const fn turned(&self, p: Point) -> Point {
+    /// As RO turns everything.
+    pub(super) const fn turned(&self, p: Point) -> Point {
         match self.quarters {
             0 => p,
             1 => Point::new(-p.y, p.x),
@@ -101,4 +102,5 @@ impl Frame {
     }
 }
 
-const UNIT_MM: f64 = 0.025;
+/// A plotter unit.
+pub(super) const UNIT_MM: f64 = 0.025;

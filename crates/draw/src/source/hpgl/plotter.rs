@@ -2,7 +2,8 @@
 
 use super::command::Command;
 use super::encoded::{Item, items};
-use super::frame::{Frame, Scale, ScaleKind};
+use super::frame::Frame;
+use super::label::Labels;
 use super::names::left_out;
 use super::polygon::Polygon;
 use crate::artwork::{Area, FillRule, Layer};
@@ -23,15 +24,16 @@ pub(super) struct Plotter<'a> {
     pen: Pen,
     speed_mm_s: Option<f64>,
     /// The pen was lowered and has drawn nothing yet.
-    is_dot: bool,
+    pub(super) is_dot: bool,
     /// The sketch uses the layer of the pen, at its speed.
     is_selected: bool,
-    has_drawn: bool,
+    pub(super) has_drawn: bool,
     /// PG came since.
     is_new_page: bool,
     /// P1 and P2 are told by the file (IP).
-    knows_corners: bool,
+    pub(super) knows_corners: bool,
     pub(super) polygon: Polygon,
+    pub(super) labels: Labels,
 }
 
 /// What the plotter holds.
@@ -60,6 +62,7 @@ impl<'a> Plotter<'a> {
             is_new_page: false,
             knows_corners: false,
             polygon: Polygon::default(),
+            labels: Labels::default(),
         }
     }
 
@@ -68,7 +71,7 @@ impl<'a> Plotter<'a> {
             at: 0,
             name: *b"PU",
             numbers: Vec::new(),
-            encoded: &[],
+            bytes: &[],
         };
         self.lift(&end)?;
         Ok(self.sketch)
@@ -104,6 +107,8 @@ impl<'a> Plotter<'a> {
             b"EW" | b"WG" => self.wedge(it),
             b"PM" => self.polygon_mode(it),
             b"EP" | b"FP" => self.draw_polygon(it),
+            b"LB" | b"BL" | b"PB" | b"CP" | b"SI" | b"SR" | b"DI" | b"DR" | b"SL" | b"ES"
+            | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(it),
             b"LT" | b"FT" | b"IW" => {
                 self.style(it);
                 Ok(())
@@ -121,7 +126,7 @@ impl<'a> Plotter<'a> {
         }
     }
 
-    fn warn(&mut self, it: &Command<'_>, what: &str, instead: &str) {
+    pub(super) fn warn(&mut self, it: &Command<'_>, what: &str, instead: &str) {
         self.sketch.warnings().add(it.at, what, instead);
     }
 
@@ -134,6 +139,7 @@ impl<'a> Plotter<'a> {
         self.lift(it)?;
         self.is_relative = false;
         self.polygon = Polygon::default();
+        self.reset_labels();
         let mut frame = Frame::DEFAULT;
         if &it.name == b"IN" {
             (self.speed_mm_s, self.is_selected) = (None, false);
@@ -146,7 +152,7 @@ impl<'a> Plotter<'a> {
     }
 
     /// The pen stays where it is on the paper.
-    fn use_frame(&mut self, frame: Frame) {
+    pub(super) fn use_frame(&mut self, frame: Frame) {
         if self.frame != frame {
             self.at = frame.point_at(self.frame.point(self.at));
             self.frame = frame;
@@ -182,6 +188,7 @@ impl<'a> Plotter<'a> {
                 Point::default()
             };
             self.go_to(it, from + Point::new(pair[0], pair[1]))?;
+            self.mark(it)?;
         }
         Ok(())
     }
@@ -190,6 +197,7 @@ impl<'a> Plotter<'a> {
         let from_mm = self.sketch.check(it.at, self.frame.point(self.at))?;
         let to_mm = self.sketch.check(it.at, self.frame.point(to))?;
         self.at = to;
+        self.labels.margin_mm = None;
         if self.polygon.is_open {
             if !self.is_down && self.polygon.rings.last().is_some_and(|it| it.len() > 1) {
                 self.warn(it, "hidden polygon edge", "drawn as the others");
@@ -233,7 +241,7 @@ impl<'a> Plotter<'a> {
     }
 
     /// Uses the pen's layer; whether there is a pen.
-    fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
+    pub(super) fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
         if self.pen == Pen::None {
             self.warn(it, "penless line", "left out (SP 0)");
             return Ok(false);
@@ -303,68 +311,6 @@ impl<'a> Plotter<'a> {
         }
     }
 
-    fn set_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let [p1, p2] = Frame::DEFAULT.corners;
-        let corners = match it.numbers.as_slice() {
-            [] => [p1, p2],
-            &[x, y] => {
-                let [old1, old2] = self.frame.corners;
-                let p1 = Point::new(x, y);
-                [p1, p1 + (old2 - old1)]
-            }
-            &[x1, y1, x2, y2] if x1 != x2 && y1 != y2 => [Point::new(x1, y1), Point::new(x2, y2)],
-            _ => return Err(self.refused(it, "x,y of P1 and of P2, which differ in both")),
-        };
-        self.knows_corners = !it.numbers.is_empty();
-        self.use_frame(Frame {
-            corners,
-            ..self.frame
-        });
-        Ok(())
-    }
-
-    fn relative_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        if it.numbers.is_empty() {
-            return self.set_corners(it);
-        }
-        Err(self.refused(it, "IP, for the size of the sheet is not known"))
-    }
-
-    fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
-        if scale.is_some() && !self.knows_corners {
-            self.warn(
-                it,
-                "cornerless scale",
-                "taken for that of a sheet of A4 (SC without IP)",
-            );
-        }
-        self.use_frame(Frame {
-            scale,
-            ..self.frame
-        });
-        Ok(())
-    }
-
-    fn turn(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let quarters = match it.number(0) {
-            None | Some(0.0) => 0,
-            Some(90.0) => 1,
-            Some(180.0) => 2,
-            Some(270.0) => 3,
-            _ => return Err(self.refused(it, "a turn of 0, 90, 180 or 270 degrees")),
-        };
-        if self.has_drawn && quarters != self.frame.quarters {
-            let instead = "turned about the origin, not on its sheet, whose size is not known (RO)";
-            self.warn(it, "late turn", instead);
-        }
-        self.use_frame(Frame {
-            quarters,
-            ..self.frame
-        });
-        Ok(())
-    }
-
     fn polygon_mode(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         match it.number(0) {
             None | Some(0.0) => self.polygon.begin(self.frame.point(self.at)),
@@ -389,9 +335,9 @@ impl<'a> Plotter<'a> {
     }
 
     fn go_encoded(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        for item in items(it.encoded) {
+        for item in items(it.bytes) {
             let found = |(at, expected)| {
-                let text = excerpt(it.encoded, at);
+                let text = excerpt(it.bytes, at);
                 self.sketch.found(it.at + 2 + at, text, expected)
             };
             match item.map_err(found)? {
@@ -421,39 +367,10 @@ impl<'a> Plotter<'a> {
                         self.at
                     };
                     self.go_to(it, from + Point::new(x, y))?;
+                    self.mark(it)?;
                 }
             }
         }
         Ok(())
     }
 }
-
-/// What SC says; nothing ends the scale.
-fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
-    let share = |percent: f64| (percent / 100.0).clamp(0.0, 1.0);
-    let (ends, kind) = match numbers {
-        [] => return Ok(None),
-        ends | [ends @ .., 0.0] if ends.len() == 4 => (ends, ScaleKind::Stretched),
-        [ends @ .., 2.0] if ends.len() == 4 => (ends, ScaleKind::Factor),
-        [ends @ .., 1.0] if ends.len() == 4 => (ends, EVEN),
-        [ends @ .., 1.0, left, bottom] if ends.len() == 4 => {
-            let (left, bottom) = (share(*left), share(*bottom));
-            (ends, ScaleKind::Even { left, bottom })
-        }
-        _ => return Err("x and y of P1 and P2 as SC x1,x2,y1,y2"),
-    };
-    let (from, to) = (Point::new(ends[0], ends[2]), Point::new(ends[1], ends[3]));
-    let is_flat = match kind {
-        ScaleKind::Factor => to.x == 0.0 || to.y == 0.0,
-        _ => from.x == to.x || from.y == to.y,
-    };
-    if is_flat {
-        return Err("a scale that is not flat");
-    }
-    Ok(Some(Scale { from, to, kind }))
-}
-
-const EVEN: ScaleKind = ScaleKind::Even {
-    left: 0.5,
-    bottom: 0.5,
-};

@@ -151,6 +151,7 @@ impl Plotter<'_> {
         to: Point,
     ) -> Result<(), SourceError> {
         self.at = to;
+        self.labels.margin_mm = None;
         if self.polygon.is_open {
             self.sketch.spend(points.len())?;
             points

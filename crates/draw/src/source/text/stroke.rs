@@ -33,22 +33,6 @@ pub(super) fn read(
     Ok((layer, warnings))
 }
 
-/// A line of text in plain letters: from x 0 on a base line at y 0, capitals up to `-height_mm`.
-/// What cannot be written is left out.
-#[cfg_attr(
-    not(test),
-    expect(dead_code, reason = "for plotter files that hold text")
-)]
-pub(crate) fn letters(
-    text: &str,
-    height_mm: f64,
-    tolerance_mm: f64,
-) -> Result<Vec<Stroke>, SourceError> {
-    let mut writer = Writer::new(StrokeFont::Sans, height_mm, tolerance_mm);
-    writer.line(text, Point::default())?;
-    Ok(writer.strokes)
-}
-
 struct Writer {
     font: StrokeFont,
     /// Millimetres for each unit of the fonts' grid.
@@ -135,7 +119,8 @@ impl Writer {
     }
 }
 
-fn rounded(letter: &Letter, font: StrokeFont, tolerance: f64) -> Letter {
+/// A letter with its gentle corners rounded, in units of the grid.
+pub(super) fn rounded(letter: &Letter, font: StrokeFont, tolerance: f64) -> Letter {
     let sharp = if font == StrokeFont::Gothic {
         SHARP_GOTHIC
     } else {

@@ -174,6 +174,8 @@ const RECIPES: &[(char, Recipe)] = &[
     ('‐', Recipe::Text("-")),
     ('‑', Recipe::Text("-")),
     ('−', Recipe::Text("-")),
+    ('⌀', Recipe::Text("Ø")),
+    ('∅', Recipe::Text("Ø")),
     ('ď', Recipe::Text("d'")),
     ('ľ', Recipe::Text("l'")),
     ('Ľ', Recipe::Text("L'")),

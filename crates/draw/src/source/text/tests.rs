@@ -202,13 +202,6 @@ fn styles_may_follow_the_name_of_a_font() {
     assert!(text.read(&options).is_ok());
 }
 
-#[test]
-fn readers_of_other_files_can_letter() {
-    let strokes = letters("H", 7.0, 0.005).unwrap();
-    let bounds = Bounds::of_strokes(&strokes);
-    assert_eq!((bounds.min.y, bounds.max.y), (-7.0, 0.0));
-}
-
 proptest! {
     #[test]
     fn any_text_is_written_or_refused_with_one_line(
