@@ -2,6 +2,7 @@
 //!
 //! A reader of our own: those there are skip what they do not know in silence, hatches among it.
 
+mod content;
 mod entity;
 mod file;
 mod frame;
@@ -9,6 +10,7 @@ mod hatch;
 mod pairs;
 mod shapes;
 mod spline;
+mod text;
 mod walk;
 
 use self::file::File;

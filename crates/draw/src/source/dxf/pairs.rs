@@ -35,10 +35,22 @@ impl<'a> Pair<'a> {
 
     /// The value as text: Windows' western letters where it is no UTF-8, as before 2007.
     pub(super) fn text(&self) -> Cow<'a, str> {
-        match std::str::from_utf8(self.value) {
-            Ok(text) => Cow::Borrowed(text),
-            Err(_) => Cow::Owned(self.value.iter().copied().map(char::from).collect()),
-        }
+        decoded(self.value)
+    }
+
+    /// The same with the spaces around it, from the text of the file.
+    pub(super) fn whole_text<'t>(&self, text: &'t [u8]) -> Cow<'t, str> {
+        let rest = &text[self.value_at..];
+        let line = rest.split(|&byte| byte == b'\n').next();
+        let line = line.unwrap_or_default();
+        decoded(line.strip_suffix(b"\r").unwrap_or(line))
+    }
+}
+
+fn decoded(value: &[u8]) -> Cow<'_, str> {
+    match std::str::from_utf8(value) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(value.iter().copied().map(char::from).collect()),
     }
 }
 

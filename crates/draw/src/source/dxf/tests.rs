@@ -215,9 +215,138 @@ fn hatches_and_solids_are_areas() {
     assert_eq!(ring, [(0.0, 9.0), (9.0, 9.0), (9.0, 0.0), (0.0, 0.0)]);
 }
 
+/// A dot at the origin, then entities, in whose words `_` is a space; left, bottom, right and top
+/// of their ink, in millimetres from the dot, y up.
+fn written(blocks: &str, entities: &str) -> [f64; 4] {
+    let text = file("", blocks, &format!("0 POINT 10 0 20 0 {entities}"));
+    let (artwork, _) = draw_text(&text.replace('_', " "));
+    let strokes: Vec<Stroke> = artwork
+        .layers
+        .into_iter()
+        .flat_map(|it| it.strokes)
+        .collect();
+    let origin = strokes[0].points[0];
+    let ink = Bounds::of_strokes(&strokes[1..]);
+    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
+    let from = [origin.x, -origin.y, origin.x, -origin.y];
+    std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
+}
+
+#[test]
+fn a_text_stands_on_its_base_line_where_it_is_justified() {
+    // H is 14 wide at a height of 21, the next letter stands 22 farther.
+    for (groups, wanted) in [
+        ("1 H", [100.0, 200.0, 114.0, 221.0]),
+        ("1 HH", [100.0, 200.0, 136.0, 221.0]),
+        ("1 _H", [120.0, 200.0, 134.0, 221.0]),
+        ("1 H 41 2", [100.0, 200.0, 128.0, 221.0]),
+        ("1 H 50 90", [79.0, 200.0, 100.0, 214.0]),
+        ("1 H 51 45", [100.0, 200.0, 135.0, 221.0]),
+        ("1 H 71 2", [86.0, 200.0, 100.0, 221.0]),
+        ("1 H 71 4", [100.0, 179.0, 114.0, 200.0]),
+        ("1 H 71 6", [86.0, 179.0, 100.0, 200.0]),
+        ("1 HH 72 1 11 300 21 400", [282.0, 400.0, 318.0, 421.0]),
+        ("1 HH 72 2 11 300 21 400", [264.0, 400.0, 300.0, 421.0]),
+        ("1 H 72 4 11 300 21 400", [293.0, 389.5, 307.0, 410.5]),
+        ("1 H 73 1 11 300 21 400", [300.0, 407.0, 314.0, 428.0]),
+        ("1 H 73 2 11 300 21 400", [300.0, 389.5, 314.0, 410.5]),
+        ("1 H 73 3 72 1 11 300 21 400", [293.0, 379.0, 307.0, 400.0]),
+        ("1 H 72 3 11 128 21 200", [100.0, 200.0, 128.0, 242.0]),
+        ("1 H 72 3 11 100 21 228", [58.0, 200.0, 100.0, 228.0]),
+        ("1 H 72 5 11 128 21 200", [100.0, 200.0, 128.0, 221.0]),
+        ("1 H 210 0 220 0 230 -1", [-114.0, 200.0, -100.0, 221.0]),
+        ("1 %%072H", [100.0, 200.0, 136.0, 221.0]),
+    ] {
+        let text = format!("0 TEXT 10 100 20 200 40 21 {groups}");
+        assert_eq!(written("", &text), wanted, "{groups}");
+    }
+    let attribute = "0 ATTRIB 10 100 20 200 40 21 1 H 74 2 11 300 21 400";
+    assert_eq!(written("", attribute), [300.0, 389.5, 314.0, 410.5]);
+    let block = "0 BLOCK 2 a 0 TEXT 10 5 20 5 40 21 1 H 0 ENDBLK";
+    let inserted = "0 INSERT 2 a 10 100 20 200 41 2 42 3";
+    assert_eq!(written(block, inserted), [110.0, 215.0, 138.0, 278.0]);
+}
+
+#[test]
+fn paragraphs_lie_about_their_point() {
+    for (groups, wanted) in [
+        ("1 H", [100.0, 179.0, 114.0, 200.0]),
+        ("1 H 71 1", [100.0, 179.0, 114.0, 200.0]),
+        ("1 H 71 2", [93.0, 179.0, 107.0, 200.0]),
+        ("1 H 71 3", [86.0, 179.0, 100.0, 200.0]),
+        ("1 H 71 4", [100.0, 189.5, 114.0, 210.5]),
+        ("1 H 71 5", [93.0, 189.5, 107.0, 210.5]),
+        ("1 H 71 6", [86.0, 189.5, 100.0, 210.5]),
+        ("1 H 71 7", [100.0, 200.0, 114.0, 221.0]),
+        ("1 H 71 8", [93.0, 200.0, 107.0, 221.0]),
+        ("1 H 71 9", [86.0, 200.0, 100.0, 221.0]),
+        ("1 H 71 7 11 0 21 2", [79.0, 200.0, 100.0, 214.0]),
+        ("1 H 71 7 50 90", [79.0, 200.0, 100.0, 214.0]),
+        ("1 H 71 7 50 90 11 1 21 0", [100.0, 200.0, 114.0, 221.0]),
+        ("1 H 210 0 220 0 230 -1", [86.0, 179.0, 100.0, 200.0]),
+        (
+            "1 H 11 1 21 0 210 0 220 0 230 -1",
+            [100.0, 200.0, 114.0, 221.0],
+        ),
+        // Lines are 35 apart.
+        (r"1 H\PH", [100.0, 144.0, 114.0, 200.0]),
+        (r"1 H\P\PH", [100.0, 109.0, 114.0, 200.0]),
+        (r"1 H\PH 44 2", [100.0, 109.0, 114.0, 200.0]),
+        (r"1 H\PH 71 4", [100.0, 172.0, 114.0, 228.0]),
+        (r"1 H\PH 71 7", [100.0, 200.0, 114.0, 256.0]),
+        ("1 H_H_H", [100.0, 179.0, 190.0, 200.0]),
+        ("1 H_H_H 41 60", [100.0, 144.0, 152.0, 200.0]),
+        ("1 H_H_H 41 40", [100.0, 109.0, 114.0, 200.0]),
+        ("1 HH_H 41 1", [100.0, 144.0, 136.0, 200.0]),
+        ("3 H_ 1 H", [100.0, 179.0, 152.0, 200.0]),
+        ("1 H 101 Embedded 1 H", [100.0, 179.0, 114.0, 200.0]),
+    ] {
+        let text = format!("0 MTEXT 10 100 20 200 40 21 {groups}");
+        assert_eq!(written("", &text), wanted, "{groups}");
+    }
+}
+
+#[test]
+fn attributes_are_drawn_where_they_are_seen() {
+    let definition = "0 ATTDEF 10 100 20 200 40 21 1 HH 2 H";
+    // Among the entities a definition shows its tag.
+    assert_eq!(written("", definition), [100.0, 200.0, 114.0, 221.0]);
+    let drawn = |flags: u32| {
+        let block = format!("0 BLOCK 2 a {definition} 70 {flags} 0 ENDBLK");
+        let entities = "0 POINT 10 0 20 0 0 INSERT 66 1 2 a 10 0 20 0
+            0 ATTRIB 10 0 20 0 40 21 1 H 70 1 0 SEQEND";
+        let (artwork, warnings) = draw_text(&file("", &block, entities));
+        assert_eq!(warnings, [""; 0]);
+        artwork.layers[0].strokes.len()
+    };
+    // In a block its value where all copies share it: two H of three strokes.
+    assert_eq!([0, 1, 2, 3].map(drawn), [1, 1, 7, 1]);
+}
+
+#[test]
+fn a_dimension_is_the_picture_in_its_block() {
+    let block =
+        "0 BLOCK 2 *D1 10 0 20 0 0 LINE 10 10 20 20 11 40 21 20 0 POINT 8 Defpoints 10 0 20 0
+        0 MTEXT 10 25 20 22 40 5 71 8 1 \\A1;HH 0 ENDBLK";
+    let dimension = "0 DIMENSION 2 *D1 10 99 20 99 11 99 21 99 70 32 1 text 13 10 23 20";
+    let found = written(block, dimension);
+    assert_eq!(
+        [found[0], found[1], found[2], found[3]],
+        [10.0, 20.0, 40.0, 27.0]
+    );
+    let (artwork, warnings) = draw_text(&file("", block, dimension));
+    assert_eq!(warnings, [""; 0]);
+    assert!(artwork.points().all(|p| p.x <= 30.0 && p.y <= 7.0));
+    let moved = written(block, "0 DIMENSION 2 *D1 12 1 22 2 10 99 20 99");
+    assert_eq!(moved, [11.0, 22.0, 41.0, 29.0]);
+}
+
 #[test]
 fn what_is_left_out_is_named_with_its_count() {
-    let entities = "0 LINE 10 0 20 0 11 1 21 0 0 MTEXT 10 0 20 0 1 Hi 0 MTEXT 10 0 20 0 1 Ho 0 3DSOLID 1 x
+    let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
+        0 TEXT 10 0 20 0 40 1 1 %%ua漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
+        0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
+        0 DIMENSION 2 *D1 10 0 20 0 0 LEADER 76 2
         0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 2 10 0 20 0 40 1
         0 POLYLINE 70 64 0 VERTEX 10 0 20 0 0 SEQEND 0 SPLINE 71 3 11 0 21 0 11 5 21 5 0 VIEWPORT 10 0";
     let (_, warnings) = draw(entities);
@@ -228,8 +357,13 @@ fn what_is_left_out_is_named_with_its_count() {
     assert_eq!(
         texts,
         [
-            "2 MTEXTs: left out; have text written as lines",
             "1 3DSOLID: not known, left out",
+            "2 formatted texts: written plainly: in one height, nothing underlined, fractions in a row",
+            "2 characters: not in the sans letters, left out; the first is '漢'",
+            "2 TEXTs: left out, for its letters have no size",
+            "1 MTEXT: left out, for its letters have no size",
+            "1 DIMENSION: left out, for its picture is not in the file",
+            "1 LEADER: not known, left out",
             "1 tilted object: left out, for only what lies in the plane XY is drawn",
             "1 HATCH: a boundary by arcs or splines, left out",
             "1 POLYLINE: left out, for its faces are no lines",
@@ -274,6 +408,22 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         (
             in_text("0 LINE 10 nan 20 0 11 1 21 1"),
             "30:1: found \"nan\" for group 10; expected a number from -1e9 to 1e9",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 1 a"),
+            "27:1: found TEXT without group 40; expected a number",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 40 1 72 1 1 a"),
+            "27:1: found TEXT without group 11; expected a number",
+        ),
+        (
+            in_text("0 MTEXT 10 0 20 0 40 1 71 10 1 a"),
+            "27:1: found MTEXT attached at 10; expected an attachment point from 1 to 9",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 40 2100000 1 H"),
+            "27:1: leads to (-400000, 2100000) mm; at most 1000000 mm from the origin are allowed",
         ),
         (
             in_text("0 CIRCLE 10 0 20 0 40 9000000"),
@@ -342,7 +492,7 @@ fn a_file_cut_anywhere_is_refused() {
     let text = file(
         "",
         "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK",
-        "0 INSERT 2 a 10 0 20 0 0 LINE 10 0 20 0 11 9 21 0",
+        "0 INSERT 2 a 10 0 20 0 0 LINE 10 0 20 0 11 9 21 0 0 TEXT 10 0 20 0 40 1 1 a%%d 0 MTEXT 10 0 20 0 40 1 1 a\\Pb",
     );
     for end in 0..text.len() - 1 {
         super::read(&text.as_bytes()[..end], &ReadOptions::default()).unwrap_err();
@@ -370,11 +520,27 @@ proptest! {
     }
 
     #[test]
-    fn no_text_makes_it_panic(text in ".{0,200}", pairs in prop::collection::vec((0..100, "[-0-9.]{1,4}|LINE|ARC|SPLINE|HATCH|INSERT|a"), 0..40)) {
+    fn no_text_makes_it_panic(text in ".{0,200}", pairs in prop::collection::vec((0..100, "[-0-9.]{1,4}|LINE|ARC|SPLINE|HATCH|INSERT|TEXT|MTEXT|ATTDEF|DIMENSION|a"), 0..40)) {
         let _ = super::read(text.as_bytes(), &ReadOptions::default());
         let pairs: Vec<String> = pairs.iter().map(|(code, value)| format!("{code} {value}")).collect();
         let pairs = pairs.join(" ");
         let text = file("", "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK", &pairs);
+        if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
+            prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
+        }
+    }
+
+    #[test]
+    fn no_text_in_a_file_makes_it_panic(
+        kind in "TEXT|MTEXT|ATTRIB|ATTDEF",
+        text in "([ -~äß漢]|\\\\[A-Za-z]|%%[a-z]|\\\\P){0,30}",
+        height in 0.1..50.0_f64,
+        numbers in prop::collection::vec(("11|21|41|44|50|51|70|71|72|73|74|230", -9..9), 0..9),
+    ) {
+        let numbers: Vec<String> = numbers.iter().map(|(code, value)| format!("{code} {value}")).collect();
+        let numbers = numbers.join(" ");
+        let entity = format!("0 {kind} 10 0 20 0 40 {height} 1 ~ {numbers} 0 LINE 10 0 20 0 11 9 21 9");
+        let text = file("", "", &entity).replace("~\n", &format!("{text}\n"));
         if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
             prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
         }

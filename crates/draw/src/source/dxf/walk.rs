@@ -1,7 +1,7 @@
 //! Through all entities of a file, and into its blocks.
 
 use super::entity::Entity;
-use super::file::{File, LayerInfo, Span};
+use super::file::{Block, File, LayerInfo, Span};
 use super::frame::Frame;
 use super::pairs::Pair;
 use crate::artwork::Layer;
@@ -9,6 +9,7 @@ use crate::point::Point;
 use crate::source::SourceError;
 use crate::source::error::printable;
 use crate::source::sketch::Sketch;
+use crate::source::text::Lettering;
 
 /// A walk that draws.
 #[derive(Debug)]
@@ -19,6 +20,7 @@ pub(super) struct Walk<'s, 'a> {
     copies_left: usize,
     /// The layer that the sketch uses.
     layer: Option<String>,
+    pub(super) lettering: Lettering,
 }
 
 /// Where a block is drawn.
@@ -32,12 +34,13 @@ struct Copy<'l> {
 }
 
 impl<'s, 'a> Walk<'s, 'a> {
-    pub(super) const fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>) -> Self {
+    pub(super) fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>) -> Self {
         Self {
             sketch,
             file,
             copies_left: MOST_COPIED,
             layer: None,
+            lettering: Lettering::default(),
         }
     }
 
@@ -92,8 +95,10 @@ impl<'s, 'a> Walk<'s, 'a> {
         if self.is_hidden(&it, layer)? {
             return Ok(());
         }
-        if it.kind == b"INSERT" {
-            return self.insert(&it, copy, layer);
+        match it.kind {
+            b"INSERT" => return self.insert(&it, copy, layer),
+            b"DIMENSION" => return self.dimension(&it, copy, layer),
+            _ => {}
         }
         let Some(frame) = self.seen(&it, copy.frame)? else {
             return Ok(());
@@ -112,10 +117,8 @@ impl<'s, 'a> Walk<'s, 'a> {
             b"HATCH" => self.hatch(&it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
-            b"TEXT" | b"MTEXT" | b"ATTRIB" | b"ATTDEF" => {
-                self.left_out(&it, "left out; have text written as lines");
-                Ok(())
-            }
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(&it, frame, copy.depth > 0),
+            b"MTEXT" => self.paragraphs(&it, copy.frame),
             _ => {
                 self.left_out(&it, "not known, left out");
                 Ok(())
@@ -128,7 +131,9 @@ impl<'s, 'a> Walk<'s, 'a> {
     }
 
     fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
-        if it.flags(60)? == 1 {
+        // What a dimension is measured between is seen on the screen alone.
+        let is_measured = it.kind == b"POINT" && layer.eq_ignore_ascii_case("Defpoints");
+        if it.flags(60)? == 1 || is_measured {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
@@ -181,9 +186,6 @@ impl<'s, 'a> Walk<'s, 'a> {
             let found = format!("INSERT of block {:?}", String::from_utf8_lossy(name));
             return Err(it.refused(found, "a block that is in the file"));
         };
-        if copy.depth == MOST_DEPTH {
-            return Err(it.refused("a block in itself", "blocks in at most 32 others"));
-        }
         let Some(frame) = self.seen(it, copy.frame)? else {
             return Ok(());
         };
@@ -193,25 +195,66 @@ impl<'s, 'a> Walk<'s, 'a> {
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let shift = Point::new(f64::from(column) * wide, f64::from(row) * high);
-            let inner = placed(it, base, shift)?;
-            let frame = frame.within(&inner);
-            let depth = copy.depth + 1;
-            self.spend(Span {
-                kind: b"",
-                at: it.at,
-                begin: it.at,
-                end: it.at + LEAST_COPY,
-            })?;
-            self.entities(
-                &block.entities,
+            let frame = frame.within(&placed(it, base, shift)?);
+            self.block(
+                it,
+                block,
                 Copy {
                     frame,
-                    depth,
                     layer,
+                    ..copy
                 },
             )?;
         }
         Ok(())
+    }
+
+    /// The picture of a dimension, which is a block that lies where it belongs.
+    fn dimension(
+        &mut self,
+        it: &Entity<'a>,
+        copy: Copy<'_>,
+        layer: &str,
+    ) -> Result<(), SourceError> {
+        let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
+            self.left_out(it, "left out, for its picture is not in the file");
+            return Ok(());
+        };
+        let base = Point::new(block.base[0], block.base[1]);
+        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - base;
+        let frame = Frame {
+            origin: copy.frame.point(shift),
+            ..copy.frame
+        };
+        self.block(
+            it,
+            block,
+            Copy {
+                frame,
+                layer,
+                ..copy
+            },
+        )
+    }
+
+    /// A block in a frame, one deeper than what it is drawn for.
+    fn block(
+        &mut self,
+        it: &Entity<'a>,
+        block: &'s Block<'a>,
+        copy: Copy<'_>,
+    ) -> Result<(), SourceError> {
+        if copy.depth == MOST_DEPTH {
+            return Err(it.refused("a block in itself", "blocks in at most 32 others"));
+        }
+        self.spend(Span {
+            kind: b"",
+            at: it.at,
+            begin: it.at,
+            end: it.at + LEAST_COPY,
+        })?;
+        let depth = copy.depth + 1;
+        self.entities(&block.entities, Copy { depth, ..copy })
     }
 }
 
