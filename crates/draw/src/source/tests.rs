@@ -75,6 +75,15 @@ fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
 }
 
 #[test]
+fn the_dial_has_labels_around_it_and_a_pointer_for_another_pen() {
+    let dial = example("dial.plt");
+    let found: Vec<&str> = dial.layers.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(found, ["pen 1", "pen 2"]);
+    assert!((dial.layers[1].strokes[0].length_mm() - 36.75).abs() < 0.1);
+    assert!(dial.layers[0].strokes.len() > 60);
+}
+
+#[test]
 fn the_bracket_has_an_outline_and_holes() {
     let bracket = example("bracket.dxf");
     assert!(

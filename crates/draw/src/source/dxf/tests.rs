@@ -255,6 +255,8 @@ fn a_text_stands_on_its_base_line_where_it_is_justified() {
         ("1 H 72 3 11 100 21 228", [58.0, 200.0, 100.0, 228.0]),
         ("1 H 72 5 11 128 21 200", [100.0, 200.0, 128.0, 221.0]),
         ("1 H 210 0 220 0 230 -1", [-114.0, 200.0, -100.0, 221.0]),
+        ("1 I", [100.0, 200.0, 100.0, 221.0]),
+        ("1 I 72 5 11 108 21 200", [100.0, 200.0, 100.0, 221.0]),
         ("1 %%072H", [100.0, 200.0, 136.0, 221.0]),
     ] {
         let text = format!("0 TEXT 10 100 20 200 40 21 {groups}");
@@ -344,7 +346,7 @@ fn a_dimension_is_the_picture_in_its_block() {
 #[test]
 fn what_is_left_out_is_named_with_its_count() {
     let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
-        0 TEXT 10 0 20 0 40 1 1 %%ua漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
+        0 TEXT 10 0 20 0 40 1 1 %%u漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
         0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
         0 DIMENSION 2 *D1 10 0 20 0 0 LEADER 76 2
         0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 2 10 0 20 0 40 1
@@ -416,6 +418,10 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         (
             in_text("0 TEXT 10 0 20 0 40 1 72 1 1 a"),
             "27:1: found TEXT without group 11; expected a number",
+        ),
+        (
+            in_text("0 ATTRIB 10 0 20 0 40 1 72 1 74 4 1 a"),
+            "27:1: found ATTRIB justified 1 across and 4 up; expected 0 to 5 across (72) and 0 to 3 up (73, of attributes 74)",
         ),
         (
             in_text("0 MTEXT 10 0 20 0 40 1 71 10 1 a"),
@@ -528,6 +534,27 @@ proptest! {
         if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
             prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
         }
+    }
+
+    #[test]
+    fn a_text_fits_between_its_points(
+        text in "[A-H][A-Za-z0-9]{0,8}",
+        height in 1.0..50.0_f64,
+        (x, y) in (20.0..90.0_f64, -90.0..90.0_f64),
+        column in prop::sample::select(vec![3, 5]),
+    ) {
+        let entities = format!(
+            "0 POINT 10 0 20 0 0 TEXT 10 0 20 0 11 {x} 21 {y} 40 {height} 72 {column} 1 {text}"
+        );
+        let strokes = &draw(&entities).0.layers[0].strokes;
+        let origin = strokes[0].points[0];
+        let way = Point::new(x, -y);
+        let shares = strokes[1..].iter().flat_map(|it| &it.points);
+        let shares: Vec<f64> = shares.map(|&p| (p - origin).dot(way) / way.length2()).collect();
+        let least = shares.iter().fold(f64::MAX, |a, &b| a.min(b));
+        let most = shares.iter().fold(f64::MIN, |a, &b| a.max(b));
+        // Curves may swing a little over their corners.
+        prop_assert!(least.abs() < 0.05 && (most - 1.0).abs() < 0.05, "{least} {most}");
     }
 
     #[test]

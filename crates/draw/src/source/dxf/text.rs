@@ -63,10 +63,10 @@ impl Walk<'_, '_> {
         };
         let content = line(&pair.whole_text(it.text));
         self.tell_plainer(it, &content);
-        let extent = Extent::of(&content.text, &mut self.lettering);
-        if extent.width() <= 0.0 {
+        if content.text.trim().is_empty() {
             return Ok(());
         }
+        let extent = Extent::of(&content.text, &mut self.lettering);
         let pose = text_pose(it, extent)?;
         if !has_size(it, &pose)? {
             self.left_out(it, "left out, for its letters have no size");
@@ -177,44 +177,81 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
 
 /// How the letters of a line lie about its points.
 fn text_pose(it: &Entity<'_>, extent: Extent) -> Result<Pose, SourceError> {
+    let (column, row) = justification(it)?;
+    let pose = match column {
+        ALIGNED | FIT => spanning_pose(it, extent, column)?,
+        _ => {
+            let (right, up) = directions(it)?;
+            let tall = it.number(40)? / CAPITAL;
+            let is_at_start = (column, row) == (0, 0);
+            Pose {
+                at: it.point(if is_at_start { 10 } else { 11 })?,
+                across: right * (tall * it.number_or(41, 1.0)?),
+                up: up * tall,
+            }
+        }
+    };
+    let made = it.flags(71)?;
+    let side = |flag: u32| if made & flag == 0 { 1.0 } else { -1.0 };
+    let lean = it.number_or(51, 0.0)?.to_radians().tan();
+    let tall = pose.up.length();
+    let leaning = pose.across * (lean * tall / pose.across.length());
+    let across = pose.across * side(BACKWARD);
+    let up = (pose.up + leaning) * side(UPSIDE_DOWN);
+    let before = extent.begin + extent.width() * before(column);
+    let at = pose.at - across * before - up * below(column, row);
+    Ok(Pose { at, across, up })
+}
+
+/// From one point to another: as tall as that makes it, or as said.
+fn spanning_pose(it: &Entity<'_>, extent: Extent, column: u32) -> Result<Pose, SourceError> {
+    let at = it.point(10)?;
+    let way = it.point(11)? - at;
+    // A single I has no width.
+    let width = if extent.width() > 0.0 {
+        extent.width()
+    } else {
+        extent.advance
+    };
+    let across = way * (1.0 / width);
+    let tall = if column == ALIGNED {
+        across.length() / it.number_or(41, 1.0)?
+    } else {
+        it.number(40)? / CAPITAL
+    };
+    let up = Point::new(-way.y, way.x) * (tall / way.length());
+    Ok(Pose { at, across, up })
+}
+
+/// Across and up.
+fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
     let vertical = if it.kind == b"TEXT" { 73 } else { 74 };
     let (column, row) = (it.flags(72)?, it.flags(vertical)?);
-    let (mut right, mut up) = directions(it)?;
-    let (mut tall, mut wide) = (it.number(40)? / CAPITAL, it.number_or(41, 1.0)?);
-    let spans = column == ALIGNED || column == FIT;
-    if spans {
-        let way = it.point(11)? - it.point(10)?;
-        right = way * (1.0 / way.length());
-        up = Point::new(-right.y, right.x);
-        let unit = way.length() / extent.width();
-        if column == ALIGNED {
-            tall = unit / wide;
-        } else {
-            wide = unit / tall;
-        }
+    if column > FIT || row > TOP {
+        let found = format!("{} justified {column} across and {row} up", it.name());
+        let expected = "0 to 5 across (72) and 0 to 3 up (73, of attributes 74)";
+        return Err(it.refused(found, expected));
     }
-    let lean = it.number_or(51, 0.0)?.to_radians().tan();
-    let generation = it.flags(71)?;
-    let side = |flag: u32| if generation & flag == 0 { 1.0 } else { -1.0 };
-    let across = right * (tall * wide * side(BACKWARD));
-    let up = (up + right * lean) * (tall * side(UPSIDE_DOWN));
-    let is_at_start = spans || (column, row) == (0, 0);
-    let at = it.point(if is_at_start { 10 } else { 11 })?;
-    let share = match column {
-        1 | MIDDLE => 0.5,
-        2 => 1.0,
+    Ok((column, row))
+}
+
+/// How much of a line lies before its point.
+const fn before(column: u32) -> f64 {
+    match column {
+        CENTER | MIDDLE => 0.5,
+        RIGHT => 1.0,
         _ => 0.0,
-    };
-    let below = match row {
-        _ if column == MIDDLE => 0.5 * CAPITAL,
-        1 => -DESCENT,
-        2 => 0.5 * CAPITAL,
-        3 => CAPITAL,
+    }
+}
+
+/// How far the base line lies below its point, on the letters' grid.
+const fn below(column: u32, row: u32) -> f64 {
+    match (column, row) {
+        (MIDDLE, _) | (_, HALF) => 0.5 * CAPITAL,
+        (_, BOTTOM) => -DESCENT,
+        (_, TOP) => CAPITAL,
         _ => 0.0,
-    };
-    let before = extent.begin + extent.width() * share;
-    let at = at - across * before - up * below;
-    Ok(Pose { at, across, up })
+    }
 }
 
 /// To the right along a line of text, and up.
@@ -267,11 +304,17 @@ fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
 /// Flags of attributes.
 const INVISIBLE: u32 = 1;
 const CONSTANT: u32 = 2;
-/// Kinds of horizontal justification: between two points, as tall as fits; in the middle of
-/// everything; between two points, as tall as said.
+/// Kinds of justification across, among them: between two points, as tall as fits; in the middle
+/// of everything; between two points, as tall as said.
+const CENTER: u32 = 1;
+const RIGHT: u32 = 2;
 const ALIGNED: u32 = 3;
 const MIDDLE: u32 = 4;
 const FIT: u32 = 5;
+/// And up; 0 is the base line.
+const BOTTOM: u32 = 1;
+const HALF: u32 = 2;
+const TOP: u32 = 3;
 /// Flags of how letters are made.
 const BACKWARD: u32 = 2;
 const UPSIDE_DOWN: u32 = 4;

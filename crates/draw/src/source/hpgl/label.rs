@@ -148,6 +148,9 @@ impl Plotter<'_> {
 
     /// Writes from the pen on, which goes on behind the label.
     fn write(&mut self, it: &Command<'_>, text: &str) -> Result<(), SourceError> {
+        if text.is_empty() {
+            return Ok(());
+        }
         let cell = self.cell(it);
         let has_pen = self.select(it)?;
         let mut cursor = self.cursor();

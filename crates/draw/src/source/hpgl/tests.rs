@@ -637,6 +637,30 @@ proptest! {
     }
 
     #[test]
+    fn letters_stay_in_their_cells(
+        text in "[!-~ÄÖÜäöüß°µ]{1,12}",
+        (width_cm, height_cm) in (0.1..2.0_f64, 0.1..2.0_f64),
+        direction_deg in -180.0..180.0_f64,
+        (x, y) in (-9_000..9_000, -9_000..9_000),
+    ) {
+        let (sin, cos) = direction_deg.to_radians().sin_cos();
+        let file = format!(
+            "PD;PU;PU{x},{y};SI{width_cm:.3},{height_cm:.3};DI{cos:.9},{sin:.9};LB{text}\x03"
+        );
+        let strokes = strokes(&file);
+        let pen = Point::new(f64::from(x), -f64::from(y)) * 0.025 + strokes[0].points[0];
+        let cells = f64::from(u32::try_from(text.chars().count()).unwrap());
+        for p in strokes[1..].iter().flat_map(|it| &it.points) {
+            let way = Point::new(p.x - pen.x, pen.y - p.y);
+            let along = way.dot(Point::new(cos, sin)) / (10.0 * width_cm);
+            let up = way.dot(Point::new(-sin, cos)) / (10.0 * height_cm);
+            // A letter is 1.5 widths from the next; curves may swing a little over their corners.
+            prop_assert!((-0.1..1.5 * cells - 0.4).contains(&along), "{along}");
+            prop_assert!((-0.5..1.5).contains(&up), "{up}");
+        }
+    }
+
+    #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         let _ = super::read(&bytes, &ReadOptions::default());
     }
