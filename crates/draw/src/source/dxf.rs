@@ -40,3 +40,5 @@ pub(crate) fn read(
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod text_tests;

@@ -31,4 +31,6 @@ pub(crate) fn read(
 }
 
 #[cfg(test)]
+mod label_tests;
+#[cfg(test)]
 mod tests;
