@@ -6,8 +6,10 @@
 //! [`inverse`](crate::inverse).
 
 mod functions;
+mod integers;
 
 use self::functions::{acos, atan, atan2, sin_cos};
+pub use self::integers::{short, whole};
 
 /// The joint angles as the stock controller holds them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -21,7 +21,7 @@ mod write;
 
 use core::time::Duration;
 
-use dobot_arm::stock::Joints as StockJoints;
+use dobot_arm::stock::{Joints as StockJoints, short};
 use dobot_arm::{Joints, Pose};
 use dobot_wire::{Frame, Status};
 
@@ -38,7 +38,7 @@ use self::spoken::{Spoken, Words};
 use self::target::Travel;
 use self::write::Write;
 use crate::log::Log;
-use crate::outputs::{Hands, short};
+use crate::outputs::Hands;
 use crate::{Hang, Port, PowerUp, Refused};
 
 /// What stock arms do.

@@ -1,5 +1,7 @@
 //! What a controller tells the machine: motor pulses, servos and switches.
 
+use dobot_arm::stock::{short, whole};
+
 /// What a controller told the machine in a control tick.
 ///
 /// Pulses and servo values go out a tick after they were calculated: they are those of the tick
@@ -88,26 +90,6 @@ impl Steppers {
 /// degrees, less a thousand. Angles a hair below a whole number are rounded up by it.
 pub(crate) fn servo_value(angle_deg: f32) -> i16 {
     short((angle_deg * 1000.0 / 180.0 + 1500.0) - 1000.0)
-}
-
-/// The integer part of a number; 0 for one that is none or does not fit, as the stock controller's
-/// processor has it in sixteen bits.
-#[expect(clippy::cast_possible_truncation, reason = "that is the point")]
-pub(crate) const fn whole(value: f32) -> i32 {
-    if value.abs() < 2_147_483_648.0 {
-        value as i32
-    } else {
-        0
-    }
-}
-
-/// The integer part of a number in sixteen bits.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "its integers are that short"
-)]
-pub(crate) const fn short(value: f32) -> i16 {
-    whole(value) as i16
 }
 
 /// Pulses per degree for base, rear arm and forearm: 1.8 degrees a step, 16 microsteps, a gear of ten. Base and

@@ -1,5 +1,7 @@
 //! How a stock arm cuts a vector into ticks (note N48).
 
+use dobot_arm::stock::short;
+
 /// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
 ///
 /// ```text
@@ -58,11 +60,11 @@ impl Cut {
             downs * (2.0 * begin - (downs + 1.0) * change) * 0.01
         };
         let top = begin + ups * change;
-        let mut even = whole(50.0 * (length_mm - way_up - way_down) / top);
-        if up.wrapping_add(even).wrapping_add(down) == 0 {
+        let mut even = short(50.0 * (length_mm - way_up - way_down) / top);
+        if added([up, even, down]) == 0 {
             even = 1;
         }
-        let ticks = f32::from(up.wrapping_add(even).wrapping_add(down));
+        let ticks = f32::from(added([up, even, down]));
         let rest = length_mm - (way_up + f32::from(even) * top * TICK_S + way_down);
         let correction_mm_s = 50.0 * rest / ticks;
         let correction = if correction_mm_s.abs() > change {
@@ -97,7 +99,7 @@ impl Cut {
     /// How many ticks it takes.
     #[must_use]
     pub fn ticks(&self) -> i16 {
-        self.counts.iter().sum()
+        added(self.counts)
     }
 
     /// The speed of each tick in mm/s.
@@ -126,7 +128,7 @@ impl Cut {
 /// The begin speed, and how many ticks accelerate and slow down.
 fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i16, i16) {
     let step = acceleration * TICK_S;
-    let ticks = |change: f32| whole(change / step + 0.5);
+    let ticks = |change: f32| short(change / step + 0.5);
     let full = (max * max - begin * begin / 2.0 - end * end / 2.0) / acceleration;
     if full <= length {
         return (begin, ticks(max - begin), ticks(max - end));
@@ -152,13 +154,9 @@ fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i
     }
 }
 
-/// A number cut to a whole one, as the stock processor does it: 0 for one that is none.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "what is too large is found untrue"
-)]
-fn whole(value: f32) -> i16 {
-    if value.is_finite() { value as i16 } else { 0 }
+/// In sixteen bits, as the stock processor adds.
+fn added(counts: [i16; 3]) -> i16 {
+    counts.into_iter().fold(0, i16::wrapping_add)
 }
 
 /// The control tick in s.

@@ -1,13 +1,12 @@
 //! States 1, 8 and 15 of the stock controller: mouse, gesture and a third one that follow a moving
 //! target (note N49).
 
-use dobot_arm::stock::{Joints, Pose, inverse, is_out_of_reach, reach};
+use dobot_arm::stock::{Joints, Pose, inverse, is_out_of_reach, reach, short};
 use dobot_wire::Frame;
 
 use super::Outcome;
 use super::body::{Body, FORE_DEG, PERIOD_S, REAR_DEG};
 use super::settings::Settings;
-use crate::outputs::short;
 use crate::{Hang, Refused};
 
 /// What follows, and what it remembers.

@@ -1,11 +1,12 @@
 //! States 2 and 7 of the stock controller: jogging (note N44).
 
+use dobot_arm::stock::short;
 use dobot_wire::Frame;
 
 use super::Outcome;
 use super::body::{Body, PERIOD_S};
 use super::settings::{Ramp, Settings};
-use crate::outputs::{servo_value, short};
+use crate::outputs::servo_value;
 use crate::{Hang, Port};
 
 /// The one speed that all axes and both kinds of jog share; it outlives every other command.

@@ -1,5 +1,6 @@
 //! What configuration can change in the stock controller (Table 3.9, note N43).
 
+use dobot_arm::stock::short;
 use dobot_wire::Frame;
 
 use super::body::{Body, LASER_MM, LONG_TOOL_MM};
@@ -50,7 +51,7 @@ impl Settings {
     /// State 9.
     pub(crate) fn configure(&mut self, frame: &Frame, body: &mut Body) {
         let f = |n| frame.float(n);
-        match crate::outputs::short(f(2)) {
+        match short(f(2)) {
             0 => {
                 self.jog_joint = ramp(f(3), f(4));
                 self.jog_servo = ramp(f(5), f(6));
@@ -91,7 +92,7 @@ impl Settings {
     }
 
     fn mount(&mut self, tool: f32, body: &mut Body) {
-        let (tool_mm, lowest_mm) = match crate::outputs::short(tool) {
+        let (tool_mm, lowest_mm) = match short(tool) {
             0 => (LONG_TOOL_MM, LOW_MM),
             1 => (LONG_TOOL_MM, GRIPPER_LOW_MM),
             2 => (LASER_MM, LOW_MM),

@@ -1,7 +1,7 @@
 //! States 3 and 6 of the stock controller: targets, with a pause and a tool at their end (notes N45
 //! to N47).
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse, is_out_of_reach};
+use dobot_arm::stock::{Joints, Pose, forward, inverse, is_out_of_reach, short};
 use dobot_wire::Frame;
 
 use super::body::{Body, FORE_DEG, REAR_DEG};
@@ -9,7 +9,6 @@ use super::joint_way::JointWay;
 use super::line::Line;
 use super::settings::Settings;
 use super::{Outcome, Progress};
-use crate::outputs::short;
 use crate::{Hang, Refused};
 
 /// The way to a target, and the pause at its end.

@@ -4,12 +4,12 @@ use dobot_motion::Cut;
 
 use super::pace::Speeds;
 
-/// A number cut to a whole one, as the stock processor does it: 0 for one that is none.
+/// How many ticks to try: what the processor makes of them is told by [`Cut`].
 #[expect(
     clippy::cast_possible_truncation,
     reason = "what is too large is found untrue"
 )]
-fn whole(value: f32) -> i16 {
+fn count(value: f32) -> i16 {
     if value.is_finite() { value as i16 } else { 0 }
 }
 
@@ -57,11 +57,11 @@ impl Wish {
     fn try_slower(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
-        let about = whole(single(wanted));
+        let about = count(single(wanted));
         for ticks in (about - 1).max(1).max(self.least_ticks)..=(about + 2).max(self.least_ticks) {
             let even_mm_s = 50.0 * self.length_mm / f32::from(ticks);
             let drop = 2.0 * (even_mm_s - single(self.speeds.end_mm_s)) / change;
-            let about = whole(drop.clamp(0.0, f32::from(ticks)));
+            let about = count(drop.clamp(0.0, f32::from(ticks)));
             for down in (about - 2).max(0)..=(about + 2).min(ticks) {
                 let downs = f32::from(down);
                 let sum = change * downs * (downs + 1.0) / 2.0;
@@ -76,8 +76,8 @@ impl Wish {
     fn try_faster(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
-        let up = whole(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
-        let down = whole(((peak - end) / change).clamp(0.0, 3000.0));
+        let up = count(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
+        let down = count(((peak - end) / change).clamp(0.0, 3000.0));
         // Before a rest the end speed is 0, whatever the counts are meant to be.
         let downs = if self.rests {
             down..=down

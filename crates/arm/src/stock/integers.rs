@@ -1,0 +1,46 @@
+//! The integers of the stock controller's processor.
+
+/// The integer part of a number; 0 for one that is none or does not fit in 32 bits.
+#[expect(clippy::cast_possible_truncation, reason = "that is the point")]
+#[must_use]
+pub const fn whole(value: f32) -> i32 {
+    if value.abs() < 2_147_483_648.0 {
+        value as i32
+    } else {
+        0
+    }
+}
+
+/// The integer part of a number in sixteen bits: the lower half of [`whole`].
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "its integers are that short"
+)]
+#[must_use]
+pub const fn short(value: f32) -> i16 {
+    whole(value) as i16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_behind_the_point_is_cut_off_towards_zero() {
+        assert_eq!([whole(2.9), whole(-2.9)], [2, -2]);
+        assert_eq!([short(2.9), short(-2.9)], [2, -2]);
+    }
+
+    #[test]
+    fn sixteen_bits_keep_the_lower_half_of_what_is_too_large_for_them() {
+        assert_eq!(short(32_768.0), i16::MIN);
+        assert_eq!(short(65_536.0 + 5.0), 5);
+    }
+
+    #[test]
+    fn what_is_no_number_or_does_not_fit_becomes_0() {
+        for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 3e9, -3e9] {
+            assert_eq!((whole(value), short(value)), (0, 0), "of {value}");
+        }
+    }
+}
