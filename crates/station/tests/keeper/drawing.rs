@@ -7,7 +7,9 @@ use dobot_controller::{Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::{JobKind, NewJob, Rehearsal};
-use dobot_wire::{Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::Command;
+
+use crate::commands::{settings, target, vector};
 
 /// Where the pen draws.
 pub(crate) const DOWN_MM: f32 = -30.0;
@@ -22,12 +24,12 @@ pub(crate) fn rehearsal(personality: Personality) -> Rehearsal {
 
 /// A spiral of straight lines: no two of its points are near each other.
 pub(crate) fn spiral(lines: u16) -> NewJob {
-    job("a spiral", &spiral_vectors(lines), WriteMode::Writing)
+    job("a spiral", &spiral_vectors(lines), false)
 }
 
 /// The same, burnt.
 pub(crate) fn burnt_spiral(lines: u16) -> NewJob {
-    job("a burnt spiral", &spiral_vectors(lines), WriteMode::Laser)
+    job("a burnt spiral", &spiral_vectors(lines), true)
 }
 
 fn spiral_vectors(lines: u16) -> Vec<[f32; 2]> {
@@ -42,59 +44,18 @@ fn spiral_vectors(lines: u16) -> Vec<[f32; 2]> {
         .collect()
 }
 
-fn job(title: &str, vectors: &[[f32; 2]], mode: WriteMode) -> NewJob {
-    let burns = mode == WriteMode::Laser;
-    let tool = if burns {
-        EndEffector::Laser
-    } else {
-        EndEffector::SuctionCup
-    };
-    let mut commands: Vec<Command> = vec![
-        Configuration::EndEffector { tool }.into(),
-        Configuration::Writing {
-            acceleration_mm_s2: 100.0,
-        }
-        .into(),
-        start(UP_MM).into(),
-        write([0.0, 0.0, DOWN_MM - UP_MM], WriteMode::Writing, false).into(),
-    ];
-    let drawn = |&[x, y]: &[f32; 2]| Command::from(write([x, y, 0.0], mode, burns));
-    commands.extend(vectors.iter().map(drawn));
-    commands.push(write([0.0, 0.0, UP_MM - DOWN_MM], WriteMode::Writing, false).into());
+fn job(title: &str, vectors: &[[f32; 2]], burns: bool) -> NewJob {
+    let mut commands = settings(burns).to_vec();
+    commands.push(target([220.0, 0.0, UP_MM]).into());
+    commands.push(vector([0.0, 0.0, DOWN_MM - UP_MM], false));
+    commands.extend(vectors.iter().map(|&[x, y]| vector([x, y, 0.0], burns)));
+    commands.push(vector([0.0, 0.0, UP_MM - DOWN_MM], false));
     NewJob {
         title: title.into(),
         kind: JobKind::Drawing,
         commands,
         lift_mm: if burns { 0.0 } else { 5.0 },
         pauses: Vec::new(),
-    }
-}
-
-fn start(z_mm: f32) -> MoveTo {
-    MoveTo {
-        x_mm: 220.0,
-        y_mm: 0.0,
-        z_mm,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
-}
-
-/// A vector that begins and ends at rest, as stock arms make them exactly.
-fn write([x_mm, y_mm, z_mm]: [f32; 3], mode: WriteMode, laser: bool) -> WriteVector {
-    WriteVector {
-        mode,
-        x_mm,
-        y_mm,
-        z_mm,
-        laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
     }
 }
 

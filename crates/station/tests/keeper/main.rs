@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod burns;
+mod commands;
 mod crashes;
 mod drawing;
 mod heights;

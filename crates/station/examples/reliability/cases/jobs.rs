@@ -3,9 +3,10 @@
 use std::fmt;
 
 use dobot_station::{JobKind, NewJob};
-use dobot_wire::{Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Command, MoveTo, MovingMode};
 
 use super::chance::Chance;
+use super::commands::{settings, target, vector};
 
 /// What a job is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,19 +66,12 @@ const UP_MM: f32 = -22.0;
 
 /// Closed loops, with the pen lifted between them.
 fn loops(chance: &mut Chance, burns: bool) -> Vec<Command> {
-    let tool = if burns {
-        EndEffector::Laser
-    } else {
-        EndEffector::SuctionCup
+    let mut commands = settings(burns).to_vec();
+    let start = MoveTo {
+        pause_s: 0.05,
+        ..target([215.0, -15.0, UP_MM])
     };
-    let mut commands: Vec<Command> = vec![
-        Configuration::EndEffector { tool }.into(),
-        Configuration::Writing {
-            acceleration_mm_s2: 100.0,
-        }
-        .into(),
-        target([215.0, -15.0, UP_MM], 0.05, false).into(),
-    ];
+    commands.push(start.into());
     for _ in 0..2 + chance.below(2) {
         commands.push(vector([0.0, 0.0, DOWN_MM - UP_MM], false));
         let size_mm = chance.one(&[0.3, 0.8, 3.0, 12.0]) * chance.between(1.0, 1.5);
@@ -132,42 +126,11 @@ fn targets(chance: &mut Chance) -> Vec<Command> {
         let mode = chance.one(&[MovingMode::Jump, MovingMode::MovJ, MovingMode::MovL]);
         let target = MoveTo {
             mode,
-            ..target([x, y, z_mm], pause_s, chance.below(2) == 0)
+            suction: chance.below(2) == 0,
+            pause_s,
+            ..target([x, y, z_mm])
         };
         commands.push(target.into());
     }
     commands
-}
-
-fn target([x_mm, y_mm, z_mm]: [f32; 3], pause_s: f32, suction: bool) -> MoveTo {
-    MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
-        suction,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s,
-    }
-}
-
-/// A vector that begins and ends at rest, as stock arms make them exactly.
-fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
-    WriteVector {
-        mode: if laser {
-            WriteMode::Laser
-        } else {
-            WriteMode::Writing
-        },
-        x_mm,
-        y_mm,
-        z_mm,
-        laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
 }

@@ -3,6 +3,8 @@
 pub(crate) mod cables;
 pub(crate) mod chance;
 pub(crate) mod clients;
+#[path = "../../../tests/keeper/commands.rs"]
+mod commands;
 pub(crate) mod disks;
 pub(crate) mod floods;
 pub(crate) mod jobs;

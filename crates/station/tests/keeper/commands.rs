@@ -1,0 +1,51 @@
+//! The commands that jobs are made of, in short.
+
+use dobot_wire::{Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector};
+
+/// What a drawing begins with: its tool, and how fast it accelerates.
+pub(crate) fn settings(burns: bool) -> [Command; 2] {
+    let tool = if burns {
+        EndEffector::Laser
+    } else {
+        EndEffector::SuctionCup
+    };
+    let acceleration_mm_s2 = 100.0;
+    [
+        Configuration::EndEffector { tool }.into(),
+        Configuration::Writing { acceleration_mm_s2 }.into(),
+    ]
+}
+
+/// A jump to a place.
+pub(crate) const fn target([x_mm, y_mm, z_mm]: [f32; 3]) -> MoveTo {
+    MoveTo {
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg: 0.0,
+        suction: false,
+        mode: MovingMode::Jump,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+/// A vector that begins and ends at rest, as stock arms make them exactly.
+pub(crate) fn vector([x_mm, y_mm, z_mm]: [f32; 3], burns: bool) -> Command {
+    WriteVector {
+        mode: if burns {
+            WriteMode::Laser
+        } else {
+            WriteMode::Writing
+        },
+        x_mm,
+        y_mm,
+        z_mm,
+        laser: burns,
+        start_speed_mm_s: 0.0,
+        end_speed_mm_s: 0.0,
+        max_speed_mm_s: 40.0,
+        stop: false,
+    }
+    .into()
+}
