@@ -4,6 +4,9 @@ use crate::point::{Bounds, Point};
 
 /// Segments sorted into a binary tree of boxes. Items are numbered as they were given; a point is
 /// a segment of length zero.
+///
+/// Items keep their numbers and can be taken out. Points that all stay and may take an order of the
+/// tree's own have a leaner one, in `order::point_tree`.
 #[derive(Debug)]
 pub(crate) struct SegmentIndex {
     segments: Vec<(Point, Point)>,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   strokes -> nodes -> greedy tour -> search, kicks -> tour -> strokes
-//!              (tree, near)            (tour)           (way)
+//!              (point_tree, near)      (tour)           (way)
 //! ```
 //!
 //! The ends of the strokes are the nodes of a round tour, in which the two ends of a stroke stay
@@ -12,11 +12,11 @@
 mod greedy;
 mod near;
 mod nodes;
+mod point_tree;
 mod random;
 mod search;
 mod tour;
 mod travel;
-mod tree;
 mod way;
 
 use self::greedy::greedy;

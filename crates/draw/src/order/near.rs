@@ -1,12 +1,12 @@
 //! The neighbours that a search tries to join a node with.
 
-use super::tree::Tree;
+use super::point_tree::PointTree;
 use crate::point::{Bounds, Point};
 
 /// The nearest few of every node, the nearest first, and then the nearest in each direction where
 /// none of them lies: a dense cloud has to know its surroundings. Never the node's mate; where there
 /// are fewer, the node itself stands in.
-pub(super) fn near(tree: &Tree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
+pub(super) fn near(tree: &PointTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
     (0..)
         .zip(at)
         .map(|(node, &p)| {
@@ -28,7 +28,7 @@ pub(super) fn near(tree: &Tree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> 
 }
 
 /// The nearest of all, with their squared distances.
-fn nearest(tree: &Tree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
+fn nearest(tree: &PointTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
     let mut found = [(f64::INFINITY, not[0]); NEAR];
     tree.around(at, p, None, &mut |other, distance2| {
         if !not.contains(&other) {
@@ -62,7 +62,7 @@ fn missing(at: &[Point], p: Point, found: &[(f64, u32)]) -> impl Iterator<Item =
 /// The nearest in a quadrant that is not at the same place.
 fn nearest_in(
     quadrant: Bounds,
-    tree: &Tree,
+    tree: &PointTree,
     at: &[Point],
     p: Point,
     not: [u32; 2],

@@ -1,8 +1,8 @@
 //! The ends of the strokes as the nodes of a tour.
 
 use super::near::{NEAR, near};
+use super::point_tree::PointTree;
 use super::travel::Travel;
-use super::tree::Tree;
 use super::way::Stop;
 use crate::point::{Point, Stroke};
 
@@ -40,7 +40,7 @@ impl Nodes {
                 stops.push((end, stop.other_end(strokes)));
             }
         }
-        let tree = Tree::sort(&mut stops, |stop| stop.0);
+        let tree = PointTree::sort(&mut stops, |stop| stop.0);
         let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
         let near = near(&tree, &at, &mates(&stops, strokes.len()));
         at.push(Point::new(f64::NAN, f64::NAN));

@@ -4,12 +4,16 @@ use crate::point::{Bounds, Point};
 
 /// Points, sorted so that every box of the tree holds a range of them; this order keeps
 /// neighbours together in memory too.
+///
+/// It has no place for what [`SegmentIndex`](crate::index::SegmentIndex) keeps for each item, its
+/// number as given and whether it is still there: here the points take the tree's own order, so
+/// that a search walks through memory from end to end, and none of them leaves.
 #[derive(Debug)]
-pub(super) struct Tree {
+pub(super) struct PointTree {
     nodes: Vec<Node>,
 }
 
-impl Tree {
+impl PointTree {
     /// Sorts the items by place, and makes the tree over them.
     pub(super) fn sort<T>(items: &mut [T], at: impl Fn(&T) -> Point) -> Self {
         let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
@@ -127,7 +131,7 @@ mod tests {
             mut points in proptest::collection::vec(point(), 1..80),
             p in point(),
         ) {
-            let tree = Tree::sort(&mut points, |&p| p);
+            let tree = PointTree::sort(&mut points, |&p| p);
             let mut found = f64::INFINITY;
             tree.around(&points, p, None, &mut |_, distance2| {
                 found = distance2;
