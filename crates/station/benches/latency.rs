@@ -32,9 +32,11 @@ mod measure {
 
     use dobot_controller::Personality;
     use dobot_station::Request;
-    use dobot_wire::{Command, Dialect, MoveTo, MovingMode, WriteMode, WriteVector};
+    use dobot_wire::{Command, Dialect};
 
-    use super::support::{Arm, Crowd, Port, StationProcess, Times, WebSocket, is_measuring, load};
+    use super::support::{
+        Arm, Crowd, Port, START, StationProcess, Times, WebSocket, is_measuring, load, vector,
+    };
 
     const CROWD: usize = 100;
 
@@ -202,9 +204,7 @@ mod measure {
 
     /// Waits for the arm, and leads it to where it can write.
     fn get_ready(socket: &mut WebSocket) {
-        socket.wait(|it| it["state"]["link"]["phase"] == "up");
-        socket.ask(&Request::TakeLease);
-        socket.ask(&Request::ConfirmPose);
+        socket.take_control();
         let command = START.into();
         let answer = socket.ask(&Request::Command { command });
         let number = answer["reply"]["command"].clone();
@@ -225,31 +225,10 @@ mod measure {
 
         fn next(&mut self) -> Command {
             self.0 += 1;
-            WriteVector {
-                mode: WriteMode::Writing,
-                x_mm: if self.0.is_multiple_of(2) { 0.2 } else { -0.2 },
-                y_mm: 0.0,
-                z_mm: 0.0,
-                laser: false,
-                start_speed_mm_s: 0.0,
-                end_speed_mm_s: 0.0,
-                max_speed_mm_s: 20.0,
-                stop: false,
-            }
-            .into()
+            let x_mm = if self.0.is_multiple_of(2) { 0.2 } else { -0.2 };
+            vector([x_mm, 0.0])
         }
     }
-
-    const START: MoveTo = MoveTo {
-        x_mm: 200.0,
-        y_mm: 0.0,
-        z_mm: 50.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
 
     fn dialect() -> Dialect {
         Personality::default().dialect()

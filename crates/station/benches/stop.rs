@@ -28,9 +28,11 @@ mod measure {
 
     use dobot_controller::Personality;
     use dobot_station::{JobKind, NewJob, Request};
-    use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector};
+    use dobot_wire::{Command, JointJog, JointJogAxis};
 
-    use super::support::{Arm, Port, StationProcess, Times, WebSocket, is_measuring, load};
+    use super::support::{
+        Arm, Port, START, StationProcess, Times, WebSocket, is_measuring, load, vector,
+    };
 
     pub(super) fn main() {
         let stops = if is_measuring() { 100 } else { 2 };
@@ -38,9 +40,7 @@ mod measure {
         let arm = Arm::start(Personality::default());
         let station = StationProcess::start(&arm.port.path);
         let mut socket = WebSocket::connect(&station.http, "states=20");
-        socket.wait(|it| it["state"]["link"]["phase"] == "up");
-        socket.ask(&Request::TakeLease);
-        socket.ask(&Request::ConfirmPose);
+        socket.take_control();
         let job = drawing(20 * stops + 100);
         let answer = socket.ask(&Request::SubmitJob { job });
         let job = answer["reply"]["job"]["job"].as_u64().expect("its number");
@@ -101,7 +101,7 @@ mod measure {
     fn drawing(strokes: usize) -> NewJob {
         let ways = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
         let vectors = ways.into_iter().cycle().take(strokes);
-        let commands = std::iter::once(START.into()).chain(vectors.map(stroke));
+        let commands = std::iter::once(START.into()).chain(vectors.map(vector));
         NewJob {
             title: "zigzag".into(),
             kind: JobKind::Drawing,
@@ -109,21 +109,6 @@ mod measure {
             lift_mm: 0.0,
             pauses: Vec::new(),
         }
-    }
-
-    fn stroke([x_mm, y_mm]: [f32; 2]) -> Command {
-        WriteVector {
-            mode: WriteMode::Writing,
-            x_mm,
-            y_mm,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s: 20.0,
-            stop: false,
-        }
-        .into()
     }
 
     fn laser_off() -> [u8; 42] {
@@ -134,15 +119,4 @@ mod measure {
         .into();
         command.emit(&Personality::default().dialect()).to_bytes()
     }
-
-    const START: MoveTo = MoveTo {
-        x_mm: 200.0,
-        y_mm: 0.0,
-        z_mm: 50.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
 }

@@ -1,45 +1,32 @@
 //! An owner of the arm that does what a test tells it.
 
-use dobot_wire::{Dialect, PACKET_LEN, Packet};
-use tokio::sync::{broadcast, mpsc, oneshot, watch};
+mod lab;
 
-use crate::handle::{Message, Rules};
-use crate::words::{
-    ClientId, LaserView, LinkPhase, LinkView, Notice, QueueView, Refusal, Role, State, TrustView,
-};
-use crate::{Handle, Snapshot};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
+use tokio::sync::{broadcast, oneshot};
+
+pub(crate) use self::lab::Lab;
+use crate::Handle;
+use crate::handle::{Ends, Message, Rules};
+use crate::sample::state;
+use crate::words::{ClientId, Refusal, Role};
 
 /// An owner of the arm that does what a test tells it.
 pub(crate) struct Double {
-    messages: mpsc::Receiver<Message>,
+    ends: Ends,
     statuses: broadcast::Sender<[u8; PACKET_LEN]>,
-    _states: watch::Sender<std::sync::Arc<Snapshot>>,
-    _notices: broadcast::Receiver<std::sync::Arc<Notice>>,
     clients: u64,
 }
 
 impl Double {
     /// An owner, and the way to it; it keeps `kept` statuses for whoever is slow.
     pub(crate) fn new(kept: usize) -> (Handle, Self) {
-        let (messages, received) = mpsc::channel(16);
-        let (statuses, _) = broadcast::channel(kept);
-        let (notices, told) = broadcast::channel(16);
-        let state = snapshot();
-        let (states, state) = watch::channel(state.into());
-        let handle = Handle {
-            messages,
-            states: state,
-            notices,
-            packets: statuses.clone(),
-            every: broadcast::Sender::new(16),
-            recent: std::sync::Arc::default(),
-            rules: Rules::of(&dobot_safety::Policy::default()).into(),
-        };
+        let rules = Rules::of(&dobot_safety::Policy::default());
+        let (mut handle, ends) = Handle::new(state(0.0), rules);
+        handle.packets = broadcast::Sender::new(kept);
         let double = Self {
-            messages: received,
-            statuses,
-            _states: states,
-            _notices: told,
+            ends,
+            statuses: handle.packets.clone(),
             clients: 0,
         };
         (handle, double)
@@ -107,7 +94,7 @@ impl Double {
 
     /// What was asked and not answered yet, if anything was.
     pub(crate) fn idle(&mut self) -> bool {
-        self.messages.try_recv().is_err()
+        self.ends.messages.try_recv().is_err()
     }
 
     /// Sends a status to all who listen.
@@ -116,40 +103,20 @@ impl Double {
     }
 
     async fn next(&mut self) -> Message {
-        self.messages.recv().await.expect("the handle is there")
+        self.ends
+            .messages
+            .recv()
+            .await
+            .expect("the handle is there")
     }
 }
 
-fn snapshot() -> Snapshot {
-    Snapshot::new(State {
-        at_s: 0.0,
-        link: LinkView {
-            address: None,
-            phase: LinkPhase::Searching,
-            problem: None,
-            statuses_per_s: 0.0,
-            lost_statuses: 0,
-            damaged_bytes: 0,
-            latency_ms: None,
-        },
-        arm: None,
-        dialect: Some(Dialect::FIRMWARE_1_1),
-        trust: TrustView {
-            trusted: false,
-            reason: None,
-        },
-        queue: QueueView {
-            waiting: 0,
-            under_way: 0,
-            ahead_s: 0.0,
-        },
-        lease: None,
-        stop: None,
-        laser: LaserView {
-            armed_for_s: 0.0,
-            on: false,
-        },
-        job: None,
-        clients: 0,
-    })
+/// A packet of a program that can be told from those with other speeds.
+pub(crate) fn packet(speed_percent: u8) -> [u8; PACKET_LEN] {
+    let jog = JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: speed_percent.into(),
+    };
+    let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
+    frame.to_bytes()
 }

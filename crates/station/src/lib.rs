@@ -58,6 +58,8 @@ mod recording;
 mod rehearsal;
 mod remote;
 mod running;
+#[cfg(test)]
+mod sample;
 mod start;
 #[cfg(unix)]
 mod virtual_port;

@@ -60,6 +60,13 @@ impl WebSocket {
         self.answer()
     }
 
+    /// Waits for the arm, and takes control of it.
+    pub(crate) fn take_control(&mut self) {
+        self.wait(|it| it["state"]["link"]["phase"] == "up");
+        self.ask(&Request::TakeLease);
+        self.ask(&Request::ConfirmPose);
+    }
+
     /// Waits for a state or notice that is as it should be.
     pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
         loop {

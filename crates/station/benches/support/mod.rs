@@ -4,12 +4,14 @@
 
 mod arm;
 mod client;
+mod commands;
 mod crowd;
 mod station;
 mod times;
 
 pub(crate) use arm::{Arm, CountingArm, Port};
 pub(crate) use client::WebSocket;
+pub(crate) use commands::{START, vector};
 pub(crate) use crowd::{Crowd, Watched};
 pub(crate) use station::{StationProcess, serve};
 pub(crate) use times::{Times, cpu_time, load};

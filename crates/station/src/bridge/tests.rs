@@ -1,22 +1,11 @@
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
 use proptest::prelude::*;
 use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;
 
 use super::*;
 use crate::Handle;
-use crate::double::Double;
+use crate::double::{Double, packet};
 use crate::words::Role;
-
-/// A packet that can be told from others.
-fn packet(speed_percent: u8) -> [u8; 42] {
-    let jog = JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: speed_percent.into(),
-    };
-    let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
-    frame.to_bytes()
-}
 
 /// A program, its bridge and the owner at the other end of it.
 struct Bridged {

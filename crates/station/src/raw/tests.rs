@@ -1,68 +1,31 @@
 use std::net::Ipv4Addr;
 
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
 use tokio::io::AsyncReadExt;
-use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 use super::*;
-use crate::double::Double;
+use crate::double::{Lab, packet};
 
-/// A raw port with the owner behind it, and what is told.
-struct Lab {
-    address: SocketAddr,
-    owner: Double,
-    told: UnboundedReceiver<ProgramNews>,
-}
-
-impl Lab {
-    async fn new() -> Self {
+impl Lab<SocketAddr> {
+    async fn served() -> Self {
         let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
         let port = RawPort::bind(any).await.expect("a port is free");
-        let address = port.address();
-        let (handle, owner) = Double::new(16);
-        let (tell, told) = unbounded_channel();
-        tokio::spawn(async move {
-            let tell = |news| {
-                // A test that has seen enough listens no more.
-                let _ = tell.send(news);
-            };
-            port.serve(&handle, tell).await;
-        });
-        Self {
-            address,
-            owner,
-            told,
-        }
+        let (lab, handle, tell) = Self::new(port.address());
+        tokio::spawn(async move { port.serve(&handle, tell).await });
+        lab
     }
 
     /// Comes, and is not let in yet.
     async fn come(&self) -> TcpStream {
-        TcpStream::connect(self.address).await.expect("it listens")
+        TcpStream::connect(self.at).await.expect("it listens")
     }
 
     /// Comes and is let in.
     async fn program(&mut self) -> TcpStream {
         let program = self.come().await;
         let from = program.local_addr().expect("it is connected");
-        let (_, name, role) = self.owner.admit().await;
-        assert_eq!(name, format!("raw program {from}"));
-        assert_eq!(role, Role::Control);
-        assert_eq!(self.news().await, ProgramNews::Came { name });
+        assert_eq!(self.admit().await, format!("raw program {from}"));
         program
     }
-
-    async fn news(&mut self) -> ProgramNews {
-        self.told.recv().await.expect("the port is served")
-    }
-}
-
-fn packet() -> [u8; 42] {
-    let jog = JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: 50.0,
-    };
-    let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
-    frame.to_bytes()
 }
 
 /// Lets everything happen that can happen now.
@@ -72,9 +35,9 @@ async fn settle() {
     }
 }
 
-async fn assert_served(lab: &mut Lab, program: &mut TcpStream) {
-    program.write_all(&packet()).await.expect("it is open");
-    assert_eq!(lab.owner.grant().await, packet());
+async fn assert_served(lab: &mut Lab<SocketAddr>, program: &mut TcpStream) {
+    program.write_all(&packet(50)).await.expect("it is open");
+    assert_eq!(lab.owner.grant().await, packet(50));
     lab.owner.send_status([9; 42]);
     let mut status = [0; 42];
     program.read_exact(&mut status).await.expect("one comes");
@@ -90,33 +53,30 @@ async fn read_to_end(program: &mut TcpStream) -> String {
 
 #[tokio::test]
 async fn an_old_program_is_a_client_that_may_control_the_arm() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut program = lab.program().await;
     assert_served(&mut lab, &mut program).await;
 }
 
 #[tokio::test]
 async fn programs_come_and_leave_one_after_the_other() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     for _ in 0..5 {
         let mut program = lab.program().await;
         assert_served(&mut lab, &mut program).await;
         drop(program);
-        lab.owner.left().await;
-        let ProgramNews::Left { traffic, .. } = lab.news().await else {
-            panic!("it has left");
-        };
+        let traffic = lab.left().await;
         assert_eq!((traffic.packets, traffic.statuses), (1, 1));
     }
 }
 
 #[tokio::test]
 async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_on() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut first = lab.program().await;
     let mut second = lab.come().await;
     // What it sends at once does not keep the reason from it.
-    second.write_all(&packet()).await.expect("it is open");
+    second.write_all(&packet(50)).await.expect("it is open");
     let reason = read_to_end(&mut second).await;
     let [first_name, second_name] = [&first, &second].map(|it| {
         let from = it.local_addr().expect("it is connected");
@@ -134,9 +94,9 @@ async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_
 
 #[tokio::test(start_paused = true)]
 async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_was_not_seen() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut first = lab.program().await;
-    first.write_all(&packet()).await.expect("it is open");
+    first.write_all(&packet(50)).await.expect("it is open");
     // Nothing more is read from the first one, and so not its end, until this is answered.
     let (_, _, answer) = lab.owner.asked().await;
     drop(first);
@@ -149,21 +109,17 @@ async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_w
     let news = lab.news().await;
     assert!(matches!(news, ProgramNews::Left { .. }), "{news:?}");
     lab.owner.left().await;
-    let (_, name, _) = lab.owner.admit().await;
-    assert_eq!(lab.news().await, ProgramNews::Came { name });
+    lab.admit().await;
     assert_served(&mut lab, &mut second).await;
 }
 
 #[tokio::test]
 async fn a_program_that_breaks_off_in_the_middle_of_a_packet_harms_nobody() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut torn = lab.program().await;
-    torn.write_all(&packet()[..20]).await.expect("it is open");
+    torn.write_all(&packet(50)[..20]).await.expect("it is open");
     drop(torn);
-    lab.owner.left().await;
-    let ProgramNews::Left { traffic, .. } = lab.news().await else {
-        panic!("it has left");
-    };
+    let traffic = lab.left().await;
     assert_eq!((traffic.packets, traffic.damaged_bytes), (0, 20));
     let mut next = lab.program().await;
     assert_served(&mut lab, &mut next).await;
@@ -171,16 +127,12 @@ async fn a_program_that_breaks_off_in_the_middle_of_a_packet_harms_nobody() {
 
 #[tokio::test]
 async fn a_web_page_gets_nothing_and_moves_nothing() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut page = lab.program().await;
     let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".to_vec();
-    request.extend(packet());
+    request.extend(packet(50));
     page.write_all(&request).await.expect("it is open");
-    lab.owner.left().await;
-    let ProgramNews::Left { traffic, .. } = lab.news().await else {
-        panic!("it was cut off");
-    };
-    assert!(traffic.web);
+    assert!(lab.left().await.web, "it was cut off");
 }
 
 #[tokio::test]
@@ -194,17 +146,17 @@ async fn the_port_is_for_this_machine_alone() {
 
 #[tokio::test]
 async fn a_port_that_another_program_has_is_told_as_in_use() {
-    let lab = Lab::new().await;
-    let error = RawPort::bind(lab.address).await.expect_err("it is taken");
+    let lab = Lab::served().await;
+    let error = RawPort::bind(lab.at).await.expect_err("it is taken");
     assert!(matches!(error, RawPortError::InUse { .. }), "{error}");
 }
 
 #[tokio::test]
 async fn the_port_closes_with_the_station() {
-    let mut lab = Lab::new().await;
+    let mut lab = Lab::served().await;
     let mut program = lab.program().await;
     drop(lab.owner);
-    program.write_all(&packet()).await.expect("it is open");
+    program.write_all(&packet(50)).await.expect("it is open");
     assert_eq!(read_to_end(&mut program).await, "");
     // The telling ends with the serving.
     while lab.told.recv().await.is_some() {}

@@ -102,8 +102,8 @@ async fn kept(
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use super::super::super::double::state;
     use super::*;
+    use crate::sample::state;
 
     fn snapshot(number: u32) -> Arc<Snapshot> {
         Arc::new(Snapshot::new(state(f64::from(number))))

@@ -3,8 +3,8 @@
 use axum::body::Body;
 use dobot_wire::{Command, Dialect};
 
-use super::super::double::{notice, state};
 use super::Lab;
+use crate::sample::{notice, state};
 use crate::words::{ClientId, News, Request};
 
 const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,

@@ -8,7 +8,8 @@ use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
-use super::super::double::{Asked, Telling, notice, owner, state};
+use super::super::double::{Asked, Telling, owner};
+use crate::sample::{notice, state};
 use crate::words::{ClientId, News, Request};
 use crate::{Folders, Served, Web, serve};
 

@@ -9,9 +9,10 @@ use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::super::super::double::{Asked, Telling, notice, owner, state};
+use super::super::super::double::{Asked, Telling, owner};
 use super::super::super::tokens::Tokens;
 use super::*;
+use crate::sample::{notice, state};
 use crate::words::{News, Role};
 
 /// What a client is sent; it may stop to read after some messages.

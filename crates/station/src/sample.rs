@@ -1,0 +1,85 @@
+//! A state, a job and a notice for tests.
+
+use dobot_wire::{Dialect, Status};
+
+use crate::words::{
+    ArmView, JobKind, JobPhase, JobView, LaserView, LinkPhase, LinkView, News, Notice, QueueView,
+    State, TrustView,
+};
+
+/// A drawing that runs.
+pub(crate) fn job(number: u64) -> JobView {
+    JobView {
+        job: number,
+        title: "a house".into(),
+        kind: JobKind::Drawing,
+        phase: JobPhase::Running,
+        reason: None,
+        commands: 1200,
+        completed: 480,
+        planned_s: Some(300.0),
+        left_s: Some(180.0),
+        took_s: None,
+        speed_percent: 100.0,
+        height_mm: 0.0,
+    }
+}
+
+/// An arm that draws it.
+pub(crate) fn state(at_s: f64) -> State {
+    State {
+        at_s,
+        link: LinkView {
+            address: Some("virtual:".into()),
+            phase: LinkPhase::Up,
+            problem: None,
+            statuses_per_s: 12.5,
+            lost_statuses: 0,
+            damaged_bytes: 0,
+            latency_ms: Some(84.0),
+        },
+        arm: Some(ArmView {
+            status: Status {
+                x_mm: 200.0,
+                y_mm: -31.5,
+                z_mm: 52.0,
+                rotation_deg: 0.0,
+                base_deg: -9.0,
+                rear_deg: 31.0,
+                fore_deg: 42.5,
+                servo_deg: 9.0,
+                suction: false,
+                gripper_deg: 12.0,
+            },
+            moving: true,
+        }),
+        dialect: Some(Dialect::FIRMWARE_1_1),
+        trust: TrustView {
+            trusted: true,
+            reason: None,
+        },
+        queue: QueueView {
+            waiting: 2,
+            under_way: 1,
+            ahead_s: 0.4,
+        },
+        lease: None,
+        stop: None,
+        laser: LaserView {
+            armed_for_s: 0.0,
+            on: false,
+        },
+        job: Some(job(7)),
+        clients: 1,
+    }
+}
+
+/// Something that happened.
+pub(crate) fn notice(number: u64, news: News, text: &str) -> Notice {
+    Notice {
+        number,
+        at_s: 1.0,
+        news,
+        text: text.into(),
+    }
+}
