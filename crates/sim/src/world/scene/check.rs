@@ -25,6 +25,16 @@ struct Check<'a> {
     text: &'a str,
 }
 
+/// What the file tells of every object, whatever its shape.
+struct Thing<'a> {
+    name: String,
+    line: usize,
+    at_mm: &'a Spanned<[f64; 2]>,
+    mass_g: Option<&'a Number>,
+    color: Option<&'a Spanned<String>>,
+    on: Option<&'a Spanned<String>>,
+}
+
 /// An object whose height is not known yet.
 struct Placed<'a> {
     object: Object,
@@ -222,21 +232,15 @@ impl Check<'_> {
         }
         let turn_deg =
             self.optional(file.turn_deg.as_ref(), &of("turn_deg"), -360.0..=360.0, 0.0)?;
-        let object = Object {
-            shape: Shape::Box { size_mm },
-            at_mm: self.place(&file.at_mm, &name)?,
-            turn_deg,
-            mass_g: self.optional(file.mass_g.as_ref(), &of("mass_g"), MASS_G, 20.0)?,
-            color: self.color(file.color.as_ref(), &name)?,
-            bottom_mm: 0.0,
+        let thing = Thing {
             name,
-        };
-        self.on_the_table(&file.at_mm, &object)?;
-        Ok(Placed {
-            object,
             line: self.line(it),
+            at_mm: &file.at_mm,
+            mass_g: file.mass_g.as_ref(),
+            color: file.color.as_ref(),
             on: file.on.as_ref(),
-        })
+        };
+        self.place(thing, Shape::Box { size_mm }, turn_deg)
     }
 
     fn place_cylinder<'a>(
@@ -247,23 +251,43 @@ impl Check<'_> {
         let file = it.get_ref();
         let name = self.name(file.name.as_ref(), || format!("cylinder {number}"))?;
         let of = |key: &str| format!("{key} of `{name}`");
+        let shape = Shape::Cylinder {
+            diameter_mm: self.number(&file.diameter_mm, &of("diameter_mm"), SIZE_MM)?,
+            height_mm: self.number(&file.height_mm, &of("height_mm"), SIZE_MM)?,
+        };
+        let thing = Thing {
+            name,
+            line: self.line(it),
+            at_mm: &file.at_mm,
+            mass_g: file.mass_g.as_ref(),
+            color: file.color.as_ref(),
+            on: file.on.as_ref(),
+        };
+        self.place(thing, shape, 0.0)
+    }
+
+    fn place<'a>(
+        &self,
+        thing: Thing<'a>,
+        shape: Shape,
+        turn_deg: f64,
+    ) -> Result<Placed<'a>, SceneError> {
+        let name = thing.name;
+        let mass = format!("mass_g of `{name}`");
         let object = Object {
-            shape: Shape::Cylinder {
-                diameter_mm: self.number(&file.diameter_mm, &of("diameter_mm"), SIZE_MM)?,
-                height_mm: self.number(&file.height_mm, &of("height_mm"), SIZE_MM)?,
-            },
-            at_mm: self.place(&file.at_mm, &name)?,
-            turn_deg: 0.0,
-            mass_g: self.optional(file.mass_g.as_ref(), &of("mass_g"), MASS_G, 20.0)?,
-            color: self.color(file.color.as_ref(), &name)?,
+            shape,
+            at_mm: self.near(thing.at_mm, &name)?,
+            turn_deg,
+            mass_g: self.optional(thing.mass_g, &mass, MASS_G, 20.0)?,
+            color: self.color(thing.color, &name)?,
             bottom_mm: 0.0,
             name,
         };
-        self.on_the_table(&file.at_mm, &object)?;
+        self.on_the_table(thing.at_mm, &object)?;
         Ok(Placed {
             object,
-            line: self.line(it),
-            on: file.on.as_ref(),
+            line: thing.line,
+            on: thing.on,
         })
     }
 
@@ -302,7 +326,7 @@ impl Check<'_> {
         }
     }
 
-    fn place(&self, at: &Spanned<[f64; 2]>, name: &str) -> Result<Point, SceneError> {
+    fn near(&self, at: &Spanned<[f64; 2]>, name: &str) -> Result<Point, SceneError> {
         let [x, y] = *at.get_ref();
         if x.hypot(y) <= NEAR_MM {
             return Ok(Point::new(x, y));
