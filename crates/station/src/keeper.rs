@@ -6,6 +6,7 @@ mod jog;
 mod laser;
 mod lease;
 mod line;
+mod link;
 mod pause;
 mod plan;
 mod raw;
@@ -18,7 +19,7 @@ mod view;
 use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
 
-use dobot_client::{CommandId, Event, Finding, SendError, Session};
+use dobot_client::{CommandId, Finding, SendError, Session};
 use dobot_course::Model;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
@@ -28,10 +29,11 @@ use self::halt::Halt;
 use self::jog::Held;
 use self::laser::Interlock;
 use self::lease::Lease;
+use self::link::Linked;
 use self::run::Run;
 use self::save::Unsaved;
 use self::stop::Stop;
-use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Role};
+use crate::words::{ClientId, News, Notice, Refusal, Reply, Role};
 
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
@@ -82,16 +84,6 @@ pub struct Keeper {
     changed: bool,
 }
 
-/// The way to the arm.
-#[derive(Debug)]
-struct Linked {
-    phase: LinkPhase,
-    address: Option<String>,
-    problem: Option<String>,
-    /// The laser has been switched off since the link came up.
-    greeted: bool,
-}
-
 /// A client that is connected.
 #[derive(Clone, Debug)]
 struct Known {
@@ -109,12 +101,7 @@ impl Keeper {
             session,
             policy,
             now: Duration::ZERO,
-            link: Linked {
-                phase: LinkPhase::Searching,
-                address: None,
-                problem: None,
-                greeted: false,
-            },
+            link: Linked::default(),
             clients: HashMap::new(),
             next_client: 1,
             lease: None,
@@ -140,40 +127,6 @@ impl Keeper {
             last: None,
             changed: true,
         }
-    }
-
-    /// Takes that the port is open: statuses may come.
-    pub fn handle_link_up(&mut self, now: Duration, address: &str) {
-        self.handle_time(now);
-        self.link = Linked {
-            phase: LinkPhase::Listening,
-            address: Some(address.to_owned()),
-            problem: None,
-            greeted: false,
-        };
-        self.session.handle_open(self.now);
-        self.still = 0;
-        self.changed = true;
-    }
-
-    /// Takes that the port is gone, or could not be opened, and why.
-    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
-        self.handle_time(now);
-        let lost = matches!(self.link.phase, LinkPhase::Up | LinkPhase::Listening);
-        self.link.phase = phase;
-        self.link.problem = problem;
-        self.changed = true;
-        if lost {
-            self.lose_link();
-        }
-    }
-
-    /// Takes bytes from the arm.
-    pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
-        self.handle_time(now);
-        self.session.handle_bytes(self.now, bytes);
-        self.follow_session();
-        self.pump();
     }
 
     /// Takes that something of the station goes wrong, in one line.
@@ -291,102 +244,6 @@ impl Keeper {
         &self.session
     }
 
-    /// Whether the arm was seen at rest for a while, after all that it was sent.
-    #[must_use]
-    pub fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.session.under_way() == 0
-    }
-
-    const fn is_linked(&self) -> bool {
-        matches!(self.link.phase, LinkPhase::Listening | LinkPhase::Up)
-    }
-
-    /// Takes what happened in the session.
-    fn follow_session(&mut self) {
-        while let Some(event) = self.session.poll_event() {
-            self.changed = true;
-            match event {
-                Event::Status(status) => self.see(status),
-                Event::Completed(id) => self.command_over(id, None),
-                Event::NotReached { command, .. } => {
-                    self.command_over(command, Some(failure(event)));
-                }
-                Event::LinkLost { .. } => self.fall_silent(event),
-                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
-                _ => {}
-            }
-        }
-    }
-
-    fn see(&mut self, status: Status) {
-        if self.link.phase == LinkPhase::Listening || self.link.phase == LinkPhase::Lost {
-            self.link.phase = LinkPhase::Up;
-            self.link.problem = None;
-            self.tell(News::LinkUp, "the arm tells its state".into());
-        }
-        if !self.link.greeted {
-            // Whatever was before: a crash, another program, a cable that was out.
-            self.link.greeted = true;
-            // What was said last may have got lost with the link.
-            self.laser.forget();
-            self.part_from_laser();
-        }
-        self.statuses.push_back(status);
-        self.still = if self.last == Some(status) {
-            self.still + 1
-        } else {
-            0
-        };
-        self.last = Some(status);
-        self.watch_jog();
-        self.watch_halt();
-        self.watch_stop();
-        self.watch_run();
-        self.watch_detection(&status);
-    }
-
-    fn fall_silent(&mut self, event: Event) {
-        let why = failure(event);
-        self.link.phase = LinkPhase::Lost;
-        self.link.greeted = false;
-        self.link.problem = Some(format!(
-            "{why}; is the arm switched on, and the cable in its place?"
-        ));
-        self.lose_link();
-    }
-
-    /// What was not sent is forgotten; what the arm has, it does.
-    fn lose_link(&mut self) {
-        self.link.greeted = false;
-        self.still = 0;
-        self.part_from_laser();
-        self.held = None;
-        self.drop_waiting("the link to the arm was lost");
-        self.interrupt_run("the link to the arm was lost");
-        self.end_detection("the link to the arm was lost");
-        let text = self
-            .link
-            .problem
-            .clone()
-            .unwrap_or_else(|| "the link to the arm was lost".into());
-        self.tell(News::LinkLost, text);
-    }
-
-    fn notice_reset(&mut self, evidence: &str) {
-        self.held = None;
-        self.part_from_laser();
-        // The session has forgotten what was under way, too.
-        for id in self.under_way() {
-            self.command_over(id, Some("the arm was reset".into()));
-        }
-        self.interrupt_run("the arm was reset");
-        self.end_detection("the arm was reset");
-        self.tell(
-            News::Reset,
-            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
-        );
-    }
-
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {
         self.run_command_over(id, failed.as_deref());
         if self.pending.remove(&id).is_none() {
@@ -501,21 +358,11 @@ impl Keeper {
     }
 }
 
-/// What a failed event says.
-fn failure(event: Event) -> String {
-    event
-        .or_failed()
-        .err()
-        .map_or_else(String::new, |error| error.to_string())
-}
-
 /// A number of seconds that the policy has checked.
 fn seconds(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds).unwrap_or_default()
 }
 
-/// So many statuses in a row that tell the same: the arm is at rest.
-const AT_REST: u32 = 3;
 /// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
 const HEARD_WITHIN: Duration = Duration::from_millis(700);
 /// More of a raw program's packets do not wait here: it gets no permit.

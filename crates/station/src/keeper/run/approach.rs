@@ -7,7 +7,8 @@ use dobot_client::position;
 use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
-use super::{Begun, Effect, Left, Phase, Run, locate_at};
+use super::watch::locate_at;
+use super::{Begun, Effect, Left, Phase, Run};
 use crate::keeper::Keeper;
 use crate::words::{ClientId, JobPhase, News, Refusal, Reply};
 

@@ -1,0 +1,174 @@
+//! The link to the arm: what comes over it, and what is done when nothing comes any more.
+
+use std::time::Duration;
+
+use dobot_client::Event;
+use dobot_wire::Status;
+
+use super::Keeper;
+use crate::words::{LinkPhase, News};
+
+/// The way to the arm.
+#[derive(Debug)]
+pub(super) struct Linked {
+    pub(super) phase: LinkPhase,
+    pub(super) address: Option<String>,
+    pub(super) problem: Option<String>,
+    /// The laser has been switched off since the link came up.
+    pub(super) greeted: bool,
+}
+
+impl Default for Linked {
+    /// No port has been found yet.
+    fn default() -> Self {
+        Self {
+            phase: LinkPhase::Searching,
+            address: None,
+            problem: None,
+            greeted: false,
+        }
+    }
+}
+
+impl Keeper {
+    /// Takes that the port is open: statuses may come.
+    pub fn handle_link_up(&mut self, now: Duration, address: &str) {
+        self.handle_time(now);
+        self.link = Linked {
+            phase: LinkPhase::Listening,
+            address: Some(address.to_owned()),
+            problem: None,
+            greeted: false,
+        };
+        self.session.handle_open(self.now);
+        self.still = 0;
+        self.changed = true;
+    }
+
+    /// Takes that the port is gone, or could not be opened, and why.
+    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
+        self.handle_time(now);
+        let lost = matches!(self.link.phase, LinkPhase::Up | LinkPhase::Listening);
+        self.link.phase = phase;
+        self.link.problem = problem;
+        self.changed = true;
+        if lost {
+            self.lose_link();
+        }
+    }
+
+    /// Takes bytes from the arm.
+    pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
+        self.handle_time(now);
+        self.session.handle_bytes(self.now, bytes);
+        self.follow_session();
+        self.pump();
+    }
+
+    /// Whether the arm was seen at rest for a while, after all that it was sent.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.still >= AT_REST && self.session.under_way() == 0
+    }
+
+    pub(super) const fn is_linked(&self) -> bool {
+        matches!(self.link.phase, LinkPhase::Listening | LinkPhase::Up)
+    }
+
+    /// Takes what happened in the session.
+    pub(super) fn follow_session(&mut self) {
+        while let Some(event) = self.session.poll_event() {
+            self.changed = true;
+            match event {
+                Event::Status(status) => self.see(status),
+                Event::Completed(id) => self.command_over(id, None),
+                Event::NotReached { command, .. } => {
+                    self.command_over(command, Some(failure(event)));
+                }
+                Event::LinkLost { .. } => self.fall_silent(event),
+                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+                _ => {}
+            }
+        }
+    }
+
+    fn see(&mut self, status: Status) {
+        if self.link.phase == LinkPhase::Listening || self.link.phase == LinkPhase::Lost {
+            self.link.phase = LinkPhase::Up;
+            self.link.problem = None;
+            self.tell(News::LinkUp, "the arm tells its state".into());
+        }
+        if !self.link.greeted {
+            // Whatever was before: a crash, another program, a cable that was out.
+            self.link.greeted = true;
+            // What was said last may have got lost with the link.
+            self.laser.forget();
+            self.part_from_laser();
+        }
+        self.statuses.push_back(status);
+        self.still = if self.last == Some(status) {
+            self.still + 1
+        } else {
+            0
+        };
+        self.last = Some(status);
+        self.watch_jog();
+        self.watch_halt();
+        self.watch_stop();
+        self.watch_run();
+        self.watch_detection(&status);
+    }
+
+    fn fall_silent(&mut self, event: Event) {
+        let why = failure(event);
+        self.link.phase = LinkPhase::Lost;
+        self.link.greeted = false;
+        self.link.problem = Some(format!(
+            "{why}; is the arm switched on, and the cable in its place?"
+        ));
+        self.lose_link();
+    }
+
+    /// What was not sent is forgotten; what the arm has, it does.
+    fn lose_link(&mut self) {
+        self.link.greeted = false;
+        self.still = 0;
+        self.part_from_laser();
+        self.held = None;
+        self.drop_waiting("the link to the arm was lost");
+        self.interrupt_run("the link to the arm was lost");
+        self.end_detection("the link to the arm was lost");
+        let text = self
+            .link
+            .problem
+            .clone()
+            .unwrap_or_else(|| "the link to the arm was lost".into());
+        self.tell(News::LinkLost, text);
+    }
+
+    fn notice_reset(&mut self, evidence: &str) {
+        self.held = None;
+        self.part_from_laser();
+        // The session has forgotten what was under way, too.
+        for id in self.under_way() {
+            self.command_over(id, Some("the arm was reset".into()));
+        }
+        self.interrupt_run("the arm was reset");
+        self.end_detection("the arm was reset");
+        self.tell(
+            News::Reset,
+            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
+        );
+    }
+}
+
+/// What a failed event says.
+fn failure(event: Event) -> String {
+    event
+        .or_failed()
+        .err()
+        .map_or_else(String::new, |error| error.to_string())
+}
+
+/// So many statuses in a row that tell the same: the arm is at rest.
+const AT_REST: u32 = 3;
