@@ -70,9 +70,9 @@ pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use plan::{
-    Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass, Pen,
-    Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration, end_speed_mm_s,
-    respeed,
+    Begin, Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass,
+    Pen, Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration,
+    end_speed_mm_s, respeed,
 };
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};

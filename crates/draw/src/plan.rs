@@ -28,7 +28,7 @@ pub use lookahead::{Cornering, Joint, Run};
 pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
-pub use respeed::{end_speed_mm_s, respeed};
+pub use respeed::{Begin, end_speed_mm_s, respeed};
 pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};

@@ -4,9 +4,10 @@
 use std::f64::consts::TAU;
 use std::time::Duration;
 
+use dobot_arm::Position;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{
-    Laser, Machine, MoveKind, Paper, Pass, Plan, Point, Stroke, Tool, deviation, respeed,
+    Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Point, Stroke, Tool, deviation, respeed,
 };
 use dobot_wire::{Command, WriteVector};
 
@@ -161,7 +162,12 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
     for share in [0.1, 0.5, 2.0] {
         let mut commands = head.clone();
         let machine = Machine::of(personality.dialect());
-        let others = respeed(&vectors, 0.0, share, &machine);
+        let begin = Begin {
+            speed_mm_s: 0.0,
+            position: Position::new(plan.start[0], plan.start[1], plan.start[2]),
+            tool: dobot_arm::Tool::SuctionCup,
+        };
+        let others = respeed(&vectors, &begin, share, &machine);
         commands.extend(others.into_iter().map(Command::from));
         let seen = drive(&commands, personality, plan.start);
         let drawn = ways(&seen, |it| it.place[2] < -39.999);

@@ -1,20 +1,34 @@
 //! Other speeds for vectors that are planned already: faster or slower while the arm draws.
 
+use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
 use super::Machine;
+use super::joints::JointSpeeds;
 use super::lookahead::Run;
 use super::pace::Pace;
 use super::planner::round_down;
 use super::ticker::Ticker;
 use super::vector::length;
 
+/// The arm where some vectors begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Begin {
+    /// The speed that it has, or keeps for them, in mm/s.
+    pub speed_mm_s: f32,
+    /// Where its tool is.
+    pub position: Position,
+    /// Which tool that is.
+    pub tool: dobot_arm::Tool,
+}
+
 /// The same vectors at `share` times their speeds, from the speed at which the vector before them
 /// ends.
 ///
 /// 1. Slower (a share below 1): all speeds are that share of those planned. Faster: the largest
-///    speeds are multiplied, and the rest is planned again, within the acceleration, the corners
-///    and the link of the machine; speeds that a person wanted as the largest do not count.
+///    speeds are multiplied, and the rest is planned again, within the joint speeds, the
+///    acceleration, the corners and the link of the machine; speeds that a person wanted as the
+///    largest do not count.
 /// 2. Where the arm is too fast or too slow for that, it brakes or accelerates with the
 ///    acceleration of the machine until it is not. A vector that was planned to end at rest does
 ///    so, as long as the vectors up to there are long enough to brake in.
@@ -25,17 +39,22 @@ use super::vector::length;
 #[must_use]
 pub fn respeed(
     vectors: &[WriteVector],
-    begin_speed_mm_s: f32,
+    begin: &Begin,
     share: f64,
     machine: &Machine,
 ) -> Vec<WriteVector> {
+    let Begin {
+        speed_mm_s,
+        position,
+        tool,
+    } = *begin;
     let mut respeeding = Respeeding {
         machine,
         share,
-        speed_mm_s: begin_speed_mm_s,
-        ticker: machine
-            .has_ticks
-            .then(|| Ticker::new(machine, begin_speed_mm_s)),
+        speed_mm_s,
+        here: [position.x.0, position.y.0, position.z.0],
+        joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach().0),
+        ticker: machine.has_ticks.then(|| Ticker::new(machine, speed_mm_s)),
     };
     vectors
         .split_inclusive(|it| it.end_speed_mm_s == 0.0)
@@ -59,6 +78,9 @@ struct Respeeding<'a> {
     share: f64,
     /// The end speed of the vector before.
     speed_mm_s: f32,
+    /// Where that ended, in mm.
+    here: [f64; 3],
+    joints: JointSpeeds,
     ticker: Option<Ticker>,
 }
 
@@ -72,7 +94,7 @@ impl Respeeding<'_> {
             return chain.to_vec();
         }
         let targets = if self.share > 1.0 {
-            faster(chain, self.speed_mm_s.into(), self.share, self.machine)
+            self.faster(chain)
         } else {
             slower(chain, self.share)
         };
@@ -102,8 +124,25 @@ impl Respeeding<'_> {
         next
     }
 
+    /// The end speed and the largest speed of each vector.
+    fn faster(&self, chain: &[WriteVector]) -> Vec<[f64; 2]> {
+        let mut here = self.here;
+        let mut runs: Vec<Run> = Vec::with_capacity(chain.len());
+        for vector in chain {
+            let way = way(vector);
+            let wanted_mm_s = self.share * f64::from(vector.max_speed_mm_s);
+            runs.push(run(way, self.joints.cap(here, way, wanted_mm_s)));
+            here = [0, 1, 2].map(|i| here[i] + way[i]);
+        }
+        let mut pace = Pace::new(self.machine);
+        let speeds = pace.plan_from(self.speed_mm_s.into(), &mut runs);
+        speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
+    }
+
     /// A vector is run as it is.
     fn follow(&mut self, vector: &WriteVector) {
+        let way = way(vector);
+        self.here = [0, 1, 2].map(|i| self.here[i] + way[i]);
         self.speed_mm_s = match &mut self.ticker {
             Some(ticker) => ticker.run(vector).end_mm_s,
             None => vector.end_speed_mm_s,
@@ -111,7 +150,7 @@ impl Respeeding<'_> {
     }
 }
 
-/// The end speed and the largest speed of each vector.
+/// The same where they are slower.
 fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
     let scaled = |vector: &WriteVector| {
         [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
@@ -119,20 +158,12 @@ fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
     chain.iter().map(scaled).collect()
 }
 
-fn faster(chain: &[WriteVector], begin_mm_s: f64, share: f64, machine: &Machine) -> Vec<[f64; 2]> {
-    let mut runs: Vec<Run> = chain.iter().map(|it| run(it, share)).collect();
-    let mut pace = Pace::new(machine);
-    let speeds = pace.plan_from(begin_mm_s, &mut runs);
-    speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
-}
-
-fn run(vector: &WriteVector, share: f64) -> Run {
-    let way = way(vector);
+fn run(way: [f64; 3], limit_mm_s: f64) -> Run {
     let length_mm = length(way);
     Run {
         direction: way.map(|part| part / length_mm),
         length_mm,
-        limit_mm_s: share * f64::from(vector.max_speed_mm_s),
+        limit_mm_s,
         corner_mm_s: f64::INFINITY,
     }
 }
@@ -184,10 +215,50 @@ mod tests {
         vectors.collect()
     }
 
+    /// In the middle of where it reaches: no joint comes near to its limit.
+    fn begin(speed_mm_s: f32) -> Begin {
+        Begin {
+            speed_mm_s,
+            position: Position::new(200.0, 0.0, 0.0),
+            tool: dobot_arm::Tool::SuctionCup,
+        }
+    }
+
+    #[test]
+    fn no_joint_is_overdriven_however_fast_it_is_to_be() {
+        // Past the axis of the base at 70 mm, where 100 degrees a second are 122 mm/s.
+        let sideways = WriteVector {
+            y_mm: 200.0,
+            ..planned(&[(200.0, 0.0), (210.0, 0.0)])[1]
+        };
+        let sideways = WriteVector {
+            x_mm: 0.0,
+            max_speed_mm_s: 80.0,
+            ..sideways
+        };
+        let near = Begin {
+            position: Position::new(70.0, -100.0, 0.0),
+            ..begin(0.0)
+        };
+        let machine = Machine {
+            link: crate::LinkRate { period_s: 0.0 },
+            acceleration_mm_s2: 500.0,
+            ..Machine::default()
+        };
+        let far = Begin {
+            position: Position::new(230.0, -100.0, 0.0),
+            ..begin(0.0)
+        };
+        let fastest = |begin: &Begin| respeed(&[sideways], begin, 2.0, &machine)[0].max_speed_mm_s;
+        assert_eq!(fastest(&far), 160.0);
+        let allowed_mm_s = 70.0 * 100.0_f32.to_radians();
+        assert!(fastest(&near) <= allowed_mm_s, "{}", fastest(&near));
+    }
+
     #[test]
     fn half_the_speed_is_half_of_every_speed() {
         let planned = planned(&[(200.0, 0.0), (240.0, 0.0), (250.0, 5.0), (250.0, 6.0)]);
-        for (half, whole) in respeed(&planned, 0.0, 0.5, &Machine::default())
+        for (half, whole) in respeed(&planned, &begin(0.0), 0.5, &Machine::default())
             .iter()
             .zip(&planned)
         {
@@ -200,7 +271,7 @@ mod tests {
     fn a_long_line_at_twice_the_speed_gets_twice_as_fast() {
         let planned = planned(&[(150.0, 0.0), (250.0, 0.0)]);
         assert_eq!(planned[1].max_speed_mm_s, 40.0);
-        let faster = respeed(&planned, 0.0, 2.0, &Machine::default());
+        let faster = respeed(&planned, &begin(0.0), 2.0, &Machine::default());
         assert_eq!(faster[1].max_speed_mm_s, 80.0);
         assert_eq!(
             (faster[1].start_speed_mm_s, faster[1].end_speed_mm_s),
@@ -219,8 +290,8 @@ mod tests {
         let pass = Pass::new(Tool::default(), vec![stroke]);
         let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
         let planned: Vec<WriteVector> = plan.moves.iter().map(super::super::write).collect();
-        assert_eq!(respeed(&planned, 0.0, 1.0, &machine), planned);
-        let slower = respeed(&planned, 0.0, 0.5, &machine);
+        assert_eq!(respeed(&planned, &begin(0.0), 1.0, &machine), planned);
+        let slower = respeed(&planned, &begin(0.0), 0.5, &machine);
         let mut ticker = Ticker::new(&machine, 0.0);
         for (vector, was) in slower.iter().zip(&planned) {
             assert!(vector.max_speed_mm_s <= 0.5 * was.max_speed_mm_s + 2.0);
@@ -241,12 +312,12 @@ mod tests {
         #[test]
         fn a_share_of_one_from_rest_changes_nothing(points in strokes()) {
             let planned = planned(&points);
-            prop_assert_eq!(respeed(&planned, 0.0, 1.0, &Machine::default()), planned);
+            prop_assert_eq!(respeed(&planned, &begin(0.0), 1.0, &Machine::default()), planned);
         }
 
         #[test]
         fn a_stock_arm_makes_vectors_of_another_length_as_long_as_they_are(
-            points in strokes(), slope in -0.05..0.05_f32, begin in 0.0..1.5_f32,
+            points in strokes(), slope in -0.05..0.05_f32, at_mm_s in 0.0..1.5_f32,
         ) {
             let machine = Machine { has_ticks: true, ..Machine::default() };
             let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
@@ -258,8 +329,8 @@ mod tests {
                 WriteVector { z_mm, ..*it }
             };
             let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
-            let next = respeed(&steeper, begin, 1.0, &machine);
-            prop_assert!(Ticker::new(&machine, begin).runs_true(&next));
+            let next = respeed(&steeper, &begin(at_mm_s), 1.0, &machine);
+            prop_assert!(Ticker::new(&machine, at_mm_s).runs_true(&next));
             let same = next.iter().zip(&steeper);
             prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
             let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;
@@ -274,9 +345,9 @@ mod tests {
             let planned = planned(&points);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "an index")]
             let at = (at * planned.len() as f64) as usize;
-            let running = respeed(&planned, 0.0, before, &machine);
+            let running = respeed(&planned, &begin(0.0), before, &machine);
             let mut speed = running[at].start_speed_mm_s;
-            let next = respeed(&planned[at..], speed, share, &machine);
+            let next = respeed(&planned[at..], &begin(speed), share, &machine);
             prop_assert_eq!(next.len(), planned.len() - at);
             for (vector, was) in next.iter().zip(&planned[at..]) {
                 prop_assert_eq!(vector.start_speed_mm_s, speed);

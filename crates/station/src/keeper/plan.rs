@@ -25,10 +25,17 @@ pub struct JobPlan {
     steps: Arc<[Step]>,
     /// From this command on they are as submitted, and only the height may be another one.
     altered_until: usize,
-    /// The accelerations of vectors in mm/s2, and from which command on they hold.
-    accelerations: Vec<(usize, f64)>,
+    /// What vectors are drawn with, and from which command on.
+    settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
+}
+
+/// What vectors are drawn with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DrawnWith {
+    pub(super) acceleration_mm_s2: f64,
+    pub(super) tool: Tool,
 }
 
 /// One command of a job.
@@ -75,7 +82,7 @@ impl JobPlan {
             commands: Arc::default(),
             steps: Arc::default(),
             altered_until: 0,
-            accelerations: vec![(0, look.acceleration_mm_s2())],
+            settings: vec![(0, look.drawn_with())],
             burns,
             lift_mm,
         };
@@ -88,7 +95,7 @@ impl JobPlan {
             }
             drawn.push(look.height.apply(command));
             steps.push(look.step(index, &drawn[index])?);
-            plan.note(index, command, &drawn[index], look.acceleration_mm_s2());
+            plan.note(index, command, &drawn[index], look.drawn_with());
         }
         plan.planned = commands.into();
         plan.commands = drawn.into();
@@ -96,12 +103,12 @@ impl JobPlan {
         Ok(plan)
     }
 
-    fn note(&mut self, index: usize, planned: &Command, drawn: &Command, acceleration_mm_s2: f64) {
+    fn note(&mut self, index: usize, planned: &Command, drawn: &Command, with: DrawnWith) {
         if drawn != planned {
             self.altered_until = index + 1;
         }
         if matches!(planned, Command::Configuration(_)) {
-            self.accelerations.push((index + 1, acceleration_mm_s2));
+            self.settings.push((index + 1, with));
         }
     }
 
@@ -159,11 +166,10 @@ impl JobPlan {
             })
     }
 
-    /// With what acceleration a vector is drawn, in mm/s2.
-    #[must_use]
-    pub fn acceleration_mm_s2(&self, index: usize) -> f64 {
-        let later = self.accelerations.partition_point(|it| it.0 <= index);
-        self.accelerations[later.saturating_sub(1)].1
+    /// What a vector is drawn with.
+    pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
+        let later = self.settings.partition_point(|it| it.0 <= index);
+        self.settings[later.saturating_sub(1)].1
     }
 
     /// How many commands there are.
@@ -294,8 +300,11 @@ impl Look<'_> {
         })
     }
 
-    const fn acceleration_mm_s2(&self) -> f64 {
-        self.model.settings.write_acceleration_mm_s2
+    const fn drawn_with(&self) -> DrawnWith {
+        DrawnWith {
+            acceleration_mm_s2: self.model.settings.write_acceleration_mm_s2,
+            tool: self.model.tool,
+        }
     }
 }
 

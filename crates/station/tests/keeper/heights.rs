@@ -3,14 +3,15 @@
 use std::time::Duration;
 
 use dobot_controller::Personality;
+use dobot_draw::Stroke;
 use dobot_station::{ClientId, JobKind, NewJob, Rehearsal, Request};
 use dobot_wire::{Command, Packet};
 use proptest::prelude::*;
 
 use crate::drawing;
 use crate::strokes::{
-    DOWN_MM, PERSONALITIES, finish, is_paused, pen_job, run_to, spiral, started, view,
-    wait_until_paused,
+    DOWN_MM, PERSONALITIES, assert_drawn_once, finish, is_paused, pen_job, pen_job_at, run_to,
+    spiral, started, view, wait_until_paused,
 };
 
 /// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
@@ -192,6 +193,29 @@ fn a_height_counts_until_the_journal_is_past_it() {
             (300, 10.0, 0.0, false),
         ],
     );
+}
+
+#[test]
+fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
+    // 6 mm/s at 10 %: less than a stock arm gains in a tick.
+    for personality in PERSONALITIES {
+        let stroke = Stroke::open(spiral().points[..24].to_vec());
+        let planned = pen_job_at(6.0, personality, &[(stroke.clone(), None)]);
+        let (mut it, anna, job) = started(personality, &planned);
+        it.ask(anna, Request::SetJobSpeed { percent: 10.0 })
+            .unwrap();
+        run_to(&mut it, 8);
+        it.crash(Duration::from_millis(400)).unwrap();
+        let minute = it.now() + Duration::from_mins(1);
+        let rests = |it: &Rehearsal| it.keeper().is_at_rest() && is_paused(it, job);
+        assert!(it.run_until(minute, rests), "{:?}", it.job(job));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        it.start(anna, job).unwrap();
+        finish(&mut it, job);
+        assert_drawn_once(&it, &[stroke], 0.05, &personality.to_string());
+    }
 }
 
 /// Whatever the height, each vector that draws was sent once, in its turn.

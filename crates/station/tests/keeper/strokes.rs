@@ -27,8 +27,18 @@ pub(crate) fn spiral() -> Stroke {
 
 /// Passes of a pen as a job, with what a person does before some of them.
 pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)]) -> NewJob {
+    pen_job_at(Pen::default().draw_speed_mm_s, personality, passes)
+}
+
+/// The same, drawn at this speed, in mm/s.
+pub(crate) fn pen_job_at(
+    draw_speed_mm_s: f64,
+    personality: Personality,
+    passes: &[(Stroke, Option<&str>)],
+) -> NewJob {
     let pen = Pen {
         lift_mm: 5.0,
+        draw_speed_mm_s,
         ..Pen::default()
     };
     let pass = |(stroke, message): &(Stroke, Option<&str>)| Pass {

@@ -1,6 +1,6 @@
 //! At which speeds the vectors go that are not sent yet.
 
-use dobot_draw::{Machine, respeed};
+use dobot_draw::{Begin, Machine, respeed};
 use dobot_safety::burns;
 use dobot_wire::{Command, WriteVector};
 
@@ -75,7 +75,8 @@ impl Pace {
     /// command before which the arm rests.
     pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
         let speed = f64::from(speed_mm_s);
-        let needed_mm = speed * speed / (2.0 * plan.acceleration_mm_s2(index)) * TO_SPARE;
+        let needed_mm =
+            speed * speed / (2.0 * plan.drawn_with(index).acceleration_mm_s2) * TO_SPARE;
         self.go_on(plan, index, speed_mm_s);
         let count = reaching(&self.vectors, needed_mm);
         let takes_s = (plan.left_s(index) - plan.left_s(index + count)) / self.share;
@@ -86,7 +87,8 @@ impl Pace {
         self.vectors.truncate(count);
         slow_down(&mut self.vectors, speed_mm_s);
         if self.machine.has_ticks {
-            self.vectors = respeed(&self.vectors, speed_mm_s, 1.0, &self.machine);
+            let begin = begin(plan, index, speed_mm_s);
+            self.vectors = respeed(&self.vectors, &begin, 1.0, &self.machine);
         }
         Some(index + count)
     }
@@ -94,7 +96,7 @@ impl Pace {
     /// The arm as it does a vector of the job.
     pub(super) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
         Machine {
-            acceleration_mm_s2: plan.acceleration_mm_s2(index),
+            acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
             ..self.machine
         }
     }
@@ -117,8 +119,18 @@ impl Pace {
                 .map(|it| between_rests(it, self.share))
                 .collect()
         } else {
-            respeed(&chain, speed_mm_s, self.share, &self.machine)
+            let begin = begin(plan, index, speed_mm_s);
+            respeed(&chain, &begin, self.share, &self.machine)
         };
+    }
+}
+
+/// The arm as a vector finds it. There is a target before each.
+fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> Begin {
+    Begin {
+        speed_mm_s,
+        position: plan.start_position(index).unwrap_or_default(),
+        tool: plan.drawn_with(index).tool,
     }
 }
 
