@@ -1,6 +1,7 @@
 //! From strokes to vectors that arm and link can carry.
 
 mod acceleration;
+mod burn;
 mod commands;
 mod error;
 mod joints;

@@ -192,13 +192,15 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
         );
         let burned = ways(&seen, |it| it.laser);
         let found = deviation(&strokes, &burned);
-        // A tick goes 0.2 mm at 10 mm/s.
+        // It is looked each 20 ms, in which it goes 0.2 mm. A stock arm switches the laser at a tick.
+        let has_ticks = personality == Personality::Firmware11;
+        let allowed_mm = if has_ticks { 0.005 } else { 0.2 };
         assert!(
-            found.missed.distance_mm < 0.25,
+            found.missed.distance_mm < allowed_mm,
             "{personality:?}: {found:?}"
         );
         assert!(
-            found.astray.distance_mm < 0.25,
+            found.astray.distance_mm < allowed_mm,
             "{personality:?}: {found:?}"
         );
         assert_eq!(burned.len(), strokes.len(), "{personality:?}");

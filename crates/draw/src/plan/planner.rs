@@ -8,27 +8,26 @@ use super::seen::Ticks;
 use super::ticker::Ticker;
 use super::ticks::OVER;
 use super::vector::length;
-use super::ways::Ways;
-use super::{Laser, Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
+use super::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 use crate::point::{Point, Stroke};
 
 /// Plans one way after the other. A chain is a way between two rests.
 pub(super) struct Planner<'a> {
     paper: &'a Paper,
-    machine: &'a Machine,
-    pace: Pace,
+    pub(super) machine: &'a Machine,
+    pub(super) pace: Pace,
     /// Where the arm has ticks.
-    ticker: Option<Ticker>,
+    pub(super) ticker: Option<Ticker>,
     /// Where the vectors so far lead, rounding included.
-    here: [f64; 3],
+    pub(super) here: [f64; 3],
     landing: Landing,
     joints: JointSpeeds,
     pub(super) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
-    stroke: u32,
+    pub(super) stroke: u32,
     pass: u32,
     /// The runs since the last rest; reused.
-    chain: Vec<Run>,
+    pub(super) chain: Vec<Run>,
 }
 
 impl<'a> Planner<'a> {
@@ -90,33 +89,8 @@ impl<'a> Planner<'a> {
         self.stroke += 1;
     }
 
-    /// ```text
-    ///   off  -- Travel --> RunUp .                   . RunOut Brake -- Travel -->
-    ///   on                       '- Burn Burn Burn --'
-    /// ```
-    fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
-        let Laser {
-            burn_speed_mm_s: speed,
-            travel_speed_mm_s: travel,
-            ..
-        } = *laser;
-        let ways = Ways::of(stroke, self.here, speed, self.machine);
-        self.go(MoveKind::Travel, ways.run_up, 0.0, travel);
-        self.rest();
-        self.go(MoveKind::RunUp, ways.on, 0.0, speed);
-        let inner = 1..stroke.points.len().max(2) - 1;
-        for &p in &stroke.points[inner] {
-            self.go(MoveKind::Burn, p, 0.0, speed);
-        }
-        self.go(MoveKind::Burn, ways.off, 0.0, speed);
-        self.go(MoveKind::RunOut, ways.run_out, 0.0, speed);
-        self.go(MoveKind::Brake, ways.brake, 0.0, speed);
-        self.rest();
-        self.stroke += 1;
-    }
-
     /// A vector to a place so high above the paper.
-    fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
+    pub(super) fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
         let to = [to.x, to.y, self.paper.z_at(to) + above_mm];
         let here = self.here;
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
@@ -149,7 +123,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The chain ends: its speeds can be planned.
-    fn rest(&mut self) {
+    pub(super) fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
         if let Some(ticker) = self.ticker.take() {
@@ -228,30 +202,6 @@ struct Attempt {
     shares: Vec<f64>,
 }
 
-/// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
-/// speed, all of the stroke is run at the speed that they do allow.
-impl Planner<'_> {
-    fn even_burning(&mut self, begin: usize) {
-        let burns = |vector: &&PlannedVector| vector.kind == MoveKind::Burn;
-        let Some(first) = self.moves[begin..].iter().position(|it| burns(&it)) else {
-            return;
-        };
-        let burned = self.moves[begin..].iter().filter(burns).count();
-        let limit_mm_s = self.chain[first].limit_mm_s;
-        let mut chain = self.chain.clone();
-        let mut pace = self.pace.clone();
-        let speeds = pace.plan(&mut chain).skip(first).take(burned);
-        let slowest_mm_s = speeds
-            .map(|it| it.start_mm_s.min(it.end_mm_s).min(it.max_mm_s))
-            .fold(limit_mm_s, f64::min);
-        if slowest_mm_s * MOST_SPREAD >= limit_mm_s {
-            for run in &mut self.chain {
-                run.limit_mm_s = run.limit_mm_s.min(slowest_mm_s);
-            }
-        }
-    }
-}
-
 #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
 fn set(vector: &mut PlannedVector, speeds: Speeds) {
     vector.start_speed_mm_s = round_down(speeds.start_mm_s);
@@ -272,8 +222,6 @@ pub(super) fn round_down(value: f64) -> f32 {
 }
 
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
-/// How much more may be burned on a millimetre for it to be as much everywhere.
-const MOST_SPREAD: f64 = 1.2;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
 /// How much an end speed above the one wanted counts at the most.
