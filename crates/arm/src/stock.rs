@@ -76,6 +76,33 @@ pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
     }
 }
 
+/// Where the stock controller takes itself to be behind a relative way, in mm: X, Y and Z.
+///
+/// It begins each way from its own rounded pose: a hundredth of a micrometre short each time, always
+/// in the same direction, which is half a millimetre behind 50,000 vectors. Out of reach it is the
+/// sum of both.
+#[must_use]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "as the controller holds it"
+)]
+pub fn behind(from_mm: [f64; 3], way_mm: [f32; 3], tool_mm: f32) -> [f64; 3] {
+    let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| from_mm[i] as f32 + way_mm[i]);
+    let wanted = Pose {
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg: 0.0,
+    };
+    let found = forward(inverse(wanted, tool_mm), tool_mm);
+    let found = [found.x_mm, found.y_mm, found.z_mm];
+    if found.iter().all(|it| it.is_finite()) {
+        found.map(f64::from)
+    } else {
+        [x_mm, y_mm, z_mm].map(f64::from)
+    }
+}
+
 /// Whether the arms are too short or too long for a pose, by the stock controller's own test. A
 /// pose that is not a number passes it.
 #[must_use]

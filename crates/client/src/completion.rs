@@ -10,10 +10,10 @@ mod geometry;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::{Joints, Position, Tool, forward};
+use dobot_arm::{Joints, Position, Tool, forward, stock};
 use dobot_wire::{
-    Command, Configuration, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
-    MovingMode, Status,
+    Command, Configuration, Dialect, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
+    MovingMode, Status, WriteVector,
 };
 
 use self::geometry::{beside, is_at_limit, retooled};
@@ -75,20 +75,22 @@ enum Course {
 }
 
 impl Completion {
-    /// Takes a command that leaves with the status of `now`; `pauses` tells whether the arm knows
-    /// a default pause, `leaves_limits` whether the way of the command leaves the limits. Returns how
-    /// long it may take at the most.
+    /// Takes a command that leaves with the status of `now`; `leaves_limits` tells whether
+    /// its way leaves the limits. Returns how long it may take at the most.
     pub(crate) fn handle_sent(
         &mut self,
         now: Duration,
         id: CommandId,
         command: &Command,
-        pauses: bool,
+        dialect: &Dialect,
         leaves_limits: bool,
     ) -> Duration {
-        let course = self.course(command);
+        let course = self.course(command, dialect);
         self.pace.note(command);
-        let (pause, longest) = (self.pause(command, pauses), self.pace.longest(command));
+        let (pause, longest) = (
+            self.pause(command, dialect.uses_default_pause),
+            self.pace.longest(command),
+        );
         self.under_way.push_back(UnderWay {
             command: id,
             course,
@@ -334,6 +336,19 @@ impl Completion {
         }
     }
 
+    /// Where a vector leads: exactly so far, or to where a stock arm takes itself to be then.
+    #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+    fn behind(&self, from: Position, vector: &WriteVector, dialect: &Dialect) -> Position {
+        let way = [vector.x_mm, vector.y_mm, vector.z_mm];
+        if dialect.uses_start_speed {
+            let [x, y, z] = way.map(f64::from);
+            return from + Position::new(x, y, z);
+        }
+        let from = [from.x, from.y, from.z].map(|it| it.0);
+        let [x, y, z] = stock::behind(from, way, self.tool.reach().0 as f32);
+        Position::new(x, y, z)
+    }
+
     fn pause(&self, command: &Command, pauses: bool) -> Duration {
         let pause_s = match command {
             Command::MoveTo(it) => it.pause_s,
@@ -346,12 +361,11 @@ impl Completion {
         Duration::try_from_secs_f32(pause_s).unwrap_or_default()
     }
 
-    fn course(&mut self, command: &Command) -> Course {
+    fn course(&mut self, command: &Command, dialect: &Dialect) -> Course {
         let from = self.end();
         match command {
             Command::WriteVector(it) if !it.stop => {
-                let by = Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into());
-                line(from, from.map(|from| from + by))
+                line(from, from.map(|from| self.behind(from, it, dialect)))
             }
             Command::MoveTo(it) => way(it.mode, from, point(it)),
             Command::MoveJoints(it) => way(it.mode, from, place(it, self.tool)),

@@ -355,14 +355,14 @@ impl Session {
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
-        let pauses = self.dialect.is_none_or(|it| it.uses_default_pause);
+        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
         let at_rest = self.belief.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
         let leaves = self.leaves_limits(&command);
         let longest = self
             .completion
-            .handle_sent(self.heard, id, &command, pauses, leaves);
+            .handle_sent(self.heard, id, &command, &dialect, leaves);
         self.belief
             .handle_sent(self.now, Some(id), &command, longest);
         self.to_send.push_back(packet);

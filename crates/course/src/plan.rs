@@ -1,6 +1,6 @@
 //! From a command to its course: pure, nothing has moved yet.
 
-use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, stock};
 use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
 use dobot_wire::{
     Command, Configuration, Gesture, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
@@ -121,6 +121,11 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     };
     let course = relative(way, model)?;
     Ok(Course {
+        to: if model.dialect.uses_start_speed {
+            course.to
+        } else {
+            stock_end(&course, model)
+        },
         burns: model.laser_during(vector),
         end_speed_mm_s: Some(if model.dialect.uses_start_speed {
             stroke.end_speed()
@@ -129,6 +134,23 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
         }),
         ..course
     })
+}
+
+/// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
+/// rounding could bring it out: there it is where the way leads.
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+fn stock_end(course: &Course, model: &Model) -> Place {
+    let [from, to] = [course.from, course.to].map(|it| it.pose.position);
+    let way = to - from;
+    let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
+    let from = [from.x, from.y, from.z].map(|it| it.0);
+    let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
+    let pose = Pose {
+        position: Position::new(x, y, z),
+        ..course.to.pose
+    };
+    let place = Place::at_pose(pose, model.tool).ok();
+    place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
 }
 
 /// The speed that a stock arm keeps for the next vector: whole ticks seldom end with the one asked

@@ -81,6 +81,9 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     );
 }
 
+/// A stock arm takes itself to be where its single precision brings it: 24 bits of 300 mm.
+const SINGLE_MM: f64 = 1e-4;
+
 fn motion_s(course: &Course) -> f64 {
     course.motion_s().expect("it comes to an end")
 }
@@ -336,7 +339,7 @@ fn laser_mode_of_a_stock_arm_holds_its_height_and_leaves_the_laser_on() {
     assert!(stock.laser());
     let end = stock.end().expect("it is known").pose.position;
     assert!(
-        end.distance(Position::new(220.0, 40.0, 20.0)).0 < 1e-9,
+        end.distance(Position::new(220.0, 40.0, 20.0)).0 < SINGLE_MM,
         "{end:?}"
     );
     // The height counts in the length: 50 mm at 50 mm/s, and half a second of ramp.
@@ -389,7 +392,12 @@ fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
     // 2 mm at about 10 mm/s: whole ticks of the burn make it a little more or less.
     close("time", course.motion_s().expect("it ends"), 0.2, 0.02);
     let end = course.end().expect("known").pose.position;
-    close("y", end.y.0 - burned.place.pose.position.y.0, 2.0, 1e-9);
+    close(
+        "y",
+        end.y.0 - burned.place.pose.position.y.0,
+        2.0,
+        SINGLE_MM,
+    );
     let rested = after(
         &model(STOCK),
         WriteVector {
@@ -561,7 +569,7 @@ proptest! {
             let off_mm = begin.pose.position.distance(model.place.pose.position).0;
             prop_assert!(off_mm < 1e-6, "it begins {off_mm} mm off");
             let off_mm = end.pose.position.distance(after.place.pose.position).0;
-            prop_assert!(off_mm < 1e-6, "it ends {off_mm} mm off");
+            prop_assert!(off_mm < SINGLE_MM, "it ends {off_mm} mm off");
             prop_assert!(after.place.check().is_ok() || !after.knows_place());
             model = after;
         }

@@ -44,6 +44,23 @@ async fn whoever_takes_his_time_to_change_the_pen_does_not_make_the_drawing_long
 }
 
 #[tokio::test]
+async fn a_drawing_of_ten_thousand_vectors_is_followed_to_its_end() {
+    // A stock arm's rounding adds up: whoever adds up the vectors themselves expects it elsewhere.
+    for personality in Personality::ALL {
+        let dash = |i: i32| {
+            let (x, y) = (180.0 + f64::from(i % 50), f64::from(i / 50 % 50));
+            line(&[(x, y), (x + 0.5, y)])
+        };
+        let plan = plan(&[pen("dashes", (0..2500).map(dash).collect())], personality);
+        assert!(plan.moves.len() >= 9_999, "{}", plan.moves.len());
+        let mut bench = Bench::new(personality);
+        let drawn = bench.draw(&plan).await;
+        assert!(drawn.is_ok(), "{}", drawn.unwrap_err().cause);
+        assert_eq!(bench.told.last().unwrap().strokes, 2500);
+    }
+}
+
+#[tokio::test]
 async fn a_drawing_that_is_stopped_leaves_the_pen_up() {
     for personality in Personality::ALL {
         let plan = plan(

@@ -182,6 +182,29 @@ fn assert_smooth(it: &Rehearsal, usual_mm_s: f64, what: &str) {
 }
 
 #[test]
+fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
+    let personality = Personality::Firmware11;
+    let dash = |i: i32| {
+        let (x, y) = (200.0 + f64::from(i % 40), f64::from(i / 40 % 40));
+        Stroke::open(vec![Point::new(x, y), Point::new(x + 0.5, y)])
+    };
+    let dashes: Vec<Stroke> = (0..1600).map(dash).collect();
+    let pass = Pass::new(Tool::default(), dashes);
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
+    let planned = NewJob {
+        title: "dashes".into(),
+        kind: JobKind::Drawing,
+        commands: plan.commands().collect(),
+        lift_mm: 5.0,
+        pauses: Vec::new(),
+    };
+    let (mut it, _, job) = started(personality, &planned);
+    let hours = it.now() + Duration::from_hours(2);
+    assert!(it.run_until(hours, |it| is_over(it, job)));
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+}
+
+#[test]
 fn a_pause_in_a_stroke_brakes_lifts_and_goes_on_from_rest() {
     for personality in PERSONALITIES {
         let usual_mm_s = usual_roughness_mm_s(personality);
