@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use axum::Router;
 use axum::http::Method;
 use axum::middleware::from_fn_with_state;
-use axum::routing::{delete, get, post, put};
+use axum::routing::{MethodRouter, delete, get, post, put};
 
 use dobot_safety::Policy;
 
@@ -98,9 +98,22 @@ fn page_routes() -> Vec<Route> {
         Route::new(GET, "/page.css", "How the page looks", || get(page::css))
             .open()
             .gives_text(200, "text/css", "the style"),
-        Route::new(GET, "/page.js", "What the page does", || get(page::js))
-            .open()
-            .gives_text(200, "text/javascript", "the module"),
+        script("/page.js", "What the page does", || get(page::js)),
+        script("/preview.js", "Shows a drawing in time", || {
+            get(page::preview)
+        }),
+        script("/timeline.js", "What is at a moment of a drawing", || {
+            get(page::timeline)
+        }),
+        script("/reader.js", "Reads the timeline of a drawing", || {
+            get(page::reader)
+        }),
+        script("/look.js", "How a drawing in time looks", || {
+            get(page::look)
+        }),
+        script("/sketch.js", "Draws a drawing in time", || {
+            get(page::sketch)
+        }),
         Route::new(GET, "/api/v1/openapi.json", "This document", || {
             get(calls::document)
         })
@@ -116,6 +129,17 @@ fn page_routes() -> Vec<Route> {
         .gives::<Kind>(200, "the kind")
         .problems(&[UNKNOWN_PATH]),
     ]
+}
+
+/// A part of the page; browsers refuse it as a module unless it says that it is one.
+fn script(
+    path: &'static str,
+    summary: &'static str,
+    handler: fn() -> MethodRouter<Arc<App>>,
+) -> Route {
+    Route::new(GET, path, summary, handler)
+        .open()
+        .gives_text(200, "text/javascript", "the module")
 }
 
 fn watch_routes() -> Vec<Route> {

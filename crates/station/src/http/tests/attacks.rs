@@ -142,6 +142,11 @@ async fn on_a_network_nothing_goes_without_a_token() {
         "/",
         "/page.css",
         "/page.js",
+        "/preview.js",
+        "/timeline.js",
+        "/reader.js",
+        "/look.js",
+        "/sketch.js",
         "/api/v1/openapi.json",
         "/api/v1/problems/policy",
     ] {
@@ -245,7 +250,14 @@ async fn who_guesses_tokens_is_soon_not_heard() {
 #[tokio::test]
 async fn every_answer_has_the_headers_that_keep_browsers_from_harm() {
     let lab = Lab::near();
-    for path in ["/", "/api/v1/state", "/nonsense", "/api/v1/ws"] {
+    for path in [
+        "/",
+        "/preview.js",
+        "/reader.js",
+        "/api/v1/state",
+        "/nonsense",
+        "/api/v1/ws",
+    ] {
         let answer = lab.get(path).await;
         let policy = answer.headers["content-security-policy"].to_str().unwrap();
         assert!(policy.contains("default-src 'none'") && policy.contains("frame-ancestors 'none'"));

@@ -1,5 +1,7 @@
 //! What each route does, and what is told when it does not.
 
+use std::collections::BTreeSet;
+
 use axum::body::Body;
 use dobot_wire::{Command, Dialect};
 
@@ -192,6 +194,11 @@ async fn policy_problems_page_and_document_are_there() {
         ("/", "text/html"),
         ("/page.css", "text/css"),
         ("/page.js", "text/javascript"),
+        ("/preview.js", "text/javascript"),
+        ("/timeline.js", "text/javascript"),
+        ("/reader.js", "text/javascript"),
+        ("/look.js", "text/javascript"),
+        ("/sketch.js", "text/javascript"),
     ] {
         let answer = lab.get(path).await;
         let found = answer.is(200).headers["content-type"]
@@ -201,6 +208,30 @@ async fn policy_problems_page_and_document_are_there() {
         assert!(found.starts_with(kind), "{found}");
         assert!(!answer.body.is_empty(), "{path}");
     }
+}
+
+#[tokio::test]
+async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
+    let lab = Lab::near();
+    let mut waiting = vec!["/".to_owned()];
+    let mut seen = BTreeSet::new();
+    while let Some(path) = waiting.pop() {
+        if seen.insert(path.clone()) {
+            let answer = lab.get(&path).await;
+            waiting.extend(files_in(&answer.is(200).body));
+        }
+    }
+    // What the panel for drawings needs: it is loaded by the page, its worker by the panel.
+    assert!(seen.contains("/preview.js") && seen.contains("/reader.js"));
+}
+
+/// The scripts and styles that a text names, without the dot of this folder.
+fn files_in(text: &str) -> Vec<String> {
+    let ours = |it: &&str| it.ends_with(".js") || it.ends_with(".css");
+    let quoted = text.split(['"', '\n']).filter(ours);
+    quoted
+        .map(|it| format!("/{}", it.trim_start_matches("./")))
+        .collect()
 }
 
 #[tokio::test]
