@@ -52,7 +52,14 @@ const MARKS = 34;
 /** @param {Timeline} timeline */
 export function boundsOf({ path }) {
   /** @param {Float32Array} column */
-  const ends = (column) => [column.reduce((a, b) => Math.min(a, b)), column.reduce((a, b) => Math.max(a, b))];
+  const ends = (column) => {
+    let [least, most] = [column[0], column[0]];
+    for (const it of column) {
+      if (it < least) least = it;
+      if (it > most) most = it;
+    }
+    return [least, most];
+  };
   return { x: ends(path.x_mm), y: ends(path.y_mm) };
 }
 

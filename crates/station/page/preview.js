@@ -10,6 +10,7 @@ import { placeAt } from "./timeline.js";
 /** @typedef {import("./look.js").Look} Look */
 
 const MOST_NAMED = 12;
+const MOST_LETTERS = 60;
 /** A page that slept does not leap. */
 const MOST_STEP_S = 0.25;
 
@@ -53,7 +54,7 @@ function read(file) {
   reader.onmessage = ({ data }) => (data.timeline ? take(file.name, data.timeline) : refuse(file.name, data.refused));
   reader.onerror = (event) => {
     event.preventDefault();
-    refuse(file.name, "is more than this browser can read at once; expected is a smaller timeline, as of a part of the drawing.");
+    refuse(file.name, "cannot be read now; expected are a station that answers and enough memory: try again, or make the timeline of a part of the drawing.");
   };
   reader.postMessage(file);
   part("problem").hidden = true;
@@ -110,7 +111,8 @@ function errorNames(tolerance_mm) {
 
 /** @param {{name: string, tool: string}} pass @param {number} i */
 function passName({ name, tool }, i) {
-  return (name || `pass ${i + 1}`) + (tool === "laser" ? " (laser)" : "");
+  const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
+  return (short || `pass ${i + 1}`) + (tool === "laser" ? " (laser)" : "");
 }
 
 /** @param {string[]} names */
@@ -242,9 +244,10 @@ function clock(seconds) {
 
 // --- Hands -----------------------------------------------------------------------------
 
-/** Arrows go a second, with shift a tick; page keys a twentieth of the whole. @param {KeyboardEvent} event */
+/** Arrows go a second, with Shift a tenth; page keys a twentieth of the whole. Space is STOP everywhere, so Enter plays. @param {KeyboardEvent} event */
 function step(event) {
   if (!timeline || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.key === "Enter" && !event.repeat) play(!playing);
   const one = event.shiftKey ? 0.1 : 1;
   const page = timeline.duration_s / 20;
   /** @type {Record<string, number>} */
@@ -271,8 +274,9 @@ function listenToDrops() {
     mark(false);
     if (!hasFile(event)) return;
     event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    if (file) read(file);
+    const files = event.dataTransfer?.files ?? [];
+    if (files.length === 1) read(files[0]);
+    else refuse(`${files.length} files`, "were dropped; expected is one, a timeline.");
   });
 }
 

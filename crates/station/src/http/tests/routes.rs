@@ -227,7 +227,7 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
 
 /// The scripts and styles that a text names, without the dot of this folder.
 fn files_in(text: &str) -> Vec<String> {
-    let ours = |it: &&str| it.ends_with(".js") || it.ends_with(".css");
+    let ours = |it: &&str| matches!(it.rsplit_once('.'), Some((_, "js" | "css")));
     let quoted = text.split(['"', '\n']).filter(ours);
     quoted
         .map(|it| format!("/{}", it.trim_start_matches("./")))
