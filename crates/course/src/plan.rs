@@ -202,10 +202,9 @@ fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
         });
     }
     // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
-    // fast as it begins it goes on; at rest it stays. An end speed below half a change of the
-    // vector before may have been rounded to rest.
+    // fast as it begins it goes on; at rest it stays.
     let begin_mm_s = speeds.start_mm_s;
-    if begin_mm_s < speeds.acceleration_mm_s2 * HALF_A_TICK_S {
+    if begin_mm_s < CREEPS_MM_S {
         return Err(CourseError::SlowRapid {
             found: speeds.max_mm_s,
             least: least_mm_s,
@@ -363,5 +362,7 @@ const ON_THE_SPOT_MM: f64 = 0.001;
 const NO_LENGTH_MM: f64 = 0.0001;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
+/// With less a vector takes for ever, or none of it is done.
+const CREEPS_MM_S: f64 = 0.1;
 /// Half a control tick of 20 ms.
 const HALF_A_TICK_S: f64 = 0.01;

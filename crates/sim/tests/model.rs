@@ -195,7 +195,7 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
         max_speed_mm_s: speed,
         stop: false,
     };
-    for speed in [2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
+    for speed in [1.0, 1.5, 2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
         let mut lab = Lab::power_up(personality);
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let mut model = Model::new(personality.dialect(), &status);
