@@ -8,9 +8,10 @@ use crate::point::{Point, Stroke};
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.
 pub(super) struct Ways {
     pub run_up: Point,
-    /// Where it is switched on and off.
-    pub on: Point,
-    pub off: Point,
+    /// Along the stroke up to where it is switched on.
+    pub off_to: Vec<Point>,
+    /// On from there, up to where it is switched off.
+    pub on_to: Vec<Point>,
     pub run_out: Point,
     pub brake: Point,
 }
@@ -37,8 +38,16 @@ impl Early {
         }
     }
 
-    pub(super) fn is_near(self, other: Self) -> bool {
-        (self.on_mm - other.on_mm).abs() < NEAR_MM && (self.off_mm - other.off_mm).abs() < NEAR_MM
+    pub(super) fn distance_mm(self, other: Self) -> f64 {
+        let off_mm = (self.off_mm - other.off_mm).abs();
+        (self.on_mm - other.on_mm).abs().max(off_mm)
+    }
+
+    pub(super) fn half_way(self, to: Self) -> Self {
+        Self {
+            on_mm: 0.5 * (self.on_mm + to.on_mm),
+            off_mm: 0.5 * (self.off_mm + to.off_mm),
+        }
     }
 }
 
@@ -68,23 +77,37 @@ impl Ways {
         } else {
             last
         };
+        let off = end + out * early.off_mm;
+        let mut path = points[..points.len().max(2) - 1].to_vec();
+        path.push(off);
+        let (off_to, on_to) = split(&path, early.on_mm);
         let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
         let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
         let gain_mm = gain_mm.max(packet_mm);
-        let first_mm = stroke
-            .segments()
-            .next()
-            .map_or(DOT_MM, |(a, b)| a.distance(b));
-        let off = end + out * early.off_mm;
         let run_out = off + out * packet_mm.max(LEAST_RUN_OUT_MM);
         Self {
             run_up: first - into * gain_mm,
-            on: first + into * early.on_mm.min(0.5 * first_mm),
-            off,
+            off_to,
+            on_to,
             run_out,
             brake: run_out + out * gain_mm,
         }
     }
+}
+
+/// Where a path leads up to a place so far along it, and on from there.
+fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
+    let (mut left_mm, mut before) = (at_mm, Vec::new());
+    for (i, pair) in path.windows(2).enumerate() {
+        let length_mm = pair[0].distance(pair[1]);
+        if left_mm < length_mm {
+            before.push(pair[0] + (pair[1] - pair[0]) * (left_mm / length_mm));
+            return (before, path[i + 1..].to_vec());
+        }
+        left_mm -= length_mm;
+        before.push(pair[1]);
+    }
+    (before, Vec::new())
 }
 
 /// The direction of the first piece that has one.
@@ -99,8 +122,6 @@ fn unit(way: Point) -> Option<Point> {
 
 /// A laser burns a dot as a line, as long as its spot is wide.
 const DOT_MM: f64 = 0.1;
-/// Nobody sees less burned.
-const NEAR_MM: f64 = 0.005;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;
