@@ -193,6 +193,7 @@ fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanEr
     let burns = |pass: &Pass| matches!(pass.tool, Tool::Laser(_));
     for (pass, it) in (1..).zip(passes) {
         it.tool.check()?;
+        machine.check_keeps(&it.tool)?;
         if burns(it) && !paper.is_level() {
             return Err(PlanError::SlopingLaser { pass });
         }
@@ -399,6 +400,24 @@ mod tests {
             refused(Tool::default(), machine),
             "link period is -1 s; it must be a number from 0 up"
         );
+    }
+
+    #[test]
+    fn what_a_stock_arm_is_too_coarse_for_is_refused() {
+        let strokes = [line(&[(200.0, 0.0), (210.0, 0.0)])];
+        let plan = |speed_mm_s, has_ticks| {
+            let pass = Pass::new(Tool::default().at_speed(speed_mm_s), strokes.to_vec());
+            let machine = Machine {
+                has_ticks,
+                ..Machine::default()
+            };
+            Plan::new(&[pass], &Paper::default(), &machine)
+        };
+        assert_eq!(
+            plan(0.5, true).unwrap_err().to_string(),
+            "draw speed is 0.5 mm/s; a stock arm keeps no less than 1 mm/s at an acceleration of 100 mm/s2 (note N48)"
+        );
+        assert!(plan(1.0, true).is_ok() && plan(0.5, false).is_ok());
     }
 
     #[test]

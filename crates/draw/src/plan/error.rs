@@ -31,6 +31,20 @@ pub enum PlanError {
         /// What it is.
         found: f64,
     },
+    /// A stock arm cannot be as slow: a tick changes its speed by twice that.
+    #[error(
+        "{name} is {found} mm/s; a stock arm keeps no less than {least} mm/s at an acceleration of {acceleration} mm/s2 (note N48)"
+    )]
+    TooSlow {
+        /// Which speed.
+        name: &'static str,
+        /// What it is.
+        found: f64,
+        /// The least that is allowed.
+        least: f64,
+        /// The acceleration in mm/s2.
+        acceleration: f64,
+    },
     /// The pen would not leave the paper.
     #[error("the pen is lifted by {lift_mm} mm; it must be at least 0.1 mm")]
     Lift {

@@ -2,8 +2,8 @@
 
 use dobot_wire::Dialect;
 
-use super::PlanError;
 use super::error::{not_negative, positive};
+use super::{PlanError, Tool};
 
 /// What arm and link can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +31,22 @@ impl Machine {
         Self {
             has_ticks: !dialect.uses_start_speed,
             ..Self::default()
+        }
+    }
+
+    /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
+    /// of what a tick changes, and less than half of that is none.
+    pub(super) fn check_keeps(&self, tool: &Tool) -> Result<(), PlanError> {
+        let least = self.acceleration_mm_s2 * HALF_A_TICK_S;
+        let speeds = tool.speeds_mm_s().into_iter();
+        match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {
+            None => Ok(()),
+            Some((name, found)) => Err(PlanError::TooSlow {
+                name,
+                found,
+                least,
+                acceleration: self.acceleration_mm_s2,
+            }),
         }
     }
 
@@ -75,3 +91,5 @@ impl Default for LinkRate {
         Self { period_s: 0.08 }
     }
 }
+
+const HALF_A_TICK_S: f64 = 0.01;

@@ -36,6 +36,26 @@ impl Tool {
         }
     }
 
+    /// Its speeds by name, in mm/s.
+    pub(super) fn speeds_mm_s(&self) -> Vec<(&'static str, f64)> {
+        match self {
+            Self::Pen(pen) => {
+                let touches = pen.touch_mm > 0.0;
+                let touch = touches.then_some(("touch speed", pen.touch_speed_mm_s));
+                let speeds = [
+                    ("draw speed", pen.draw_speed_mm_s),
+                    ("travel speed", pen.travel_speed_mm_s),
+                    ("lift speed", pen.lift_speed_mm_s),
+                ];
+                speeds.into_iter().chain(touch).collect()
+            }
+            Self::Laser(laser) => vec![
+                ("burn speed", laser.burn_speed_mm_s),
+                ("travel speed", laser.travel_speed_mm_s),
+            ],
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), PlanError> {
         match self {
             Self::Pen(pen) => pen.check(),
