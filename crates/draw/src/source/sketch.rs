@@ -1,6 +1,6 @@
 //! What a reader has found so far: ink in layers, and what is drawn otherwise than the file says.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::error::{LIMIT_MM, MAX_SEGMENTS};
 use super::svg::checked_tolerance_mm;
@@ -20,6 +20,8 @@ pub(super) struct Sketch<'a> {
     /// The last stroke of the layer may go on.
     goes_on: bool,
     segments_left: usize,
+    /// The edges of areas, each with the layer that it belongs to.
+    borders: Vec<(usize, Vec<Point>)>,
     warnings: Warnings<'a>,
 }
 
@@ -33,6 +35,7 @@ impl<'a> Sketch<'a> {
             current: 0,
             goes_on: false,
             segments_left: MAX_SEGMENTS,
+            borders: Vec::new(),
             warnings: Warnings::new(text),
         })
     }
@@ -107,13 +110,19 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// An area to be filled; rings of fewer than three corners hold nothing.
+    /// An area to be filled, whose edges are drawn; rings of fewer than three corners hold nothing.
     pub(super) fn area(&mut self, mut area: Area) -> Result<(), SourceError> {
         area.rings.retain(|ring| ring.len() > 2);
-        self.spend(area.rings.iter().map(Vec::len).sum())?;
-        if !area.rings.is_empty() {
-            self.layer().areas.push(area);
+        // Once as an area, once as lines.
+        self.spend(2 * area.rings.iter().map(Vec::len).sum::<usize>())?;
+        if area.rings.is_empty() {
+            return Ok(());
         }
+        let layer = self.layer();
+        layer.areas.push(area.clone());
+        let number = self.current;
+        let borders = area.rings.into_iter().map(|ring| (number, closed(ring)));
+        self.borders.extend(borders);
         Ok(())
     }
 
@@ -195,12 +204,27 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
+    /// Draws the edges of areas that the file does not draw itself.
+    fn draw_borders(&mut self) {
+        if self.borders.is_empty() {
+            return;
+        }
+        let strokes = self.layers.iter().flat_map(|it| &it.strokes);
+        let mut drawn: HashSet<Vec<[i64; 2]>> = strokes.map(|it| corners(&it.points)).collect();
+        for (layer, points) in std::mem::take(&mut self.borders) {
+            if drawn.insert(corners(&points)) {
+                self.layers[layer].strokes.push(Stroke::open(points));
+            }
+        }
+    }
+
     /// The page: as large as the ink, whose upper left corner is its origin.
     pub(super) fn finish(
         mut self,
         y: Y,
         nothing: &str,
     ) -> Result<(Artwork, Vec<Warning>), SourceError> {
+        self.draw_borders();
         self.layers.retain(|layer| !layer.is_empty());
         if self.layers.is_empty() {
             return Err(self.warnings.nothing_to_draw(nothing));
@@ -419,6 +443,24 @@ pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     let digits = std::str::from_utf8(&text[..length]).ok()?;
     let number: f64 = digits.parse().ok()?;
     (number.abs() <= MAX_NUMBER).then_some((number, length))
+}
+
+fn closed(mut ring: Vec<Point>) -> Vec<Point> {
+    if ring.first() != ring.last() {
+        ring.extend(ring.first().copied());
+    }
+    ring
+}
+
+/// What two rings share that are the same, wherever they begin and whichever way they go.
+fn corners(points: &[Point]) -> Vec<[i64; 2]> {
+    #[expect(clippy::cast_possible_truncation, reason = "no farther than LIMIT_MM")]
+    let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
+    let corners = points.iter().map(|p| [rounded(p.x), rounded(p.y)]);
+    let mut corners: Vec<_> = corners.collect();
+    corners.sort_unstable();
+    corners.dedup();
+    corners
 }
 
 /// A line that ends where it began may be drawn from anywhere.

@@ -216,12 +216,63 @@ fn hatches_and_solids_are_areas() {
 }
 
 #[test]
+fn the_edges_of_areas_are_drawn_once() {
+    let solid = "0 SOLID 10 0 20 0 11 9 21 0 12 0 22 9 13 9 23 9";
+    let outline = "0 LWPOLYLINE 70 1 10 9 20 9 10 9 20 0 10 0 20 0 10 0 20 9";
+    for entities in [solid.to_owned(), format!("{solid} {outline}")] {
+        let (artwork, _) = draw(&entities);
+        let layer = &artwork.layers[0];
+        assert_eq!((layer.areas.len(), layer.strokes.len()), (1, 1));
+        assert!(layer.strokes[0].closed);
+        assert_eq!(layer.strokes[0].length_mm(), 36.0);
+    }
+}
+
+#[test]
+fn a_hatch_may_be_bounded_by_arcs_and_lines() {
+    let circle = |side| {
+        format!(
+            "0 HATCH 91 1 92 1 93 1 72 2 10 50 20 40 40 10 50 0 51 360 73 {side} 97 0 75 0 98 1 10 5 20 5"
+        )
+    };
+    for side in [0, 1] {
+        let (artwork, warnings) = draw(&circle(side));
+        assert!(warnings.is_empty(), "{warnings:?}");
+        let length_mm = artwork.layers[0].strokes[0].length_mm();
+        assert!(
+            (length_mm - 20.0 * std::f64::consts::PI).abs() < 0.05,
+            "{length_mm}"
+        );
+    }
+    // The upper half of a disc, to the left and, its angles counted clockwise, to the right.
+    for arc in ["50 0 51 180 73 1", "50 180 51 360 73 0"] {
+        let line = if arc.ends_with('1') {
+            "10 -5 20 0 11 5 21 0"
+        } else {
+            "10 5 20 0 11 -5 21 0"
+        };
+        let half =
+            format!("0 HATCH 91 1 92 1 93 2 72 2 10 0 20 0 40 5 {arc} 72 1 {line} 97 0 75 0");
+        let (artwork, _) = draw(&half);
+        let length_mm = artwork.layers[0].strokes[0].length_mm();
+        assert!(
+            (length_mm - 10.0 - 5.0 * std::f64::consts::PI).abs() < 0.05,
+            "{length_mm}"
+        );
+        let lowest = artwork.layers[0].areas[0].rings[0]
+            .iter()
+            .filter(|p| p.y > 4.99);
+        assert!(lowest.count() >= 2 && artwork.height_mm < 5.01);
+    }
+}
+
+#[test]
 fn what_is_left_out_is_named_with_its_count() {
     let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
         0 TEXT 10 0 20 0 40 1 1 %%u漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
         0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
         0 DIMENSION 2 *D1 10 0 20 0 0 LEADER 76 2
-        0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 2 10 0 20 0 40 1
+        0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 3 10 0 20 0 11 1 21 0 40 1
         0 POLYLINE 70 64 0 VERTEX 10 0 20 0 0 SEQEND 0 SPLINE 71 3 11 0 21 0 11 5 21 5 0 VIEWPORT 10 0";
     let (_, warnings) = draw(entities);
     let texts: Vec<&str> = warnings
@@ -239,7 +290,7 @@ fn what_is_left_out_is_named_with_its_count() {
             "1 DIMENSION: left out, for its picture is not in the file",
             "1 LEADER: not known, left out",
             "1 tilted object: left out, for only what lies in the plane XY is drawn",
-            "1 HATCH: a boundary by arcs or splines, left out",
+            "1 HATCH: a boundary by ellipses or splines, left out",
             "1 POLYLINE: left out, for its faces are no lines",
             "1 SPLINE: by points alone: drawn as straight lines between them",
         ]

@@ -185,6 +185,19 @@ fn filled_shapes_are_areas() {
     assert_eq!(lengths, [5, 4]);
 }
 
+#[test]
+fn the_edges_of_areas_are_drawn_once() {
+    for text in ["PA40,0RA0,80", "PA40,0RA0,80EA0,80", "PA40,0EA0,80RA0,80"] {
+        let layer = &draw(text).0.layers[0];
+        assert_eq!((layer.areas.len(), layer.strokes.len()), (1, 1), "{text}");
+        // A step is 0.025 mm.
+        assert!((layer.strokes[0].length_mm() - 6.0).abs() < 1e-9);
+    }
+    let polygon = "PM0;PD400,0,400,400,0,400;PM1;PU100,100;PD300,100,300,300;PM2;FP";
+    assert_eq!(draw(polygon).0.layers[0].strokes.len(), 2);
+    assert_eq!(draw(&format!("{polygon};EP")).0.layers[0].strokes.len(), 2);
+}
+
 /// Numbers as PE packs them.
 fn packed(numbers: &[i64], has_7_bits: bool) -> Vec<u8> {
     let (bits, last) = if has_7_bits { (5, 95) } else { (6, 191) };
