@@ -14,6 +14,7 @@ mod ink;
 mod layers;
 mod polygon;
 mod sheet;
+mod substitutes;
 mod walk;
 
 use std::borrow::Cow;
@@ -21,6 +22,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use usvg::fontdb::Family;
 use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
@@ -28,6 +30,7 @@ pub use self::error::SvgError;
 use self::error::{Unshown, WarningKind};
 use self::groups::Groups;
 use self::sheet::Sheet;
+use self::substitutes::Substitutes;
 use self::walk::Walk;
 use super::error::{MAX_SEGMENTS, printable};
 use super::{LayersBy, ReadOptions, SourceError, Warning};
@@ -43,13 +46,20 @@ pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    let (artwork, unshown) = draw(text, options)?;
-    Ok((artwork, unshown.into_iter().map(Warning::from).collect()))
+    let substitutes = Substitutes::default();
+    let (artwork, unshown) = draw(text, options, &substitutes)?;
+    let mut warnings: Vec<Warning> = unshown.into_iter().map(Warning::from).collect();
+    warnings.extend(substitutes.warnings());
+    Ok((artwork, warnings))
 }
 
-fn draw(text: &str, options: &ReadOptions) -> Result<(Artwork, Vec<Unshown>), SvgError> {
+fn draw(
+    text: &str,
+    options: &ReadOptions,
+    substitutes: &Substitutes,
+) -> Result<(Artwork, Vec<Unshown>), SvgError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
-    let unseen = Unseen::default();
+    let unseen = Unseen::new(substitutes);
     let (tree, groups) = parse(text, options, &unseen)?;
     let mut sheet = Sheet::new(walk::page_mm(&tree), options.layers);
     Walk::new(&mut sheet, tolerance_mm, &groups).tree(&tree)?;
@@ -90,14 +100,23 @@ impl Budget {
 }
 
 /// What never reaches the tree: counted while it is being built.
-#[derive(Default)]
-struct Unseen {
+struct Unseen<'a> {
     images: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
+    substitutes: &'a Substitutes,
 }
 
-impl Unseen {
+impl<'a> Unseen<'a> {
+    const fn new(substitutes: &'a Substitutes) -> Self {
+        Self {
+            images: AtomicUsize::new(0),
+            fontless: AtomicUsize::new(0),
+            missing_glyphs: AtomicUsize::new(0),
+            substitutes,
+        }
+    }
+
     fn image_resolver(&self) -> ImageHrefResolver<'_> {
         ImageHrefResolver {
             resolve_data: Box::new(|_, _, _| count(&self.images)),
@@ -111,9 +130,13 @@ impl Unseen {
         let by_character = FontResolver::default_fallback_selector();
         FontResolver {
             select_font: Box::new(move |font, fonts| {
-                by_name(font, fonts)
-                    .or_else(|| fonts.faces().next().map(|face| face.id))
-                    .or_else(|| count(&self.fontless))
+                let found = by_name(font, fonts);
+                let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
+                match found {
+                    Some(id) => self.substitutes.note(font, fonts, id),
+                    None => return count(&self.fontless),
+                }
+                found
             }),
             select_fallback: Box::new(move |character, used, fonts| {
                 by_character(character, used, fonts).or_else(|| count(&self.missing_glyphs))
@@ -144,7 +167,7 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
 fn parse(
     text: &str,
     options: &ReadOptions,
-    unseen: &Unseen,
+    unseen: &Unseen<'_>,
 ) -> Result<(Tree, HashMap<String, String>), SvgError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile);
@@ -160,6 +183,7 @@ fn parse(
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
     let usvg_options = usvg::Options {
+        font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),
         font_resolver: unseen.font_resolver(),
         image_href_resolver: unseen.image_resolver(),

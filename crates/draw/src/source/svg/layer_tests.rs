@@ -197,6 +197,48 @@ fn letters_are_areas_too() {
 }
 
 #[test]
+fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    let first = fonts.faces().next().map(|it| it.families[0].0.clone());
+    let Some(here) = first else {
+        return; // A machine without fonts cannot show this.
+    };
+    fonts.set_serif_family(&here);
+    fonts.set_sans_serif_family(&here);
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..ReadOptions::default()
+    };
+    let warnings = |families: &[&str]| -> Vec<String> {
+        let text = |it: &&str| {
+            let font = if it.is_empty() {
+                String::new()
+            } else {
+                format!("font-family=\"{it}\"")
+            };
+            format!(r#"<text {font} x="10" y="30" font-size="20">o</text>"#)
+        };
+        let texts: String = families.iter().map(text).collect();
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50">{texts}</svg>"#
+        );
+        let (_, warnings) = read(&svg, &options).unwrap();
+        warnings.iter().map(Warning::to_string).collect()
+    };
+    assert_eq!(
+        warnings(&["No Such Sans", "No Such Sans"]),
+        [format!("1 font No Such Sans: not here, drawn in {here}")]
+    );
+    let known = format!("No Such Sans, {here}");
+    let none: [String; 0] = [];
+    assert_eq!(
+        warnings(&["", "No Such Sans, sans-serif", &known, &here]),
+        none
+    );
+}
+
+#[test]
 fn areas_are_moved_as_their_shapes_are() {
     let (layers, _) = read_by(
         LayersBy::Nothing,

@@ -16,7 +16,7 @@ struct Drawing {
 
 impl Drawing {
     fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
-        let (artwork, warnings) = super::draw(text, options)?;
+        let (artwork, warnings) = super::draw(text, options, &super::Substitutes::default())?;
         let drawing = Self {
             width_mm: artwork.width_mm,
             strokes: artwork
