@@ -37,7 +37,7 @@ pub(crate) fn read(
     }
     let mut inker = Inker::new(&mut sketch, style);
     run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
-    inker.finish();
+    inker.finish()?;
     sketch.finish(Y::Up, style.nothing())
 }
 

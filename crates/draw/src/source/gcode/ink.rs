@@ -13,7 +13,7 @@ pub(super) struct Inker<'s, 'a> {
     style: Style,
     /// What the last ink was drawn with.
     tool: Option<Tool>,
-    /// The pen was lowered here and has drawn nothing yet.
+    /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
     /// Where layers below full power begin.
     dim: Vec<usize>,
@@ -33,7 +33,10 @@ impl<'s, 'a> Inker<'s, 'a> {
     pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
         let is_arc = matches!(it.kind, MoveKind::Arc { .. });
         match (self.inks(it), it.from == it.to && !is_arc) {
-            (true, true) => self.stand(it),
+            (true, true) => {
+                self.stand(it);
+                Ok(())
+            }
             (true, false) => self.ink(it),
             (false, stands) => {
                 if let Some(lowered) = self.lowered.take() {
@@ -48,13 +51,17 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     /// Tells of what the whole drawing has shown.
-    pub(super) fn finish(self) {
+    pub(super) fn finish(mut self) -> Result<(), SourceError> {
+        if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
+            self.dot(waits)?;
+        }
         for at in self.dim {
             let instead =
                 "burned at full power, for this laser is on or off; draw it faster instead";
             let warnings = self.sketch.warnings();
             warnings.add(at, "weaker layer", instead);
         }
+        Ok(())
     }
 
     fn inks(&self, it: &Move) -> bool {
@@ -67,17 +74,14 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     /// The pen touches the paper, or the laser burns, where it is.
-    fn stand(&mut self, it: &Move) -> Result<(), SourceError> {
+    fn stand(&mut self, it: &Move) {
         let laser = matches!(self.style, Style::Laser { .. });
         let waits = it.kind == MoveKind::Dwell;
-        if self.style == Style::Plain || self.sketch.ends_at(it.to) || (laser && !waits) {
-            return Ok(());
+        let is_nothing = self.style == Style::Plain || (laser && !waits);
+        if !is_nothing && !self.sketch.ends_at(it.to) {
+            // A stroke from here may follow: then the wait is only for the pen to come down.
+            self.lowered = Some(*it);
         }
-        if laser {
-            return self.dot(*it);
-        }
-        self.lowered = Some(*it);
-        Ok(())
     }
 
     fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {

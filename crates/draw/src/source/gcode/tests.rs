@@ -78,6 +78,19 @@ fn a_laser_that_waits_burns_a_dot() {
 }
 
 #[test]
+fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
+    let text =
+        "G0 X1 Y1\nM3 S90\nG4 P0.2\nG1 X5 F1000\nM5\nG4 P0.2\nG0 X7\nM3 S90\nG4 P0.2\nG1 X9\nM5";
+    assert_eq!(
+        corners(text),
+        [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (8.0, 0.0)]]
+    );
+    let (artwork, _) = draw(text);
+    let names: Vec<_> = artwork.layers.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["S90 F1000"]);
+}
+
+#[test]
 fn a_pen_draws_below_zero_and_dots_where_it_only_dips() {
     let text =
         "G0 Z5\nG0 X10 Y0\nG1 Z-0.1 F100\nG1 X20 F600\nG0 Z5\nG0 X15 Y5\nG1 Z-0.1\nG0 Z5\nG0 X0 Y0";
