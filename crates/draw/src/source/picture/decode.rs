@@ -60,18 +60,36 @@ pub(super) fn is_picture(bytes: &[u8]) -> bool {
 
 /// Reads the header alone.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
-    if bytes.starts_with(JPEG) {
-        return jpeg(bytes).map(|(_, header)| header);
+    match Format::of(bytes)? {
+        Format::Png => png(bytes).map(|(_, header)| header),
+        Format::Jpeg => jpeg(bytes).map(|(_, header)| header),
     }
-    png(bytes).map(|(_, header)| header)
 }
 
 /// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`.
 pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
-    if bytes.starts_with(JPEG) {
-        return jpeg_pixels(bytes);
+    match Format::of(bytes)? {
+        Format::Png => png_pixels(bytes, paper),
+        Format::Jpeg => jpeg_pixels(bytes),
     }
-    png_pixels(bytes, paper)
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Png,
+    Jpeg,
+}
+
+impl Format {
+    /// By the first bytes, whatever the name says.
+    fn of(bytes: &[u8]) -> Result<Self, ImageError> {
+        match bytes {
+            [] => Err(ImageError::EmptyFile),
+            _ if bytes.starts_with(PNG) => Ok(Self::Png),
+            _ if bytes.starts_with(JPEG) => Ok(Self::Jpeg),
+            _ => Err(ImageError::UnknownFormat),
+        }
+    }
 }
 
 type PngReader<'a> = png::Reader<Cursor<&'a [u8]>>;

@@ -6,6 +6,14 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ImageError {
+    /// No bytes at all.
+    #[error("the file is empty; a picture is a PNG or JPEG file")]
+    EmptyFile,
+    /// Another format, whatever its name says.
+    #[error(
+        "the file begins neither as PNG nor as JPEG does; save the picture anew as PNG or JPEG"
+    )]
+    UnknownFormat,
     /// The file breaks off, or is not what its first bytes say.
     #[error("the {format} picture cannot be read: {problem}; save it anew as PNG or JPEG")]
     Damaged {

@@ -381,6 +381,25 @@ fn a_file_that_breaks_off_is_refused() {
 }
 
 #[test]
+fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
+    for name in ["a.jpg", "a.png"] {
+        let told = |bytes: &[u8]| {
+            let source = crate::Source::of_file(name, bytes.to_vec()).unwrap();
+            source.picture_page().unwrap_err().to_string()
+        };
+        assert_eq!(
+            told(b""),
+            "the file is empty; a picture is a PNG or JPEG file"
+        );
+        assert_eq!(
+            told(b"GIF89a"),
+            "the file begins neither as PNG nor as JPEG does; save the picture anew as PNG or JPEG"
+        );
+        assert!(told(b"\xff\xd8\xff").starts_with("the JPEG picture cannot be read: "));
+    }
+}
+
+#[test]
 fn gigapixels_are_refused_before_they_are_read() {
     let mut file = Vec::new();
     drop(
