@@ -3,6 +3,7 @@
 mod args;
 mod estimates;
 mod execute;
+mod input;
 mod rehearse;
 mod report;
 mod work;

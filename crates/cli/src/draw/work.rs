@@ -1,7 +1,6 @@
 //! What the options ask for: a source or a test card, and how it is to be drawn.
 
 use std::fs;
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -15,6 +14,7 @@ use dobot_draw::{
 use dobot_wire::Dialect;
 
 use super::args::{Args, Spacing};
+use super::input::read;
 use crate::failure::Failure;
 
 /// What is to be drawn, and how, apart from what depends on the arm.
@@ -139,26 +139,6 @@ fn source(args: &Args) -> Result<(String, What), Failure> {
     let source = Source::of_file(&name, read(file)?)
         .map_err(|error| anyhow::Error::from(error).context(file.display().to_string()))?;
     Ok((name.into_owned(), What::Source(source)))
-}
-
-fn read(file: &Path) -> Result<Vec<u8>, Failure> {
-    if file == Path::new("-") {
-        let mut bytes = Vec::new();
-        let read = std::io::stdin().read_to_end(&mut bytes);
-        read.context("cannot read standard input")?;
-        return Ok(bytes);
-    }
-    fs::read(file).map_err(|error| {
-        let missing = error.kind() == std::io::ErrorKind::NotFound;
-        let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
-        if missing {
-            return Failure::new(
-                error,
-                "give the name of a drawing; examples/drawings/ has some of each kind",
-            );
-        }
-        error.into()
-    })
 }
 
 fn card(args: &Args, speeds_mm_s: &[f64], tool: Tool) -> Result<What, Failure> {

@@ -5,6 +5,8 @@ use std::fs;
 
 use serde_json::Value;
 
+#[cfg(unix)]
+use crate::program::{Outcome, command};
 use crate::program::{dobot, dobot_reading, example};
 
 fn report(text: &str) -> Value {
@@ -301,4 +303,15 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
         dobot(&["draw", &square, option, value]).fails(1, &[part]);
     }
     dobot(&["draw", &square, "--at", "400", "0"]).fails(1, &["reach"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_input_that_never_ends_is_not_read_for_ever() {
+    let most = ["more than 256 MB", "hint: "];
+    dobot(&["draw", "/dev/zero"]).fails(1, &[&["/dev/zero"], &most[..]].concat());
+    let zeros = fs::File::open("/dev/zero").expect("it is there");
+    let output = command(&["draw", "-"]).stdin(zeros).output();
+    let outcome = Outcome::from(output.expect("the program starts"));
+    outcome.fails(1, &[&["standard input"], &most[..]].concat());
 }
