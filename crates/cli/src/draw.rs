@@ -20,7 +20,7 @@ use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::Dialect;
 
 pub(crate) use self::args::Args;
-use self::execute::{Executed, direct, enter, through};
+use self::execute::{Executed, ask_about_frame, check_frame, direct, through};
 use self::rehearse::{Carried, rehearse};
 use self::report::{Report, Times};
 use self::work::Work;
@@ -41,6 +41,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         return drawing.estimate().await;
     }
     let mut reached = args.to.reach("draw").await?;
+    if args.way.frame {
+        check_frame(&reached)?;
+    }
     if let Some((z_mm, dialect)) = standing(&args, &mut reached).await? {
         drawing = Drawing::new(&args, &work, dialect, z_mm)?;
     }
@@ -118,9 +121,7 @@ impl<'a> Drawing<'a> {
             .execute(&plan, &title, reached, plan.duration_s())
             .await;
         executed.outcome?;
-        eprintln!("this is where it will be; Ctrl-C leaves it undone");
-        enter().await;
-        Ok(())
+        ask_about_frame(reached).await
     }
 
     async fn draw(&self, reached: &mut Reached) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use tokio::io::{AsyncBufReadExt, BufReader};
 
 use super::args::Args;
-use crate::connect::Connected;
+use crate::connect::{Connected, Reached};
 use crate::control::{arm_laser, take_control};
 use crate::failure::Failure;
 use crate::follow;
@@ -119,15 +119,51 @@ async fn job(
 }
 
 /// Waits for a person at the terminal; where there is none, a virtual arm goes on.
-pub(super) async fn enter() {
+async fn enter() {
     if std::io::stdin().is_terminal() {
-        eprintln!("press Enter to go on");
-        let mut line = String::new();
         // Whoever closes the terminal is heard as a signal.
-        let _ = BufReader::new(tokio::io::stdin())
-            .read_line(&mut line)
-            .await;
+        line_entered().await;
     }
+}
+
+/// Whether a frame has its person; that of a virtual arm in this process needs none.
+pub(super) fn check_frame(reached: &Reached) -> Result<(), Failure> {
+    if is_harmless(reached) || std::io::stdin().is_terminal() {
+        return Ok(());
+    }
+    Err(Failure::new(
+        anyhow!("nobody is there to be asked whether the frame is where the drawing is to be"),
+        "run it in a terminal, with the drawing in a file, or leave `--frame` out",
+    ))
+}
+
+/// Asks whether the frame that was gone around is the place.
+pub(super) async fn ask_about_frame(reached: &Reached) -> Result<(), Failure> {
+    if is_harmless(reached) && !std::io::stdin().is_terminal() {
+        return Ok(());
+    }
+    eprintln!("this is where it will be; Ctrl-C leaves it undone");
+    let agreed = tokio::select! {
+        entered = line_entered() => entered,
+        // The way around it has taken Ctrl-C from the system.
+        () = interrupt() => false,
+    };
+    if agreed {
+        return Ok(());
+    }
+    Err(anyhow!("left undone after the frame; nothing was drawn").into())
+}
+
+const fn is_harmless(reached: &Reached) -> bool {
+    matches!(reached, Reached::Arm(it) if it.virtual_arm.is_some())
+}
+
+/// Whether a line came, and not the end of all lines.
+async fn line_entered() -> bool {
+    eprintln!("press Enter to go on");
+    let mut line = String::new();
+    let mut lines = BufReader::new(tokio::io::stdin());
+    matches!(lines.read_line(&mut line).await, Ok(1..))
 }
 
 fn stopped_failure(stopped: Stopped) -> Failure {

@@ -50,6 +50,23 @@ fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
 }
 
 #[test]
+fn without_a_person_a_real_arm_goes_around_no_frame_and_gets_no_pen_change() {
+    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
+    let address = arm.address();
+    let to = ["--to", &address, "--dialect", "specification"];
+    let burn = ["draw", &example("square.svg"), "--frame", "--laser"];
+    dobot(&[&burn[..], &["plywood-engrave"], &to].concat())
+        .fails(1, &["nobody is there to be asked", "leave `--frame` out"]);
+    let layers = ["draw", &example("sailing.svg"), "--layers", "color"];
+    dobot(&[&layers[..], &to].concat()).fails(1, &["the pen has to be changed", "terminal"]);
+    let seen = dobot(&[&["status", "--count", "1", "--json"][..], &to].concat()).succeeds();
+    let seen: serde_json::Value = serde_json::from_str(&seen.stdout).expect("it is JSON");
+    assert_eq!(seen["rear_deg"], 45.0, "it stands as it was switched on");
+    // A virtual arm in the process harms nobody.
+    dobot(&[&burn[..], &["plywood-engrave", "--to", "virtual:"]].concat()).succeeds();
+}
+
+#[test]
 fn over_a_port_the_dialect_is_undecided_until_it_is_given() {
     let mut arm = served(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
