@@ -4,14 +4,13 @@ mod args;
 mod estimates;
 mod execute;
 mod input;
+mod output_files;
 mod rehearse;
 mod report;
 mod work;
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::Context;
 use dobot_draw::{
     Colors, Deviation, FrameShape, InkLine, Picture, Plan, Prepared, Settings, Stroke, View, Worst,
     deviation, frame, ink_seen,
@@ -21,6 +20,7 @@ use dobot_wire::Dialect;
 
 pub(crate) use self::args::Args;
 use self::execute::{Executed, ask_about_frame, check_frame, direct, through};
+use self::output_files::{check_writable, write};
 use self::rehearse::{Carried, rehearse};
 use self::report::{Report, Times};
 use self::work::Work;
@@ -31,6 +31,10 @@ use crate::failure::Failure;
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let files = [&args.result.picture, &args.result.timeline];
+    for file in files.into_iter().flatten() {
+        check_writable(file)?;
+    }
     let work = Work::new(&args)?;
     // What is wrong with it is told before any arm is touched.
     let mut drawing = Drawing::new(&args, &work, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
@@ -220,11 +224,6 @@ impl<'a> Drawing<'a> {
             picture.to_svg().into_bytes()
         })
     }
-}
-
-fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
-    Ok(())
 }
 
 fn print(args: &Args, report: &Report) -> Result<(), Failure> {

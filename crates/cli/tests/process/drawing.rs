@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
@@ -215,14 +216,17 @@ fn a_picture_comes_out_as_svg_and_as_png() {
 }
 
 #[test]
-fn a_picture_that_cannot_be_written_is_told() {
-    let arguments = [
-        "draw",
-        &example("square.svg"),
-        "--picture",
-        "/no/such/folder/a.svg",
-    ];
-    dobot(&arguments).fails(1, &["cannot write /no/such/folder/a.svg"]);
+fn a_file_that_cannot_be_written_is_told_before_anything_is_drawn() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let picture = folder.path().join("a.svg");
+    let picture = picture.to_str().expect("the path is text");
+    let draw = ["draw", &example("square.svg"), "--picture"];
+    let missing = ["/no/such/folder/a.svg", "--json"];
+    dobot(&[&draw[..], &missing].concat()).fails(1, &["cannot write /no/such/folder/a.svg"]);
+    // The picture comes first: where it is missing, nothing was drawn.
+    let timeline = [picture, "--timeline", "/no/such/folder/a.json"];
+    dobot(&[&draw[..], &timeline].concat()).fails(1, &["cannot write /no/such/folder/a.json"]);
+    assert!(!Path::new(picture).exists());
 }
 
 #[test]
