@@ -19,7 +19,7 @@ use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::Dialect;
 
 pub(crate) use self::args::Args;
-use self::execute::{Executed, ask_about_frame, check_frame, direct, through};
+use self::execute::{Executed, ask_about_frame, check_frame, check_laser, direct, through};
 use self::output_files::{check_writable, write};
 use self::rehearse::{Carried, rehearse};
 use self::report::{Report, Times};
@@ -51,6 +51,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if let Some((z_mm, dialect)) = standing(&args, &mut reached).await? {
         drawing = Drawing::new(&args, &work, dialect, z_mm)?;
     }
+    check_laser(&mut reached, &drawing.prepared.plan, &args).await?;
     if args.way.frame {
         drawing.frame(&mut reached).await?;
     }

@@ -12,7 +12,7 @@ use tokio::io::{AsyncBufReadExt, BufReader};
 
 use super::args::Args;
 use crate::connect::{Connected, Reached};
-use crate::control::{arm_laser, take_control};
+use crate::control::{arm_laser, first_state, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::guard;
@@ -74,6 +74,27 @@ async fn check(connected: &mut Connected, plan: &Plan) -> Result<(), Failure> {
         ));
     }
     Ok(())
+}
+
+/// What a station would not let burn is told before anything moves or is queued.
+pub(super) async fn check_laser(
+    reached: &mut Reached,
+    plan: &Plan,
+    args: &Args,
+) -> Result<(), Failure> {
+    let Reached::Station(station) = reached else {
+        return Ok(());
+    };
+    let armed = !plan.burns()
+        || args.tool.arm_laser.is_some()
+        || first_state(station).await?.laser.armed_for_s > 0.0;
+    if armed {
+        return Ok(());
+    }
+    Err(Failure::new(
+        anyhow!("the laser is disarmed"),
+        "put the goggles on, then let `dobot draw` burn for a while: `--arm-laser SECONDS`",
+    ))
 }
 
 /// Queues a plan as a job of the station, and follows it.

@@ -174,6 +174,25 @@ fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
 }
 
 #[test]
+fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
+    let up = Up::new(&["--speed", "5"]);
+    let square = example("square.svg");
+    let burn = [
+        "draw",
+        &square,
+        "--laser",
+        "plywood-engrave",
+        "--pen-down",
+        "-40",
+    ];
+    up.dobot(&burn)
+        .fails(1, &["the laser is disarmed", "--arm-laser SECONDS"]);
+    assert_eq!(up.json(&["jobs"]), Value::Array(Vec::new()));
+    up.dobot(&[&burn[..], &["--arm-laser", "600"]].concat())
+        .succeeds();
+}
+
+#[test]
 fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&["--speed", "5"]);
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
