@@ -272,6 +272,11 @@ impl Drawn {
         }
     }
 
+    /// Whether there is anything of which to tell how far it is astray.
+    fn is_measured(&self) -> bool {
+        self.true_position || !self.ink.is_empty()
+    }
+
     /// What the statuses do not show is not missing.
     fn worst(&self) -> Worst {
         let Deviation { astray, missed } = self.deviation;

@@ -27,9 +27,10 @@ pub(super) struct Report {
     time_s: Option<f64>,
     /// How much longer it took than was estimated.
     estimate_error_percent: Option<f64>,
-    deviation_mm: f64,
-    deviation_at_mm: [f64; 2],
-    /// What the deviation was measured from.
+    /// The largest; absent where it was not measured.
+    deviation_mm: Option<f64>,
+    deviation_at_mm: Option<[f64; 2]>,
+    /// What the deviation was measured from: a laser's light is in no status.
     measured_from: &'static str,
     /// What each pass is, where there is more than one.
     passes: Vec<PassFigures>,
@@ -43,7 +44,8 @@ impl Report {
         times: Times,
     ) -> Self {
         let summary = prepared.plan.summary();
-        let worst = drawn.map(Drawn::worst).unwrap_or_default();
+        let measured = drawn.filter(|it| it.is_measured());
+        let worst = measured.map(Drawn::worst);
         let passes = estimate.map_or_else(Vec::new, |it| it.passes.clone());
         Self {
             strokes: summary.strokes,
@@ -55,9 +57,9 @@ impl Report {
             estimated_s: times.estimated.map(|it| it.as_secs_f64()),
             time_s: times.took.map(|it| it.as_secs_f64()),
             estimate_error_percent: times.error_percent(),
-            deviation_mm: worst.distance_mm,
-            deviation_at_mm: [worst.at.x, worst.at.y],
-            measured_from: match drawn {
+            deviation_mm: worst.map(|it| it.distance_mm),
+            deviation_at_mm: worst.map(|it| [it.at.x, it.at.y]),
+            measured_from: match measured {
                 Some(drawn) if drawn.true_position => "the arm's true position",
                 Some(_) => "the statuses",
                 None => "nothing",
@@ -82,19 +84,21 @@ impl Report {
             self.travelled_mm
         ))?;
         output::line(&self.time())?;
-        if self.measured_from != "nothing" {
-            let [x, y] = self.deviation_at_mm;
-            output::line(&format!(
-                "largest deviation  {:.3} mm, at x {x:.1} y {y:.1}, measured from {}",
-                self.deviation_mm, self.measured_from
-            ))?;
-        }
+        output::line(&self.deviation())?;
         if self.passes.len() > 1 {
             for pass in &self.passes {
                 output::line(&pass_line(pass))?;
             }
         }
         Ok(())
+    }
+
+    fn deviation(&self) -> String {
+        let (Some(mm), Some([x, y])) = (self.deviation_mm, self.deviation_at_mm) else {
+            return "largest deviation  not measured".to_owned();
+        };
+        let from = self.measured_from;
+        format!("largest deviation  {mm:.3} mm, at x {x:.1} y {y:.1}, measured from {from}")
     }
 
     fn time(&self) -> String {
@@ -116,13 +120,17 @@ impl Report {
     /// What stands below the picture.
     pub(super) fn figures(&self) -> Vec<(String, String)> {
         let time_s = self.time_s.or(self.estimated_s).unwrap_or(self.planned_s);
+        let deviation = self.deviation_mm.map(|mm| format!("{mm:.3} mm"));
         [
             ("strokes", self.strokes.to_string()),
             ("vectors", self.vectors.to_string()),
             ("drawn", format!("{:.0} mm", self.drawn_mm)),
             ("travelled", format!("{:.0} mm", self.travelled_mm)),
             ("time", clock(time_s)),
-            ("deviation", format!("{:.3} mm", self.deviation_mm)),
+            (
+                "deviation",
+                deviation.unwrap_or_else(|| "not measured".to_owned()),
+            ),
         ]
         .map(|(name, figure)| (name.to_owned(), figure))
         .to_vec()
