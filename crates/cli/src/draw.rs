@@ -3,6 +3,7 @@
 mod args;
 mod estimates;
 mod execute;
+mod fitting;
 mod input;
 mod output_files;
 mod rehearse;

@@ -61,20 +61,21 @@ pub(crate) struct What {
     #[arg(long, value_name = "TEXT", conflicts_with = "card")]
     pub(crate) text: Option<String>,
     /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
-    #[arg(long, value_name = "NAME", default_value = "sans", requires = "text")]
-    pub(crate) font: String,
-    /// How tall the capitals of --text are, in mm
-    #[arg(long, value_name = "MM", default_value_t = 10.0, requires = "text")]
-    pub(crate) height: f64,
-    /// Where the lines of --text meet: left, center or right
-    #[arg(long, value_name = "SIDE", default_value = "left", requires = "text", value_parser = align)]
-    pub(crate) align: Align,
+    /// (default: sans)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) font: Option<String>,
+    /// How tall the capitals of --text are, in mm (default: 10)
+    #[arg(long, value_name = "MM")]
+    pub(crate) height: Option<f64>,
+    /// Where the lines of --text meet: left, center or right (default: left)
+    #[arg(long, value_name = "SIDE", value_parser = align)]
+    pub(crate) align: Option<Align>,
     /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
     #[arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')]
     pub(crate) card: Option<Vec<f64>>,
-    /// How often the lowest row of the test card is burned
-    #[arg(long, value_name = "N", default_value_t = 3, requires = "card")]
-    pub(crate) card_passes: u32,
+    /// How often the lowest row of the test card is burned (default: 3)
+    #[arg(long, value_name = "N")]
+    pub(crate) card_passes: Option<u32>,
     /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
     /// for itself, and the arm waits for its pen
     #[arg(long, value_name = "BY", value_parser = layers)]

@@ -7,13 +7,14 @@ use std::sync::Arc;
 use anyhow::Context;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_draw::{
-    Card, Font, Hatch, Laser, Machine, Material, Materials, Paper, Pass, Pen, PlaceError,
+    Align, Card, Font, Hatch, Laser, Machine, Material, Materials, Paper, Pass, Pen, PlaceError,
     Placement, Point, PrepareError, Prepared, Settings, Shading, Size, Source, Text, Tool, fontdb,
     prepare, prepare_passes,
 };
 use dobot_wire::Dialect;
 
 use super::args::{Args, Spacing};
+use super::fitting::{Kind, check};
 use super::input::read;
 use crate::failure::Failure;
 
@@ -32,6 +33,17 @@ enum What {
     Passes(Vec<Pass>),
 }
 
+impl What {
+    const fn kind(&self) -> Kind {
+        match self {
+            Self::Passes(_) => Kind::Card,
+            Self::Source(Source::Text(_)) => Kind::Text,
+            Self::Source(Source::Picture(_)) => Kind::Picture,
+            Self::Source(_) => Kind::Lines,
+        }
+    }
+}
+
 impl Work {
     pub(super) fn new(args: &Args) -> Result<Self, Failure> {
         let materials = materials(args.tool.materials.as_deref())?;
@@ -44,6 +56,7 @@ impl Work {
             Some(speeds) => ("test card".to_owned(), card(args, speeds, tool)?),
             None => source(args)?,
         };
+        check(args, what.kind(), &title)?;
         let fonts = fonts(&what);
         let size = size(args, &what);
         let settings = Settings {
@@ -124,9 +137,9 @@ pub(crate) fn materials(file: Option<&Path>) -> Result<Materials, Failure> {
 fn source(args: &Args) -> Result<(String, What), Failure> {
     if let Some(text) = &args.what.text {
         let text = Text {
-            font: Font::of(&args.what.font),
-            height_mm: args.what.height,
-            align: args.what.align,
+            font: Font::of(args.what.font.as_deref().unwrap_or("sans")),
+            height_mm: args.what.height.unwrap_or(10.0),
+            align: args.what.align.unwrap_or(Align::Left),
             ..Text::new(text.replace("\\n", "\n"))
         };
         let first = text.text.lines().next().unwrap_or_default();
@@ -150,7 +163,7 @@ fn card(args: &Args, speeds_mm_s: &[f64], tool: Tool) -> Result<What, Failure> {
     };
     let card = Card {
         speeds_mm_s: speeds_mm_s.to_vec(),
-        most_passes: args.what.card_passes,
+        most_passes: args.what.card_passes.unwrap_or(3),
         travel_speed_mm_s: laser.travel_speed_mm_s,
         center: center(args).unwrap_or_else(|| Card::default().center),
         ..Card::default()

@@ -230,6 +230,50 @@ fn a_file_that_cannot_be_written_is_told_before_anything_is_drawn() {
 }
 
 #[test]
+fn an_option_that_does_not_fit_the_source_is_refused() {
+    let (square, photo) = (example("square.svg"), example("still-life.jpg"));
+    let (square, photo) = (&[square.as_str()][..], &[photo.as_str()][..]);
+    let text = &["--text", "arm"][..];
+    let card = &["--card", "5,10", "--laser", "cork-engrave"][..];
+    for (source, option, parts) in [
+        (
+            square,
+            &["--shade", "lines"][..],
+            ["pictures", "square.svg is a file of lines"],
+        ),
+        (square, &["--spacing", "2"], ["pictures", "square.svg"]),
+        (square, &["--invert"], ["pictures", "square.svg"]),
+        (square, &["--height", "20"], ["--text", "square.svg"]),
+        (square, &["--font", "serif"], ["--text", "square.svg"]),
+        (square, &["--align", "left"], ["--text", "square.svg"]),
+        (square, &["--card-passes", "3"], ["--card", "square.svg"]),
+        (
+            photo,
+            &["--hatch"],
+            ["areas", "still-life.jpg is a picture"],
+        ),
+        (photo, &["--layers", "color"], ["layers", "still-life.jpg"]),
+        (text, &["--shade", "hatch"], ["pictures", "this is a text"]),
+        (text, &["--layers", "color"], ["layers", "this is a text"]),
+        (card, &["--hatch", "2"], ["areas", "this is a test card"]),
+        (card, &["--fit"], ["drawings", "this is a test card"]),
+        (
+            card,
+            &["--passes", "2"],
+            ["drawings", "this is a test card"],
+        ),
+    ] {
+        let refused = dobot(&[&["draw"], source, option].concat()).fails(1, &parts);
+        let named = format!("error: {} is for ", option[0]);
+        assert!(refused.stderr.starts_with(&named), "{}", refused.stderr);
+    }
+    // A material has a spacing and passes of its own.
+    let burn = ["--laser", "plywood-engrave", "--dry-run"];
+    dobot(&[&["draw"], photo, &["--spacing", "4"], &burn].concat()).succeeds();
+    dobot(&[&["draw"], text, &["--hatch"], &burn].concat()).succeeds();
+}
+
+#[test]
 fn size_and_place_are_obeyed() {
     let svg = page(r#"<rect width="40" height="20" fill="none" stroke="black"/>"#);
     for (arguments, drawn_mm) in [
