@@ -384,6 +384,14 @@ mod tests {
             pen(|it| it.lift_mm = -1.0),
             "the pen is lifted by -1 mm; it must be at least 0.1 mm"
         );
+        let laser = Laser {
+            times: 0,
+            ..Laser::default()
+        };
+        assert_eq!(
+            refused(Tool::Laser(laser), Machine::default()),
+            "number of times to burn is 0; it must be a number above 0"
+        );
         let machine = Machine {
             acceleration_mm_s2: f64::NAN,
             ..Machine::default()

@@ -12,21 +12,21 @@ pub enum PlanError {
     #[error("there is no stroke to plan")]
     NoStrokes,
     /// A setting that must be positive is not.
-    #[error("{name} is {found} {unit}; it must be a number above 0")]
+    #[error("{name} is {found}{}; it must be a number above 0", spaced(.unit))]
     NotPositive {
         /// Which setting.
         name: &'static str,
-        /// Its unit.
+        /// Its unit; empty for a number of things.
         unit: &'static str,
         /// What it is.
         found: f64,
     },
     /// A setting that may be zero is less.
-    #[error("{name} is {found} {unit}; it must be a number from 0 up")]
+    #[error("{name} is {found}{}; it must be a number from 0 up", spaced(.unit))]
     Negative {
         /// Which setting.
         name: &'static str,
-        /// Its unit.
+        /// Its unit; empty for a number of things.
         unit: &'static str,
         /// What it is.
         found: f64,
@@ -70,6 +70,13 @@ pub enum PlanError {
         /// Which pass, from 1.
         pass: usize,
     },
+}
+
+fn spaced(unit: &str) -> String {
+    if unit.is_empty() {
+        return String::new();
+    }
+    format!(" {unit}")
 }
 
 pub(super) fn positive(
