@@ -46,7 +46,7 @@ pub(super) async fn direct(connected: &mut Connected, plan: &Plan, total_s: f64)
         bar.set_message(clock(total_s - progress.planned_s * scale));
     };
     let confirm = async |message: &str| {
-        bar.suspend(|| eprintln!("{message}"));
+        bar.suspend(|| prompt(message));
         enter().await;
     };
     let outcome = dobot_draw::run(&mut connected.arm, plan, confirm, interrupt(), tell).await;
@@ -139,6 +139,14 @@ async fn job(
     }
 }
 
+/// Tells a person why it waits, and for what.
+fn prompt(message: &str) {
+    eprintln!("{message}");
+    if std::io::stdin().is_terminal() {
+        eprintln!("press Enter to go on");
+    }
+}
+
 /// Waits for a person at the terminal; where there is none, a virtual arm goes on.
 async fn enter() {
     if std::io::stdin().is_terminal() {
@@ -163,7 +171,7 @@ pub(super) async fn ask_about_frame(reached: &Reached) -> Result<(), Failure> {
     if is_harmless(reached) && !std::io::stdin().is_terminal() {
         return Ok(());
     }
-    eprintln!("this is where it will be; Ctrl-C leaves it undone");
+    prompt("this is where it will be; Ctrl-C leaves it undone");
     let agreed = tokio::select! {
         entered = line_entered() => entered,
         // The way around it has taken Ctrl-C from the system.
@@ -181,7 +189,6 @@ const fn is_harmless(reached: &Reached) -> bool {
 
 /// Whether a line came, and not the end of all lines.
 async fn line_entered() -> bool {
-    eprintln!("press Enter to go on");
     let mut line = String::new();
     let mut lines = BufReader::new(tokio::io::stdin());
     matches!(lines.read_line(&mut line).await, Ok(1..))

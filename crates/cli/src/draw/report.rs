@@ -73,8 +73,8 @@ impl Report {
             return output::json(self);
         }
         if (self.scale - 1.0).abs() > 1e-9 {
-            let percent = self.scale * 100.0;
-            output::line(&format!("size               {percent:.0} % of the file's"))?;
+            let percent = percent(self.scale);
+            output::line(&format!("size               {percent} % of the file's"))?;
         }
         output::line(&format!("strokes            {}", self.strokes))?;
         output::line(&format!("vectors            {}", self.vectors))?;
@@ -156,6 +156,14 @@ impl Times {
     }
 }
 
+/// A factor in percent, with at least three digits that count.
+fn percent(factor: f64) -> String {
+    let percent = factor * 100.0;
+    let is_short = |&decimals: &i32| percent * 10_f64.powi(decimals) < 99.95;
+    let decimals = (0..9).take_while(is_short).count();
+    format!("{percent:.decimals$}")
+}
+
 fn pass_line(pass: &PassFigures) -> String {
     let ink = match pass.tool {
         ToolKind::Pen => "drawn",
@@ -169,4 +177,22 @@ fn pass_line(pass: &PassFigures) -> String {
         pass.ink_mm,
         clock(pass.time_s)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_is_told_with_three_digits_that_count() {
+        for (factor, told) in [
+            (12.0, "1200"),
+            (1.234, "123"),
+            (0.9999, "100"),
+            (1.0 / 3.0, "33.3"),
+            (0.000_456, "0.0456"),
+        ] {
+            assert_eq!(percent(factor), told);
+        }
+    }
 }

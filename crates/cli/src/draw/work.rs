@@ -8,8 +8,8 @@ use anyhow::Context;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_draw::{
     Align, Card, Font, Hatch, Laser, Machine, Material, Materials, Paper, Pass, Pen, PlaceError,
-    Placement, Point, PrepareError, Prepared, Settings, Shading, Size, Source, Text, Tool, fontdb,
-    prepare, prepare_passes,
+    Placement, Point, PrepareError, Prepared, Settings, Shading, Size, Source, SourceError, Text,
+    Tool, UnknownMaterial, fontdb, prepare, prepare_passes,
 };
 use dobot_wire::Dialect;
 
@@ -47,10 +47,7 @@ impl What {
 impl Work {
     pub(super) fn new(args: &Args) -> Result<Self, Failure> {
         let materials = materials(args.tool.materials.as_deref())?;
-        let material = *match &args.tool.laser {
-            Some(name) => materials.get(name)?,
-            None => materials.get(&args.tool.pen)?,
-        };
+        let material = material(args, &materials)?;
         let tool = with_options(material.tool, args)?;
         let (title, what) = match &args.what.card {
             Some(speeds) => ("test card".to_owned(), card(args, speeds, tool)?),
@@ -134,6 +131,20 @@ pub(crate) fn materials(file: Option<&Path>) -> Result<Materials, Failure> {
     Ok(known.with(mine))
 }
 
+/// The pen or the material that was named; where it is unknown, the others of its kind are told.
+fn material(args: &Args, materials: &Materials) -> Result<Material, UnknownMaterial> {
+    let burns = args.tool.laser.is_some();
+    let name = args.tool.laser.as_ref().unwrap_or(&args.tool.pen);
+    let is_of_kind = |name: &String| {
+        let material = materials.get(name);
+        material.is_ok_and(|it| matches!(it.tool, Tool::Laser(_)) == burns)
+    };
+    materials.get(name).copied().map_err(|mut unknown| {
+        unknown.known.retain(is_of_kind);
+        unknown
+    })
+}
+
 fn source(args: &Args) -> Result<(String, What), Failure> {
     if let Some(text) = &args.what.text {
         let text = Text {
@@ -142,15 +153,25 @@ fn source(args: &Args) -> Result<(String, What), Failure> {
             align: args.what.align.unwrap_or(Align::Left),
             ..Text::new(text.replace("\\n", "\n"))
         };
-        let first = text.text.lines().next().unwrap_or_default();
-        return Ok((first.to_owned(), What::Source(Source::Text(text))));
+        let mut lines = text.text.lines();
+        let first = lines.find(|it| !it.trim().is_empty());
+        return Ok((
+            first.unwrap_or("--text").to_owned(),
+            What::Source(Source::Text(text)),
+        ));
     }
     let file = args.file.as_deref().expect("the options ask for one");
-    let name = file
-        .file_name()
-        .map_or_else(|| "-".into(), |it| it.to_string_lossy());
-    let source = Source::of_file(&name, read(file)?)
-        .map_err(|error| anyhow::Error::from(error).context(file.display().to_string()))?;
+    let (path, name) = match file.file_name() {
+        Some(name) if file != Path::new("-") => {
+            (file.display().to_string(), name.to_string_lossy())
+        }
+        _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
+    };
+    let source = Source::of_file(&name, read(file)?).map_err(|error| match error {
+        // It says the name itself.
+        SourceError::UnknownKind { .. } if path == name => error.into(),
+        _ => anyhow::Error::from(error).context(path),
+    })?;
     Ok((name.into_owned(), What::Source(source)))
 }
 
@@ -369,6 +390,8 @@ const MONOSPACE: &[&str] = &[
 ];
 const CURSIVE: &[&str] = &["Comic Neue", "Comic Sans MS", "Apple Chancery"];
 const FANTASY: &[&str] = &["Impact", "Papyrus"];
+
+const STANDARD_INPUT: &str = "standard input";
 
 #[cfg(test)]
 mod tests {

@@ -86,7 +86,10 @@ fn a_photo_and_a_text_become_ink_with_one_line_each() {
         let outcome = dobot(&[&text[..], more].concat()).succeeds();
         assert!(number(&report(&outcome.stdout), "drawn_mm") > 50.0);
     }
-    dobot(&["draw", "--text", " "]).fails(1, &["nothing to draw"]);
+    for blank in ["", " ", "\\n"] {
+        let told = ["error: --text: ", "nothing to draw"];
+        dobot(&["draw", "--text", blank]).fails(1, &told);
+    }
 }
 
 #[test]
@@ -168,7 +171,13 @@ fn the_laser_burns_materials_and_the_pen_does_not() {
         assert!(number(&report, "deviation_mm") <= most_mm, "{report}");
     }
     dobot(&["draw", &square, "--laser", "fineliner"]).fails(1, &["fineliner is a pen", "--pen"]);
-    dobot(&["draw", &square, "--pen", "biro"]).fails(1, &["biro", "ballpoint"]);
+    for (option, other, kind, not) in [
+        ("--pen", "biro", "ballpoint", "plywood-engrave"),
+        ("--laser", "steel", "plywood-engrave", "ballpoint"),
+    ] {
+        let told = dobot(&["draw", &square, option, other]).fails(1, &[other, kind]);
+        assert!(!told.stderr.contains(not), "{}", told.stderr);
+    }
     dobot(&["draw", "--card", "5,10"]).fails(1, &["--laser"]);
     let card = [
         "draw",
@@ -314,11 +323,14 @@ fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
 #[test]
 fn bad_drawings_are_one_clear_error_each() {
     for (svg, parts) in [
-        (String::new(), &["-:"][..]),
+        (
+            String::new(),
+            &["error: \"standard input\" is of no kind"][..],
+        ),
         ("hello".to_owned(), &["of no kind that can be drawn"]),
         ("<svg".to_owned(), &["1:"]),
         ("<html/>".to_owned(), &["of no kind that can be drawn"]),
-        (page(""), &["nothing"]),
+        (page(""), &["error: standard input: ", "nothing"]),
         (
             page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
             &["NaN", "1:"],
