@@ -325,9 +325,12 @@ fn bad_drawings_are_one_clear_error_each() {
     for (svg, parts) in [
         (
             String::new(),
-            &["error: \"standard input\" is of no kind"][..],
+            &["error: standard input: the file is empty"][..],
         ),
-        ("hello".to_owned(), &["of no kind that can be drawn"]),
+        (
+            "hello".to_owned(),
+            &["error: \"standard input\" is of no kind"],
+        ),
         ("<svg".to_owned(), &["1:"]),
         ("<html/>".to_owned(), &["of no kind that can be drawn"]),
         (page(""), &["error: standard input: ", "nothing"]),
