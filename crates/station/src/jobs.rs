@@ -131,9 +131,11 @@ impl Jobs {
         });
     }
 
-    /// All jobs, the oldest first; that of the keeper as it is now.
+    /// All jobs, the oldest first; that of the keeper as it is now, and of all others what was told
+    /// of them last.
     pub(crate) fn list(self, current: Option<JobView>, reply: oneshot::Sender<Vec<JobView>>) {
         tokio::task::spawn_blocking(move || {
+            self.catch_up();
             let jobs = self.journal.jobs().unwrap_or_default();
             let view = |job: &Job| match &current {
                 Some(current) if current.job == job.id.0 => current.clone(),
