@@ -1,6 +1,6 @@
 //! How much a planned motion accelerates, measured from the motion itself.
 
-use super::seen::second_difference;
+use super::seen::{at_ticks, second_difference};
 use super::ticker::Ticker;
 use super::ticks::TICK_S;
 use super::{Plan, write};
@@ -41,11 +41,8 @@ fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
     let (mut places, mut from) = (vec![plan.start], plan.start);
     for (vector, to) in plan.moves.iter().zip(plan.positions()) {
         let (way, length_mm) = (vector.increments(), vector.length_mm());
-        let mut gone_mm = 0.0;
-        for speed_mm_s in ticker.run(&write(vector)).speeds_mm_s() {
-            gone_mm += f64::from(speed_mm_s * TICK_S);
-            places.push([0, 1, 2].map(|i| from[i] + gone_mm / length_mm * way[i]));
-        }
+        let direction = way.map(|it| it / length_mm);
+        places.extend(at_ticks(from, direction, &ticker.run(&write(vector))));
         from = to;
     }
     places

@@ -119,11 +119,7 @@ impl Ticks {
     /// The next vector, as the arm runs it.
     pub(super) fn push(&mut self, run: &Run, cut: &Cut) {
         let begin = self.places[self.places.len() - 1];
-        let mut gone_mm = 0.0;
-        self.places.extend(cut.speeds_mm_s().map(|speed_mm_s| {
-            gone_mm += f64::from(speed_mm_s * TICK_S);
-            on(begin, run, gone_mm)
-        }));
+        self.places.extend(at_ticks(begin, run.direction, cut));
         self.ends.push(self.places.len() - 1);
     }
 
@@ -151,6 +147,18 @@ impl Ticks {
             }
         }
     }
+}
+
+/// Where the tool is at each tick of a vector that it runs from there in this direction.
+pub(super) fn at_ticks(
+    begin: [f64; 3],
+    direction: [f64; 3],
+    cut: &Cut,
+) -> impl Iterator<Item = [f64; 3]> {
+    cut.speeds_mm_s().scan(0.0, move |gone_mm, speed_mm_s| {
+        *gone_mm += f64::from(speed_mm_s * TICK_S);
+        Some([0, 1, 2].map(|i| begin[i] + *gone_mm * direction[i]))
+    })
 }
 
 pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {

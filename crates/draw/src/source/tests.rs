@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::*;
 use crate::artwork::Layer;
-use crate::point::Stroke;
+use crate::point::{Bounds, Stroke};
 
 /// A drawing that comes with the project; whatever is left out of it would be a mistake in it.
 fn example(name: &str) -> Artwork {
@@ -133,4 +133,14 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
         let source = Source::of_file(&format!("a.{ending}"), Vec::new()).unwrap();
         assert_eq!(source, Source::Hpgl(Vec::new()), "{ending}");
     }
+}
+
+/// Left, bottom, right and top of all strokes but the first, which is a dot, in millimetres from that
+/// dot, y up.
+pub(super) fn sides_from_dot(strokes: &[Stroke]) -> [f64; 4] {
+    let origin = strokes[0].points[0];
+    let ink = Bounds::of_strokes(&strokes[1..]);
+    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
+    let from = [origin.x, -origin.y, origin.x, -origin.y];
+    std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
 }

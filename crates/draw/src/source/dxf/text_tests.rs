@@ -2,7 +2,8 @@ use proptest::prelude::*;
 
 use super::tests::{draw, draw_text, file};
 use super::*;
-use crate::point::{Bounds, Point, Stroke};
+use crate::point::{Point, Stroke};
+use crate::source::tests::sides_from_dot;
 
 /// A dot at the origin, then entities, in whose words `_` is a space; left, bottom, right and top
 /// of their ink, in millimetres from the dot, y up.
@@ -14,11 +15,7 @@ fn written(blocks: &str, entities: &str) -> [f64; 4] {
         .into_iter()
         .flat_map(|it| it.strokes)
         .collect();
-    let origin = strokes[0].points[0];
-    let ink = Bounds::of_strokes(&strokes[1..]);
-    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
-    let from = [origin.x, -origin.y, origin.x, -origin.y];
-    std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
+    sides_from_dot(&strokes)
 }
 
 #[test]

@@ -4,17 +4,13 @@ use proptest::prelude::*;
 
 use super::tests::{corners, draw, strokes};
 use super::*;
-use crate::point::{Bounds, Point};
+use crate::point::Point;
+use crate::source::tests::sides_from_dot;
 
 /// A dot at the origin, then what is written; left, bottom, right and top of that, in millimetres
 /// from the dot, y up.
 fn written(text: &str) -> [f64; 4] {
-    let strokes = strokes(&format!("IN;SP1;PD;PU;{text}"));
-    let origin = strokes[0].points[0];
-    let ink = Bounds::of_strokes(&strokes[1..]);
-    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
-    let from = [origin.x, -origin.y, origin.x, -origin.y];
-    std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
+    sides_from_dot(&strokes(&format!("IN;SP1;PD;PU;{text}")))
 }
 
 #[test]
