@@ -41,6 +41,7 @@
 mod arm_thread;
 mod arms;
 mod bridge;
+mod client;
 mod config;
 mod connect;
 #[cfg(test)]
@@ -65,6 +66,7 @@ mod start;
 mod virtual_port;
 mod words;
 
+pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 pub use folders::Folders;

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use dobot_client::Address;
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{Journal, JournalError};
-use dobot_record::{About, Limits, Recorder};
 use dobot_safety::{Policy, PolicyError};
 use dobot_sim::{Line, Server, VirtualArm};
 use tokio::sync::Mutex;
@@ -23,7 +22,7 @@ use crate::http;
 use crate::jobs::Jobs;
 use crate::keeper::Keeper;
 use crate::owner::Owner;
-use crate::recording::Recording;
+use crate::recording::{self, Recording};
 use crate::{
     Config, Finder, Found, Handle, ProgramNews, RawPort, RawPortError, Search, ServeError, Served,
     Web,
@@ -300,14 +299,9 @@ fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
 
 fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {
     let personality = source.is_virtual().then(|| config.personality.to_string());
-    let recorder = Recorder::start(
-        config.folders.recordings(),
-        Limits::default(),
-        About::default(),
-        jiff::Timestamp::now(),
-    );
-    let recorder = recorder.map_err(|error| notes.push(format!("nothing is recorded: {error}")));
-    Recording::new(recorder.ok(), personality)
+    let (recorder, trouble) = recording::start(&config.folders);
+    notes.extend(trouble);
+    Recording::new(recorder, personality)
 }
 
 /// A virtual serial port for programs that speak nothing else.
@@ -343,5 +337,6 @@ fn serve_pty(port: std::convert::Infallible, _: &Handle, _: &ArmThread) -> PathB
     match port {}
 }
 
-const OPENED: &str =
+/// Why the pose of an arm is not trusted whose port was opened.
+pub(crate) const OPENED: &str =
     "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
