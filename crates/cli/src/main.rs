@@ -11,7 +11,6 @@ mod detect;
 mod draw;
 mod failure;
 mod follow;
-mod guard;
 mod interrupt;
 mod jobs;
 mod jog;

@@ -14,7 +14,7 @@ use dobot_sim::VirtualArm;
 use tokio::time::Instant;
 
 use crate::remote::{ConnectError, Heard, Remote, RemoteError, StationAddress, fetch};
-use crate::{JobView, News, Problem, Refusal, Reply, Request, State};
+use crate::{ClientId, JobView, News, Problem, Refusal, Reply, Request, State};
 
 use self::local::Local;
 use self::virtual_time::InVirtualTime;
@@ -190,6 +190,16 @@ impl StationClient {
             Way::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
             Way::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
             Way::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+        }
+    }
+
+    /// Its number among the clients of the rules.
+    #[must_use]
+    pub const fn id(&self) -> ClientId {
+        match &self.way {
+            Way::Running(remote, _) => remote.hello().client,
+            Way::Local(local) => local.id(),
+            Way::Virtual(station) => station.id(),
         }
     }
 

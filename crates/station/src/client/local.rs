@@ -19,7 +19,7 @@ use crate::owner::Owner;
 use crate::recording::{self, Recording};
 use crate::start::OPENED;
 use crate::{
-    Client, Finder, Folders, Found, Handle, Heard, JobView, Notice, Refusal, RemoteError, Reply,
+    Client, ClientId, Finder, Folders, Found, Handle, Heard, JobView, Notice, Refusal, RemoteError, Reply,
     Request, Role, Search, Snapshot,
 };
 
@@ -125,6 +125,10 @@ impl Local {
 
     pub(super) async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         self.client.handle().jobs().await
+    }
+
+    pub(super) const fn id(&self) -> ClientId {
+        self.client.id()
     }
 
     pub(super) const fn address(&self) -> &Address {

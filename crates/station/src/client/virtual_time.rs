@@ -61,6 +61,10 @@ impl InVirtualTime {
         self.station.now()
     }
 
+    pub(super) const fn id(&self) -> ClientId {
+        self.client
+    }
+
     pub(super) fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         self.station.jobs()
     }

@@ -133,7 +133,11 @@ impl Keeper {
     pub(super) fn laser_view(&self) -> LaserView {
         let left = |until: Duration| until.saturating_sub(self.now).as_secs_f64();
         LaserView {
-            armed_for_s: self.laser.armed_until.map_or(0.0, left),
+            armed_for_s: if self.laser.free {
+                self.policy.laser.arm_for_s
+            } else {
+                self.laser.armed_until.map_or(0.0, left)
+            },
             on: self.laser.on,
         }
     }
