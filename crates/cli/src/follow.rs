@@ -26,26 +26,33 @@ pub(crate) async fn start(
     burns: bool,
     mut see: impl FnMut(&State),
 ) -> Result<Duration, Failure> {
-    let mut spent_s = 0.0;
     loop {
         take_control(station).await?;
         request_at_rest(station, Request::StartJob { job }).await?;
         if !burns {
             station.request(Request::ReleaseLease).await?;
         }
-        let (ended, took_s) = follow(station, job, &mut see).await?;
-        spent_s += took_s;
+        let ended = follow(station, job, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // What the arm has got already it does, and it lifts the tool.
             control::idle(station).await?;
         }
         match ended {
-            End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
+            End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
             End::Paused(text) => go_on(station, job, &text).await?,
             End::Interrupted => go_on(station, job, "interrupted; the tool is up").await?,
         }
     }
+}
+
+/// How long the arm was at a job that is done, without its pauses; where a crash came between, since
+/// then.
+async fn took(station: &mut StationClient, job: u64) -> Result<Duration, Failure> {
+    let jobs = station.jobs().await?;
+    let job = jobs.iter().find(|it| it.job == job);
+    let took_s = job.and_then(|it| it.took_s).unwrap_or_default();
+    Ok(Duration::try_from_secs_f64(took_s).unwrap_or_default())
 }
 
 /// Asks a person whether a paused job is to go on: because it waits for a new pen, say.
@@ -87,15 +94,15 @@ enum Answer {
     Leave,
 }
 
-/// Until the job does not run any more; and for how long it ran, in seconds.
+/// Until the job does not run any more.
 async fn follow(
     station: &mut StationClient,
     job: u64,
     mut see: impl FnMut(&State),
-) -> Result<(End, f64), Failure> {
+) -> Result<End, Failure> {
     let bar = progress_bar();
     let mut interrupt = std::pin::pin!(interrupt());
-    let (mut began_s, mut interrupted) = (None, false);
+    let mut interrupted = false;
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -119,10 +126,9 @@ async fn follow(
                 if of != job {
                     continue;
                 }
-                let began_s = *began_s.get_or_insert(notice.at_s);
                 if let Some(end) = end(phase, notice.text, interrupted) {
                     bar.finish_and_clear();
-                    return Ok((end, notice.at_s - began_s));
+                    return Ok(end);
                 }
             }
         }

@@ -183,6 +183,9 @@ impl Rehearsal {
     pub fn ask(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         let now = self.keeper_now();
         if self.keeper.check_request(client, &request).is_ok() {
+            if matches!(request, Request::StartJob { .. } | Request::CancelJob { .. }) {
+                self.catch_up();
+            }
             match request {
                 Request::SubmitJob { job } => {
                     let job = self.submit(&job)?;
@@ -243,7 +246,8 @@ impl Rehearsal {
     /// # Errors
     ///
     /// [`Refusal`] where the journal cannot be read.
-    pub fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
+    pub fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
+        self.catch_up();
         jobs::list(&self.journal, self.keeper.job().as_ref())
     }
 
@@ -310,6 +314,12 @@ impl Rehearsal {
             self.port_gone = false;
             self.plug();
         }
+    }
+
+    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    fn catch_up(&mut self) {
+        let latest = self.now + PATIENCE;
+        self.run_until(latest, |it| it.disk.is_empty());
     }
 
     fn kept(&self, job: u64) -> Result<Reply, Refusal> {
@@ -379,3 +389,6 @@ impl Rehearsal {
         }
     }
 }
+
+/// A disk that takes longer has failed.
+const PATIENCE: Duration = Duration::from_secs(10);

@@ -65,7 +65,7 @@ impl InVirtualTime {
         self.client
     }
 
-    pub(super) fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
+    pub(super) fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
         self.station.jobs()
     }
 
