@@ -24,8 +24,8 @@ pub enum SendError {
     )]
     Untrusted,
     /// The command breaks a range of its table.
-    #[error("the command is not allowed")]
-    Invalid(#[source] ParseError),
+    #[error("the command is not allowed: {0}")]
+    Invalid(ParseError),
 }
 
 /// Whether a command makes the arm move: a release, a switch and a configuration do not.

@@ -136,13 +136,12 @@ impl Keeper {
         self.part_from_laser();
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
-        self.interrupt_run("the link to the arm was lost");
+        let text = match &self.link.problem {
+            Some(problem) => format!("the link to the arm was lost: {problem}"),
+            None => "the link to the arm was lost".to_owned(),
+        };
+        self.interrupt_run(&text);
         self.end_detection("the link to the arm was lost");
-        let text = self
-            .link
-            .problem
-            .clone()
-            .unwrap_or_else(|| "the link to the arm was lost".into());
         self.tell(News::LinkLost, text);
     }
 
