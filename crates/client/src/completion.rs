@@ -103,17 +103,20 @@ impl Completion {
             .filter(|it| it.number == sent.number)
             .unwrap_or_else(|| First::new(sent, freed.max(sent.at), &seen));
         let (on_course, along_mm) = on_course(&first, under_way, &seen);
-        let arrived_at = seen.came_to(&first, under_way);
+        let arrived_at = seen.came_to(answer, &first, under_way);
         let over = on_course
             .max(beyond_room(now, answer, under_way))
             .max(arrived_at.unwrap_or(0));
         if over > 0 {
             let next = under_way.get(over);
-            self.finish(now, next.map(|next| First {
-                progress_mm: if over == on_course { along_mm } else { 0.0 },
-                arrived: (arrived_at == Some(over)).then_some(seen.since),
-                ..First::new(next, now, &seen)
-            }));
+            self.finish(
+                now,
+                next.map(|next| First {
+                    progress_mm: if over == on_course { along_mm } else { 0.0 },
+                    arrived: (arrived_at == Some(over)).then_some(seen.since),
+                    ..First::new(next, now, &seen)
+                }),
+            );
             return Some(Verdict::Over(over));
         }
         first.progress_mm = along_mm;
@@ -152,11 +155,13 @@ impl Completion {
     ) -> Option<Verdict> {
         let sent = under_way.first()?;
         if sent.plan.is_still() || sent.plan.is_endless() {
-            let acted = first.acted(sent, seen) || now >= first.since.max(sent.at + answer) + sent.waits;
+            let acted =
+                first.acted(sent, seen) || now >= first.since.max(sent.at + answer) + sent.waits;
             return acted.then_some(Verdict::Over(1));
         }
         let idle = self.idle_since(0, seen, under_way)? + answer;
-        if first.arrived.is_none() && seen.rests() && now >= idle && sent.plan.is_near(&seen.status) {
+        if first.arrived.is_none() && seen.rests() && now >= idle && sent.plan.is_near(&seen.status)
+        {
             // It led to where the arm was, or came back there between two statuses.
             first.arrived = Some(idle);
         }
@@ -232,7 +237,11 @@ impl Completion {
         }
         let idle = self.idle_since(0, seen, under_way)? + answer;
         let refused = sent.plan.course.is_err();
-        let pause = if refused { sent.plan.pause } else { Duration::ZERO };
+        let pause = if refused {
+            sent.plan.pause
+        } else {
+            Duration::ZERO
+        };
         let waited = now.saturating_sub(sent.at.max(first.since));
         let gave_up = seen.repeats >= GIVEN_UP && waited >= GIVEN_UP_AFTER && now >= idle + pause;
         let reason = || {
@@ -274,14 +283,22 @@ impl Seen {
         self.repeats >= AT_REST
     }
 
-    /// The first command of which the arm has come to rest where it ends, since it moved.
-    fn came_to(&self, first: &First, under_way: &UnderWay) -> Option<usize> {
+    /// The first command of which the arm has come to rest where it ends, since it moved. It would not
+    /// rest there without a pause, had it got another one to go on with.
+    fn came_to(&self, answer: Duration, first: &First, under_way: &UnderWay) -> Option<usize> {
         if !self.rests() || self.since <= first.since {
             return None;
         }
-        under_way
-            .iter()
-            .position(|it| it.plan.ends_at(&self.status))
+        let goes_on = |index: usize| {
+            let mut later = under_way.iter().skip(index + 1);
+            let next = later.find(|it| !it.plan.is_still());
+            next.is_some_and(|it| it.at + answer <= self.since)
+        };
+        let rests = |(index, sent): (usize, &Sent)| {
+            let pauses = !sent.plan.pause.is_zero();
+            sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
+        };
+        under_way.iter().enumerate().position(rests)
     }
 }
 

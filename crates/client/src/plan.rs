@@ -50,9 +50,9 @@ impl Plan {
         }
     }
 
-    /// Whether nothing moves by it.
+    /// Whether nothing moves by it, and it is over at once.
     pub(crate) fn is_still(&self) -> bool {
-        self.course.is_ok_and(|it| !it.moves())
+        self.course.is_ok_and(|it| it.duration_s() == Some(0.0))
     }
 
     /// Whether it goes on until told otherwise.
@@ -80,9 +80,8 @@ impl Plan {
     /// The same, with the tool turned as it should be then.
     pub(crate) fn ends_at(&self, status: &Status) -> bool {
         let end = self.course.ok().and_then(|it| it.end());
-        let turned = |rotation_deg: f64| {
-            (rotation_deg - f64::from(status.rotation_deg)).abs() <= TURNED_DEG
-        };
+        let turned =
+            |rotation_deg: f64| (rotation_deg - f64::from(status.rotation_deg)).abs() <= TURNED_DEG;
         self.is_near(status) && end.is_none_or(|it| turned(it.pose.rotation.0))
     }
 

@@ -280,7 +280,9 @@ impl Session {
         }
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
-            Some(_) if self.may_be_full() => LINK_TIMEOUT + self.belief.under_way().longest_silence(),
+            Some(_) if self.may_be_full() => {
+                LINK_TIMEOUT + self.belief.under_way().longest_silence()
+            }
             Some(_) | None => LINK_TIMEOUT,
         };
         self.heard + patience
@@ -329,10 +331,7 @@ impl Session {
     fn note_completion(&mut self, now: Duration, status: &Status) {
         self.completion.handle_status(now, status);
         let answer = self.meter.answer();
-        while let Some(verdict) = self
-            .completion
-            .poll(now, answer, self.belief.under_way())
-        {
+        while let Some(verdict) = self.completion.poll(now, answer, self.belief.under_way()) {
             match verdict {
                 Verdict::Over(count) => {
                     let over = (0..count).filter_map(|_| self.belief.handle_over(now)?.id);

@@ -284,7 +284,7 @@ fn a_default_pause_is_part_of_each_target() {
     for _ in 0..37 {
         events.extend(desk.status_at(220.0, 10.0, 0.0));
     }
-    assert_eq!(events, []);
+    assert_eq!(events, [Event::Completed(CommandId(0))], "the pause is set");
     assert_eq!(completed(&desk.status_at(220.0, 15.0, 0.0)), [1]);
 }
 

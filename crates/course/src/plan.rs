@@ -3,8 +3,8 @@
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward, stock};
 use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
 use dobot_wire::{
-    Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder, WriteMode,
-    WriteVector,
+    Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
+    WriteMode, WriteVector,
 };
 
 use crate::follow::{gestured, moused};
@@ -22,11 +22,15 @@ pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseErr
                 position: position(it.x_mm, it.y_mm, it.z_mm),
                 rotation: Degrees(it.rotation_deg.into()),
             });
-            Ok(target.course(model, it.mode)?.pausing(model.pause_s(command)))
+            Ok(target
+                .course(model, it.mode)?
+                .pausing(model.pause_s(command)))
         }
         Command::MoveJoints(it) => {
             let target = Target::Joints(joints(it));
-            Ok(target.course(model, it.mode)?.pausing(model.pause_s(command)))
+            Ok(target
+                .course(model, it.mode)?
+                .pausing(model.pause_s(command)))
         }
         Command::WriteVector(it) if it.stop => Ok(still(model)),
         Command::WriteVector(it) => write(it, model),
@@ -345,8 +349,13 @@ impl Model {
 }
 
 fn joints(target: &MoveJoints) -> Joints {
-    let [base, rear, fore, servo] =
-        [target.base_deg, target.rear_deg, target.fore_deg, target.servo_deg].map(f64::from);
+    let [base, rear, fore, servo] = [
+        target.base_deg,
+        target.rear_deg,
+        target.fore_deg,
+        target.servo_deg,
+    ]
+    .map(f64::from);
     Joints::new(base, rear, fore, servo)
 }
 

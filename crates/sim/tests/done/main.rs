@@ -255,10 +255,7 @@ impl Trial {
             personality,
             ..PowerUp::default()
         };
-        let arm = InProcess::new(VirtualArm::new(
-            Controller::power_up(power_up),
-            Line::STOCK,
-        ));
+        let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
         let mut dice = Dice(seed);
         let latency = ms(dice.below(3) * dice.below(101));
         let late = Late::new(arm.clone(), latency);
@@ -297,7 +294,9 @@ impl Trial {
 
     /// Something that the arm refuses, and the laser off that follows a refusal in a station.
     async fn refuse(&mut self) {
-        let far = self.connection.send(move_to(MovingMode::MovJ, 400.0, 0.0, 0.0));
+        let far = self
+            .connection
+            .send(move_to(MovingMode::MovJ, 400.0, 0.0, 0.0));
         let far = far.expect("nobody has looked along its way");
         let told = self.connection.completed(far).await;
         told.expect_err("it is out of reach");
@@ -365,7 +364,9 @@ impl Trial {
                     self.latest = self.latest.max(self.connection.now() - moved);
                     return;
                 }
-                event @ (Event::NotReached { .. } | Event::LinkLost { .. } | Event::Reset { .. }) => {
+                event @ (Event::NotReached { .. }
+                | Event::LinkLost { .. }
+                | Event::Reset { .. }) => {
                     panic!("{command:?}: {event:?}")
                 }
                 _ => {}

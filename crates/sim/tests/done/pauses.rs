@@ -15,10 +15,7 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
         personality,
         ..PowerUp::default()
     };
-    let arm = InProcess::new(VirtualArm::new(
-        Controller::power_up(power_up),
-        Line::STOCK,
-    ));
+    let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
     let late = Late::new(arm.clone(), latency);
     let mut connection = Connection::over_peer(late, Some(personality.dialect()));
     connection.next_status().await.expect("it tells");
@@ -37,7 +34,10 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
     }
     let sent = connection.session().waiting() + connection.session().under_way();
     while over.len() < sent {
-        assert!(connection.now() < Duration::from_secs(60), "{mode:?}: {over:?}");
+        assert!(
+            connection.now() < Duration::from_secs(60),
+            "{mode:?}: {over:?}"
+        );
         match connection.next_event().await.expect("the link is open") {
             Event::Completed(id) => over.push((id.0, connection.now().as_secs_f64())),
             event @ (Event::NotReached { .. } | Event::LinkLost { .. }) => {
@@ -46,10 +46,10 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
             _ => {}
         }
     }
-    let found = arm.arm().controller().pose_at(connection.now()).position;
+    let told = connection.now();
+    let found = arm.arm().controller().pose_at(told).position;
     let apart_mm = found.distance(dobot_arm::Position::new(265.0, 0.0, 25.0)).0;
     assert!(apart_mm < 0.05, "{personality} {mode:?}: {found:?}");
-    let told = connection.now();
     assert!(told > Duration::from_secs(13), "{told:?}: pauses of 13 s");
 }
 
