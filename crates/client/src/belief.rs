@@ -22,12 +22,12 @@ pub(crate) struct Belief {
 }
 
 /// A command that waits for its turn.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) id: CommandId,
     pub(crate) command: Command,
     /// None before the first status.
-    plan: Option<Plan>,
+    plan: Option<Box<Plan>>,
 }
 
 impl Belief {
@@ -109,12 +109,12 @@ impl Belief {
     }
 
     /// Where a command leads behind all that was given; `None` before the first status.
-    pub(crate) fn plan(&self, command: &Command) -> Option<Plan> {
+    pub(crate) fn plan(&self, command: &Command) -> Option<Box<Plan>> {
         self.after_given().map(|model| Plan::new(model, command))
     }
 
     /// Takes a command that waits behind all others, and where it leads.
-    pub(crate) fn give(&mut self, id: CommandId, command: Command, plan: Option<Plan>) {
+    pub(crate) fn give(&mut self, id: CommandId, command: Command, plan: Option<Box<Plan>>) {
         self.waiting.push_back(Given { id, command, plan });
     }
 

@@ -7,7 +7,7 @@ use dobot_course::{Course, CourseError, Model};
 use dobot_wire::{Command, Status};
 
 /// Where a command leads from what was believed when it was given: told once, and kept with it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Plan {
     pub(crate) course: Result<Course, CourseError>,
     /// What is to be believed when it is over.
@@ -19,27 +19,26 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    pub(crate) fn new(model: &Model, command: &Command) -> Self {
+    pub(crate) fn new(model: &Model, command: &Command) -> Box<Self> {
         let course = model.course(command);
-        let after = match &course {
-            Ok(course) => model.after(command, course),
-            Err(_) => {
-                // It is refused, skipped or cut short: where the arm is then is seen when it rests.
-                let mut after = model.begun(command);
-                after.lose_place();
-                after
-            }
+        let after = if let Ok(course) = &course {
+            model.after(command, course)
+        } else {
+            // It is refused, skipped or cut short: where the arm is then is seen when it rests.
+            let mut after = model.begun(command);
+            after.lose_place();
+            after
         };
         let aim = match &course {
             Ok(course) => course.end().map(|it| it.pose.position),
             Err(_) => model.aim(command),
         };
-        Self {
+        Box::new(Self {
             course,
             after,
             aim,
             pause: seconds(model.pause_s(command)),
-        }
+        })
     }
 
     /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
@@ -108,6 +107,6 @@ pub(crate) fn seconds(seconds: f64) -> Duration {
 pub(crate) const ARRIVED_MM: f64 = 0.05;
 const TURNED_DEG: f64 = 0.05;
 /// By then a command is over whose way cannot be foreseen: 700 mm at a quarter of the stock speed.
-const UNFORESEEN: Duration = Duration::from_secs(60);
+const UNFORESEEN: Duration = Duration::from_mins(1);
 /// Many of them added up still are a duration.
 const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

@@ -150,13 +150,13 @@ impl Session {
     }
 
     /// Where a command leads, if it would be sent; nobody knows before the first status.
-    fn planned(&self, command: &Command) -> Result<Option<Plan>, SendError> {
+    fn planned(&self, command: &Command) -> Result<Option<Box<Plan>>, SendError> {
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
         }
         self.packet(command)?;
         let plan = self.belief.plan(command);
-        if plan.as_ref().is_some_and(Plan::is_on_the_spot) {
+        if plan.as_ref().is_some_and(|it| it.is_on_the_spot()) {
             return Err(SendError::OnTheSpot);
         }
         Ok(plan)

@@ -17,14 +17,14 @@ pub(crate) struct UnderWay {
 }
 
 /// A command that was sent, with the prediction that was made for it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Sent {
     /// Counts all that were sent, urgent ones included.
     pub(crate) number: u64,
     /// `None` for one that left beside the session: nobody asks when it is over.
     pub(crate) id: Option<CommandId>,
     pub(crate) command: Command,
-    pub(crate) plan: Plan,
+    pub(crate) plan: Box<Plan>,
     /// When it left.
     pub(crate) at: Duration,
     /// For how long the pause before it may begin anew, until it is taken (note N47).
@@ -55,7 +55,7 @@ impl UnderWay {
         now: Duration,
         id: Option<CommandId>,
         command: Command,
-        plan: Plan,
+        plan: Box<Plan>,
         before: &Model,
     ) {
         let last = self.all.back();
