@@ -315,11 +315,14 @@ fn on_course(first: &First, under_way: &UnderWay, seen: &Seen) -> (usize, f64) {
         };
         let (aside, along) = beside(from, to, found);
         let back = index == 0 && along < first.progress_mm - ARRIVED_MM;
-        // The start of a later way may be the end of an earlier one, passed again and again.
-        let begun = index == 0 || along > ARRIVED_MM;
-        if aside <= ARRIVED_MM && begun && !back {
+        if aside > ARRIVED_MM || back {
+            continue;
+        }
+        if index == 0 || along > ARRIVED_MM {
             return (index, along);
         }
+        // Where a later way begins an earlier one may end, and those behind it come by again.
+        break;
     }
     (0, first.progress_mm)
 }

@@ -49,6 +49,8 @@ pub struct Session {
     permit: bool,
     /// When the status came whose permit was used last.
     used: Option<Duration>,
+    /// When a packet left last.
+    left: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
     belief: Belief,
@@ -110,6 +112,7 @@ impl Session {
             next_id: 0,
             permit: false,
             used: None,
+            left: None,
             to_send: VecDeque::new(),
             completion: Completion::default(),
             status: None,
@@ -174,6 +177,7 @@ impl Session {
         let packet = self.emit_now(&command)?;
         self.forget_waiting();
         self.note_urgent(&command);
+        self.left = Some(self.now);
         self.to_send.push_back(packet);
         Ok(())
     }
@@ -364,7 +368,8 @@ impl Session {
 
     fn dispatch(&mut self) {
         let behind = self.belief.under_way().behind_the_first(self.now);
-        if !self.permit || behind >= self.ahead {
+        let follows = |left| self.now.saturating_sub(left) < SPACING;
+        if !self.permit || behind >= self.ahead || self.left.is_some_and(follows) {
             return;
         }
         let Some(given) = self.belief.take_next() else {
@@ -373,6 +378,7 @@ impl Session {
         let command = given.command;
         self.permit = false;
         self.used = Some(self.heard);
+        self.left = Some(self.now);
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
@@ -429,6 +435,9 @@ pub fn plausible(frame: &Frame) -> bool {
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// Half of the time between two statuses: what comes sooner was held up on the way.
 const SHORTEST_PERIOD: Duration = Duration::from_millis(40);
+/// What a packet takes on the line, and the 8 ms that a stock arm wants before the next: it loses one
+/// that follows without a gap (note N26). The next status permits it again.
+const SPACING: Duration = Duration::from_millis(52);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// More than twice the time that passes between the end of a command and the next one's arrival: a
