@@ -102,6 +102,7 @@ impl Connection {
     ///
     /// As [`Session::send`].
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
+        self.session.handle_time(self.now());
         self.session.send(command)
     }
 

@@ -18,6 +18,15 @@ pub enum Event {
     Sent(CommandId),
     /// A command is over: the arm was seen where it leads.
     Completed(CommandId),
+    /// The arm is where a command leads, and now pauses there for five seconds or longer.
+    Pausing {
+        /// The command; it is over when its pause is.
+        command: CommandId,
+        /// How long the pause lasts.
+        lasts: Duration,
+        /// Whether it is the default pause (state 9, mode 1; note N10), and not the command's own.
+        by_default: bool,
+    },
     /// A command is over, or given up, elsewhere than it leads.
     NotReached {
         /// The command.

@@ -28,6 +28,8 @@ pub(crate) struct Meter {
     heard: VecDeque<Duration>,
     lost: u64,
     latency: Option<Duration>,
+    /// The longest that it took from a command to the first status that shows it.
+    slowest: Option<Duration>,
     last: Option<Status>,
     /// When a command left for an arm at rest, and nothing has moved since.
     waits_since: Option<Duration>,
@@ -73,7 +75,15 @@ impl Meter {
         }
     }
 
+    /// By when a status surely shows what was sent: until that was seen, on a link that is as slow
+    /// as any.
+    pub(crate) fn answer(&self) -> Duration {
+        let seen = |slowest: Duration| (slowest + PHASE).clamp(FASTEST, SLOWEST);
+        self.slowest.map_or(UNSEEN, seen)
+    }
+
     fn note_latency(&mut self, found: Duration) {
+        self.slowest = self.slowest.max(Some(found));
         self.latency = Some(match self.latency {
             Some(before) => (before * 7 + found) / 8,
             None => found,
@@ -90,3 +100,12 @@ fn missing(gap: Duration) -> u64 {
 /// A status comes that often (note N27).
 const PERIOD: Duration = Duration::from_millis(80);
 const WINDOW: Duration = Duration::from_secs(2);
+/// How much later another command may show than the one that was seen: the two meet other phases
+/// of the control tick and of what the arm calculates.
+const PHASE: Duration = Duration::from_millis(60);
+/// A packet each way at 9600 baud, a tick until it is taken, and one until that is told.
+const FASTEST: Duration = Duration::from_millis(140);
+/// The same over a link that is late by 0.2 s each way.
+const UNSEEN: Duration = Duration::from_millis(560);
+/// What is later than that was put off by something else, or lost.
+const SLOWEST: Duration = Duration::from_secs(2);

@@ -147,6 +147,23 @@ fn permits_are_not_saved_up() {
 }
 
 #[test]
+fn a_packet_that_leaves_late_in_a_period_is_not_followed_by_the_next_at_once() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    // The permit is kept, and used shortly before the next status.
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(70));
+    for y in [1.0, 2.0] {
+        desk.session.send(vector(0.0, y)).expect("it is allowed");
+    }
+    assert_eq!(desk.packets(), 1);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 0, "10 ms later is too soon");
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 1);
+}
+
+#[test]
 fn statuses_that_come_in_a_heap_permit_one_command() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for y in 1..=12_u8 {
@@ -284,7 +301,7 @@ fn a_default_pause_is_part_of_each_target() {
     for _ in 0..37 {
         events.extend(desk.status_at(220.0, 10.0, 0.0));
     }
-    assert_eq!(events, []);
+    assert_eq!(events, [Event::Completed(CommandId(0))], "the pause is set");
     assert_eq!(completed(&desk.status_at(220.0, 15.0, 0.0)), [1]);
 }
 

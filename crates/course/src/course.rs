@@ -1,6 +1,6 @@
 //! Where a command leads.
 
-use dobot_arm::{Tool, Unreachable};
+use dobot_arm::{Position, Tool, Unreachable};
 
 use crate::error::LONGEST_S;
 use crate::way::Way;
@@ -67,6 +67,17 @@ impl Course {
     #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.is_exact
+    }
+
+    /// From where to where it goes, if that is known and its way is a straight line.
+    #[must_use]
+    pub const fn line(&self) -> Option<(Position, Position)> {
+        match self.way {
+            Way::Line(..) | Way::Stroke { .. } if self.is_exact && self.knows_end => {
+                Some((self.from.pose.position, self.to.pose.position))
+            }
+            _ => None,
+        }
     }
 
     /// Whether something moves on the way.

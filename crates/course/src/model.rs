@@ -2,7 +2,8 @@
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Status, Voice, VoiceOrder, WriteMode, WriteVector,
+    Command, Configuration, Dialect, EndEffector, MoveJoints, MoveTo, MovingMode, Status, Voice,
+    VoiceOrder, WriteMode, WriteVector,
 };
 
 use crate::plan::plan;
@@ -54,6 +55,8 @@ pub struct Model {
     pub(crate) write_speed_mm_s: f64,
     /// The jog that goes on.
     pub(crate) jog: Option<JogCourse>,
+    /// The pause that begins anew as long as nothing follows, in seconds (note N47).
+    pub(crate) idle_pause_s: f64,
     /// Whether the last command was a mouse move or a gesture, with which the next one is averaged.
     pub(crate) follows: bool,
 }
@@ -82,6 +85,7 @@ impl Model {
             knows_place: true,
             write_speed_mm_s: 0.0,
             jog: None,
+            idle_pause_s: 0.0,
             follows: false,
         }
     }
@@ -107,6 +111,13 @@ impl Model {
     #[must_use]
     pub const fn knows_place(&self) -> bool {
         self.knows_place
+    }
+
+    /// How long a command that comes late may wait until it is taken, in seconds: a pause that begins
+    /// anew as long as nothing follows (note N47).
+    #[must_use]
+    pub const fn idle_pause_s(&self) -> f64 {
+        self.idle_pause_s
     }
 
     /// The jog that goes on, if one does.
@@ -137,6 +148,7 @@ impl Model {
     #[must_use]
     pub fn begun(&self, command: &Command) -> Self {
         let mut model = *self;
+        model.idle_pause_s = model.repeated_s(command);
         model.follows = matches!(command, Command::MouseMove(_) | Command::Gesture(_));
         match command {
             Command::MoveTo(_) | Command::MoveJoints(_) => {}
@@ -170,6 +182,18 @@ impl Model {
             _ => {}
         }
         model
+    }
+
+    /// The pause of a command, if it begins anew as long as nothing follows: not behind a JUMP.
+    fn repeated_s(&self, command: &Command) -> f64 {
+        match command {
+            Command::MoveTo(MoveTo { mode, .. }) | Command::MoveJoints(MoveJoints { mode, .. })
+                if *mode != MovingMode::Jump && self.dialect.repeats_pause =>
+            {
+                self.pause_s(command)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Whether the laser burns during a vector.

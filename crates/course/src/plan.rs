@@ -1,10 +1,10 @@
 //! From a command to its course: pure, nothing has moved yet.
 
-use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, stock};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward, stock};
 use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
 use dobot_wire::{
-    Command, Configuration, Gesture, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
-    WriteVector,
+    Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
+    WriteMode, WriteVector,
 };
 
 use crate::follow::{gestured, moused};
@@ -24,15 +24,13 @@ pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseErr
             });
             Ok(target
                 .course(model, it.mode)?
-                .pausing(pause_s(it.pause_s, model)))
+                .pausing(model.pause_s(command)))
         }
         Command::MoveJoints(it) => {
-            let [base, rear, fore, servo] =
-                [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg].map(f64::from);
-            let target = Target::Joints(Joints::new(base, rear, fore, servo));
+            let target = Target::Joints(joints(it));
             Ok(target
                 .course(model, it.mode)?
-                .pausing(pause_s(it.pause_s, model)))
+                .pausing(model.pause_s(command)))
         }
         Command::WriteVector(it) if it.stop => Ok(still(model)),
         Command::WriteVector(it) => write(it, model),
@@ -308,13 +306,57 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Course, Co
     Ok(moving(Way::Still, to, model))
 }
 
-/// A target without a pause of its own takes the default one, where there is one (note N10).
-fn pause_s(pause_s: f32, model: &Model) -> f64 {
-    if pause_s > 0.0 || !model.dialect.uses_default_pause {
-        pause_s.into()
-    } else {
-        model.settings.default_pause_s
+impl Model {
+    /// How long the arm waits behind a command, in seconds. A target without a pause of its own
+    /// takes the default one, where there is one (note N10).
+    #[must_use]
+    pub fn pause_s(&self, command: &Command) -> f64 {
+        let own_s = match command {
+            Command::MoveTo(it) => it.pause_s,
+            Command::MoveJoints(it) => it.pause_s,
+            _ => return 0.0,
+        };
+        if own_s > 0.0 || !self.dialect.uses_default_pause {
+            own_s.into()
+        } else {
+            self.settings.default_pause_s
+        }
     }
+
+    /// The point that a command names, be it in reach or not: a target, or that far from a place that
+    /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
+    #[must_use]
+    pub fn aim(&self, command: &Command) -> Option<Position> {
+        let by = |x, y, z| {
+            let from = self.knows_place.then_some(self.place.pose.position)?;
+            Some(from + position(x, y, z))
+        };
+        match command {
+            Command::MoveTo(it) => Some(position(it.x_mm, it.y_mm, it.z_mm)),
+            Command::MoveJoints(it) => Some(forward(&joints(it), self.tool).position),
+            Command::WriteVector(it) if !it.stop => by(it.x_mm, it.y_mm, it.z_mm),
+            Command::MouseMove(it) if !self.dialect.mouse_swings => by(it.x, it.y, it.z),
+            Command::Gesture(it) if !self.dialect.scales_gesture => {
+                Some(position(it.x, it.y, it.z))
+            }
+            Command::Voice(it) => match VoiceOrder::parse(it)? {
+                VoiceOrder::Move { x_mm, y_mm, z_mm } => by(x_mm, y_mm, z_mm),
+                VoiceOrder::Catch | VoiceOrder::Release => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+fn joints(target: &MoveJoints) -> Joints {
+    let [base, rear, fore, servo] = [
+        target.base_deg,
+        target.rear_deg,
+        target.fore_deg,
+        target.servo_deg,
+    ]
+    .map(f64::from);
+    Joints::new(base, rear, fore, servo)
 }
 
 fn still(model: &Model) -> Course {

@@ -35,6 +35,8 @@ pub struct Dialect {
     /// State 9, mode 1: float 9 is the pause of targets that have none, instead of nothing
     /// (note N10).
     pub uses_default_pause: bool,
+    /// The pause behind a MOVJ or MOVL begins anew as long as nothing follows (note N47).
+    pub repeats_pause: bool,
     /// A straight line to where the arm stands makes it lose its pose, instead of doing nothing
     /// (note N34).
     pub loses_pose_on_the_spot: bool,
@@ -67,6 +69,7 @@ impl Dialect {
         mouse_swings: false,
         scales_gesture: false,
         uses_default_pause: true,
+        repeats_pause: false,
         loses_pose_on_the_spot: false,
         default_jump_height_mm: 20.0,
         jumps_by_joints: false,
@@ -87,6 +90,7 @@ impl Dialect {
         mouse_swings: true,
         scales_gesture: true,
         uses_default_pause: false,
+        repeats_pause: true,
         loses_pose_on_the_spot: true,
         default_jump_height_mm: 10.0,
         jumps_by_joints: true,

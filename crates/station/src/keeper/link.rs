@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_client::Event;
+use dobot_client::{CommandId, Event};
 use dobot_wire::Status;
 
 use super::Keeper;
@@ -85,6 +85,11 @@ impl Keeper {
                 Event::NotReached { command, .. } => {
                     self.command_over(command, Some(failure(event)));
                 }
+                Event::Pausing {
+                    command,
+                    lasts,
+                    by_default,
+                } => self.tell_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 _ => {}
@@ -117,6 +122,20 @@ impl Keeper {
         self.watch_stop();
         self.watch_run();
         self.watch_detection(&status);
+    }
+
+    /// An arm that stands still without a word looks dead.
+    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
+        let (command, lasts_s) = (command.0, lasts.as_secs_f64());
+        let whose = if by_default {
+            "its default pause (state 9, mode 1)".to_owned()
+        } else {
+            format!("the pause of command {command}")
+        };
+        self.tell(
+            News::Pausing { command, lasts_s },
+            format!("the arm waits {lasts_s} s here: {whose}"),
+        );
     }
 
     fn fall_silent(&mut self, event: Event) {
