@@ -16,3 +16,5 @@ mod pauses;
 mod people;
 mod stops;
 mod strokes;
+mod traps;
+mod voices;
