@@ -16,6 +16,8 @@ use crate::{Course, CourseError, Model, Place};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Followed {
     row: Option<Row>,
+    /// Another command came behind the row.
+    is_over: bool,
     samples: [[f32; 3]; SAMPLES],
     /// How many places the row has filled.
     count: u8,
@@ -23,15 +25,27 @@ pub(crate) struct Followed {
 
 /// What is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Row {
+enum Row {
     Mouse,
     Hand,
+}
+
+/// What a packet may find when the arm comes to it. A release or a laser off, which wait for nothing,
+/// may come between those of a row, or between others than was foreseen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Before {
+    /// What was sent.
+    AsSent,
+    /// Another command: a row begins.
+    Another,
+    /// The row that is taken to be over goes on.
+    TheRow,
 }
 
 impl Followed {
     /// Another command: what follows it begins a row.
     pub(crate) const fn end_row(&mut self) {
-        self.row = None;
+        self.is_over = true;
     }
 
     pub(crate) fn take_mouse(&mut self, by: &MouseMove) {
@@ -43,64 +57,62 @@ impl Followed {
     }
 
     fn take(&mut self, row: Row, sample: [f32; 3]) {
-        *self = self.before(row);
-        if self.len() == SAMPLES {
+        self.count = self.len(row, Before::AsSent);
+        (self.row, self.is_over) = (Some(row), false);
+        if usize::from(self.count) == SAMPLES {
             self.samples.copy_within(1.., 0);
             self.samples[SAMPLES - 1] = sample;
         } else {
-            self.samples[self.len()] = sample;
+            self.samples[usize::from(self.count)] = sample;
             self.count += 1;
         }
     }
 
-    /// What the next packet of a row finds.
-    const fn before(mut self, row: Row) -> Self {
-        let goes_on = matches!(
-            (self.row, row),
-            (Some(Row::Mouse), Row::Mouse) | (Some(Row::Hand), Row::Hand)
-        );
-        if !goes_on {
-            self.count = 0;
+    /// How many samples the next packet of a row finds.
+    fn len(&self, row: Row, before: Before) -> u8 {
+        let goes_on = match before {
+            Before::AsSent => !self.is_over,
+            Before::Another => false,
+            Before::TheRow => true,
+        };
+        if goes_on && self.row == Some(row) {
+            self.count
+        } else {
+            0
         }
-        self.row = Some(row);
-        self
-    }
-
-    const fn len(&self) -> usize {
-        self.count as usize
-    }
-
-    /// By how many packets a sum is divided: those before and the new one, ten at the most.
-    fn divisor(&self) -> f32 {
-        f32::from((self.count + 1).min(10))
     }
 
     /// Each sample before counts together with the new one, which counts once more.
-    fn mouse_average(&self, sample: [f32; 3]) -> [f32; 3] {
-        let row = self.before(Row::Mouse);
+    fn mouse_average(&self, sample: [f32; 3], before: Before) -> [f32; 3] {
+        let len = self.len(Row::Mouse, before);
         core::array::from_fn(|axis| {
             let new = sample[axis];
-            let olds = row.samples[..row.len()].iter().map(|it| new + it[axis]);
-            olds.fold(new, |sum, it| sum + it) / row.divisor()
+            let row = self.samples[..usize::from(len)].iter();
+            row.fold(new, |sum, it| sum + (new + it[axis])) / divisor(len)
         })
     }
 
-    /// Half of it the new sample, half of it those before and one place more: `behind`, or behind
-    /// ten samples the new one.
-    fn hand_average(&self, sample: [f32; 3], behind: Behind) -> [f32; 3] {
-        let row = self.before(Row::Hand);
-        let behind = match behind {
-            Behind::AsSent if row.len() < SAMPLES => row.samples[row.len()],
-            Behind::AsSent | Behind::TheSame => sample,
+    /// Half of it the new sample, half of it those before and one place more: what lies `behind` them,
+    /// or behind ten samples the new one.
+    fn hand_average(&self, sample: [f32; 3], before: Before, behind: Behind) -> [f32; 3] {
+        let len = self.len(Row::Hand, before);
+        let (row, left) = self.samples.split_at(usize::from(len));
+        let behind = match (behind, left.first()) {
+            (Behind::AsSent, Some(left)) => *left,
+            _ => sample,
         };
         core::array::from_fn(|axis| {
             // A slip of the stock program: the height counts once more.
             let first = if axis == 2 { sample[2] } else { 0.0 };
-            let olds = row.samples[..row.len()].iter().map(|it| it[axis]);
-            let sum = olds.fold(first, |sum, it| sum + it) + behind[axis];
-            0.5 * sample[axis] + 0.5 * sum / row.divisor()
+            let sum = row.iter().fold(first, |sum, it| sum + it[axis]) + behind[axis];
+            0.5 * sample[axis] + 0.5 * sum / divisor(len)
         })
     }
+}
+
+/// By how many packets a sum is divided: those before and the new one, ten at the most.
+fn divisor(len: u8) -> f32 {
+    f32::from((len + 1).min(10))
 }
 
 /// What lies in the place behind a row.
@@ -114,7 +126,25 @@ enum Behind {
 
 /// Swings the base, and changes reach and height, by what a mouse tells.
 pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
-    let average = model.followed.mouse_average(mouse_sample(by));
+    let course = |before| {
+        let average = model.followed.mouse_average(mouse_sample(by), before);
+        swung(average, by, model)
+    };
+    surely_moves(course(Before::Another))?;
+    surely_moves(course(Before::TheRow))?;
+    course(Before::AsSent)
+}
+
+/// Whether the arm does not hang with a packet that may come to this.
+fn surely_moves(course: Result<Course, CourseError>) -> Result<(), CourseError> {
+    match course {
+        Err(CourseError::NothingToFollow) => Err(CourseError::NothingToFollow),
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
+/// Goes by what a mouse told, averaged.
+fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
     let [swing, longer, higher] = average.map(f64::from);
     let from = model.place;
     let reach = from.pose.position.reach() + Millimeters(MOUSE_MM * longer);
@@ -142,12 +172,15 @@ pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Course, CourseErro
 /// Goes to where a hand is, scaled to the arm.
 pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
     let sample = hand_sample(hand);
-    let average = |behind| model.followed.hand_average(sample, behind);
-    let course = handed(average(Behind::AsSent), model)?;
-    match handed(average(Behind::TheSame), model) {
-        Err(CourseError::NothingToFollow) => Err(CourseError::NothingToFollow),
-        Ok(_) | Err(_) => Ok(course),
+    let course = |before, behind| {
+        let average = model.followed.hand_average(sample, before, behind);
+        handed(average, model)
+    };
+    for before in [Before::AsSent, Before::Another, Before::TheRow] {
+        surely_moves(course(before, Behind::AsSent))?;
+        surely_moves(course(before, Behind::TheSame))?;
     }
+    course(Before::AsSent, Behind::AsSent)
 }
 
 /// Goes to the place of a hand that is averaged already.

@@ -180,6 +180,9 @@ impl Case {
                 for _ in 0..times {
                     self.say((*asked).clone());
                     self.pass(gap);
+                    if self.judge.lost.is_some() {
+                        return;
+                    }
                 }
             }
             asked => self.say(asked),
