@@ -6,6 +6,7 @@ use dobot_wire::{
     VoiceOrder, WriteMode, WriteVector,
 };
 
+use crate::follow::Followed;
 use crate::plan::plan;
 use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 
@@ -57,8 +58,23 @@ pub struct Model {
     pub(crate) jog: Option<JogCourse>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
     pub(crate) idle_pause_s: f64,
-    /// Whether the last command was a mouse move or a gesture, with which the next one is averaged.
-    pub(crate) follows: bool,
+    /// The mouse moves and gestures with which the next one is averaged.
+    pub(crate) followed: Followed,
+    /// What may be left of straight lines.
+    pub(crate) lines: Lines,
+}
+
+/// What a stock arm keeps of its straight lines (note N46).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Lines {
+    /// Nothing: there was none.
+    #[default]
+    None,
+    /// Nothing, if the last one was gone to its end.
+    Whole,
+    /// One may have been cut short: the next one would begin with a jump, unless a MOVJ comes before
+    /// it.
+    Cut,
 }
 
 impl Model {
@@ -86,7 +102,8 @@ impl Model {
             write_speed_mm_s: 0.0,
             jog: None,
             idle_pause_s: 0.0,
-            follows: false,
+            followed: Followed::default(),
+            lines: Lines::None,
         }
     }
 
@@ -104,6 +121,9 @@ impl Model {
     /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
+        if !matches!(self.lines, Lines::None) {
+            self.lines = Lines::Cut;
+        }
     }
 
     /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
@@ -136,6 +156,9 @@ impl Model {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
             .map_err(CourseError::Invalid)?;
         let course = plan(self, command)?;
+        if self.dialect.counts_ticks_in_16_bits {
+            course.check_counters()?;
+        }
         if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
             // Its end is beyond a limit; the text tells where the way leaves it.
             course.check()?;
@@ -149,12 +172,20 @@ impl Model {
     pub fn begun(&self, command: &Command) -> Self {
         let mut model = *self;
         model.idle_pause_s = model.repeated_s(command);
-        model.follows = matches!(command, Command::MouseMove(_) | Command::Gesture(_));
+        if !matches!(command, Command::MouseMove(_) | Command::Gesture(_)) {
+            model.followed.end_row();
+        }
         match command {
             Command::MoveTo(_) | Command::MoveJoints(_) => {}
             Command::WriteVector(it) => model.laser = model.laser_during(it),
-            Command::MouseMove(it) => model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings),
-            Command::Gesture(it) => model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture),
+            Command::MouseMove(it) => {
+                model.followed.take_mouse(it);
+                model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings);
+            }
+            Command::Gesture(it) => {
+                model.followed.take_hand(it);
+                model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture);
+            }
             Command::Voice(it) => model.suction = model.suction_after(it),
             Command::JointJog(_) | Command::LinearJog(_) => model.press(command),
             Command::Configuration(it) => model.configure(it),
@@ -175,8 +206,15 @@ impl Model {
         model.jog = course.jog();
         model.write_speed_mm_s = course.end_speed_mm_s.unwrap_or(model.write_speed_mm_s);
         match command {
-            Command::MoveTo(it) => model.set_tool(it.suction, it.gripper_deg),
-            Command::MoveJoints(it) => model.set_tool(it.suction, it.gripper_deg),
+            Command::MoveTo(it) => {
+                model.note_lines(it.mode);
+                model.set_tool(it.suction, it.gripper_deg);
+            }
+            Command::MoveJoints(it) => {
+                model.note_lines(it.mode);
+                model.set_tool(it.suction, it.gripper_deg);
+            }
+            Command::Voice(_) => model.note_lines(MovingMode::MovL),
             // Behind the last vector the laser goes off, unless the dialect leaves it (note N36).
             Command::WriteVector(_) if !model.dialect.has_rapid_laser_mode => model.laser = false,
             _ => {}
@@ -215,6 +253,14 @@ impl Model {
             Some(VoiceOrder::Release) => false,
             _ => self.suction,
         }
+    }
+
+    /// A line is taken to be gone to its end, and a MOVJ clears away what a line left.
+    const fn note_lines(&mut self, mode: MovingMode) {
+        self.lines = match (self.lines, mode) {
+            (Lines::None, MovingMode::MovL) | (Lines::Cut, MovingMode::MovJ) => Lines::Whole,
+            (lines, _) => lines,
+        };
     }
 
     fn set_tool(&mut self, suction: bool, gripper_deg: f32) {

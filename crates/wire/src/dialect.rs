@@ -53,6 +53,13 @@ pub struct Dialect {
     pub has_rapid_laser_mode: bool,
     /// State 10: float 5 scales all jogs, instead of nothing (note N15).
     pub scales_jogs: bool,
+    /// Voice is heard on the port that is served; otherwise it is not, and would be lost (note N50).
+    pub hears_voice: bool,
+    /// Ticks of motion and pause are counted in 16 bits: none may last longer than 655 s (note N51).
+    pub counts_ticks_in_16_bits: bool,
+    /// A straight line that was cut short is not forgotten: the next one begins that far along
+    /// (note N46).
+    pub resumes_cut_lines: bool,
 }
 
 impl Dialect {
@@ -76,6 +83,9 @@ impl Dialect {
         turns_after_line: false,
         has_rapid_laser_mode: false,
         scales_jogs: true,
+        hears_voice: true,
+        counts_ticks_in_16_bits: false,
+        resumes_cut_lines: false,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -97,6 +107,9 @@ impl Dialect {
         turns_after_line: true,
         has_rapid_laser_mode: true,
         scales_jogs: false,
+        hears_voice: false,
+        counts_ticks_in_16_bits: true,
+        resumes_cut_lines: true,
     };
 
     /// All dialects that have a name.

@@ -27,6 +27,12 @@ impl Session {
         !self.events.is_empty()
     }
 
+    /// Whether a packet was begun that [`Session::poll_bytes`] has not given away yet.
+    #[must_use]
+    pub fn has_bytes(&self) -> bool {
+        !self.to_send.is_empty()
+    }
+
     /// Commands that wait for a permit.
     #[must_use]
     pub fn waiting(&self) -> usize {

@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write};
 
-use crate::cases::{cables, clients, disks, floods, kills, lines, stops};
+use crate::cases::{cables, clients, disks, floods, fuzz, kills, lines, stops};
 
 /// The document, and what should not be.
 #[derive(Debug, Default)]
@@ -25,6 +25,7 @@ impl Report {
         self.disks(400 / fewer);
         self.stops(1_440 / fewer);
         self.line(TAIL);
+        self.fuzz(200 / fewer);
     }
 
     fn kills(&mut self, kills: u64) {
@@ -187,6 +188,14 @@ impl Report {
         }
     }
 
+    /// What a million requests came to stands in a file of its own, for they take their time; a few are
+    /// asked here, too.
+    fn fuzz(&mut self, cases: u64) {
+        self.line(FUZZ);
+        self.line(include_str!("fuzz.md").trim_end());
+        self.wrong(fuzz::run(0, cases).wrong);
+    }
+
     /// The head of a table of spreads.
     fn times(&mut self, what: &str) {
         self.table([what, "least"], &["middle", "99 %", "most"]);
@@ -291,3 +300,22 @@ The arm has no command that stops it: it finishes the command that it is at and 
 second at the most behind that one (`queue.ahead_s` of the policy). What is promised is the longest that these may take,
 so it is more than what it takes. Just after a start nobody knows what the arm was given before: what is promised then is
 the time of all that the journal holds possible.";
+
+const FUZZ: &str = "
+## Anything that anybody may ask
+
+Requests of all kinds and packets of all states, good, on the edge and absurd (`NaN`, infinities, lengths of nothing),
+from three people, a raw program and a watcher: buttons pressed, changed and let go, mouse and hand in rows, voice, jobs,
+leases, stops, cables pulled, three policies, and in a third of the cases a fault: statuses lost, damaged, twice, late or
+withheld, the port closed, the arm reset or its power cut. At every control tick the true place of the twin is held
+against the limits of the policy, by a check of its own. Three arms of four are stock arms.
+
+```sh
+cargo run --release -p dobot-station --example fuzz -- --requests 1000000 > crates/station/examples/reliability/fuzz.md
+cargo run -p dobot-station --example fuzz -- --seed 42    # one case
+cargo test -p dobot-station --test fuzz                   # half a minute of it, as CI does
+```
+
+Left out is what no station can promise: packets that get lost on the way to the arm, buttons held while the port is
+gone, and initial angles that are a lie. Behind a reset the base is judged as the arm believes it.
+";

@@ -17,11 +17,14 @@ pub(super) struct Held {
     said: Duration,
     /// How long its client may be silent.
     patience: Duration,
+    /// When a status showed last where the arm is.
+    seen: Duration,
 }
 
 impl Held {
+    /// When it is let go of: its client or the arm has fallen silent.
     pub(super) fn falls_silent(&self) -> Duration {
-        self.said + self.patience
+        (self.said + self.patience).min(self.seen + BLIND)
     }
 }
 
@@ -50,9 +53,7 @@ impl Keeper {
             return Ok(Reply::Done);
         }
         if self.held.is_none() && self.session.is_moving() {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
+            return Err(self.still_moving());
         }
         self.check_way(&jog.command())?;
         self.session.send(jog.command())?;
@@ -62,6 +63,7 @@ impl Keeper {
             jog,
             said: self.now,
             patience: seconds(patience_s),
+            seen: self.now,
         });
         Ok(Reply::Done)
     }
@@ -78,11 +80,14 @@ impl Keeper {
         if let Some(held) = &self.held
             && held.falls_silent() <= self.now
         {
-            let text = format!(
-                "{} fell silent for {:.0} ms: its button was released",
-                self.name(held.client),
-                held.patience.as_secs_f64() * 1e3,
-            );
+            let silent = held.said + held.patience <= self.now;
+            let (who, silence) = if silent {
+                (self.name(held.client), held.patience)
+            } else {
+                ("the arm".into(), BLIND)
+            };
+            let silent_ms = silence.as_secs_f64() * 1e3;
+            let text = format!("{who} fell silent for {silent_ms:.0} ms: the button was released");
             self.let_go();
             self.tell(News::DeadMan, text);
         }
@@ -90,10 +95,11 @@ impl Keeper {
 
     /// With each status: where the arm would come to before it could be stopped has to be allowed.
     pub(super) fn watch_jog(&mut self) {
-        let (Some(held), Some(model)) = (&self.held, self.session.seen_model()) else {
+        let (Some(held), Some(model)) = (&mut self.held, self.session.seen_model()) else {
             return;
         };
-        let within_s = held.patience.as_secs_f64().min(REACTION_S) + LINE_S;
+        held.seen = self.now;
+        let within_s = held.patience.min(BLIND).as_secs_f64() + LINE_S;
         if let Err(violation) = self.policy.check_jog(&model, &held.jog.command(), within_s) {
             let client = held.client;
             self.let_go();
@@ -146,7 +152,7 @@ fn moves(jog: Jog) -> bool {
     }
 }
 
-/// From one status to the next, by when this is looked at again.
-const REACTION_S: f64 = 0.08;
+/// The longest from one status to the next, by when this is looked at again: one may get lost.
+const BLIND: Duration = Duration::from_millis(200);
 /// A status and a packet on the line, and a bit.
 const LINE_S: f64 = 0.12;

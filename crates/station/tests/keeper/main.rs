@@ -17,3 +17,5 @@ mod pauses;
 mod people;
 mod stops;
 mod strokes;
+mod traps;
+mod voices;
