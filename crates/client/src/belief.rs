@@ -11,7 +11,7 @@ use crate::plan::Plan;
 use crate::under_way::{Sent, UnderWay};
 
 /// The arm as it is believed to be, and the commands that it and the session have.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Belief {
     dialect: Dialect,
     /// After all that was seen to be over; there is none before the first status.
@@ -22,7 +22,7 @@ pub(crate) struct Belief {
 }
 
 /// A command that waits for its turn.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Given {
     pub(crate) id: CommandId,
     pub(crate) command: Command,

@@ -20,7 +20,7 @@ use crate::plan::{ARRIVED_MM, position};
 use crate::under_way::{Sent, UnderWay};
 
 /// Watches the statuses for what is over.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Completion {
     seen: Option<Seen>,
     first: Option<First>,
@@ -67,6 +67,16 @@ pub(crate) enum Verdict {
     Missed(NotReached, Position),
 }
 
+/// What there is to judge by.
+#[derive(Clone, Copy)]
+struct Look<'a> {
+    now: Duration,
+    answer: Duration,
+    seen: Seen,
+    sent: &'a Sent,
+    under_way: &'a UnderWay,
+}
+
 impl Completion {
     /// Takes a status.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
@@ -97,33 +107,24 @@ impl Completion {
         under_way: &UnderWay,
     ) -> Option<Verdict> {
         let (seen, sent) = (self.seen?, under_way.first()?);
-        let freed = self.freed;
-        let mut first = self
-            .first
-            .filter(|it| it.number == sent.number)
-            .unwrap_or_else(|| First::new(sent, freed.max(sent.at), &seen));
-        let (on_course, along_mm) = on_course(&first, under_way, &seen);
-        let arrived_at = seen.came_to(answer, &first, under_way);
-        let over = on_course
-            .max(beyond_room(now, answer, under_way))
-            .max(arrived_at.unwrap_or(0));
-        if over > 0 {
-            let next = under_way.get(over);
-            self.finish(
-                now,
-                next.map(|next| First {
-                    progress_mm: if over == on_course { along_mm } else { 0.0 },
-                    arrived: (arrived_at == Some(over)).then_some(seen.since),
-                    ..First::new(next, now, &seen)
-                }),
-            );
+        let look = Look {
+            now,
+            answer,
+            seen,
+            sent,
+            under_way,
+        };
+        let known = self.first.filter(|it| it.number == sent.number);
+        let mut first = known.unwrap_or_else(|| First::new(sent, self.freed.max(sent.at), &seen));
+        let next = look.passed(&first);
+        if let Some((over, next)) = next.filter(|(over, _)| *over > 0) {
+            self.finish(now, next);
             return Some(Verdict::Over(over));
         }
-        first.progress_mm = along_mm;
-        if arrived_at == Some(0) {
-            first.arrived = first.arrived.or(Some(seen.since));
+        if let Some((_, Some(seen))) = next {
+            first = seen;
         }
-        let verdict = self.judge(now, answer, &mut first, &seen, under_way);
+        let verdict = self.judge(&look, &mut first);
         self.first = Some(first);
         match verdict {
             Some(Verdict::Over(over)) => {
@@ -145,113 +146,168 @@ impl Completion {
     }
 
     /// What is to be said of the first command, if no later one says that it is over.
-    fn judge(
-        &mut self,
-        now: Duration,
-        answer: Duration,
-        first: &mut First,
-        seen: &Seen,
-        under_way: &UnderWay,
-    ) -> Option<Verdict> {
-        let sent = under_way.first()?;
+    fn judge(&mut self, look: &Look, first: &mut First) -> Option<Verdict> {
+        let (now, sent, seen) = (look.now, look.sent, &look.seen);
         if sent.plan.is_still() || sent.plan.is_endless() {
-            let acted =
-                first.acted(sent, seen) || now >= first.since.max(sent.at + answer) + sent.waits;
+            let taken = first.since.max(sent.at + look.answer) + look.waits(first);
+            let acted = first.acted(sent, seen) || now >= taken;
             return acted.then_some(Verdict::Over(1));
         }
-        let idle = self.idle_since(0, seen, under_way)? + answer;
+        let idle = self.idle(look, first, 0)?;
         if first.arrived.is_none() && seen.rests() && now >= idle && sent.plan.is_near(&seen.status)
         {
             // It led to where the arm was, or came back there between two statuses.
             first.arrived = Some(idle);
         }
         if let Some(arrived) = first.arrived {
-            return self.arrived(now, arrived, first, sent, seen);
+            return self.arrived(look, first, arrived);
         }
         if !seen.rests() {
-            return timed_out(now, first, sent, under_way);
+            return look.timed_out(first);
         }
         if sent.plan.aim.is_none() {
-            let came = seen.since > first.since && now >= sent.at + answer;
+            let came = seen.since > first.since && now >= sent.at + look.answer;
             return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
         }
-        self.missed(now, answer, first, seen, under_way)
+        self.missed(look, first)
     }
 
     /// What is to be said of a command where it ends: it is over when its pause is, or when the arm
     /// goes on.
-    fn arrived(
-        &mut self,
-        now: Duration,
-        arrived: Duration,
-        first: &mut First,
-        sent: &Sent,
-        seen: &Seen,
-    ) -> Option<Verdict> {
-        let pause = sent.plan.pause;
-        if now >= arrived + pause || !sent.plan.is_near(&seen.status) {
-            if !pause.is_zero() {
-                self.busy_until = now;
+    fn arrived(&mut self, look: &Look, first: &mut First, arrived: Duration) -> Option<Verdict> {
+        let plan = &look.sent.plan;
+        if look.now >= arrived + plan.pause || !plan.is_near(&look.seen.status) {
+            if !plan.pause.is_zero() {
+                self.busy_until = look.now;
             }
             return Some(Verdict::Over(1));
         }
-        if pause < TOLD || first.told {
+        if plan.pause < TOLD || first.told {
             return None;
         }
         first.told = true;
         Some(Verdict::Pauses)
     }
 
-    /// Since when the arm would be idle, had it taken the command of this index and all before: it
-    /// has not moved since, and no pause explains that.
-    fn idle_since(&self, index: usize, seen: &Seen, under_way: &UnderWay) -> Option<Duration> {
-        let mut pauses = Duration::ZERO;
-        for (before, sent) in under_way.iter().take(index + 1).enumerate() {
-            pauses += sent.waits;
-            let here = sent.plan.aim.is_none() || sent.plan.is_near(&seen.status);
-            if before < index && (here || sent.plan.course.is_err()) {
+    /// From when on the arm is surely idle, if it has not moved till then, and got the command of this
+    /// index and all before: no pause explains that, and another command would show.
+    fn idle(&self, look: &Look, first: &First, index: usize) -> Option<Duration> {
+        let mut pauses = look.waits(first);
+        for sent in look.under_way.iter().take(index) {
+            let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
+            if here || sent.plan.course.is_err() {
                 pauses += sent.plan.pause;
             }
         }
-        let sent = under_way.get(index)?;
-        Some(seen.since.max(self.busy_until).max(sent.at) + pauses)
+        let later = look.under_way.iter().take(index + 1).skip(1);
+        pauses += later.map(|it| it.waits).sum();
+        let sent = look.under_way.get(index)?;
+        let rests_since = look.seen.since.max(self.busy_until).max(sent.at);
+        Some(rests_since + pauses + look.answer)
     }
 
     /// An arm that rests elsewhere has passed the end of the first command unseen, or gave it up.
     /// Statuses that come in a heap, after the computer stood still, tell of a time before.
-    fn missed(
-        &self,
-        now: Duration,
-        answer: Duration,
-        first: &First,
-        seen: &Seen,
-        under_way: &UnderWay,
-    ) -> Option<Verdict> {
-        let sent = under_way.first()?;
-        let later = under_way
-            .iter()
-            .position(|it| it.plan.is_near(&seen.status));
-        if let Some(later) = later {
-            let idle = self.idle_since(later, seen, under_way)? + answer;
-            return (now >= idle).then_some(Verdict::Over(later));
+    fn missed(&self, look: &Look, first: &First) -> Option<Verdict> {
+        let (seen, plan) = (&look.seen, &look.sent.plan);
+        let mut ends = look.under_way.iter();
+        if let Some(later) = ends.position(|it| it.plan.is_near(&seen.status)) {
+            let idle = self.idle(look, first, later)?;
+            return (look.now >= idle).then_some(Verdict::Over(later));
         }
-        let idle = self.idle_since(0, seen, under_way)? + answer;
-        let refused = sent.plan.course.is_err();
-        let pause = if refused {
-            sent.plan.pause
+        // One that is refused or cut short may pause wherever the arm is.
+        let refused = plan.course.is_err();
+        let pause = refused.then_some(plan.pause).unwrap_or_default();
+        let idle = self.idle(look, first, 0)? + pause;
+        let waited = look.now.saturating_sub(look.sent.at.max(first.since));
+        if seen.repeats < GIVEN_UP || waited < GIVEN_UP_AFTER || look.now < idle {
+            return None;
+        }
+        let reason = if plan.leaves_limits() || is_at_limit(&seen.status, plan.after.tool) {
+            NotReached::AtLimit
         } else {
-            Duration::ZERO
+            NotReached::Stalled
         };
-        let waited = now.saturating_sub(sent.at.max(first.since));
-        let gave_up = seen.repeats >= GIVEN_UP && waited >= GIVEN_UP_AFTER && now >= idle + pause;
-        let reason = || {
-            if sent.plan.leaves_limits() || is_at_limit(&seen.status, sent.plan.after.tool) {
-                NotReached::AtLimit
-            } else {
-                NotReached::Stalled
+        Some(Verdict::Missed(reason, plan.aim?))
+    }
+}
+
+impl Look<'_> {
+    /// How many commands are over because a later one goes on or has ended, and what is known of the
+    /// one behind them.
+    fn passed(&self, first: &First) -> Option<(usize, Option<First>)> {
+        let (on_course, progress_mm) = self.on_course(first);
+        let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
+        let over = on_course
+            .max(self.beyond_room())
+            .max(arrived_at.unwrap_or(0));
+        let arrived = (arrived_at == Some(over)).then_some(self.seen.since);
+        let next = if over == 0 {
+            *first
+        } else if let Some(next) = self.under_way.get(over) {
+            First::new(next, self.now, &self.seen)
+        } else {
+            return Some((over, None));
+        };
+        Some((
+            over,
+            Some(First {
+                progress_mm: if over == on_course { progress_mm } else { 0.0 },
+                arrived: next.arrived.or(arrived),
+                ..next
+            }),
+        ))
+    }
+
+    /// How many commands lie before the one that the arm is seen to follow, and how far along it.
+    fn on_course(&self, first: &First) -> (usize, f64) {
+        let found = position(&self.seen.status);
+        for (index, sent) in self.under_way.iter().enumerate() {
+            let Some((from, to)) = sent.plan.course.ok().and_then(|it| it.line()) else {
+                if sent.plan.is_still() || sent.plan.is_endless() {
+                    continue;
+                }
+                // An unknown way may cross those behind it.
+                break;
+            };
+            let (aside, along) = beside(from, to, found);
+            let back = index == 0 && along < first.progress_mm - ARRIVED_MM;
+            if aside > ARRIVED_MM || back {
+                continue;
             }
-        };
-        gave_up.then(|| Verdict::Missed(reason(), sent.plan.aim.unwrap_or_default()))
+            if index == 0 || along > ARRIVED_MM {
+                return (index, along);
+            }
+            // Where a later way begins an earlier one may end, and those behind it come by again.
+            break;
+        }
+        (0, first.progress_mm)
+    }
+
+    /// How many commands must be over because the arm has room again: a status comes only while
+    /// three commands wait at the most, and one is executed (note N20).
+    fn beyond_room(&self) -> usize {
+        let arrived = |it: &&Sent| self.now.saturating_sub(it.at) >= self.answer;
+        let arrived = self.under_way.iter().take_while(arrived).count();
+        arrived.saturating_sub(MOST_WITH_ROOM)
+    }
+
+    /// For how long a pause before the first command may begin anew: not if that command was there
+    /// already when the one before it ended (note N47).
+    fn waits(&self, first: &First) -> Duration {
+        if self.sent.at + self.answer * 2 <= first.since {
+            return Duration::ZERO;
+        }
+        self.sent.waits
+    }
+
+    /// The arm moves on although all would be over for long: that the first command is over need not
+    /// have been seen.
+    fn timed_out(&self, first: &First) -> Option<Verdict> {
+        let waited = self.now.saturating_sub(first.since);
+        let expected = self.sent.plan.aim?;
+        (waited > self.under_way.longest_silence() + PATIENCE)
+            .then_some(Verdict::Missed(NotReached::TimedOut, expected))
     }
 }
 
@@ -300,48 +356,6 @@ impl Seen {
         };
         under_way.iter().enumerate().position(rests)
     }
-}
-
-/// How many commands lie before the one that the arm is seen to follow, and how far along it.
-fn on_course(first: &First, under_way: &UnderWay, seen: &Seen) -> (usize, f64) {
-    let found = position(&seen.status);
-    for (index, sent) in under_way.iter().enumerate() {
-        let Some((from, to)) = sent.plan.course.ok().and_then(|it| it.line()) else {
-            if sent.plan.is_still() || sent.plan.is_endless() {
-                continue;
-            }
-            // An unknown way may cross those behind it.
-            break;
-        };
-        let (aside, along) = beside(from, to, found);
-        let back = index == 0 && along < first.progress_mm - ARRIVED_MM;
-        if aside > ARRIVED_MM || back {
-            continue;
-        }
-        if index == 0 || along > ARRIVED_MM {
-            return (index, along);
-        }
-        // Where a later way begins an earlier one may end, and those behind it come by again.
-        break;
-    }
-    (0, first.progress_mm)
-}
-
-/// How many commands must be over because the arm has room again: a status comes only while
-/// three commands wait at the most, and one is executed (note N20).
-fn beyond_room(now: Duration, answer: Duration, under_way: &UnderWay) -> usize {
-    let arrived = |it: &&Sent| now.saturating_sub(it.at) >= answer;
-    let arrived = under_way.iter().take_while(arrived).count();
-    arrived.saturating_sub(MOST_WITH_ROOM)
-}
-
-/// The arm moves on although all would be over for long: that the first command is over need not
-/// have been seen.
-fn timed_out(now: Duration, first: &First, sent: &Sent, under_way: &UnderWay) -> Option<Verdict> {
-    let waited = now.saturating_sub(first.since);
-    let expected = sent.plan.aim?;
-    (waited > under_way.longest_silence() + PATIENCE)
-        .then_some(Verdict::Missed(NotReached::TimedOut, expected))
 }
 
 /// That many equal statuses in a row: the arm is at rest.

@@ -7,7 +7,7 @@ use dobot_course::{Course, CourseError, Model};
 use dobot_wire::{Command, Status};
 
 /// Where a command leads from what was believed when it was given: told once, and kept with it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) course: Result<Course, CourseError>,
     /// What is to be believed when it is over.

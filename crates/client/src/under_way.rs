@@ -10,14 +10,14 @@ use crate::CommandId;
 use crate::plan::Plan;
 
 /// The commands sent and not seen to be over, oldest first.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct UnderWay {
     all: VecDeque<Sent>,
     numbered: u64,
 }
 
 /// A command that was sent, with the prediction that was made for it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Sent {
     /// Counts all that were sent, urgent ones included.
     pub(crate) number: u64,
