@@ -21,6 +21,8 @@ pub(crate) struct Belief {
     last: Option<Status>,
     /// Until then the arm may pause once more where the last command ended (note N47).
     paused_until: Duration,
+    /// Before then no status can show that all that was sent is over.
+    rests_from: Duration,
 }
 
 /// When a command under way should be over.
@@ -51,6 +53,7 @@ impl Belief {
             under_way: VecDeque::new(),
             last: None,
             paused_until: Duration::ZERO,
+            rests_from: Duration::ZERO,
         }
     }
 
@@ -88,7 +91,8 @@ impl Belief {
     ) {
         self.under_way
             .retain(|it| it.command.is_some() || it.bound > now);
-        let rests = self.last.replace(*status) == Some(*status);
+        // An arm that has not begun yet rests, too.
+        let rests = self.last.replace(*status) == Some(*status) && now >= self.rests_from;
         match &mut self.sent {
             None => self.sent = Some(Model::new(self.dialect, status)),
             Some(model) if self.under_way.is_empty() && rests => {
@@ -141,6 +145,7 @@ impl Belief {
             .map_or(Duration::ZERO, |it| it.ends)
             .max(now + ARRIVAL)
             + duration;
+        self.rests_from = ends + SHOWN;
         let bound = before
             .map_or(Duration::ZERO, |it| it.bound)
             .max(now + LATEST)
@@ -189,6 +194,7 @@ impl Belief {
     pub(crate) fn handle_reset(&mut self, status: &Status) {
         self.under_way.clear();
         self.paused_until = Duration::ZERO;
+        self.rests_from = Duration::ZERO;
         self.sent = Some(Model::new(self.dialect, status));
         self.given = self.sent;
     }
@@ -250,7 +256,10 @@ fn seconds_of(seconds: f64) -> Duration {
 /// From the status with which a command leaves to its first motion: 43.68 ms on the line, and half a
 /// tick.
 const ARRIVAL: Duration = Duration::from_millis(55);
-/// The same at the latest, with what a computer may be late.
+/// From the end of a motion until two statuses have told of it: ticks to notice it, two periods, the
+/// line.
+const SHOWN: Duration = Duration::from_millis(250);
+/// [`ARRIVAL`] at the latest, with what a computer may be late.
 const LATEST: Duration = Duration::from_millis(120);
 /// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
 const ROUNDING: Duration = Duration::from_millis(120);
