@@ -81,7 +81,8 @@ impl Belief {
         while let Some(expired) = self.under_way.pop_expired(now) {
             self.over = Some(expired.plan.after);
         }
-        let rests = self.last.replace(*status) == Some(*status);
+        let rests = self.last.replace(*status) == Some(*status)
+            && now >= self.under_way.rests_from();
         match &mut self.over {
             None => self.over = Some(Model::new(self.dialect, status)),
             Some(model) if self.under_way.len() == 0 && rests => {

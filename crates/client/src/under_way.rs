@@ -14,6 +14,8 @@ use crate::plan::Plan;
 pub(crate) struct UnderWay {
     all: VecDeque<Sent>,
     numbered: u64,
+    /// When the last one sent is over, or should be.
+    last_ends: Duration,
 }
 
 /// A command that was sent, with the prediction that was made for it.
@@ -73,6 +75,7 @@ impl UnderWay {
         };
         sent.ends += sent.duration();
         sent.bound = sent.bound_after(bound);
+        self.last_ends = sent.ends;
         self.numbered += 1;
         self.all.push_back(sent);
     }
@@ -91,6 +94,8 @@ impl UnderWay {
             sent.bound = sent.bound.min(sent.bound_after(before));
             before = sent.bound;
         }
+        let last = self.all.back();
+        self.last_ends = last.map_or(self.last_ends.min(now), |it| it.ends);
         Some(over)
     }
 
@@ -144,6 +149,13 @@ impl UnderWay {
 
     pub(crate) fn clear(&mut self) {
         self.all.clear();
+        self.last_ends = Duration::ZERO;
+    }
+
+    /// From when on two statuses can have told that all that was sent is over: an arm that has not
+    /// begun yet rests, too.
+    pub(crate) fn rests_from(&self) -> Duration {
+        self.last_ends + SHOWN
     }
 
     /// How long those take that wait in the arm behind the one that it should execute now.
@@ -183,7 +195,10 @@ impl UnderWay {
 /// From the status with which a command leaves to its first motion: 43.68 ms on the line, and half a
 /// tick.
 const ARRIVAL: Duration = Duration::from_millis(55);
-/// The same at the latest, with what a computer may be late.
+/// From the end of a motion until two statuses have told of it: ticks to notice it, two periods, the
+/// line.
+const SHOWN: Duration = Duration::from_millis(250);
+/// [`ARRIVAL`] at the latest, with what a computer may be late.
 const LATEST: Duration = Duration::from_millis(120);
 /// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
 const ROUNDING: Duration = Duration::from_millis(120);

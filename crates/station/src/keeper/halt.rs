@@ -15,6 +15,8 @@ pub(super) struct Halt {
     rounds: u32,
     /// A status came since the last packet: the arm has room for another.
     heard: bool,
+    /// What lets go of the button that was held.
+    release: Command,
 }
 
 impl Halt {
@@ -37,22 +39,29 @@ impl Keeper {
         self.laser.forget();
         self.part_from_laser();
         self.at_once = true;
+        let release = match (&self.held, self.halt) {
+            (Some(held), _) => held.release(),
+            (None, Some(halt)) => halt.release,
+            (None, None) => self.session.release(),
+        };
         self.halt = Some(Halt {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
             heard: true,
+            release,
         });
     }
 
     /// Lets go of the button that is held.
-    pub(super) fn release_now(&mut self) {
-        self.send_urgent(self.session.release());
+    pub(super) fn release_now(&mut self, release: Command) {
+        self.send_urgent(release);
         self.halt = Some(Halt {
             next: self.now + AGAIN,
             laser_is_next: false,
             rounds: 1,
             heard: false,
+            release,
         });
     }
 
@@ -78,7 +87,7 @@ impl Keeper {
             self.send_urgent(LASER_OFF);
         } else {
             // A button of the joints and one of the axes are released each in its own way.
-            self.send_urgent(self.session.release());
+            self.send_urgent(halt.release);
         }
         let again = if halt.laser_is_next { GAP } else { AGAIN };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
@@ -86,6 +95,7 @@ impl Keeper {
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
             heard: false,
+            ..halt
         });
     }
 

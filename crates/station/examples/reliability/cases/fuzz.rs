@@ -11,6 +11,7 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, VirtualArm};
 use dobot_station::{ClientId, Refusal, Rehearsal, Request};
+use dobot_wire::{Command, Packet};
 
 use self::asking::{Asked, Asking};
 use self::judge::Judge;
@@ -89,13 +90,12 @@ fn one(figures: &mut Fuzz, seed: u64) {
         (Ok(()), None) => return,
     };
     *figures.lost.entry(what).or_default() += 1;
-    let told = case.log.iter().rev().take(25).rev();
-    let lately: Vec<String> = told.cloned().collect();
     figures.wrong.push(format!(
-        "seed {seed} ({}, {:?}): {what}: {why}; before that {}",
+        "seed {seed} ({}, {:?}), {:.3} s: {what}: {why}\n{}",
         case.personality,
         case.faults,
-        lately.join("; ")
+        case.it.now().as_secs_f64(),
+        case.lately(),
     ));
 }
 
@@ -106,7 +106,7 @@ struct Case {
     asking: Asking,
     personality: Personality,
     faults: Vec<&'static str>,
-    log: Vec<String>,
+    log: Vec<(Duration, String)>,
     requests: u64,
     taken: u64,
 }
@@ -219,8 +219,7 @@ impl Case {
             Ok(()) => "taken".to_owned(),
             Err(refusal) => format!("refused, {}", refusal.kind()),
         };
-        self.log
-            .push(format!("{:.3} s {text} ({what})", before.as_secs_f64()));
+        self.log.push((before, format!("{text} ({what})")));
         self.requests += 1;
         self.taken += u64::from(taken.is_ok());
     }
@@ -238,6 +237,22 @@ impl Case {
             judge.lost.is_some()
         });
         self.judge.hear(&mut self.it);
+    }
+
+    /// What was asked and sent last, a line each; what came again and again stands there once.
+    fn lately(&self) -> String {
+        let dialect = self.personality.dialect();
+        let packets = self.it.packets().iter().map(|(at, bytes)| {
+            let packet = Packet::from_bytes(bytes);
+            let command = packet.map(|it| Command::parse(&it, &dialect));
+            (*at, format!("sent {command:?}"))
+        });
+        let mut lines: Vec<(Duration, String)> = self.log.iter().cloned().chain(packets).collect();
+        lines.sort_by_key(|it| it.0);
+        lines.dedup_by(|next, it| next.1 == it.1);
+        let last = lines.iter().rev().take(LATELY).rev();
+        let last = last.map(|(at, text)| format!("  {:.3} s {text}\n", at.as_secs_f64()));
+        last.collect()
     }
 
     /// Everybody lets go: the arm comes to rest and tells where it is.
@@ -272,4 +287,6 @@ const POLICIES: [&str; 3] = [
 ];
 /// Of each case, and a few more where the last of them was a row.
 pub(crate) const REQUESTS: u64 = 400;
+/// So much of what came before is told.
+const LATELY: usize = 30;
 const PANIC: &str = "the station panicked";
