@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use anyhow::anyhow;
 use dobot_station::Request;
 
-use crate::control::{self, take_control};
+use crate::control;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
@@ -34,7 +34,6 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if !args.yes && !ask().await? {
         return Err(anyhow!("not confirmed").into());
     }
-    take_control(&mut station).await?;
     station.request(Request::ConfirmPose).await?;
     Ok(output::line("the pose is trusted")?)
 }

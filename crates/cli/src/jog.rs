@@ -25,7 +25,7 @@ Examples:
   dobot jog laser-on --for 0.2           on, and off again
 
 The axis is released when the time is over, on Ctrl-C, and when anything goes wrong. A station that does not
-hear of it any more releases it, too, and keeps the laser off without `--arm-laser`.")]
+hear of it any more releases it, too. The laser stays off without `--arm-laser`.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
     /// suction-on suction-off laser-on laser-off
@@ -37,7 +37,7 @@ pub(crate) struct Args {
     /// Share of the jog speed, in percent from 1 to 100
     #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
     speed: f32,
-    /// Let a station's laser be switched on for so many seconds: everybody's goggles are on
+    /// Let the laser be switched on for so many seconds: everybody's goggles are on
     #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
     arm_laser: Option<Duration>,
     #[command(flatten)]
@@ -89,6 +89,9 @@ impl Args {
     }
 
     async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {
+        if let Some(time) = self.arm_laser {
+            connected.arm.arm_laser(time);
+        }
         let button = self.button.pressed(self.speed);
         let pressed = guard::send(&mut connected.arm, &connected.policy, button).await?;
         let held = tokio::select! {

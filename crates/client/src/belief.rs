@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{Model, Settings};
+use dobot_course::{Course, Model, Settings};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
@@ -21,6 +21,8 @@ pub(crate) struct Belief {
     last: Option<Status>,
     /// Until then the arm may pause once more where the last command ended (note N47).
     paused_until: Duration,
+    /// When the last command sent is over, or should be.
+    last_ends: Duration,
 }
 
 /// When a command under way should be over.
@@ -33,12 +35,23 @@ struct Foreseen {
     pause: Duration,
     /// Whether it goes on until told otherwise.
     endless: bool,
+    /// What the laser does with it.
+    light: Light,
     /// Whether the base stands at 0 when it is over.
     ends_ahead: bool,
     /// When it should be over.
     ends: Duration,
     /// When it must be over.
     bound: Duration,
+}
+
+/// What the laser does with a command.
+#[derive(Clone, Copy, Debug)]
+struct Light {
+    /// It is on before.
+    before: bool,
+    /// It is on meanwhile: on the way, or where there is none, before or behind.
+    during: bool,
 }
 
 impl Belief {
@@ -51,6 +64,7 @@ impl Belief {
             under_way: VecDeque::new(),
             last: None,
             paused_until: Duration::ZERO,
+            last_ends: Duration::ZERO,
         }
     }
 
@@ -146,18 +160,21 @@ impl Belief {
             .max(now + LATEST)
             .max(self.paused_until)
             + most;
+        let after = after(&model, command);
+        self.last_ends = ends;
         self.under_way.push_back(Foreseen {
             command: id,
             duration,
             pause: seconds_of(pause_s),
             endless,
+            light: light(&model, course.as_ref(), &after),
             ends_ahead: course
                 .and_then(|it| it.end())
                 .is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG),
             ends,
             bound,
         });
-        self.sent = Some(after(&model, command));
+        self.sent = Some(after);
     }
 
     /// A command, and all before it, is over.
@@ -169,12 +186,14 @@ impl Belief {
         // What follows began before that was seen. It may have begun long before: a target passed
         // without a rest is seen to be over late, so that nothing is ever put off.
         let Some(first) = self.under_way.front() else {
+            self.last_ends = self.last_ends.min(now);
             return;
         };
         let early = first.ends.saturating_sub(now + first.duration);
         for foreseen in &mut self.under_way {
             foreseen.ends = foreseen.ends.saturating_sub(early);
         }
+        self.last_ends = self.last_ends.saturating_sub(early);
     }
 
     /// A command ended elsewhere: nobody knows where the arm is, until it is seen at rest.
@@ -191,6 +210,37 @@ impl Belief {
         self.paused_until = Duration::ZERO;
         self.sent = Some(Model::new(self.dialect, status));
         self.given = self.sent;
+    }
+
+    /// Whether the laser may be on: it is, or something under way has it on.
+    pub(crate) fn is_lit(&self) -> bool {
+        self.sent.is_some_and(|it| it.laser) || self.under_way.iter().any(|it| it.light.during)
+    }
+
+    /// From when on the laser burns on the spot if nothing more is sent; `None` if it does not, or
+    /// while a jog goes on.
+    pub(crate) fn stands_lit_from(&self) -> Option<Duration> {
+        self.sent.filter(|it| it.laser)?;
+        match self.under_way.back() {
+            None => Some(self.last_ends),
+            Some(last) if last.endless => None,
+            Some(last) => Some(last.ends.saturating_sub(last.pause)),
+        }
+    }
+
+    /// Since when what should be going on now does so, if the laser is on with it or was before.
+    pub(crate) fn lit_since(&self, now: Duration) -> Option<Duration> {
+        let goes_on = |it: &&Foreseen| it.endless || it.ends > now;
+        let it = self.under_way.iter().find(goes_on)?;
+        let is_lit = it.light.during || it.light.before;
+        is_lit.then(|| it.ends.saturating_sub(it.duration))
+    }
+
+    /// Whether the arm would pause with the laser on if it got this command now.
+    pub(crate) fn would_pause_lit(&self, command: &Command) -> bool {
+        let course = |it: &Model| it.course(command).ok();
+        let lit = self.sent.as_ref().filter(|it| it.laser);
+        lit.and_then(course).is_some_and(|it| it.pause_s() > 0.0)
     }
 
     /// How many commands the arm may still have, urgent ones included.
@@ -230,6 +280,17 @@ impl Belief {
             Some(last) if last.endless => Duration::MAX,
             Some(last) => last.bound.saturating_sub(now),
         }
+    }
+}
+
+fn light(before: &Model, course: Option<&Course>, after: &Model) -> Light {
+    let during = match course {
+        Some(it) if it.moves() => it.laser(),
+        _ => before.laser || after.laser,
+    };
+    Light {
+        before: before.laser,
+        during,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The session engine: what to send when, and what the statuses mean.
 
+mod laser;
 mod look;
 
 use std::collections::VecDeque;
@@ -8,12 +9,13 @@ use std::time::Duration;
 use dobot_course::CourseError;
 use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
 
+use self::laser::Laser;
 use crate::belief::Belief;
 use crate::completion::{Completion, straight_target};
 use crate::quality::Meter;
 use crate::send_error::moves;
 use crate::trust::Trust;
-use crate::{Event, SendError};
+use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -24,6 +26,9 @@ use crate::{Event, SendError};
 /// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
 /// will do: a command is sent only while those that wait in the arm, behind the one that it
 /// executes, take less than [`Session::with_ahead`] (0.5 s).
+///
+/// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
+/// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
 ///
 /// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
 /// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
@@ -54,6 +59,7 @@ pub struct Session {
     completion: Completion,
     belief: Belief,
     trust: Trust,
+    laser: Laser,
     meter: Meter,
     /// How much may wait in the arm behind the command that it executes.
     ahead: Duration,
@@ -103,6 +109,7 @@ impl Session {
         Self {
             belief: Belief::new(dialect.as_ref()),
             trust: Trust::new(trusted),
+            laser: Laser::default(),
             meter: Meter::default(),
             ahead: AHEAD,
             now: Duration::ZERO,
@@ -131,7 +138,8 @@ impl Session {
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
     /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
     /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose. Nothing is sent then.
+    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed. Nothing is sent
+    /// then.
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         self.check(&command)?;
@@ -149,6 +157,7 @@ impl Session {
     ///
     /// As [`Session::send`].
     pub fn check(&self, command: &Command) -> Result<(), SendError> {
+        self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
         }
@@ -194,6 +203,7 @@ impl Session {
     /// Takes note of a command that left beside the session.
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
+        self.note_laser(command);
         self.belief
             .handle_sent(self.now, None, command, Duration::ZERO);
         let waiting = self.waiting.iter().map(|(_, command)| command);
@@ -208,8 +218,8 @@ impl Session {
     }
 
     /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
-    /// status as after a connect, and no permit is left. What was under way stays believed until
-    /// statuses tell otherwise.
+    /// status as after a connect, no permit is left, and the laser is disarmed. What was under way
+    /// stays believed until statuses tell otherwise.
     pub fn handle_open(&mut self, now: Duration) {
         self.now = now;
         self.heard = now;
@@ -219,6 +229,7 @@ impl Session {
         self.to_send.clear();
         self.permit = false;
         self.lost = false;
+        self.lose_laser(Disarmed::LinkLost);
     }
 
     /// Sets the bound of [`Session::with_ahead`].
@@ -249,18 +260,21 @@ impl Session {
             }
         }
         self.note_resync();
+        self.watch_laser();
     }
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if !self.lost && now >= self.poll_wakeup() {
+        self.watch_laser();
+        if now >= self.patience_ends() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
                 noise: self.decoder.counts().skipped_bytes - self.skipped
                     + self.decoder.waiting() as u64,
             });
+            self.lose_laser(Disarmed::LinkLost);
         }
     }
 
@@ -277,6 +291,12 @@ impl Session {
     /// When [`Session::handle_time`] wants to be called next, at the latest.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
+        let laser = self.laser_wakeup().unwrap_or(Duration::MAX);
+        self.patience_ends().min(laser)
+    }
+
+    /// When the link is lost if no status comes.
+    fn patience_ends(&self) -> Duration {
         if self.lost {
             return Duration::MAX;
         }
@@ -298,6 +318,7 @@ impl Session {
         self.heard = now;
         self.lost = false;
         self.opened = false;
+        self.see_laser(&status);
         self.status = Some(status);
         self.meter.handle_status(now, &status, had_room);
         self.events.push_back(Event::Status(status));
@@ -309,7 +330,9 @@ impl Session {
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used
-            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
+            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
+            && self.has_line();
+        self.watch_laser();
         self.dispatch();
     }
 
@@ -328,6 +351,7 @@ impl Session {
             evidence,
             forgotten,
         });
+        self.lose_laser(Disarmed::Reset);
         true
     }
 
@@ -347,9 +371,14 @@ impl Session {
         if !self.permit || self.belief.behind_the_first(self.now) >= self.ahead {
             return;
         }
-        let Some((id, command)) = self.waiting.pop_front() else {
+        let Some((_, next)) = self.waiting.front() else {
             return;
         };
+        if self.parts_from_laser_first(next) {
+            self.switch_laser_off();
+            return;
+        }
+        let (id, command) = self.waiting.pop_front().expect("it is the next");
         self.permit = false;
         self.used = Some(self.heard);
         let packet = self
@@ -359,6 +388,7 @@ impl Session {
         let at_rest = self.belief.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
+        self.note_laser(&command);
         let leaves = self.leaves_limits(&command);
         let longest = self
             .completion

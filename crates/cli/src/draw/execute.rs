@@ -76,18 +76,24 @@ async fn check(connected: &mut Connected, plan: &Plan) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a station would not let burn is told before anything moves or is queued.
+/// What would not be let burn is told before anything moves or is queued; the laser of an arm that this
+/// process talks to is armed from here on.
 pub(super) async fn check_laser(
     reached: &mut Reached,
     plan: &Plan,
     args: &Args,
 ) -> Result<(), Failure> {
-    let Reached::Station(station) = reached else {
-        return Ok(());
+    let armed = match reached {
+        _ if !plan.burns() => true,
+        Reached::Station(_) if args.tool.arm_laser.is_some() => true,
+        Reached::Station(station) => first_state(station).await?.laser.armed_for_s > 0.0,
+        Reached::Arm(it) => {
+            if let Some(time) = args.tool.arm_laser {
+                it.arm.arm_laser(time);
+            }
+            it.arm.session().laser_armed_until().is_some()
+        }
     };
-    let armed = !plan.burns()
-        || args.tool.arm_laser.is_some()
-        || first_state(station).await?.laser.armed_for_s > 0.0;
     if armed {
         return Ok(());
     }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_wire::{Command, JointJog, JointJogAxis};
+use dobot_course::LASER_OFF;
 
 use super::Keeper;
 
@@ -34,8 +34,7 @@ impl Keeper {
         }
         // What was urgent before is said again in its turn.
         self.urgent.clear();
-        self.laser.forget();
-        self.part_from_laser();
+        self.send_urgent(LASER_OFF);
         self.at_once = true;
         self.halt = Some(Halt {
             next: self.now + GAP,
@@ -98,11 +97,6 @@ impl Keeper {
         self.halt = self.halt.filter(|it| !rests || it.rounds < 2);
     }
 }
-
-pub(super) const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
 const GAP: Duration = Duration::from_millis(60);

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use dobot_client::Event;
+use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
 use super::Keeper;
@@ -87,6 +88,9 @@ impl Keeper {
                 }
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+                Event::NotSent(id) => self.laser_not_lit(id),
+                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
+                Event::LaserOff => self.laser_switched_off(),
                 _ => {}
             }
         }
@@ -102,8 +106,7 @@ impl Keeper {
             // Whatever was before: a crash, another program, a cable that was out.
             self.link.greeted = true;
             // What was said last may have got lost with the link.
-            self.laser.forget();
-            self.part_from_laser();
+            self.send_urgent(LASER_OFF);
         }
         self.statuses.push_back(status);
         self.still = if self.last == Some(status) {
@@ -137,6 +140,7 @@ impl Keeper {
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
         self.interrupt_run("the link to the arm was lost");
+        self.disarm_laser("the link to the arm was lost");
         self.end_detection("the link to the arm was lost");
         let text = self
             .link
