@@ -55,6 +55,7 @@ impl Keeper {
         self.changed = true;
         if lost {
             self.lose_link();
+            self.disarm_laser("the link to the arm was lost");
         }
     }
 
@@ -140,7 +141,6 @@ impl Keeper {
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
         self.interrupt_run("the link to the arm was lost");
-        self.disarm_laser("the link to the arm was lost");
         self.end_detection("the link to the arm was lost");
         let text = self
             .link

@@ -5,11 +5,11 @@ use std::time::Duration;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};
-use dobot_station::{ClientId, News, Rehearsal, Request};
+use dobot_station::{ClientId, JobPhase, News, Rehearsal, Request};
 use dobot_wire::{Command, Packet};
 
 use crate::commands::vector;
-use crate::drawing::rehearsal;
+use crate::drawing::{burnt_spiral, is_over, rehearsal};
 
 /// What the laser may stand at the most.
 const MOST_S: f64 = 0.3;
@@ -228,6 +228,52 @@ fn no_random_program_leaves_the_laser_burning_on_the_spot() {
     let mut longest: (f64, u64) = (0.0, 0);
     for seed in 0..60 {
         let stood_s = random_program(seed);
+        if stood_s > longest.0 {
+            longest = (stood_s, seed);
+        }
+    }
+    let (stood_s, seed) = longest;
+    println!("the longest stand is {stood_s} s, seed {seed}");
+    assert!(stood_s <= MOST_S, "seed {seed}: {stood_s} s");
+}
+
+/// A burnt job on a link, paused and gone on with; returns how long the laser stood at the most, in
+/// seconds.
+fn random_job(seed: u64) -> f64 {
+    let mut chance = Chance(seed);
+    let personality = Personality::ALL[usize::from(seed % 2 == 1)];
+    let link = LINKS[usize::try_from(seed / 2).unwrap() % LINKS.len()];
+    let mut it = on_link(personality, link, seed);
+    let anna = armed(&mut it);
+    let job = it.submit(&burnt_spiral(12)).unwrap();
+    it.start(anna, job).unwrap();
+    let latest = it.now() + Duration::from_mins(2);
+    let mut pauses = chance.below(3);
+    while !is_over(&it, job) && it.now() < latest {
+        it.run_for(Duration::from_millis(500 + chance.below(4_000)));
+        if pauses > 0 {
+            pauses -= 1;
+            let _ = it.ask(anna, Request::PauseJob);
+            it.run_for(Duration::from_secs(4));
+        }
+        if it
+            .keeper()
+            .job()
+            .is_some_and(|it| it.phase == JobPhase::Paused)
+        {
+            let _ = it.ask(anna, Request::ArmLaser { for_s: 600.0 });
+            let _ = it.start(anna, job);
+        }
+    }
+    assert!(is_over(&it, job), "seed {seed}: {:?}", it.keeper().job());
+    longest_stand_s(&it)
+}
+
+#[test]
+fn no_job_leaves_the_laser_burning_on_the_spot() {
+    let mut longest: (f64, u64) = (0.0, 0);
+    for seed in 0..30 {
+        let stood_s = random_job(seed);
         if stood_s > longest.0 {
             longest = (stood_s, seed);
         }
