@@ -57,6 +57,14 @@ impl Arm {
         Self { connection }
     }
 
+    /// Lets the laser be lit for so long: a person has put the goggles on. Until then, and afterwards,
+    /// what burns is refused ([`SendError::LaserDisarmed`](crate::SendError::LaserDisarmed)); that of an
+    /// arm in this process needs no arming. A laser that would burn on the spot is switched off, while a
+    /// call goes on.
+    pub fn arm_laser(&mut self, time: Duration) {
+        self.connection.arm_laser(time);
+    }
+
     /// Goes to a point, sets the tool, and returns what the arm tells then.
     ///
     /// # Errors

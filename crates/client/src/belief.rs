@@ -35,23 +35,14 @@ struct Foreseen {
     pause: Duration,
     /// Whether it goes on until told otherwise.
     endless: bool,
-    /// What the laser does with it.
-    light: Light,
+    /// Whether the laser is on meanwhile: on the way, or where there is none, before or behind.
+    lit: bool,
     /// Whether the base stands at 0 when it is over.
     ends_ahead: bool,
     /// When it should be over.
     ends: Duration,
     /// When it must be over.
     bound: Duration,
-}
-
-/// What the laser does with a command.
-#[derive(Clone, Copy, Debug)]
-struct Light {
-    /// It is on before.
-    before: bool,
-    /// It is on meanwhile: on the way, or where there is none, before or behind.
-    during: bool,
 }
 
 impl Belief {
@@ -167,7 +158,7 @@ impl Belief {
             duration,
             pause: seconds_of(pause_s),
             endless,
-            light: light(&model, course.as_ref(), &after),
+            lit: lit(&model, course.as_ref(), &after),
             ends_ahead: course
                 .and_then(|it| it.end())
                 .is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG),
@@ -214,13 +205,16 @@ impl Belief {
 
     /// Whether the laser may be on: it is, or something under way has it on.
     pub(crate) fn is_lit(&self) -> bool {
-        self.sent.is_some_and(|it| it.laser) || self.under_way.iter().any(|it| it.light.during)
+        self.stays_lit() || self.under_way.iter().any(|it| it.lit)
     }
 
-    /// From when on the laser burns on the spot if nothing more is sent; `None` if it does not, or
-    /// while a jog goes on.
-    pub(crate) fn stands_lit_from(&self) -> Option<Duration> {
-        self.sent.filter(|it| it.laser)?;
+    /// Whether the laser is on when all that was sent is over.
+    pub(crate) fn stays_lit(&self) -> bool {
+        self.sent.is_some_and(|it| it.laser)
+    }
+
+    /// From when on the arm stands if nothing more is sent; `None` while a jog goes on.
+    pub(crate) fn stands_from(&self) -> Option<Duration> {
         match self.under_way.back() {
             None => Some(self.last_ends),
             Some(last) if last.endless => None,
@@ -228,12 +222,11 @@ impl Belief {
         }
     }
 
-    /// Since when what should be going on now does so, if the laser is on with it or was before.
-    pub(crate) fn lit_since(&self, now: Duration) -> Option<Duration> {
+    /// Since when what should be going on now does so; if nothing should, when the last was over.
+    pub(crate) fn goes_on_since(&self, now: Duration) -> Duration {
         let goes_on = |it: &&Foreseen| it.endless || it.ends > now;
-        let it = self.under_way.iter().find(goes_on)?;
-        let is_lit = it.light.during || it.light.before;
-        is_lit.then(|| it.ends.saturating_sub(it.duration))
+        let it = self.under_way.iter().find(goes_on);
+        it.map_or(self.last_ends, |it| it.ends.saturating_sub(it.duration))
     }
 
     /// Whether the arm would pause with the laser on if it got this command now.
@@ -283,14 +276,11 @@ impl Belief {
     }
 }
 
-fn light(before: &Model, course: Option<&Course>, after: &Model) -> Light {
-    let during = match course {
+/// Whether the laser is on during a command.
+fn lit(before: &Model, course: Option<&Course>, after: &Model) -> bool {
+    match course {
         Some(it) if it.moves() => it.laser(),
         _ => before.laser || after.laser,
-    };
-    Light {
-        before: before.laser,
-        during,
     }
 }
 

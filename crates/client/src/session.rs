@@ -352,6 +352,7 @@ impl Session {
             forgotten,
         });
         self.lose_laser(Disarmed::Reset);
+        self.laser.forget();
         true
     }
 

@@ -17,8 +17,11 @@ pub(super) struct Laser {
     may_stand: bool,
     /// When the arm was told last to switch it off, with nothing that burns sent since.
     told_off: Option<Duration>,
-    /// When it is said again that it is to be off.
+    /// Something that burns was sent since: where a packet was lost, it may be on whatever was to follow.
+    was_lit: bool,
+    /// When it is said again that it is to be off, and how often that was said.
     again: Option<Duration>,
+    rounds: u32,
     /// The packet that left last is on the line until then; and if the session switched the laser off
     /// with it, nothing else leaves before.
     line_free: Duration,
@@ -26,6 +29,14 @@ pub(super) struct Laser {
     /// When the last status came that differs from the one before, and whether the last one does not.
     changed: Duration,
     stands: bool,
+}
+
+impl Laser {
+    /// The arm was reset: its laser is off.
+    pub(super) const fn forget(&mut self) {
+        self.was_lit = false;
+        self.again = None;
+    }
 }
 
 impl Session {
@@ -109,8 +120,10 @@ impl Session {
         self.laser.again = None;
         if burns(command) {
             self.laser.told_off = None;
+            self.laser.was_lit = true;
         } else if Button::of(command) == Some(Button::Laser(false)) {
             self.laser.told_off = Some(self.now);
+            self.laser.was_lit = false;
         }
     }
 
@@ -139,11 +152,12 @@ impl Session {
         if is_over {
             self.lose_laser(Disarmed::TimeOver);
         }
-        let lit_too_long = is_over && self.is_laser_on() && self.laser.told_off.is_none();
+        let lit_too_long = is_over && self.laser.was_lit;
         if lit_too_long || self.laser_off_due().is_some_and(|it| it <= self.now) {
-            let is_first = self.laser.again.is_none();
+            let again = self.laser.again.is_some();
             self.switch_laser_off();
-            self.laser.again = is_first.then_some(self.now + AGAIN);
+            self.laser.rounds = if again { self.laser.rounds + 1 } else { 1 };
+            self.laser.again = (self.laser.rounds < ROUNDS).then_some(self.now + AGAIN);
         }
     }
 
@@ -164,7 +178,7 @@ impl Session {
         let Ok(packet) = self.emit_now(&LASER_OFF) else {
             return;
         };
-        if self.laser.told_off.is_none() {
+        if self.laser.was_lit && self.belief.is_lit() {
             self.events.push_back(Event::LaserOff);
         }
         self.note_urgent(&LASER_OFF);
@@ -186,28 +200,39 @@ impl Session {
         if let Some(again) = self.laser.again.filter(|_| self.waiting.is_empty()) {
             return Some(again);
         }
-        let foreseen = self.belief.stands_lit_from().map(|from| {
-            if self.waiting.is_empty() {
-                // It waits in the arm for the end of what burns.
-                from.saturating_sub(ON_THE_LINE)
-            } else {
-                from + PERMIT_IN_TIME
+        if !self.laser.was_lit {
+            return None;
+        }
+        let stands_from = self.belief.stands_from();
+        let foreseen = stands_from.and_then(|from| {
+            if !self.waiting.is_empty() {
+                return self.belief.stays_lit().then_some(from + PERMIT_IN_TIME);
             }
+            // It waits in the arm for the end of what burns.
+            let lead = if self.belief.stays_lit() {
+                self.lead()
+            } else {
+                Duration::ZERO
+            };
+            Some(from.saturating_sub(lead))
         });
         let due = foreseen.into_iter().chain(self.seen_to_stand()).min()?;
         Some(due.max(self.laser.line_free))
     }
 
-    /// Since when the arm was seen to stand with the laser on, where it should move.
+    /// How long before the end of what burns a packet has to leave to be there by then.
+    fn lead(&self) -> Duration {
+        let latency = self.meter.latency().unwrap_or(LATENCY);
+        ON_THE_LINE + latency.saturating_sub(LATENCY)
+    }
+
+    /// Now, if the arm is seen to stand where it should move.
     fn seen_to_stand(&self) -> Option<Duration> {
-        if !self.laser.stands || self.laser.told_off.is_some() {
-            return None;
-        }
-        let since = self.belief.lit_since(self.now)?;
         // Standing shows where it has moved before, or should have by now.
+        let since = self.belief.goes_on_since(self.now);
         let shows = self.meter.latency().unwrap_or(LATENCY) + STATUS_PERIOD;
-        let stopped = self.laser.changed > since;
-        (stopped || self.now >= since + shows).then_some(self.now)
+        let stopped = self.laser.changed > since || self.now >= since + shows;
+        (self.laser.stands && stopped).then_some(self.now)
     }
 
     fn is_laser_free(&self) -> bool {
@@ -222,8 +247,9 @@ const ON_THE_LINE: Duration = Duration::from_millis(60);
 /// What waits for a permit has so long behind the end of what burns: with the way of the packet and a
 /// tick, less than 0.2 s.
 const PERMIT_IN_TIME: Duration = Duration::from_millis(100);
-/// A packet may get lost: what was said is said again then.
+/// A packet may get lost: so often it is said, while nothing else is.
+const ROUNDS: u32 = 4;
 const AGAIN: Duration = Duration::from_millis(150);
 const STATUS_PERIOD: Duration = Duration::from_millis(80);
-/// From a command to the first status that shows it, where that was not measured.
-const LATENCY: Duration = Duration::from_millis(200);
+/// From a command to the first status that shows it, on a usual link.
+const LATENCY: Duration = Duration::from_millis(250);

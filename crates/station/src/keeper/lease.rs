@@ -145,6 +145,7 @@ impl Keeper {
         self.lease.as_ref().map(|it| LeaseView {
             client: it.client,
             name: self.name(it.client),
+            is_program: self.is_program(it.client),
             since_s: it.since.as_secs_f64(),
             asked_by: it
                 .asked_by
