@@ -129,6 +129,35 @@ impl Belief {
         self.waiting.drain(..).map(|it| it.id).collect()
     }
 
+    /// The same, to look at.
+    pub(crate) fn next(&self) -> Option<&Given> {
+        self.waiting.front()
+    }
+
+    /// Forgets the first waiting command of a kind, and those behind it; says which they were.
+    pub(crate) fn forget_from_first(&mut self, kind: impl Fn(&Command) -> bool) -> Vec<CommandId> {
+        let first = self.waiting.iter().position(|it| kind(&it.command));
+        let kept = first.unwrap_or(self.waiting.len());
+        self.waiting.drain(kept..).map(|it| it.id).collect()
+    }
+
+    /// Whether the laser may be on: it is, or something under way has it on.
+    pub(crate) fn is_lit(&self) -> bool {
+        self.stays_lit() || self.under_way.is_lit()
+    }
+
+    /// Whether the laser is on when all that was sent is over.
+    pub(crate) fn stays_lit(&self) -> bool {
+        self.after_sent().is_some_and(|it| it.laser)
+    }
+
+    /// Whether the arm would pause with the laser on if it got this command now.
+    pub(crate) fn would_pause_lit(&self, command: &Command) -> bool {
+        let lit = self.after_sent().filter(|it| it.laser);
+        let course = lit.and_then(|it| it.course(command).ok());
+        course.is_some_and(|it| it.pause_s() > 0.0)
+    }
+
     /// Takes the one that was next and leaves now.
     pub(crate) fn handle_sent(&mut self, now: Duration, given: Given) {
         if let Some(before) = self.after_sent().copied() {

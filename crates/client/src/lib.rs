@@ -49,7 +49,7 @@ pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use arm::Arm;
 pub use connection::{Connection, LinkError};
 pub use detection::{Detection, DetectionError, Evidence, Finding};
-pub use event::{Event, NotReached};
+pub use event::{Disarmed, Event, NotReached};
 pub use link::Link;
 pub use open::OpenError;
 pub use peer::Peer;

@@ -58,6 +58,11 @@ impl Meter {
         }
     }
 
+    /// From a command to the first status that shows it, where that was measured.
+    pub(crate) const fn latency(&self) -> Option<Duration> {
+        self.latency
+    }
+
     pub(crate) fn quality(&self, now: Duration, counts: &Counts) -> LinkQuality {
         let recent = self.heard.iter().filter(|it| **it + WINDOW >= now).count();
         let begun = now.min(WINDOW).as_secs_f64();

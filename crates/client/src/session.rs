@@ -1,5 +1,6 @@
 //! The session engine: what to send when, and what the statuses mean.
 
+mod laser;
 mod look;
 
 use std::collections::VecDeque;
@@ -7,13 +8,14 @@ use std::time::Duration;
 
 use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
 
+use self::laser::Laser;
 use crate::belief::Belief;
 use crate::completion::{Completion, Verdict};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
 use crate::send_error::moves;
 use crate::trust::Trust;
-use crate::{Event, SendError};
+use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -24,6 +26,9 @@ use crate::{Event, SendError};
 /// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
 /// will do: a command is sent only while those that wait in the arm, behind the one that it
 /// executes, take less than [`Session::with_ahead`] (0.5 s).
+///
+/// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
+/// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
 ///
 /// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
 /// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
@@ -55,6 +60,7 @@ pub struct Session {
     completion: Completion,
     belief: Belief,
     trust: Trust,
+    laser: Laser,
     meter: Meter,
     /// How much may wait in the arm behind the command that it executes.
     ahead: Duration,
@@ -104,6 +110,7 @@ impl Session {
         Self {
             belief: Belief::new(dialect.as_ref()),
             trust: Trust::new(trusted),
+            laser: Laser::default(),
             meter: Meter::default(),
             ahead: AHEAD,
             now: Duration::ZERO,
@@ -132,7 +139,8 @@ impl Session {
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
     /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
     /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose. Nothing is sent then.
+    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed. Nothing is sent
+    /// then.
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         let plan = self.planned(&command)?;
@@ -154,6 +162,7 @@ impl Session {
 
     /// Where a command leads, if it would be sent; nobody knows before the first status.
     fn planned(&self, command: &Command) -> Result<Option<Box<Plan>>, SendError> {
+        self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
         }
@@ -200,6 +209,7 @@ impl Session {
     /// Takes note of a command that left beside the session.
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
+        self.note_laser(command);
         self.belief.handle_urgent(self.now, command);
     }
 
@@ -210,8 +220,8 @@ impl Session {
     }
 
     /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
-    /// status as after a connect, and no permit is left. What was under way stays believed until
-    /// statuses tell otherwise.
+    /// status as after a connect, no permit is left, and the laser is disarmed. What was under way
+    /// stays believed until statuses tell otherwise.
     pub fn handle_open(&mut self, now: Duration) {
         self.now = now;
         self.heard = now;
@@ -221,6 +231,7 @@ impl Session {
         self.to_send.clear();
         self.permit = false;
         self.lost = false;
+        self.lose_laser(Disarmed::LinkLost);
     }
 
     /// Sets the bound of [`Session::with_ahead`].
@@ -251,18 +262,21 @@ impl Session {
             }
         }
         self.note_resync();
+        self.watch_laser();
     }
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if !self.lost && now >= self.poll_wakeup() {
+        self.watch_laser();
+        if now >= self.patience_ends() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
                 noise: self.decoder.counts().skipped_bytes - self.skipped
                     + self.decoder.waiting() as u64,
             });
+            self.lose_laser(Disarmed::LinkLost);
         }
     }
 
@@ -279,6 +293,12 @@ impl Session {
     /// When [`Session::handle_time`] wants to be called next, at the latest.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
+        let laser = self.laser_wakeup().unwrap_or(Duration::MAX);
+        self.patience_ends().min(laser)
+    }
+
+    /// When the link is lost if no status comes.
+    fn patience_ends(&self) -> Duration {
         if self.lost {
             return Duration::MAX;
         }
@@ -302,6 +322,7 @@ impl Session {
         self.heard = now;
         self.lost = false;
         self.opened = false;
+        self.see_laser(&status);
         self.status = Some(status);
         self.meter.handle_status(now, &status, had_room);
         self.events.push_back(Event::Status(status));
@@ -312,7 +333,9 @@ impl Session {
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used
-            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
+            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
+            && self.has_line();
+        self.watch_laser();
         self.dispatch();
     }
 
@@ -329,6 +352,8 @@ impl Session {
             evidence,
             forgotten,
         });
+        self.lose_laser(Disarmed::Reset);
+        self.laser.forget();
         true
     }
 
@@ -372,6 +397,13 @@ impl Session {
         if !self.permit || behind >= self.ahead || self.left.is_some_and(follows) {
             return;
         }
+        let Some(next) = self.belief.next() else {
+            return;
+        };
+        if self.parts_from_laser_first(&next.command) {
+            self.switch_laser_off();
+            return;
+        }
         let Some(given) = self.belief.take_next() else {
             return;
         };
@@ -385,6 +417,7 @@ impl Session {
         let at_rest = self.belief.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
+        self.note_laser(&command);
         self.events.push_back(Event::Sent(given.id));
         self.belief.handle_sent(self.now, given);
         self.to_send.push_back(packet);

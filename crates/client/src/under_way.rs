@@ -31,6 +31,8 @@ pub(crate) struct Sent {
     pub(crate) at: Duration,
     /// For how long the pause before it may begin anew, until it is taken (note N47).
     pub(crate) waits: Duration,
+    /// Whether the laser is on meanwhile: on the way, or where there is none, before or behind.
+    lit: bool,
     /// When it should be over.
     ends: Duration,
     /// When it must be over.
@@ -67,9 +69,10 @@ impl UnderWay {
             number: self.numbered,
             id,
             command,
+            waits: crate::plan::seconds(before.idle_pause_s()),
+            lit: lit(before, &plan),
             plan,
             at: now,
-            waits: crate::plan::seconds(before.idle_pause_s()),
             ends: ends.max(now + ARRIVAL),
             bound,
         };
@@ -142,6 +145,27 @@ impl UnderWay {
         self.all.len()
     }
 
+    /// Whether the laser is on during any of them.
+    pub(crate) fn is_lit(&self) -> bool {
+        self.all.iter().any(|it| it.lit)
+    }
+
+    /// From when on the arm stands if nothing more is sent; `None` while a jog goes on.
+    pub(crate) fn stands_from(&self) -> Option<Duration> {
+        match self.all.back() {
+            None => Some(self.last_ends),
+            Some(last) if last.plan.is_endless() => None,
+            Some(last) => Some(last.ends.saturating_sub(last.plan.pause)),
+        }
+    }
+
+    /// Since when what should be going on now does so; if nothing should, when the last was over.
+    pub(crate) fn goes_on_since(&self, now: Duration) -> Duration {
+        let goes_on = |it: &&Sent| it.plan.is_endless() || it.ends > now;
+        let it = self.all.iter().find(goes_on);
+        it.map_or(self.last_ends, |it| it.ends.saturating_sub(it.duration()))
+    }
+
     /// How many of them somebody asks for.
     pub(crate) fn asked_for(&self) -> usize {
         self.all.iter().filter(|it| it.id.is_some()).count()
@@ -189,6 +213,14 @@ impl UnderWay {
     pub(crate) fn longest_silence(&self) -> Duration {
         let longest = |it: &Sent| it.plan.motion() * SLOWER + it.plan.pause + it.waits;
         self.all.iter().map(longest).sum()
+    }
+}
+
+/// Whether the laser is on during a command.
+fn lit(before: &Model, plan: &Plan) -> bool {
+    match &plan.course {
+        Ok(it) if it.moves() => it.laser(),
+        _ => before.laser || plan.after.laser,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write};
 
-use crate::cases::{cables, clients, disks, floods, fuzz, kills, lines, stops};
+use crate::cases::{cables, clients, disks, floods, fuzz, kills, lines, stands, stops};
 
 /// The document, and what should not be.
 #[derive(Debug, Default)]
@@ -24,6 +24,7 @@ impl Report {
         self.floods(100_u64.div_ceil(fewer));
         self.disks(400 / fewer);
         self.stops(1_440 / fewer);
+        self.stands(200 / fewer);
         self.line(TAIL);
         self.fuzz(200 / fewer);
     }
@@ -196,6 +197,31 @@ impl Report {
         self.wrong(fuzz::run(0, cases).wrong);
     }
 
+    fn stands(&mut self, programs: u64) {
+        self.line(STANDS);
+        self.table(
+            ["who sends it", "link"],
+            &[
+                "programs",
+                "**for more than 0.3 s**",
+                "switched off by the station",
+                "stood, s: least",
+                "middle",
+                "99 %",
+                "most",
+            ],
+        );
+        for it in stands::run(programs) {
+            let link = if it.link.is_empty() { "good" } else { it.link };
+            let cells = format!(
+                "`{link}` | {} | {} | {} | {}",
+                it.programs, it.late, it.switched_off, it.stood_s
+            );
+            self.row(it.sender, cells);
+            self.wrong(it.wrong);
+        }
+    }
+
     /// The head of a table of spreads.
     fn times(&mut self, what: &str) {
         self.table([what, "least"], &["middle", "99 %", "most"]);
@@ -293,6 +319,16 @@ const STOPS: &str = "
 
 Anybody stops the arm at a random moment; the answer says within what time it rests for sure. The laser has to be dark by
 then, too.
+";
+
+const STANDS: &str = "
+## The laser and an arm that stands
+
+Vectors that burn and others, at random, with and without time between them, as requests of a client, as packets of a
+raw program, and as jobs that are paused and gone on with. A stock arm leaves its laser on behind what burns (note N36):
+the station switches it off. The time is the longest in a program for which the laser was on and the arm stood.
+`drop=1%:from` loses every third status, `withhold` all of them for a while; commands that a bad line loses may cost
+more, for nobody sees whether the laser is on.
 ";
 
 const TAIL: &str = "

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_wire::{Command, JointJog, JointJogAxis};
+use dobot_course::LASER_OFF;
+use dobot_wire::Command;
 
 use super::Keeper;
 
@@ -36,8 +37,7 @@ impl Keeper {
         }
         // What was urgent before is said again in its turn.
         self.urgent.clear();
-        self.laser.forget();
-        self.part_from_laser();
+        self.send_urgent(LASER_OFF);
         self.at_once = true;
         let release = match (&self.held, self.halt) {
             (Some(held), _) => held.release(),
@@ -108,11 +108,6 @@ impl Keeper {
         self.halt = self.halt.filter(|it| !rests || it.rounds < 2);
     }
 }
-
-pub(super) const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
 const GAP: Duration = Duration::from_millis(60);

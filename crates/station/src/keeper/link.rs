@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use dobot_client::{CommandId, Event};
+use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
 use super::Keeper;
@@ -54,6 +55,7 @@ impl Keeper {
         self.changed = true;
         if lost {
             self.lose_link();
+            self.disarm_laser("the link to the arm was lost");
         }
     }
 
@@ -92,6 +94,9 @@ impl Keeper {
                 } => self.tell_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+                Event::NotSent(id) => self.laser_not_lit(id),
+                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
+                Event::LaserOff => self.laser_switched_off(),
                 _ => {}
             }
         }
@@ -107,8 +112,7 @@ impl Keeper {
             // Whatever was before: a crash, another program, a cable that was out.
             self.link.greeted = true;
             // What was said last may have got lost with the link.
-            self.laser.forget();
-            self.part_from_laser();
+            self.send_urgent(LASER_OFF);
         }
         self.statuses.push_back(status);
         self.still = if self.last == Some(status) {

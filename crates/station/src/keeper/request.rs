@@ -111,11 +111,9 @@ impl Keeper {
                 most: MOST_WAITING,
             });
         }
-        self.check_laser(command)?;
         self.check_place(command)?;
         self.check_way(command)?;
         let id = self.session.send(*command)?;
-        self.note_laser(command);
         self.halt = None;
         self.pending.insert(id, client);
         Ok(Reply::Accepted {
@@ -172,6 +170,7 @@ impl Keeper {
 
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_link()?;
+        // Nothing moves until it is confirmed, so nobody has to have control for that.
         if !self.session.is_trusted() {
             self.session.confirm_pose();
             let text = format!("{} confirmed where the arm stands", self.name(client));

@@ -83,6 +83,8 @@ pub enum News {
     LaserArmed,
     /// The laser was switched off and stays so.
     LaserDisarmed,
+    /// The laser was switched off, because it would have burned on the spot, or did; it stays armed.
+    LaserOff,
     /// A held button was let go because its client fell silent.
     DeadMan,
     /// A job changed.

@@ -15,6 +15,7 @@ mod leases;
 mod links;
 mod pauses;
 mod people;
+mod stands;
 mod stops;
 mod strokes;
 mod traps;

@@ -14,4 +14,5 @@ pub(crate) mod lines;
 pub(crate) mod paper;
 pub(crate) mod scene;
 pub(crate) mod spread;
+pub(crate) mod stands;
 pub(crate) mod stops;
