@@ -15,7 +15,7 @@ pub(super) struct Laser {
     armed_until: Option<Duration>,
     /// It may burn on the spot.
     may_stand: bool,
-    /// When the arm was told last to switch it off, with nothing that burns sent since.
+    /// When somebody told the arm last to switch it off, with nothing that burns sent since.
     told_off: Option<Duration>,
     /// Something that burns was sent since: where a packet was lost, it may be on whatever was to follow.
     was_lit: bool,
@@ -96,8 +96,8 @@ impl Session {
         self.belief.is_lit()
     }
 
-    /// When the arm was told last to switch the laser off; `None` where it was not, or where something
-    /// that burns was sent since.
+    /// When somebody told the arm last to switch the laser off; `None` where nobody did, or where
+    /// something that burns was sent since. That the session did it by itself does not count.
     #[must_use]
     pub const fn laser_told_off(&self) -> Option<Duration> {
         self.laser.told_off
@@ -150,8 +150,9 @@ impl Session {
         if is_over {
             self.lose_laser(Disarmed::TimeOver);
         }
-        let lit_too_long = is_over && self.laser.was_lit;
-        if lit_too_long || self.laser_off_due().is_some_and(|it| it <= self.now) {
+        if is_over && self.laser.was_lit {
+            self.switch_laser_off();
+        } else if self.laser_off_due().is_some_and(|it| it <= self.now) {
             let again = self.laser.again.is_some();
             self.switch_laser_off();
             self.laser.rounds = if again { self.laser.rounds + 1 } else { 1 };
@@ -181,6 +182,8 @@ impl Session {
         }
         self.note_urgent(&LASER_OFF);
         self.to_send.push_back(packet);
+        // Whoever says it himself says it once more.
+        self.laser.told_off = None;
         self.laser.holds_line = true;
         self.permit = false;
     }
@@ -195,8 +198,10 @@ impl Session {
         if self.laser.may_stand || self.opened {
             return None;
         }
-        if let Some(again) = self.laser.again.filter(|_| self.belief.waiting() == 0) {
-            return Some(again);
+        if let Some(again) = self.laser.again {
+            // A silent arm has no room for it, or does not hear it.
+            let hears = self.heard + AGAIN > again;
+            return (hears && self.belief.waiting() == 0).then_some(again);
         }
         if !self.laser.was_lit {
             return None;

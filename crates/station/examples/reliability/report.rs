@@ -24,7 +24,7 @@ impl Report {
         self.floods(100_u64.div_ceil(fewer));
         self.disks(400 / fewer);
         self.stops(1_440 / fewer);
-        self.stands(200 / fewer);
+        self.stands(60_u64.div_ceil(fewer));
         self.line(TAIL);
         self.fuzz(200 / fewer);
     }
