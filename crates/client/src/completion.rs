@@ -116,14 +116,12 @@ impl Completion {
         };
         let known = self.first.filter(|it| it.number == sent.number);
         let mut first = known.unwrap_or_else(|| First::new(sent, self.freed.max(sent.at), &seen));
-        let next = look.passed(&first);
-        if let Some((over, next)) = next.filter(|(over, _)| *over > 0) {
+        let (over, next) = look.passed(&first);
+        if over > 0 {
             self.finish(now, next);
             return Some(Verdict::Over(over));
         }
-        if let Some((_, Some(seen))) = next {
-            first = seen;
-        }
+        first = next.unwrap_or(first);
         let verdict = self.judge(&look, &mut first);
         self.first = Some(first);
         match verdict {
@@ -216,9 +214,10 @@ impl Completion {
             return (look.now >= idle).then_some(Verdict::Over(later));
         }
         // One that is refused or cut short may pause wherever the arm is.
-        let refused = plan.course.is_err();
-        let pause = refused.then_some(plan.pause).unwrap_or_default();
-        let idle = self.idle(look, first, 0)? + pause;
+        let mut idle = self.idle(look, first, 0)?;
+        if plan.course.is_err() {
+            idle += plan.pause;
+        }
         let waited = look.now.saturating_sub(look.sent.at.max(first.since));
         if seen.repeats < GIVEN_UP || waited < GIVEN_UP_AFTER || look.now < idle {
             return None;
@@ -235,7 +234,7 @@ impl Completion {
 impl Look<'_> {
     /// How many commands are over because a later one goes on or has ended, and what is known of the
     /// one behind them.
-    fn passed(&self, first: &First) -> Option<(usize, Option<First>)> {
+    fn passed(&self, first: &First) -> (usize, Option<First>) {
         let (on_course, progress_mm) = self.on_course(first);
         let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
         let over = on_course
@@ -247,16 +246,14 @@ impl Look<'_> {
         } else if let Some(next) = self.under_way.get(over) {
             First::new(next, self.now, &self.seen)
         } else {
-            return Some((over, None));
+            return (over, None);
         };
-        Some((
-            over,
-            Some(First {
-                progress_mm: if over == on_course { progress_mm } else { 0.0 },
-                arrived: next.arrived.or(arrived),
-                ..next
-            }),
-        ))
+        let next = First {
+            progress_mm: if over == on_course { progress_mm } else { 0.0 },
+            arrived: next.arrived.or(arrived),
+            ..next
+        };
+        (over, Some(next))
     }
 
     /// How many commands lie before the one that the arm is seen to follow, and how far along it.

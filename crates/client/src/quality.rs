@@ -30,6 +30,8 @@ pub(crate) struct Meter {
     latency: Option<Duration>,
     /// The longest that it took from a command to the first status that shows it.
     slowest: Option<Duration>,
+    /// How much later than the one before a status came, against its time.
+    jitter: Duration,
     last: Option<Status>,
     /// When a command left for an arm at rest, and nothing has moved since.
     waits_since: Option<Duration>,
@@ -45,7 +47,11 @@ impl Meter {
         if let Some(heard) = self.heard.back()
             && had_room
         {
-            self.lost += missing(now.saturating_sub(*heard));
+            let gap = now.saturating_sub(*heard);
+            self.lost += missing(gap);
+            if gap <= PERIOD + MOST_JITTER {
+                self.jitter = self.jitter.max(gap.saturating_sub(PERIOD));
+            }
         }
         self.heard.push_back(now);
         while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
@@ -81,10 +87,13 @@ impl Meter {
     }
 
     /// By when a status surely shows what was sent: until that was seen, on a link that is as slow
-    /// as any.
+    /// as any; then as slow as it was seen, and as much slower as its statuses vary, each way.
     pub(crate) fn answer(&self) -> Duration {
-        let seen = |slowest: Duration| (slowest + PHASE).clamp(FASTEST, SLOWEST);
-        self.slowest.map_or(UNSEEN, seen)
+        let Some(slowest) = self.slowest else {
+            return UNSEEN;
+        };
+        let steady = (slowest + PHASE).clamp(FASTEST, SLOWEST);
+        (steady + 2 * self.jitter).min(steady.max(UNSEEN))
     }
 
     fn note_latency(&mut self, found: Duration) {
@@ -112,5 +121,7 @@ const PHASE: Duration = Duration::from_millis(60);
 const FASTEST: Duration = Duration::from_millis(140);
 /// The same over a link that is late by 0.2 s each way.
 const UNSEEN: Duration = Duration::from_millis(560);
+/// What varies more than that is a status that was lost.
+const MOST_JITTER: Duration = Duration::from_millis(200);
 /// What is later than that was put off by something else, or lost.
 const SLOWEST: Duration = Duration::from_secs(2);

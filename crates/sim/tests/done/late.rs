@@ -1,4 +1,4 @@
-//! A link that takes its time, the same each way.
+//! A link that takes its time.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -6,23 +6,35 @@ use std::time::Duration;
 use dobot_client::Peer;
 use dobot_sim::InProcess;
 
-/// A virtual arm behind a link that is late by the same time each way.
+use crate::Dice;
+
+/// A virtual arm behind a link that is late by the same time each way, or by any time up to that;
+/// the order stays.
 #[derive(Debug)]
 pub(crate) struct Late {
     arm: InProcess,
     latency: Duration,
+    jitter: Option<Dice>,
     to_arm: VecDeque<(Duration, Vec<u8>)>,
     from_arm: VecDeque<(Duration, Vec<u8>)>,
 }
 
 impl Late {
-    pub(crate) fn new(arm: InProcess, latency: Duration) -> Self {
+    pub(crate) fn new(arm: InProcess, latency: Duration, jitter: Option<Dice>) -> Self {
         Self {
             arm,
             latency,
+            jitter,
             to_arm: VecDeque::new(),
             from_arm: VecDeque::new(),
         }
+    }
+
+    /// When something that leaves now arrives, behind what left before.
+    fn arrival(&mut self, last: Option<Duration>) -> Duration {
+        let share = self.jitter.as_mut().map_or(1.0, |it| it.between(0.0, 1.0));
+        let arrival = self.arm.now() + self.latency.mul_f32(share);
+        arrival.max(last.unwrap_or_default())
     }
 
     fn deliver(&mut self, bytes: &mut Vec<u8>) {
@@ -42,8 +54,8 @@ impl Peer for Late {
     }
 
     fn send(&mut self, bytes: &[u8]) {
-        self.to_arm
-            .push_back((self.arm.now() + self.latency, bytes.to_vec()));
+        let arrival = self.arrival(self.to_arm.back().map(|it| it.0));
+        self.to_arm.push_back((arrival, bytes.to_vec()));
     }
 
     fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool {
@@ -59,8 +71,8 @@ impl Peer for Late {
             let mut piece = Vec::new();
             self.arm.receive(next.min(until), &mut piece);
             if !piece.is_empty() {
-                let arrives = self.arm.now() + self.latency;
-                self.from_arm.push_back((arrives, piece));
+                let arrival = self.arrival(self.from_arm.back().map(|it| it.0));
+                self.from_arm.push_back((arrival, piece));
             }
         }
     }

@@ -55,6 +55,7 @@ const KINDS: [Kind; 13] = [
 ];
 
 /// Numbers by a seed (splitmix64).
+#[derive(Debug)]
 struct Dice(u64);
 
 impl Dice {
@@ -263,7 +264,8 @@ impl Trial {
         let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
         let mut dice = Dice(seed);
         let latency = ms(dice.below(3) * dice.below(101));
-        let late = Late::new(arm.clone(), latency);
+        let jitter = (dice.below(3) == 0).then(|| Dice(seed + 1000));
+        let late = Late::new(arm.clone(), latency, jitter);
         Self {
             connection: Connection::over_peer(late, Some(personality.dialect())),
             arm,

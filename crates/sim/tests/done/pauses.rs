@@ -16,7 +16,7 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
         ..PowerUp::default()
     };
     let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
-    let late = Late::new(arm.clone(), latency);
+    let late = Late::new(arm.clone(), latency, None);
     let mut connection = Connection::over_peer(late, Some(personality.dialect()));
     connection.next_status().await.expect("it tells");
     let targets = [
