@@ -132,8 +132,11 @@ impl To {
             .as_deref()
             .map_or(Ok(Policy::default()), policy::read)?;
         if let Some(address) = self.address.as_ref().filter(|_| !self.is_virtual()) {
+            let mut arm = Connection::open(address, self.dialect).await?;
+            // Who gives one command to an arm without a station has looked where it stands.
+            arm.session_mut().confirm_pose();
             return Ok(Connected {
-                arm: Connection::open(address, self.dialect).await?,
+                arm,
                 virtual_arm: None,
                 policy,
             });

@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{Model, Settings};
+use dobot_course::{Button, Course, Model, Settings};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
@@ -18,6 +18,11 @@ pub(crate) struct Belief {
     /// After what waits, too.
     given: Option<Model>,
     under_way: VecDeque<Foreseen>,
+    /// What releases the button that was held last. It is kept when it has been sent, for it may get
+    /// lost: to an arm at rest it says nothing.
+    release: Option<Command>,
+    /// That button was sent, and nothing behind it: the arm jogs, or will as soon as it hears that.
+    jogs: bool,
     last: Option<Status>,
     /// Until then the arm may pause once more where the last command ended (note N47).
     paused_until: Duration,
@@ -31,8 +36,6 @@ struct Foreseen {
     duration: Duration,
     /// The pause in that.
     pause: Duration,
-    /// Whether it goes on until told otherwise.
-    endless: bool,
     /// Whether the base stands at 0 when it is over.
     ends_ahead: bool,
     /// When it should be over.
@@ -49,6 +52,8 @@ impl Belief {
             sent: None,
             given: None,
             under_way: VecDeque::new(),
+            release: None,
+            jogs: false,
             last: None,
             paused_until: Duration::ZERO,
         }
@@ -91,7 +96,7 @@ impl Belief {
         let rests = self.last.replace(*status) == Some(*status);
         match &mut self.sent {
             None => self.sent = Some(Model::new(self.dialect, status)),
-            Some(model) if self.under_way.is_empty() && rests => {
+            Some(model) if self.under_way.is_empty() && !self.jogs && rests => {
                 let before = *model;
                 model.seen(status);
                 if *model == before {
@@ -124,11 +129,13 @@ impl Belief {
         command: &Command,
         longest: Duration,
     ) {
+        let release = Button::release_of(command);
+        self.jogs = release.is_some();
+        self.release = release.or(self.release);
         let Some(model) = self.sent else {
             return;
         };
         let course = model.course(command).ok();
-        let endless = course.is_some_and(|it| it.duration_s().is_none());
         let seconds = course.map_or(Some(0.0), |it| it.duration_s());
         let pause_s = course.map_or(0.0, |it| it.pause_s());
         let duration = seconds_of(seconds.unwrap_or(0.0));
@@ -150,10 +157,7 @@ impl Belief {
             command: id,
             duration,
             pause: seconds_of(pause_s),
-            endless,
-            ends_ahead: course
-                .and_then(|it| it.end())
-                .is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG),
+            ends_ahead: ends_ahead(course.as_ref()),
             ends,
             bound,
         });
@@ -188,6 +192,8 @@ impl Belief {
     /// The arm was reset: nothing that was told to it counts any more.
     pub(crate) fn handle_reset(&mut self, status: &Status) {
         self.under_way.clear();
+        self.release = None;
+        self.jogs = false;
         self.paused_until = Duration::ZERO;
         self.sent = Some(Model::new(self.dialect, status));
         self.given = self.sent;
@@ -200,12 +206,18 @@ impl Belief {
 
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.under_way.is_empty()
+        self.under_way.is_empty() && !self.jogs
     }
 
-    /// Whether something under way turns the base to 0.
-    pub(crate) fn turns_to_zero(&self) -> bool {
-        self.under_way.iter().any(|it| it.ends_ahead)
+    /// What releases the button that was held last; `None` where none was.
+    pub(crate) const fn release(&self) -> Option<Command> {
+        self.release
+    }
+
+    /// Whether the base stands at 0 behind something under way, or would behind the next command.
+    pub(crate) fn comes_to_zero(&self, next: Option<&Command>) -> bool {
+        let behind = |command| ends_ahead(self.sent?.course(command).ok().as_ref()).then_some(());
+        self.under_way.iter().any(|it| it.ends_ahead) || next.and_then(behind).is_some()
     }
 
     /// How long those commands take that wait in the arm behind the one that it should execute now.
@@ -225,12 +237,18 @@ impl Belief {
     /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.
     pub(crate) fn rests_within(&self, now: Duration) -> Duration {
         match self.under_way.back() {
+            _ if self.jogs => Duration::MAX,
             None if self.sent.is_some_and(|it| !it.knows_place()) => Duration::MAX,
             None => Duration::ZERO,
-            Some(last) if last.endless => Duration::MAX,
             Some(last) => last.bound.saturating_sub(now),
         }
     }
+}
+
+/// Whether the base stands at 0 where a course ends.
+fn ends_ahead(course: Option<&Course>) -> bool {
+    let end = course.and_then(Course::end);
+    end.is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG)
 }
 
 fn after(model: &Model, command: &Command) -> Model {

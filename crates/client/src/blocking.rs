@@ -6,6 +6,9 @@
 //! use std::time::Duration;
 //!
 //! let mut arm = Arm::open(&"serial:/dev/ttyUSB0".parse()?, None)?;
+//! println!("{:?}: does it stand so?", arm.status()?);
+//! // ... a person looks, and says yes:
+//! arm.confirm_pose();
 //! let up = LinearJog { axis: LinearJogAxis::ZPlus, speed_percent: 20.0 };
 //! let status = arm.jog(up, Duration::from_secs(1))?;
 //! println!("{} mm high", status.z_mm);
@@ -29,7 +32,7 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// Opens a serial port or a TCP connection.
+    /// Opens a serial port or a TCP connection. The arm moves only after [`Arm::confirm_pose`].
     ///
     /// # Errors
     ///
@@ -57,6 +60,11 @@ impl Arm {
             arm: crate::Arm::over(Connection::over_peer(peer, dialect)),
             runtime: runtime().map_err(OpenError::Runtime)?,
         })
+    }
+
+    /// As [`Arm::confirm_pose`](crate::Arm::confirm_pose).
+    pub fn confirm_pose(&mut self) {
+        self.arm.confirm_pose();
     }
 
     /// As [`Arm::move_to`](crate::Arm::move_to).

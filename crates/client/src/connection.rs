@@ -62,7 +62,8 @@ pub enum LinkError {
 }
 
 impl Connection {
-    /// Opens a serial port or a TCP connection.
+    /// Opens a serial port or a TCP connection. The arm is sent nothing that moves it until its pose is
+    /// confirmed ([`Session::confirm_pose`]): opening its port may have reset it (note N35).
     ///
     /// # Errors
     ///
@@ -72,25 +73,26 @@ impl Connection {
     ///
     /// Outside of a tokio runtime.
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
-        Ok(Self::new(Link::open(address).await?, dialect))
+        Ok(Self::new(Link::open(address).await?, Session::new(dialect)))
     }
 
-    /// A connection over anything that carries bytes both ways.
+    /// A connection over anything that carries bytes both ways; the arm's pose has to be confirmed, as
+    /// of [`Connection::open`].
     pub fn over_stream(
         stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
         dialect: Option<Dialect>,
     ) -> Self {
-        Self::new(Link::over_stream(stream), dialect)
+        Self::new(Link::over_stream(stream), Session::new(dialect))
     }
 
-    /// A connection with an arm in this process.
+    /// A connection with an arm in this process, which is trusted to stand where it says.
     pub fn over_peer(peer: impl Peer + 'static, dialect: Option<Dialect>) -> Self {
-        Self::new(Link::over_peer(peer), dialect)
+        Self::new(Link::over_peer(peer), Session::trusted(dialect))
     }
 
-    fn new(link: Link, dialect: Option<Dialect>) -> Self {
+    fn new(link: Link, session: Session) -> Self {
         Self {
-            session: Session::new(dialect),
+            session,
             link,
             incoming: Vec::new(),
         }

@@ -5,14 +5,15 @@ mod look;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::CourseError;
-use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
+use dobot_course::{Button, CourseError};
+use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use crate::belief::Belief;
 use crate::completion::{Completion, straight_target};
 use crate::quality::Meter;
+use crate::scheme::{Heard, Scheme, plausible};
 use crate::send_error::moves;
-use crate::trust::Trust;
+use crate::trust::{DEAF, Trust};
 use crate::{Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
@@ -25,8 +26,9 @@ use crate::{Event, SendError};
 /// will do: a command is sent only while those that wait in the arm, behind the one that it
 /// executes, take less than [`Session::with_ahead`] (0.5 s).
 ///
-/// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
-/// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
+/// A session moves an arm only when a person has confirmed that it stands where it says, and not any
+/// more when it sees that the arm was reset (the base angle is 0 then wherever the base stands): see
+/// [`Session::is_trusted`].
 ///
 /// ```
 /// use std::time::Duration;
@@ -44,6 +46,7 @@ use crate::{Event, SendError};
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
+    scheme: Scheme,
     waiting: VecDeque<(CommandId, Command)>,
     next_id: u64,
     /// A status came and no command has used it yet.
@@ -76,18 +79,17 @@ pub struct CommandId(pub u64);
 impl Session {
     /// A session with an arm that speaks `dialect`, if that is known.
     ///
-    /// The pose that the arm tells first is trusted: a person who gives one command has looked where
-    /// the arm stands. What owns an arm for long begins with [`Session::untrusted`].
+    /// Nobody has confirmed its pose yet, and opening its port resets a stock arm (note N35): it is
+    /// sent nothing that moves it until [`Session::confirm_pose`].
     #[must_use]
     pub fn new(dialect: Option<Dialect>) -> Self {
-        Self::begin(dialect, true)
+        Self::begin(dialect, false)
     }
 
-    /// The same, with an arm whose pose nobody has confirmed yet: opening its port resets a stock
-    /// arm (note N35).
+    /// The same, with an arm that is known to stand where it says: a virtual one that was not touched.
     #[must_use]
-    pub fn untrusted(dialect: Option<Dialect>) -> Self {
-        Self::begin(dialect, false)
+    pub fn trusted(dialect: Option<Dialect>) -> Self {
+        Self::begin(dialect, true)
     }
 
     /// The same, with another bound on what waits in the arm behind the command that it executes:
@@ -108,6 +110,7 @@ impl Session {
             now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
+            scheme: Scheme::default(),
             waiting: VecDeque::new(),
             next_id: 0,
             permit: false,
@@ -124,7 +127,8 @@ impl Session {
         }
     }
 
-    /// Takes a command; it is sent when the arm permits it, after those given before.
+    /// Takes a command; it is sent when the arm permits it, after those given before. The release of
+    /// a button leaves as one of the kind of the button that was sent last ([`Session::release`]).
     ///
     /// # Errors
     ///
@@ -138,6 +142,7 @@ impl Session {
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.waiting.push_back((id, command));
+        self.trust.handle_given(&command);
         self.belief.handle_given(&command);
         self.dispatch();
         Ok(id)
@@ -166,7 +171,7 @@ impl Session {
     ///
     /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
     pub fn send_now(&mut self, command: impl Into<Command>) -> Result<(), SendError> {
-        let command = command.into();
+        let command = self.of_its_kind(command.into());
         let packet = self.emit_now(&command)?;
         self.forget_waiting();
         self.note_urgent(&command);
@@ -215,6 +220,7 @@ impl Session {
         self.heard = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
+        self.scheme = Scheme::default();
         (self.resyncs, self.skipped) = (0, 0);
         self.to_send.clear();
         self.permit = false;
@@ -282,7 +288,9 @@ impl Session {
         }
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
-            Some(_) if self.may_be_full() => LINK_TIMEOUT + self.completion.longest_silence(),
+            Some(_) if self.may_be_full() && !self.is_bluetooth() => {
+                LINK_TIMEOUT + self.completion.longest_silence()
+            }
             Some(_) | None => LINK_TIMEOUT,
         };
         self.heard + patience
@@ -294,30 +302,36 @@ impl Session {
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let had_room = !self.may_be_full();
+        let heard = self.scheme.take(now, status);
+        let had_room = self.is_bluetooth() || !self.may_be_full();
         self.heard = now;
         self.lost = false;
         self.opened = false;
-        self.status = Some(status);
-        self.meter.handle_status(now, &status, had_room);
-        self.events.push_back(Event::Status(status));
-        if !self.note_reset(now, &status) {
-            self.note_completion(now, &status);
+        self.meter.handle_status(now, &heard, had_room);
+        if heard.tells {
+            self.tell(now, &heard);
+        }
+        // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
+        self.permit |= heard.permits
+            && self
+                .used
+                .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
+        self.dispatch();
+    }
+
+    fn tell(&mut self, now: Duration, Heard { status, .. }: &Heard) {
+        self.status = Some(*status);
+        self.events.push_back(Event::Status(*status));
+        if !self.note_reset(now, status) {
+            self.note_completion(now, status);
         }
         let waiting = self.waiting.iter().map(|(_, command)| command);
-        self.belief.handle_status(now, &status, waiting);
-        // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
-        self.permit |= self
-            .used
-            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
-        self.dispatch();
+        self.belief.handle_status(now, status, waiting);
     }
 
     /// Whether the status shows a reset; then everything that was told is forgotten.
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
-        let at_rest = self.belief.is_at_rest();
-        let to_zero = self.belief.turns_to_zero();
-        let Some(evidence) = self.trust.handle_status(now, status, at_rest, to_zero) else {
+        let Some(evidence) = self.trust.handle_status(now, status) else {
             return false;
         };
         let forgotten = self.waiting.len() + self.completion.len();
@@ -347,9 +361,11 @@ impl Session {
         if !self.permit || self.belief.behind_the_first(self.now) >= self.ahead {
             return;
         }
-        let Some((id, command)) = self.waiting.pop_front() else {
+        let waits = self.would_hide_a_reset() || self.waits_for_the_port();
+        let Some((id, command)) = self.waiting.pop_front_if(|_| !waits) else {
             return;
         };
+        let command = self.of_its_kind(command);
         self.permit = false;
         self.used = Some(self.heard);
         let packet = self
@@ -369,6 +385,32 @@ impl Session {
         self.events.push_back(Event::Sent(id));
     }
 
+    /// Whether the arm would be silent for so long with the next command in its queue, and its base at
+    /// 0 behind that, that nobody could tell it from a reset.
+    fn would_hide_a_reset(&self) -> bool {
+        let next = self.waiting.front().map(|(_, command)| command);
+        self.may_be_full()
+            && self.belief.ahead(self.now) + NOT_YET_DEAF >= DEAF
+            && self.belief.comes_to_zero(next)
+    }
+
+    /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
+    /// that is known, since its axes depend on it; over Bluetooth all while the queue may be full, since
+    /// messages tell nothing of its room, and a voice order while the arm moves, which it would cut
+    /// into (notes N38 and N50).
+    fn waits_for_the_port(&self) -> bool {
+        let Some((_, command)) = self.waiting.front() else {
+            return false;
+        };
+        if !self.is_bluetooth() {
+            let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
+            return !self.scheme.is_known()
+                && matches!(command, Command::JointJog(jog) if exchanged(jog));
+        }
+        let says = matches!(command, Command::Voice(_));
+        self.may_be_full() || says && !self.belief.is_at_rest()
+    }
+
     /// Whether the way of a command, from where all that was sent leads, leaves the limits.
     fn leaves_limits(&self, command: &Command) -> bool {
         let Some(model) = self.belief.after_sent() else {
@@ -380,13 +422,29 @@ impl Session {
         }
     }
 
+    /// A release as the one of the button that was sent last, whichever kind it was given as.
+    fn of_its_kind(&self, command: Command) -> Command {
+        match (Button::of(&command), self.release()) {
+            (Some(Button::Released), Some(release)) => release,
+            _ => command,
+        }
+    }
+
+    /// The command that the port of this arm takes for this one, and the other way round.
+    fn on_this_port(&self, command: Command) -> Command {
+        match command {
+            Command::JointJog(jog) if self.is_bluetooth() => jog.over_bluetooth().into(),
+            _ => command,
+        }
+    }
+
     fn packet(&self, command: &Command) -> Result<Packet, SendError> {
         let dialect = match (&self.dialect, command.dialect_dependent()) {
             (Some(dialect), _) => dialect,
             (None, None) => &Dialect::SPECIFICATION,
             (None, Some(field)) => return Err(SendError::Undecided { field }),
         };
-        let packet = command.emit(dialect);
+        let packet = self.on_this_port(*command).emit(dialect);
         match Command::parse(&packet, dialect) {
             Ok(_) => Ok(packet),
             Err(error) => Err(SendError::Invalid(error)),
@@ -418,13 +476,6 @@ impl Session {
     }
 }
 
-/// Whether a frame can be a status: its position agrees with its angles (note N22).
-#[must_use]
-pub fn plausible(frame: &Frame) -> bool {
-    let float = |n| f64::from(frame.float(n));
-    dobot_arm::agrees([1, 2, 3].map(float), float(4), [5, 6, 7, 8].map(float))
-}
-
 /// A status comes every 80 ms; a dozen missing are no accident.
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// Half of the time between two statuses: what comes sooner was held up on the way.
@@ -438,5 +489,7 @@ const AHEAD: Duration = Duration::from_millis(500);
 const OVERDUE: Duration = Duration::from_millis(140);
 /// A status says where the arm is to that much.
 const ON_THE_SPOT_MM: f64 = 0.001;
+/// A status period, and as much for what is late.
+const NOT_YET_DEAF: Duration = Duration::from_millis(160);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

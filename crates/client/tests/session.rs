@@ -20,7 +20,7 @@ struct Desk {
 impl Desk {
     fn new(dialect: Option<Dialect>) -> Self {
         Self {
-            session: Session::new(dialect),
+            session: Session::trusted(dialect),
             now: Duration::ZERO,
         }
     }
@@ -167,7 +167,7 @@ fn statuses_that_come_in_a_heap_permit_one_command() {
 
 #[test]
 fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
-    let mut session = Session::new(None);
+    let mut session = Session::trusted(None);
     for command in [
         target(MovingMode::MovL, 200.0, 0.0),
         target(MovingMode::MovJ, 200.0, 0.0),
@@ -194,7 +194,7 @@ fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
 
 #[test]
 fn a_value_beyond_its_table_is_not_sent() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     let error = session
         .send(target(MovingMode::MovL, f32::NAN, 0.0))
         .expect_err("NaN goes nowhere");
@@ -403,7 +403,7 @@ fn a_second_of_silence_is_a_lost_link() {
 
 #[test]
 fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
-    let mut session = Session::new(None);
+    let mut session = Session::trusted(None);
     session.handle_time(Duration::from_millis(4900));
     assert_eq!(session.poll_event(), None);
     session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);

@@ -51,6 +51,9 @@ pub struct Dialect {
     pub has_rapid_laser_mode: bool,
     /// State 10: float 5 scales all jogs, instead of nothing (note N15).
     pub scales_jogs: bool,
+    /// All axes jog with one speed, which only a release runs down: a switch stops the arm and keeps
+    /// it (note N44).
+    pub keeps_jog_speed: bool,
 }
 
 impl Dialect {
@@ -73,6 +76,7 @@ impl Dialect {
         turns_after_line: false,
         has_rapid_laser_mode: false,
         scales_jogs: true,
+        keeps_jog_speed: false,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -93,6 +97,7 @@ impl Dialect {
         turns_after_line: true,
         has_rapid_laser_mode: true,
         scales_jogs: false,
+        keeps_jog_speed: true,
     };
 
     /// All dialects that have a name.

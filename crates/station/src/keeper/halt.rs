@@ -25,8 +25,8 @@ impl Halt {
 }
 
 impl Keeper {
-    /// Laser off at once; then the release of whatever button is held, until the arm rests. While
-    /// that goes on already, or waits in the arm for its turn, it need not begin anew.
+    /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
+    /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn halt_now(&mut self) {
         let waits = self.session.under_way() > 0;
         if self.halt.is_some_and(|it| it.rounds == 0 || waits) {
@@ -45,9 +45,15 @@ impl Keeper {
         });
     }
 
-    /// Lets go of the button that is held.
+    /// Lets go of the button that was sent last; one that was never sent need not be released.
     pub(super) fn release_now(&mut self) {
-        self.send_urgent(self.session.release());
+        // The release must not pass the button itself, should that still wait for the line.
+        while let Some(packet) = self.session.poll_bytes() {
+            self.urgent.push_back(packet);
+        }
+        if !self.release_urgently() {
+            return;
+        }
         self.halt = Some(Halt {
             next: self.now + AGAIN,
             laser_is_next: false,
@@ -77,8 +83,7 @@ impl Keeper {
         if halt.laser_is_next {
             self.send_urgent(LASER_OFF);
         } else {
-            // A button of the joints and one of the axes are released each in its own way.
-            self.send_urgent(self.session.release());
+            self.release_urgently();
         }
         let again = if halt.laser_is_next { GAP } else { AGAIN };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
@@ -87,6 +92,26 @@ impl Keeper {
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
             heard: false,
         });
+    }
+
+    /// Behind a laser that was just switched off: the release of the button that was sent last may have
+    /// got lost with the link.
+    pub(super) fn release_again(&mut self) {
+        self.halt = self.session.release().map(|_| Halt {
+            next: self.now + GAP,
+            laser_is_next: false,
+            rounds: 0,
+            heard: true,
+        });
+    }
+
+    /// Whether there was a button to release.
+    pub(super) fn release_urgently(&mut self) -> bool {
+        let release = self.session.release();
+        if let Some(release) = release {
+            self.send_urgent(release);
+        }
+        release.is_some()
     }
 
     /// With each status: at rest there is nothing more to say, once it has been said twice.
