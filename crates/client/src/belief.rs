@@ -10,7 +10,7 @@ use dobot_wire::{Command, Dialect, Status};
 use crate::CommandId;
 
 /// The model after all that was sent, and after all that was given.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Belief {
     dialect: Dialect,
     /// After all that was sent; there is none before the first status.

@@ -21,7 +21,7 @@ use crate::pace::Pace;
 use crate::{CommandId, Event, NotReached};
 
 /// The commands sent and not yet seen to be over, oldest first.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Completion {
     under_way: VecDeque<UnderWay>,
     /// How far along the first straight course the arm was seen, so that it never goes back on it.

@@ -28,7 +28,7 @@ pub struct LinkQuality {
 }
 
 /// Takes note of what a link does.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Meter {
     heard: VecDeque<Duration>,
     /// When the last of the statuses came that come every 80 ms.

@@ -19,7 +19,8 @@ use crate::{Event, SendError};
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
 /// Things happen to it (`handle_*`), it wants things (`poll_*`), and [`Session::poll_wakeup`] says
-/// when it next needs the time, which counts from the connect and never goes back.
+/// when it next needs the time, which counts from the connect and never goes back. A clone is the same
+/// conversation, as far as it has come.
 ///
 /// Each status received is a permit to send one command (note N20): what is given to
 /// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
@@ -42,7 +43,7 @@ use crate::{Event, SendError};
 /// assert!(matches!(session.poll_event(), Some(Event::LinkLost { .. })));
 /// # Ok::<(), dobot_client::SendError>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,

@@ -46,7 +46,7 @@ impl std::fmt::Display for ResetEvidence {
 }
 
 /// Watches the statuses for a reset.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Trust {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,

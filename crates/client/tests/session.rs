@@ -420,11 +420,11 @@ fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
 #[test]
 fn a_full_queue_is_not_a_lost_link() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
-    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(200.0, 10.0, 0.0);
     for n in 1..=5_u8 {
         let by = if n % 2 == 0 { -60.0 } else { 60.0 };
         desk.session.send(vector(0.0, by)).expect("it is allowed");
-        desk.status_at(200.0, 0.0, 0.0);
+        desk.status_at(200.0, 10.0, 0.0);
     }
     assert_eq!(desk.session.under_way(), 5);
     desk.session.handle_time(desk.now + Duration::from_secs(20));
@@ -432,6 +432,19 @@ fn a_full_queue_is_not_a_lost_link() {
     desk.session
         .handle_time(desk.now + Duration::from_secs(1000));
     assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+#[test]
+fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 1..=5_u8 {
+        // Every second one ends with the base at 0, as after a reset.
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!((desk.session.under_way(), desk.session.waiting()), (4, 1));
 }
 
 #[test]

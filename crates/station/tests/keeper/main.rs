@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod bluetooth;
 mod burns;
 mod commands;
 mod crashes;

@@ -15,20 +15,20 @@ use dobot_wire::{
 const PERCENT: f32 = 50.0;
 
 /// The 16 buttons that move something, and those of the linear jog that do what a joint jog does.
-fn buttons() -> Vec<Jog> {
+pub(crate) fn buttons() -> Vec<Jog> {
     let joints = JointJogAxis::ALL.into_iter().filter(|it| it.moves());
     let lines = LinearJogAxis::ALL.into_iter().filter(|it| it.moves());
     joints.map(joint).chain(lines.map(linear)).collect()
 }
 
-fn joint(axis: JointJogAxis) -> Jog {
+pub(crate) fn joint(axis: JointJogAxis) -> Jog {
     Jog::Joint(JointJog {
         axis,
         speed_percent: PERCENT,
     })
 }
 
-fn linear(axis: LinearJogAxis) -> Jog {
+pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
     Jog::Linear(LinearJog {
         axis,
         speed_percent: PERCENT,
@@ -51,7 +51,7 @@ fn over(personality: Personality, delay_ms: u32) -> (Rehearsal, ClientId) {
 }
 
 /// A button held for so long; whoever refuses it before has let it go.
-fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, ms: u64) {
+pub(crate) fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, ms: u64) {
     for _ in 0..=ms / 50 {
         if it.ask(client, Request::Jog { jog }).is_err() {
             return;
@@ -61,7 +61,7 @@ fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, ms: u64) {
 }
 
 /// Where everything is: the joints as the machine has them, x, y and z, and the gripper.
-fn places(it: &mut Rehearsal) -> ([f64; 4], [f64; 3], f64) {
+pub(crate) fn places(it: &mut Rehearsal) -> ([f64; 4], [f64; 3], f64) {
     it.run_for(Duration::from_secs(4));
     let arm = it.arm();
     let Joints {
@@ -80,7 +80,7 @@ fn places(it: &mut Rehearsal) -> ([f64; 4], [f64; 3], f64) {
 }
 
 /// The releases that the arm got, and the presses.
-fn released(it: &Rehearsal, from: usize) -> Vec<f32> {
+pub(crate) fn released(it: &Rehearsal, from: usize) -> Vec<f32> {
     let frames = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
     frames
         .filter(|it| matches!(it.float(1), 2.0 | 7.0) && it.float(2) == 0.0)
@@ -88,12 +88,17 @@ fn released(it: &Rehearsal, from: usize) -> Vec<f32> {
         .collect()
 }
 
-fn frame(bytes: &[u8; PACKET_LEN]) -> Frame {
+pub(crate) fn frame(bytes: &[u8; PACKET_LEN]) -> Frame {
     Frame::from_bytes(bytes).expect("no voice")
 }
 
 /// Looks that only the axis of the button has moved, and into its direction.
-fn check_moved(what: &str, it: &mut Rehearsal, jog: Jog, before: ([f64; 4], [f64; 3], f64)) {
+pub(crate) fn check_moved(
+    what: &str,
+    it: &mut Rehearsal,
+    jog: Jog,
+    before: ([f64; 4], [f64; 3], f64),
+) {
     let after = places(it);
     let Some(Button::Held { axis, share }) = Button::of(&jog.command()) else {
         panic!("{jog:?} moves nothing");
