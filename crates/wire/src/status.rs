@@ -55,7 +55,7 @@ impl Status {
     /// 1000 mm less in X (note N38). No arm reaches an X of 500 mm.
     #[must_use]
     pub fn message(self) -> Option<Self> {
-        (self.x_mm > 500.0).then(|| Self {
+        (self.x_mm > 500.0).then_some(Self {
             x_mm: self.x_mm - 1000.0,
             ..self
         })
