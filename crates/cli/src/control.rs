@@ -47,7 +47,10 @@ pub(crate) async fn request_at_rest(
 }
 
 /// Sends a command and waits until it is over; Ctrl-C stops the arm.
-pub(crate) async fn carry_out(station: &mut StationClient, command: Command) -> Result<(), Failure> {
+pub(crate) async fn carry_out(
+    station: &mut StationClient,
+    command: Command,
+) -> Result<(), Failure> {
     let reply = station.request(Request::Command { command }).await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
@@ -83,7 +86,9 @@ pub(crate) async fn status(station: &mut StationClient) -> Result<Status, Failur
 
 /// What the arm tells next, and which dialect it speaks if that is known. A station that has just
 /// been started is waited for until its arm tells something.
-pub(crate) async fn arm(station: &mut StationClient) -> Result<(ArmView, Option<Dialect>), Failure> {
+pub(crate) async fn arm(
+    station: &mut StationClient,
+) -> Result<(ArmView, Option<Dialect>), Failure> {
     let mut missing = RemoteError::Silent.into();
     let until = station.now() + FIRST_STATUS;
     while station.now() < until {
@@ -132,7 +137,10 @@ async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
     }
     eprintln!("The arm may not stand where it says: {why}.");
     eprintln!("{}", output::status_text(status));
-    eprintln!("Look at it: does it stand there, and does it point to where base {:.1}° is? y or n", status.base_deg);
+    eprintln!(
+        "Look at it: does it stand there, and does it point to where base {:.1}° is? y or n",
+        status.base_deg
+    );
     let answer = tokio::task::spawn_blocking(|| {
         let mut line = String::new();
         std::io::stdin().read_line(&mut line).map(|_| line)

@@ -4,9 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_station::{
-    Heard, JobPhase, JobView, News, RemoteError, Request, State, StationClient,
-};
+use dobot_station::{Heard, JobPhase, JobView, News, RemoteError, Request, State, StationClient};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::control::{self, request_at_rest, take_control};

@@ -4,9 +4,7 @@ use std::time::Duration;
 
 use anyhow::{anyhow, bail};
 use clap::Subcommand;
-use dobot_station::{
-    ClientId, Heard, LeaseView, News, Notice, Reply, Request, StationClient,
-};
+use dobot_station::{ClientId, Heard, LeaseView, News, Notice, Reply, Request, StationClient};
 use tokio::sync::mpsc;
 use tokio::time::sleep;
 

@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_station::{
-    Folders, Running, StationAddress, StationClient, Trust, fingerprint,
-};
+use dobot_station::{Folders, Running, StationAddress, StationClient, Trust, fingerprint};
 
 use crate::failure::Failure;
 

@@ -16,6 +16,9 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// # async fn example() -> Result<(), Box<dyn std::error::Error>> {
 /// let address = "serial:/dev/ttyUSB0".parse()?;
 /// let mut arm = Arm::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
+/// println!("{:?}: does it stand so?", arm.status().await?);
+/// // ... a person looks, and says yes:
+/// arm.confirm_pose();
 /// let status = arm.move_to(MoveTo {
 ///     x_mm: 220.0,
 ///     y_mm: 0.0,
@@ -32,13 +35,27 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// ```
 ///
 /// A call that is cancelled has sent what it has sent: [`Arm::stop`] ends it.
+///
+/// # Which rules it has
+///
+/// * Nothing moves an arm whose pose nobody has confirmed ([`Arm::confirm_pose`]): an arm at an address
+///   from the start, any arm when it was reset or told its initial angles. One in this process
+///   ([`Peer`](crate::Peer)) is trusted from the start.
+/// * What breaks its table is refused, and so is what means different things in dialects that nobody has told, or
+///   would make a stock arm lose its pose on the spot (note N34).
+/// * A command leaves only with a status, and while less than half a second waits in the arm.
+/// * A button is released by its own kind of jog.
+///
+/// All else has only the station (the room `station`): the policy with its limits, keep-outs and
+/// speeds; control by one client at a time; the button that is let go when its holder falls silent;
+/// a stop that holds; what is done when a program ends in the middle; the journal and the recording.
 #[derive(Debug)]
 pub struct Arm {
     connection: Connection,
 }
 
 impl Arm {
-    /// Opens a serial port or a TCP connection.
+    /// Opens a serial port or a TCP connection. The arm moves only after [`Arm::confirm_pose`].
     ///
     /// # Errors
     ///
@@ -63,6 +80,13 @@ impl Arm {
     /// call goes on.
     pub fn arm_laser(&mut self, time: Duration) {
         self.connection.arm_laser(time);
+    }
+
+    /// A person says that the arm stands where it tells. To be asked for, with what [`Arm::status`]
+    /// tells, and not to be called for granted: opening its port makes a stock arm say that its base is
+    /// at 0, wherever that stands (note N35), and all limits are off by as much.
+    pub fn confirm_pose(&mut self) {
+        self.connection.session_mut().confirm_pose();
     }
 
     /// Goes to a point, sets the tool, and returns what the arm tells then.
@@ -103,11 +127,10 @@ impl Arm {
         while self.connection.now() < until {
             self.status().await?;
         }
-        let released = match Button::of(&held) {
-            Some(Button::Held { axis, .. }) => axis.release(),
-            _ => self.connection.session().release(),
-        };
-        self.perform(released).await
+        match Button::release_of(&held) {
+            Some(release) => self.perform(release).await,
+            None => self.status().await,
+        }
     }
 
     /// Sends any command and returns what the arm tells when it is over.
@@ -129,10 +152,11 @@ impl Arm {
     ///
     /// [`LinkError`] when the link fails.
     pub async fn stop(&mut self) -> Result<Status, LinkError> {
-        let release = self.connection.session().release();
         self.connection.session_mut().send_now(LASER_OFF)?;
-        self.connection.pass(GAP).await?;
-        self.connection.session_mut().send_now(release)?;
+        if let Some(release) = self.connection.session().release() {
+            self.connection.pass(GAP).await?;
+            self.connection.session_mut().send_now(release)?;
+        }
         let mut last = self.status().await?;
         let mut since = self.connection.now();
         loop {

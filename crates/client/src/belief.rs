@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{Model, Settings};
+use dobot_course::{Button, Model, Settings};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
@@ -18,6 +18,11 @@ pub(crate) struct Belief {
     over: Option<Model>,
     under_way: UnderWay,
     waiting: VecDeque<Given>,
+    /// What releases the button that was held last. It is kept when it has been sent, for it may get
+    /// lost: to an arm at rest it says nothing.
+    release: Option<Command>,
+    /// That button was sent, and nothing behind it: the arm jogs, or will as soon as it hears that.
+    jogs: bool,
     last: Option<Status>,
 }
 
@@ -38,6 +43,8 @@ impl Belief {
             over: None,
             under_way: UnderWay::default(),
             waiting: VecDeque::new(),
+            release: None,
+            jogs: false,
             last: None,
         }
     }
@@ -81,11 +88,11 @@ impl Belief {
         while let Some(expired) = self.under_way.pop_expired(now) {
             self.over = Some(expired.plan.after);
         }
-        let rests = self.last.replace(*status) == Some(*status)
-            && now >= self.under_way.rests_from();
+        let rests =
+            self.last.replace(*status) == Some(*status) && now >= self.under_way.rests_from();
         match &mut self.over {
             None => self.over = Some(Model::new(self.dialect, status)),
-            Some(model) if self.under_way.len() == 0 && rests => {
+            Some(model) if self.under_way.len() == 0 && !self.jogs && rests => {
                 let before = *model;
                 model.seen(status);
                 if *model == before {
@@ -160,6 +167,7 @@ impl Belief {
 
     /// Takes the one that was next and leaves now.
     pub(crate) fn handle_sent(&mut self, now: Duration, given: Given) {
+        self.note_button(&given.command);
         if let Some(before) = self.after_sent().copied() {
             let plan = given
                 .plan
@@ -171,6 +179,7 @@ impl Belief {
 
     /// Takes one that leaves now, before all that waits and beside the session.
     pub(crate) fn handle_urgent(&mut self, now: Duration, command: &Command) {
+        self.note_button(command);
         if let Some(before) = self.after_sent().copied() {
             let plan = Plan::new(&before, command);
             self.under_way.push(now, None, *command, plan, &before);
@@ -202,25 +211,34 @@ impl Belief {
         let forgotten = self.waiting.len() + self.under_way.asked_for();
         self.waiting.clear();
         self.under_way.clear();
+        self.release = None;
+        self.jogs = false;
         self.over = Some(Model::new(self.dialect, status));
         forgotten
     }
 
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.under_way.len() == 0
+        self.under_way.len() == 0 && !self.jogs
     }
 
-    /// Whether something under way turns the base to 0.
-    pub(crate) fn turns_to_zero(&self) -> bool {
-        self.under_way
-            .iter()
-            .filter_map(|it| it.plan.course.ok()?.end())
-            .any(|it| it.joints.base.abs().0 < AHEAD_DEG)
+    /// What releases the button that was held last; `None` where none was.
+    pub(crate) const fn release(&self) -> Option<Command> {
+        self.release
+    }
+
+    /// Whether the base stands at 0 behind something under way, or would behind the next command.
+    pub(crate) fn comes_to_zero(&self) -> bool {
+        let next = self.waiting.front().and_then(|it| it.plan.as_ref());
+        let sent = self.under_way.iter().map(|it| &it.plan);
+        sent.chain(next).any(|it| ends_ahead(it))
     }
 
     /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.
     pub(crate) fn rests_within(&self, now: Duration) -> Duration {
+        if self.jogs {
+            return Duration::MAX;
+        }
         let unknown = self.over.is_some_and(|it| !it.knows_place());
         let at_rest = if unknown {
             Duration::MAX
@@ -229,6 +247,19 @@ impl Belief {
         };
         self.under_way.rests_within(now).unwrap_or(at_rest)
     }
+
+    /// Takes note of the button that a command presses, which leaves now.
+    fn note_button(&mut self, command: &Command) {
+        let release = Button::release_of(command);
+        self.jogs = release.is_some();
+        self.release = release.or(self.release);
+    }
+}
+
+/// Whether the base stands at 0 where a command leads.
+fn ends_ahead(plan: &Plan) -> bool {
+    let end = plan.course.ok().and_then(|it| it.end());
+    end.is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG)
 }
 
 const AHEAD_DEG: f64 = 0.001;

@@ -6,6 +6,9 @@
 //! use std::time::Duration;
 //!
 //! let mut arm = Arm::open(&"serial:/dev/ttyUSB0".parse()?, None)?;
+//! println!("{:?}: does it stand so?", arm.status()?);
+//! // ... a person looks, and says yes:
+//! arm.confirm_pose();
 //! let up = LinearJog { axis: LinearJogAxis::ZPlus, speed_percent: 20.0 };
 //! let status = arm.jog(up, Duration::from_secs(1))?;
 //! println!("{} mm high", status.z_mm);
@@ -29,7 +32,7 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// Opens a serial port or a TCP connection.
+    /// Opens a serial port or a TCP connection. The arm moves only after [`Arm::confirm_pose`].
     ///
     /// # Errors
     ///
@@ -62,6 +65,11 @@ impl Arm {
     /// As [`Arm::arm_laser`](crate::Arm::arm_laser).
     pub fn arm_laser(&mut self, time: Duration) {
         self.arm.arm_laser(time);
+    }
+
+    /// As [`Arm::confirm_pose`](crate::Arm::confirm_pose).
+    pub fn confirm_pose(&mut self) {
+        self.arm.confirm_pose();
     }
 
     /// As [`Arm::move_to`](crate::Arm::move_to).

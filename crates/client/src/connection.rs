@@ -62,7 +62,8 @@ pub enum LinkError {
 }
 
 impl Connection {
-    /// Opens a serial port or a TCP connection.
+    /// Opens a serial port or a TCP connection. The arm is sent nothing that moves it until its pose is
+    /// confirmed ([`Session::confirm_pose`]): opening its port may have reset it (note N35).
     ///
     /// # Errors
     ///
@@ -75,7 +76,8 @@ impl Connection {
         Ok(Self::new(Link::open(address).await?, Session::new(dialect)))
     }
 
-    /// A connection over anything that carries bytes both ways.
+    /// A connection over anything that carries bytes both ways; the arm's pose has to be confirmed, as
+    /// of [`Connection::open`].
     pub fn over_stream(
         stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
         dialect: Option<Dialect>,
@@ -83,11 +85,12 @@ impl Connection {
         Self::new(Link::over_stream(stream), Session::new(dialect))
     }
 
-    /// A connection with an arm in this process, whose laser needs no arming.
+    /// A connection with an arm in this process, which is trusted to stand where it says, and whose laser
+    /// needs no arming.
     pub fn over_peer(peer: impl Peer + 'static, dialect: Option<Dialect>) -> Self {
         Self::new(
             Link::over_peer(peer),
-            Session::new(dialect).with_free_laser(),
+            Session::trusted(dialect).with_free_laser(),
         )
     }
 

@@ -10,6 +10,8 @@
 //! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
 //! let address = "serial:/dev/ttyUSB0".parse()?;
 //! let mut arm = Connection::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
+//! // ... when a person has looked that the arm stands where it says:
+//! arm.session_mut().confirm_pose();
 //! let there = arm.send(MoveTo {
 //!     x_mm: 220.0,
 //!     y_mm: 0.0,
@@ -40,6 +42,7 @@ mod plan;
 mod ports;
 mod quality;
 mod queue;
+mod scheme;
 mod send_error;
 mod session;
 mod trust;
@@ -57,6 +60,7 @@ pub use plan::position;
 pub use ports::{Port, Usb, ports};
 pub use quality::LinkQuality;
 pub use queue::Queue;
+pub use scheme::plausible;
 pub use send_error::SendError;
-pub use session::{CommandId, Session, plausible};
+pub use session::{CommandId, Session};
 pub use trust::ResetEvidence;

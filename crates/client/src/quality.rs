@@ -5,10 +5,15 @@ use std::time::Duration;
 
 use dobot_wire::{Counts, Status};
 
+use crate::scheme::Heard;
+
 /// How good a link is, as far as its statuses tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LinkQuality {
-    /// Statuses per second over the last two seconds; 12.5 on a good link with room in the queue.
+    /// Whether it leads to the Bluetooth port of a stock arm (note N38).
+    pub bluetooth: bool,
+    /// Statuses per second over the last two seconds; 12.5 on a good link with room in the queue, 18.75
+    /// over Bluetooth.
     pub statuses_per_s: f64,
     /// Statuses that did not come although they were due and the queue had room.
     pub lost: u64,
@@ -23,9 +28,13 @@ pub struct LinkQuality {
 }
 
 /// Takes note of what a link does.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Meter {
     heard: VecDeque<Duration>,
+    /// When the last of the statuses came that come every 80 ms.
+    told: Option<Duration>,
+    /// Messages since the last permit: one behind it, and one before the next (note N38).
+    messages: u64,
     lost: u64,
     latency: Option<Duration>,
     /// The longest that it took from a command to the first status that shows it.
@@ -43,21 +52,26 @@ impl Meter {
         self.waits_since = (at_rest && moves).then_some(now);
     }
 
-    pub(crate) fn handle_status(&mut self, now: Duration, status: &Status, had_room: bool) {
-        if let Some(heard) = self.heard.back()
+    pub(crate) fn handle_status(&mut self, now: Duration, heard: &Heard, had_room: bool) {
+        self.heard.push_back(now);
+        while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
+            self.heard.pop_front();
+        }
+        self.note_permit(heard.permits);
+        if !heard.tells {
+            return;
+        }
+        if let Some(told) = self.told.replace(now)
             && had_room
         {
-            let gap = now.saturating_sub(*heard);
+            let gap = now.saturating_sub(told);
             self.lost += missing(gap);
             if gap <= PERIOD + MOST_JITTER {
                 self.jitter = self.jitter.max(gap.saturating_sub(PERIOD));
             }
         }
-        self.heard.push_back(now);
-        while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
-            self.heard.pop_front();
-        }
-        if self.last.replace(*status).is_some_and(|it| it != *status)
+        let status = heard.status;
+        if self.last.replace(status).is_some_and(|it| it != status)
             && let Some(since) = self.waits_since.take()
         {
             self.note_latency(now.saturating_sub(since));
@@ -69,6 +83,14 @@ impl Meter {
         self.latency
     }
 
+    fn note_permit(&mut self, permits: bool) {
+        self.messages = if permits { 0 } else { self.messages + 1 };
+        if self.messages > MESSAGES {
+            self.messages = 1;
+            self.lost += 1;
+        }
+    }
+
     pub(crate) fn quality(&self, now: Duration, counts: &Counts) -> LinkQuality {
         let recent = self.heard.iter().filter(|it| **it + WINDOW >= now).count();
         let begun = now.min(WINDOW).as_secs_f64();
@@ -78,6 +100,7 @@ impl Meter {
             } else {
                 0.0
             },
+            bluetooth: false,
             lost: self.lost,
             damaged_bytes: counts.skipped_bytes,
             resyncs: counts.resyncs,
@@ -113,6 +136,8 @@ fn missing(gap: Duration) -> u64 {
 
 /// A status comes that often (note N27).
 const PERIOD: Duration = Duration::from_millis(80);
+/// So many messages stand between two permits over Bluetooth (note N38).
+const MESSAGES: u64 = 2;
 const WINDOW: Duration = Duration::from_secs(2);
 /// How much later another command may show than the one that was seen: the two meet other phases
 /// of the control tick and of what the arm calculates.

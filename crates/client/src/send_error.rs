@@ -20,7 +20,7 @@ pub enum SendError {
     /// The arm was reset, or nobody has looked where it stands: what it says of its pose need not be
     /// true.
     #[error(
-        "the arm may not be where it says; look where it stands and confirm its pose, or send the initial angles (state 9, mode 3), before it moves"
+        "the arm may not be where it says; look where it stands and confirm its pose before it moves"
     )]
     Untrusted,
     /// The command lights the laser, and nobody has armed it.

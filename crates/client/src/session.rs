@@ -6,21 +6,24 @@ mod look;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
+use dobot_course::Button;
+use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;
 use crate::belief::Belief;
 use crate::completion::{Completion, Verdict};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
+use crate::scheme::{Heard, Scheme, plausible};
 use crate::send_error::moves;
-use crate::trust::Trust;
+use crate::trust::{DEAF, Trust};
 use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
 /// Things happen to it (`handle_*`), it wants things (`poll_*`), and [`Session::poll_wakeup`] says
-/// when it next needs the time, which counts from the connect and never goes back.
+/// when it next needs the time, which counts from the connect and never goes back. A clone is the same
+/// conversation, as far as it has come.
 ///
 /// Each status received is a permit to send one command (note N20): what is given to
 /// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
@@ -30,8 +33,9 @@ use crate::{Disarmed, Event, SendError};
 /// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
 /// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
 ///
-/// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
-/// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
+/// A session moves an arm only when a person has confirmed that it stands where it says, and not any
+/// more when it sees that the arm was reset (the base angle is 0 then wherever the base stands): see
+/// [`Session::is_trusted`].
 ///
 /// ```
 /// use std::time::Duration;
@@ -45,10 +49,11 @@ use crate::{Disarmed, Event, SendError};
 /// assert!(matches!(session.poll_event(), Some(Event::LinkLost { .. })));
 /// # Ok::<(), dobot_client::SendError>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
+    scheme: Scheme,
     next_id: u64,
     /// A status came and no command has used it yet.
     permit: bool,
@@ -83,18 +88,17 @@ pub struct CommandId(pub u64);
 impl Session {
     /// A session with an arm that speaks `dialect`, if that is known.
     ///
-    /// The pose that the arm tells first is trusted: a person who gives one command has looked where
-    /// the arm stands. What owns an arm for long begins with [`Session::untrusted`].
+    /// Nobody has confirmed its pose yet, and opening its port resets a stock arm (note N35): it is
+    /// sent nothing that moves it until [`Session::confirm_pose`].
     #[must_use]
     pub fn new(dialect: Option<Dialect>) -> Self {
-        Self::begin(dialect, true)
+        Self::begin(dialect, false)
     }
 
-    /// The same, with an arm whose pose nobody has confirmed yet: opening its port resets a stock
-    /// arm (note N35).
+    /// The same, with an arm that is known to stand where it says: a virtual one that was not touched.
     #[must_use]
-    pub fn untrusted(dialect: Option<Dialect>) -> Self {
-        Self::begin(dialect, false)
+    pub fn trusted(dialect: Option<Dialect>) -> Self {
+        Self::begin(dialect, true)
     }
 
     /// The same, with another bound on what waits in the arm behind the command that it executes:
@@ -116,6 +120,7 @@ impl Session {
             now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
+            scheme: Scheme::default(),
             next_id: 0,
             permit: false,
             used: None,
@@ -132,7 +137,8 @@ impl Session {
         }
     }
 
-    /// Takes a command; it is sent when the arm permits it, after those given before.
+    /// Takes a command; it is sent when the arm permits it, after those given before. The release of
+    /// a button leaves as one of the kind of the button that was sent last ([`Session::release`]).
     ///
     /// # Errors
     ///
@@ -146,6 +152,7 @@ impl Session {
         let plan = self.planned(&command)?;
         let id = CommandId(self.next_id);
         self.next_id += 1;
+        self.trust.handle_given(&command);
         self.belief.give(id, command, plan);
         self.dispatch();
         Ok(id)
@@ -182,7 +189,7 @@ impl Session {
     ///
     /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
     pub fn send_now(&mut self, command: impl Into<Command>) -> Result<(), SendError> {
-        let command = command.into();
+        let command = self.of_its_kind(command.into());
         let packet = self.emit_now(&command)?;
         self.forget_waiting();
         self.note_urgent(&command);
@@ -227,6 +234,7 @@ impl Session {
         self.heard = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
+        self.scheme = Scheme::default();
         (self.resyncs, self.skipped) = (0, 0);
         self.to_send.clear();
         self.permit = false;
@@ -304,7 +312,7 @@ impl Session {
         }
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
-            Some(_) if self.may_be_full() => {
+            Some(_) if self.may_be_full() && !self.is_bluetooth() => {
                 LINK_TIMEOUT + self.belief.under_way().longest_silence()
             }
             Some(_) | None => LINK_TIMEOUT,
@@ -318,32 +326,38 @@ impl Session {
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let had_room = !self.may_be_full();
+        let heard = self.scheme.take(now, status);
+        let had_room = self.is_bluetooth() || !self.may_be_full();
         self.heard = now;
         self.lost = false;
         self.opened = false;
-        self.see_laser(&status);
-        self.status = Some(status);
-        self.meter.handle_status(now, &status, had_room);
-        self.events.push_back(Event::Status(status));
-        if !self.note_reset(now, &status) {
-            self.note_completion(now, &status);
+        self.meter.handle_status(now, &heard, had_room);
+        if heard.tells {
+            self.tell(now, &heard);
         }
-        self.belief.handle_status(now, &status);
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
-        self.permit |= self
-            .used
-            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
+        self.permit |= heard.permits
+            && self
+                .used
+                .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
             && self.has_line();
         self.watch_laser();
         self.dispatch();
     }
 
+    fn tell(&mut self, now: Duration, Heard { status, .. }: &Heard) {
+        self.see_laser(status);
+        self.status = Some(*status);
+        self.events.push_back(Event::Status(*status));
+        if !self.note_reset(now, status) {
+            self.note_completion(now, status);
+        }
+        self.belief.handle_status(now, status);
+    }
+
     /// Whether the status shows a reset; then everything that was told is forgotten.
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
-        let at_rest = self.belief.is_at_rest();
-        let to_zero = self.belief.turns_to_zero();
-        let Some(evidence) = self.trust.handle_status(now, status, at_rest, to_zero) else {
+        let Some(evidence) = self.trust.handle_status(now, status) else {
             return false;
         };
         let forgotten = self.belief.handle_reset(status);
@@ -400,13 +414,17 @@ impl Session {
         let Some(next) = self.belief.next() else {
             return;
         };
+        if self.would_hide_a_reset() || self.waits_for_the_port(&next.command) {
+            return;
+        }
         if self.parts_from_laser_first(&next.command) {
             self.switch_laser_off();
             return;
         }
-        let Some(given) = self.belief.take_next() else {
+        let Some(mut given) = self.belief.take_next() else {
             return;
         };
+        given.command = self.of_its_kind(given.command);
         let command = given.command;
         self.permit = false;
         self.used = Some(self.heard);
@@ -423,13 +441,51 @@ impl Session {
         self.to_send.push_back(packet);
     }
 
+    /// Whether the arm would be silent for so long with the next command in its queue, and its base at
+    /// 0 behind that, that nobody could tell it from a reset.
+    fn would_hide_a_reset(&self) -> bool {
+        self.may_be_full()
+            && self.belief.under_way().ahead(self.now) + NOT_YET_DEAF >= DEAF
+            && self.belief.comes_to_zero()
+    }
+
+    /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
+    /// that is known, since its axes depend on it; over Bluetooth all while the queue may be full, since
+    /// messages tell nothing of its room, and a voice order while the arm moves, which it would cut
+    /// into (notes N38 and N50).
+    fn waits_for_the_port(&self, command: &Command) -> bool {
+        if !self.is_bluetooth() {
+            let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
+            return !self.scheme.is_known()
+                && matches!(command, Command::JointJog(jog) if exchanged(jog));
+        }
+        let says = matches!(command, Command::Voice(_));
+        self.may_be_full() || says && !self.belief.is_at_rest()
+    }
+
+    /// A release as the one of the button that was sent last, whichever kind it was given as.
+    fn of_its_kind(&self, command: Command) -> Command {
+        match (Button::of(&command), self.release()) {
+            (Some(Button::Released), Some(release)) => release,
+            _ => command,
+        }
+    }
+
+    /// The command that the port of this arm takes for this one, and the other way round.
+    fn on_this_port(&self, command: Command) -> Command {
+        match command {
+            Command::JointJog(jog) if self.is_bluetooth() => jog.over_bluetooth().into(),
+            _ => command,
+        }
+    }
+
     fn packet(&self, command: &Command) -> Result<Packet, SendError> {
         let dialect = match (&self.dialect, command.dialect_dependent()) {
             (Some(dialect), _) => dialect,
             (None, None) => &Dialect::SPECIFICATION,
             (None, Some(field)) => return Err(SendError::Undecided { field }),
         };
-        let packet = command.emit(dialect);
+        let packet = self.on_this_port(*command).emit(dialect);
         match Command::parse(&packet, dialect) {
             Ok(_) => Ok(packet),
             Err(error) => Err(SendError::Invalid(error)),
@@ -457,13 +513,6 @@ const fn own_pause_s(command: &Command) -> f32 {
     }
 }
 
-/// Whether a frame can be a status: its position agrees with its angles (note N22).
-#[must_use]
-pub fn plausible(frame: &Frame) -> bool {
-    let float = |n| f64::from(frame.float(n));
-    dobot_arm::agrees([1, 2, 3].map(float), float(4), [5, 6, 7, 8].map(float))
-}
-
 /// A status comes every 80 ms; a dozen missing are no accident.
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// Half of the time between two statuses: what comes sooner was held up on the way.
@@ -478,5 +527,7 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 const AHEAD: Duration = Duration::from_millis(500);
 /// A status that is later than that has been withheld.
 const OVERDUE: Duration = Duration::from_millis(140);
+/// A status period, and as much for what is late.
+const NOT_YET_DEAF: Duration = Duration::from_millis(160);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

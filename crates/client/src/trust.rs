@@ -46,7 +46,7 @@ impl std::fmt::Display for ResetEvidence {
 }
 
 /// Watches the statuses for a reset.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Trust {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
@@ -77,26 +77,34 @@ impl Trust {
         self.reason = Some(reason.to_owned());
     }
 
+    /// Takes a command that is given to be sent. Where the arm takes itself to be behind new initial
+    /// angles, only who gives them knows: a person has to look.
+    pub(crate) fn handle_given(&mut self, command: &Command) {
+        if let Command::Configuration(Configuration::InitialAngles { .. }) = command {
+            self.distrust(TOLD);
+        }
+    }
+
     pub(crate) fn handle_sent(&mut self, command: &Command) {
+        self.handle_given(command);
         if let Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) = command
         {
             self.told = Some(([*rear_deg, *fore_deg], AWAITED));
         }
     }
 
-    /// Takes a status; says what shows a reset. `at_rest` tells whether nothing is under way, and
-    /// `to_zero` whether something is that turns the base to 0.
+    /// Takes a status; says what shows a reset. A silence that hides one may have another reason, a
+    /// full queue, and a command under way may turn the base to just 0: it counts as a reset all the
+    /// same, for nothing in the statuses tells the two apart.
     pub(crate) fn handle_status(
         &mut self,
         now: Duration,
         status: &Status,
-        at_rest: bool,
-        to_zero: bool,
     ) -> Option<ResetEvidence> {
         let (heard, before) = self.last.replace((now, *status))?;
         if self.told.is_some_and(|(told, _)| shows(status, told)) {
             self.told = None;
-            self.reason = None;
+            self.distrust(TOLD);
             return None;
         }
         let jumps = self.told.is_some();
@@ -108,10 +116,7 @@ impl Trust {
         let deaf = silent_for >= DEAF;
         let jumped = !jumps && jumped(&before, status, silent_for);
         let base_is_zero = status.base_deg == 0.0;
-        let read_anew = before.rear_deg != status.rear_deg || before.fore_deg != status.fore_deg;
-        let turned = before.base_deg != status.base_deg;
-        let begun_anew = base_is_zero && !to_zero && (turned || at_rest && read_anew);
-        if !(jumped || deaf && begun_anew) {
+        if !(jumped || deaf && base_is_zero && tells_otherwise(&before, status)) {
             return None;
         }
         let evidence = ResetEvidence {
@@ -124,6 +129,12 @@ impl Trust {
         self.distrust(&format!("the arm was reset: {evidence}"));
         Some(evidence)
     }
+}
+
+/// Whether an angle changed that a reset sets or reads anew.
+fn tells_otherwise(before: &Status, now: &Status) -> bool {
+    let angles = |it: &Status| [it.base_deg, it.rear_deg, it.fore_deg];
+    angles(before) != angles(now)
 }
 
 fn shows(status: &Status, [rear_deg, fore_deg]: [f32; 2]) -> bool {
@@ -147,8 +158,10 @@ fn jumped(before: &Status, now: &Status, within: Duration) -> bool {
 
 const UNCONFIRMED: &str =
     "nobody has confirmed where the arm stands since its port was opened, which resets it";
-/// Six statuses and a half.
-const DEAF: Duration = Duration::from_millis(520);
+const TOLD: &str =
+    "it was told its initial angles, and nobody has confirmed since that it stands so";
+/// Six statuses and a half: many losses in a row, and less than any reset takes.
+pub(crate) const DEAF: Duration = Duration::from_millis(520);
 /// Half as fast again as a stock arm ever turns on its own, 200 degrees/s.
 const FASTEST_DEG_S: f32 = 300.0;
 /// A status may be as late as this on its way, and the one before was not.

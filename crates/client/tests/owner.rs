@@ -62,7 +62,7 @@ fn packets(session: &mut Session) -> usize {
 
 #[test]
 fn a_dialect_that_is_learned_later_counts_from_then_on() {
-    let mut session = Session::new(None);
+    let mut session = Session::trusted(None);
     tell(&mut session, PERIOD);
     assert!(matches!(
         session.send(line(220.0)),
@@ -79,9 +79,9 @@ fn a_dialect_that_is_learned_later_counts_from_then_on() {
 fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknown() {
     let command = Command::from(line(220.0));
     let packet = command.emit(&Dialect::FIRMWARE_1_1);
-    let stock = Session::new(Some(Dialect::FIRMWARE_1_1));
+    let stock = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     assert_eq!(stock.parse(&packet), Ok(command));
-    let unknown = Session::new(None);
+    let unknown = Session::trusted(None);
     assert!(matches!(
         unknown.parse(&packet),
         Err(SendError::Undecided { .. })
@@ -95,7 +95,7 @@ fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknow
 
 #[test]
 fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     let again = Duration::from_mins(1);
     session.handle_open(again);
@@ -114,7 +114,7 @@ fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
 
 #[test]
 fn what_waits_is_forgotten_by_its_names() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     let ids: Vec<_> = [1.0, 2.0, 3.0]
         .map(|y| session.send(stroke(y)).expect("it is allowed"))
         .into();
@@ -124,7 +124,7 @@ fn what_waits_is_forgotten_by_its_names() {
 
 #[test]
 fn a_full_queue_is_told_from_an_idle_link() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
     let mut now = PERIOD;
     tell(&mut session, now);
     session.handle_time(now + PERIOD * 3);
@@ -150,7 +150,7 @@ fn a_jog_is_released_by_its_own_kind() {
         (LinearJogAxis::ZPlus, LinearJogAxis::Released),
         (LinearJogAxis::YMinus, LinearJogAxis::Released),
     ] {
-        let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+        let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
         tell(&mut session, PERIOD);
         let jog = LinearJog {
             axis: held,
@@ -159,10 +159,10 @@ fn a_jog_is_released_by_its_own_kind() {
         session.send(jog).expect("it is allowed");
         assert_eq!(
             session.release(),
-            Command::from(LinearJog {
+            Some(Command::from(LinearJog {
                 axis: expected,
                 speed_percent: 0.0
-            })
+            }))
         );
         assert_eq!(session.rests_within(), Duration::MAX);
     }
@@ -170,7 +170,7 @@ fn a_jog_is_released_by_its_own_kind() {
 
 #[test]
 fn an_urgent_packet_that_left_beside_the_session_is_believed() {
-    let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+    let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     tell(&mut session, PERIOD);
     let laser = Command::from(JointJog {
         axis: JointJogAxis::LaserOn,
@@ -185,7 +185,7 @@ fn an_urgent_packet_that_left_beside_the_session_is_believed() {
 
 #[test]
 fn an_urgent_packet_that_moves_nothing_is_over_soon() {
-    let mut session = Session::new(Some(Dialect::FIRMWARE_1_1));
+    let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     tell(&mut session, PERIOD);
     let laser_off = JointJog {
         axis: JointJogAxis::LaserOff,

@@ -20,7 +20,7 @@ struct Desk {
 impl Desk {
     fn new(dialect: Option<Dialect>) -> Self {
         Self {
-            session: Session::new(dialect),
+            session: Session::trusted(dialect),
             now: Duration::ZERO,
         }
     }
@@ -184,7 +184,7 @@ fn statuses_that_come_in_a_heap_permit_one_command() {
 
 #[test]
 fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
-    let mut session = Session::new(None);
+    let mut session = Session::trusted(None);
     for command in [
         target(MovingMode::MovL, 200.0, 0.0),
         target(MovingMode::MovJ, 200.0, 0.0),
@@ -211,7 +211,7 @@ fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
 
 #[test]
 fn a_value_beyond_its_table_is_not_sent() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     let error = session
         .send(target(MovingMode::MovL, f32::NAN, 0.0))
         .expect_err("NaN goes nowhere");
@@ -556,7 +556,7 @@ fn a_second_of_silence_is_a_lost_link() {
 
 #[test]
 fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
-    let mut session = Session::new(None);
+    let mut session = Session::trusted(None);
     session.handle_time(Duration::from_millis(4900));
     assert_eq!(session.poll_event(), None);
     session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);
@@ -573,11 +573,11 @@ fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
 #[test]
 fn a_full_queue_is_not_a_lost_link() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
-    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(200.0, 10.0, 0.0);
     for n in 1..=5_u8 {
         let by = if n % 2 == 0 { -60.0 } else { 60.0 };
         desk.session.send(vector(0.0, by)).expect("it is allowed");
-        desk.status_at(200.0, 0.0, 0.0);
+        desk.status_at(200.0, 10.0, 0.0);
     }
     assert_eq!(desk.session.under_way(), 5);
     desk.session.handle_time(desk.now + Duration::from_secs(20));
@@ -585,6 +585,19 @@ fn a_full_queue_is_not_a_lost_link() {
     desk.session
         .handle_time(desk.now + Duration::from_secs(1000));
     assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+#[test]
+fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 1..=5_u8 {
+        // Every second one ends with the base at 0, as after a reset.
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!((desk.session.under_way(), desk.session.waiting()), (4, 1));
 }
 
 #[test]

@@ -41,27 +41,6 @@ pub enum JogAxis {
     Z,
 }
 
-impl JogAxis {
-    /// The release that runs a jog of this axis down. A stock arm wants one of the same kind, joint or
-    /// linear: the other kind runs down the axis of the same number there, a forearm for Z (note N44).
-    #[must_use]
-    pub const fn release(self) -> Command {
-        let speed_percent = 0.0;
-        match self {
-            Self::Base | Self::Rear | Self::Fore | Self::Servo | Self::Gripper => {
-                Command::JointJog(JointJog {
-                    axis: JointJogAxis::Released,
-                    speed_percent,
-                })
-            }
-            Self::X | Self::Y | Self::Z => Command::LinearJog(LinearJog {
-                axis: LinearJogAxis::Released,
-                speed_percent,
-            }),
-        }
-    }
-}
-
 impl Button {
     /// The button that a command presses; `None` where it is no jog.
     #[must_use]
@@ -71,6 +50,27 @@ impl Button {
             Command::LinearJog(jog) => Some(of_linear(*jog)),
             _ => None,
         }
+    }
+
+    /// What releases the button that a command holds: a release of the same kind, joint (state 2) or
+    /// linear (state 7). On a stock arm one of the other kind runs down the axis of the same number
+    /// there, the forearm for Z (note N44). `None` where the command holds no button.
+    #[must_use]
+    pub fn release_of(command: &Command) -> Option<Command> {
+        let Self::Held { .. } = Self::of(command)? else {
+            return None;
+        };
+        let speed_percent = 0.0;
+        Some(match command {
+            Command::LinearJog(_) => Command::LinearJog(LinearJog {
+                axis: LinearJogAxis::Released,
+                speed_percent,
+            }),
+            _ => Command::JointJog(JointJog {
+                axis: JointJogAxis::Released,
+                speed_percent,
+            }),
+        })
     }
 }
 

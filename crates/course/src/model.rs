@@ -54,7 +54,7 @@ pub struct Model {
     /// The end speed of the last write vector in mm/s, with which the next one starts where the
     /// dialect does not use its start speed (note N5).
     pub(crate) write_speed_mm_s: f64,
-    /// The jog that goes on.
+    /// The jog that goes on, or whose speed the arm keeps.
     pub(crate) jog: Option<JogCourse>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
     pub(crate) idle_pause_s: f64,
@@ -115,7 +115,7 @@ impl Model {
         self.suction = status.suction;
         self.gripper_deg = status.gripper_deg.into();
         self.knows_place = true;
-        self.jog = None;
+        self.jog = self.jog.filter(|_| self.dialect.keeps_jog_speed);
     }
 
     /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
@@ -140,7 +140,8 @@ impl Model {
         self.idle_pause_s
     }
 
-    /// The jog that goes on, if one does.
+    /// The jog that goes on, if one does. Of a stock arm also one that was stopped by something else
+    /// than its release: it keeps the speed for that (note N44).
     #[must_use]
     pub const fn jog(&self) -> Option<&JogCourse> {
         self.jog.as_ref()
@@ -203,7 +204,10 @@ impl Model {
         let mut model = self.begun(command);
         model.place = course.to;
         model.knows_place = course.knows_end;
-        model.jog = course.jog();
+        model.jog = match Button::of(command) {
+            Some(Button::Held { .. } | Button::Released) => course.jog(),
+            _ => self.jog.filter(|_| self.dialect.keeps_jog_speed),
+        };
         model.write_speed_mm_s = course.end_speed_mm_s.unwrap_or(model.write_speed_mm_s);
         match command {
             Command::MoveTo(it) => {

@@ -308,7 +308,7 @@ fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
 /// A button pressed; while an arm jogs it goes on from the speed that it has.
 fn pressed(command: &Command, model: &Model) -> Result<Course, CourseError> {
     let speed = |axis| match &model.jog {
-        Some(jog) if jog.axis() == axis => jog.target_speed(),
+        Some(jog) if jog.axis() == axis || model.dialect.keeps_jog_speed => jog.target_speed(),
         _ => 0.0,
     };
     let way = match Button::of(command) {

@@ -123,7 +123,7 @@ impl Scribe {
             };
             messages.push(when.own(FROM_ARM, &message));
             if let Some(status) = status {
-                messages.extend(when.views(&status));
+                messages.extend(when.views(&status.message().unwrap_or(status)));
             }
         }
         messages

@@ -1,45 +1,33 @@
-//! `cargo run -p dobot-sim --example move_to`
+//! `cargo run -p dobot-sim --example move_to`: an arm goes to two points, in a straight line and above it.
 //!
-//! A virtual arm goes to a point in a straight line, jogs up for a second and comes back, as a real
-//! one would with `Arm::open` in place of `Arm::over`.
+//! With an address behind it, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, **a real arm moves**, 8 cm
+//! to either side in front of it: it says so before, and waits for Enter.
 
-use std::time::Duration;
+mod connect;
 
-use dobot_client::{Arm, Connection};
-use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{InProcess, Line, VirtualArm};
-use dobot_wire::{Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode};
+use std::error::Error;
+
+use dobot_wire::{MoveTo, MovingMode};
 
 #[tokio::main(flavor = "current_thread")]
-async fn main() -> Result<(), dobot_client::LinkError> {
-    let virtual_arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
-    let peer = InProcess::new(virtual_arm);
-    let mut arm = Arm::over(Connection::over_peer(peer, Some(Dialect::SPECIFICATION)));
-
-    let there = MoveTo {
-        x_mm: 220.0,
-        y_mm: 40.0,
-        z_mm: 10.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovL,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
-    let up = LinearJog {
-        axis: LinearJogAxis::ZPlus,
-        speed_percent: 50.0,
-    };
-    for step in ["there", "up", "back"] {
-        let status = match step {
-            "up" => arm.jog(up, Duration::from_secs(1)).await?,
-            _ => arm.move_to(there).await?,
+async fn main() -> Result<(), Box<dyn Error>> {
+    let mut arm = connect::arm().await?;
+    connect::ask(&mut arm).await?;
+    for (mode, y_mm) in [(MovingMode::MovL, 40.0), (MovingMode::Jump, -40.0)] {
+        let there = MoveTo {
+            x_mm: 220.0,
+            y_mm,
+            z_mm: 10.0,
+            rotation_deg: 0.0,
+            suction: false,
+            mode,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
         };
+        let status = arm.move_to(there).await?;
         let at = arm.connection().now().as_secs_f64();
-        println!(
-            "{at:5.2} s  {step:5}  {:.2}, {:.2}, {:.2} mm",
-            status.x_mm, status.y_mm, status.z_mm
-        );
+        let [x, y, z] = [status.x_mm, status.y_mm, status.z_mm];
+        println!("{at:5.2} s  {mode:?}  {x:.2}, {y:.2}, {z:.2} mm");
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! `cargo run -p dobot-sim --example pick_and_place`: a virtual arm takes something and puts it down elsewhere.
 //!
-//! With `Connection::open` instead of `Connection::over_peer` the same lines move a real arm.
+//! With `Connection::open` instead of `Connection::over_peer`, and `Session::confirm_pose` when a person
+//! has looked where it stands, the same lines move a real arm.
 
 use std::error::Error;
 

@@ -41,7 +41,9 @@ fn server(faults: &[&str]) -> Server {
 
 async fn connect(connector: &Connector) -> Connection {
     let stream = connector.connect().await.expect("the arm is free");
-    Connection::over_stream(stream, Some(Dialect::SPECIFICATION))
+    let mut arm = Connection::over_stream(stream, Some(Dialect::SPECIFICATION));
+    arm.session_mut().confirm_pose();
+    arm
 }
 
 /// Reads a status; none when the stream has ended.

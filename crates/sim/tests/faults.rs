@@ -384,9 +384,9 @@ mod client {
         let program = program();
         for seed in 0..30 {
             for fault in [
-                "drop=1%:from",
-                "flip=1%:from",
-                "duplicate=1%:from",
+                "drop=0.5%:from",
+                "flip=0.5%:from",
+                "duplicate=0.5%:from",
                 "delay=50ms",
             ] {
                 let arm = InProcess::new(faulty(&[fault], seed));

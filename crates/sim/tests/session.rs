@@ -227,18 +227,30 @@ async fn a_reset_in_the_middle_of_a_drawing_is_noticed() {
 }
 
 #[tokio::test]
-async fn initial_angles_that_were_seen_make_a_pose_trusted() {
+async fn initial_angles_make_no_pose_trusted_and_a_trusted_one_untrusted() {
     for personality in Personality::ALL {
-        let arm = virtual_arm(personality, &["reset@8s"], 0);
+        let arm = virtual_arm(personality, &[], 0);
         let mut connection = connect(&arm, personality);
-        connection.session_mut().distrust("nobody has looked");
         let told = Configuration::InitialAngles {
             rear_deg: 40.0,
             fore_deg: 50.0,
         };
-        let id = connection.send(told).expect("it moves nothing");
-        connection.completed(id).await.expect("it is seen");
-        assert!(connection.session().is_trusted(), "{personality}");
+        for was_trusted in [true, false] {
+            if was_trusted {
+                connection.session_mut().confirm_pose();
+            }
+            let id = connection.send(told).expect("it moves nothing");
+            assert!(!connection.session().is_trusted(), "{personality}: at once");
+            connection.session_mut().confirm_pose();
+            connection.completed(id).await.expect("it is seen");
+            assert!(!connection.session().is_trusted(), "{personality}");
+            let aside = move_to(MovingMode::MovJ, 220.0, 60.0, 20.0);
+            assert_eq!(connection.send(aside), Err(SendError::Untrusted));
+        }
+        connection.session_mut().confirm_pose();
+        let aside = move_to(MovingMode::MovJ, 220.0, 60.0, 20.0);
+        let id = connection.send(aside).expect("a person has looked");
+        connection.completed(id).await.expect("it is reached");
     }
 }
 
@@ -263,7 +275,7 @@ async fn moving_and_losing_statuses_is_no_reset() {
 
 #[test]
 fn an_arm_is_untrusted_from_the_start_where_its_owner_wants_it_so() {
-    let mut session = Session::untrusted(None);
+    let mut session = Session::new(None);
     let jog = button(JointJogAxis::BasePlus, 10.0);
     let error = session.send(jog).expect_err("nobody has looked");
     assert!(error.to_string().contains("confirm its pose"), "{error}");

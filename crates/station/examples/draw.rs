@@ -9,7 +9,7 @@ use std::error::Error;
 use std::fs;
 
 use dobot_draw::{Machine, Paper, Settings, Source, prepare};
-use dobot_station::{Heard, JobKind, JobPhase, News, NewJob, Reply, Request};
+use dobot_station::{Heard, JobKind, JobPhase, NewJob, News, Reply, Request};
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
@@ -17,7 +17,9 @@ async fn main() -> Result<(), Box<dyn Error>> {
     let file = arguments.next().ok_or("usage: draw FILE [ADDRESS]")?;
     let mut station = support::reach(arguments.next()).await?;
     let state = support::ready(&mut station).await?;
-    let dialect = state.dialect.ok_or("nobody knows which dialect it speaks")?;
+    let dialect = state
+        .dialect
+        .ok_or("nobody knows which dialect it speaks")?;
 
     let settings = Settings {
         // The pen stands on the paper, or where a virtual arm has it.

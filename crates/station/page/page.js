@@ -10,7 +10,7 @@
 /**
  * @typedef {object} State
  * @property {number} at_s
- * @property {{address: string | null, phase: string, problem: string | null, statuses_per_s: number, lost_statuses: number, damaged_bytes: number, latency_ms: number | null}} link
+ * @property {{address: string | null, phase: string, problem: string | null, bluetooth: boolean, statuses_per_s: number, lost_statuses: number, damaged_bytes: number, latency_ms: number | null}} link
  * @property {Arm | null} arm
  * @property {string | null} dialect
  * @property {{trusted: boolean, reason: string | null}} trust

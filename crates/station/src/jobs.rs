@@ -133,7 +133,11 @@ impl Jobs {
 
     /// All jobs, the oldest first; that of the keeper as it is now, and of all others what was told
     /// of them last.
-    pub(crate) fn list(self, current: Option<JobView>, reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>) {
+    pub(crate) fn list(
+        self,
+        current: Option<JobView>,
+        reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>,
+    ) {
         tokio::task::spawn_blocking(move || {
             self.catch_up();
             // Whoever asked may have left.
@@ -190,10 +194,7 @@ impl Jobs {
 }
 
 /// All jobs, the oldest first; one of them as it is now.
-pub(crate) fn list(
-    journal: &Journal,
-    current: Option<&JobView>,
-) -> Result<Vec<JobView>, Refusal> {
+pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
     let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
     let view = |job: &Job| match current {
         Some(current) if current.job == job.id.0 => current.clone(),

@@ -92,10 +92,11 @@ struct Known {
 }
 
 impl Keeper {
-    /// A keeper that has no arm yet.
+    /// A keeper that has no arm yet. It trusts the pose of one whose port it has opened only when a
+    /// person has confirmed it, that of a virtual one from the start.
     #[must_use]
     pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
-        let mut session = Session::new(dialect);
+        let mut session = Session::trusted(dialect);
         session.set_ahead(seconds(policy.queue.ahead_s));
         session.set_laser_may_stand(policy.laser.standing);
         Self {

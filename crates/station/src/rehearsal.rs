@@ -10,9 +10,7 @@ use dobot_wire::Packet;
 
 use crate::jobs;
 use crate::keeper::{Begun, Effect, Keeper};
-use crate::words::{
-    ClientId, JobView, LinkPhase, NewJob, Notice, Refusal, Reply, Request, Role,
-};
+use crate::words::{ClientId, JobView, LinkPhase, NewJob, Notice, Refusal, Reply, Request, Role};
 
 /// A keeper and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
@@ -36,6 +34,10 @@ pub struct Rehearsal {
     disk: Vec<(Duration, Effect)>,
     /// How long the journal takes to write.
     disk_takes: Duration,
+    /// How often the computer looks at its port and its clock; always, if that is 0.
+    looks_every: Duration,
+    /// When it does so next.
+    looks: Duration,
     notices: Vec<Notice>,
     packets: Vec<(Duration, [u8; 42])>,
 }
@@ -83,11 +85,19 @@ impl Rehearsal {
             started: Duration::ZERO,
             disk: Vec::new(),
             disk_takes: Duration::from_millis(3),
+            looks_every: Duration::ZERO,
+            looks: Duration::ZERO,
             notices: Vec::new(),
             packets: Vec::new(),
         };
         rehearsal.plug();
         rehearsal
+    }
+
+    /// From now on the computer has so much else to do that it looks at its port and its clock only
+    /// that often: statuses come in heaps, and what is due is done late.
+    pub const fn load(&mut self, looks_every: Duration) {
+        self.looks_every = looks_every;
     }
 
     /// Lets time pass.
@@ -109,14 +119,20 @@ impl Rehearsal {
 
     /// One moment further, at the most to `latest`.
     pub fn step(&mut self, latest: Duration) {
-        let keeper = self.started.saturating_add(self.keeper.poll_wakeup());
-        let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
-        let soon = self.now + Duration::from_nanos(1);
-        let next = self.arm.poll_wakeup().min(keeper).min(disk).max(soon);
-        self.now = next.min(latest);
+        self.now = self.next_step().min(latest);
         self.arm.handle_time(self.now);
         self.follow_port();
         self.settle();
+    }
+
+    fn next_step(&self) -> Duration {
+        if self.now < self.looks {
+            return self.looks;
+        }
+        let keeper = self.started.saturating_add(self.keeper.poll_wakeup());
+        let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
+        let soon = self.now + Duration::from_nanos(1);
+        self.arm.poll_wakeup().min(keeper).min(disk).max(soon)
     }
 
     /// Pulls the cable.
@@ -188,7 +204,10 @@ impl Rehearsal {
     pub fn ask(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         let now = self.keeper_now();
         if self.keeper.check_request(client, &request).is_ok() {
-            if matches!(request, Request::StartJob { .. } | Request::CancelJob { .. }) {
+            if matches!(
+                request,
+                Request::StartJob { .. } | Request::CancelJob { .. }
+            ) {
                 self.catch_up();
             }
             match request {
@@ -362,6 +381,10 @@ impl Rehearsal {
 
     /// Carries bytes and writes to the disk until nobody wants anything more in this moment.
     fn settle(&mut self) {
+        if self.now < self.looks {
+            return;
+        }
+        self.looks = self.now + self.looks_every;
         let mut bytes = Vec::new();
         self.arm.poll_bytes(&mut bytes);
         let now = self.keeper_now();

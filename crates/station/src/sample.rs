@@ -33,6 +33,7 @@ pub(crate) fn state(at_s: f64) -> State {
             address: Some("virtual:".into()),
             phase: LinkPhase::Up,
             problem: None,
+            bluetooth: false,
             statuses_per_s: 12.5,
             lost_statuses: 0,
             damaged_bytes: 0,

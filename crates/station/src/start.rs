@@ -286,15 +286,10 @@ fn virtual_arm(config: &Config, tasks: &mut Vec<JoinHandle<()>>) -> Source {
     Source::Virtual(connector)
 }
 
-/// A real arm is reset when its port is opened: somebody has to look where it stands.
 fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
     let own = source.is_virtual().then(|| config.personality.dialect());
     let dialect = config.dialect.or(own);
-    let mut keeper = Keeper::new(policy.clone(), dialect);
-    if !source.is_virtual() {
-        keeper.distrust(OPENED);
-    }
-    keeper
+    Keeper::new(policy.clone(), dialect)
 }
 
 fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {
@@ -336,7 +331,3 @@ fn open_pty(_: &Config) -> Result<Option<std::convert::Infallible>, StartError> 
 fn serve_pty(port: std::convert::Infallible, _: &Handle, _: &ArmThread) -> PathBuf {
     match port {}
 }
-
-/// Why the pose of an arm is not trusted whose port was opened.
-pub(crate) const OPENED: &str =
-    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

@@ -60,6 +60,9 @@ pub struct Dialect {
     /// A straight line that was cut short is not forgotten: the next one begins that far along
     /// (note N46).
     pub resumes_cut_lines: bool,
+    /// All axes jog with one speed, which only a release runs down: a switch stops the arm and keeps
+    /// it (note N44).
+    pub keeps_jog_speed: bool,
 }
 
 impl Dialect {
@@ -86,6 +89,7 @@ impl Dialect {
         hears_voice: true,
         counts_ticks_in_16_bits: false,
         resumes_cut_lines: false,
+        keeps_jog_speed: false,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -110,6 +114,7 @@ impl Dialect {
         hears_voice: false,
         counts_ticks_in_16_bits: true,
         resumes_cut_lines: true,
+        keeps_jog_speed: true,
     };
 
     /// All dialects that have a name.

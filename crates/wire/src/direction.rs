@@ -140,7 +140,7 @@ const COMMAND_LIMIT: f32 = 1e6;
 
 /// The largest absolute value of each float of a status, in millimetres and degrees (note N22).
 const STATUS_LIMITS: [f32; 10] = [
-    1000.0, 1000.0, 1000.0, // X, Y, Z
+    2000.0, 1000.0, 1000.0, // X with the 1000 of note N38, Y, Z
     1000.0, // rHead
     190.0, 179.0, 179.0,  // base, rear arm, forearm
     1000.0, // servo

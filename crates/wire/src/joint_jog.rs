@@ -22,6 +22,23 @@ impl JointJog {
     /// Float 1 of this command.
     pub const STATE: f32 = 2.0;
 
+    /// The jog that moves over the Bluetooth port what this one moves over USB, and the other way
+    /// round: base and rear arm change places, and the two directions of the forearm (note N38).
+    #[must_use]
+    pub const fn over_bluetooth(self) -> Self {
+        use JointJogAxis as A;
+        let axis = match self.axis {
+            A::BasePlus => A::RearPlus,
+            A::BaseMinus => A::RearMinus,
+            A::RearPlus => A::BasePlus,
+            A::RearMinus => A::BaseMinus,
+            A::ForePlus => A::ForeMinus,
+            A::ForeMinus => A::ForePlus,
+            axis => axis,
+        };
+        Self { axis, ..self }
+    }
+
     /// Reads the command.
     ///
     /// # Errors

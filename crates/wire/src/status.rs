@@ -51,6 +51,16 @@ impl Status {
         })
     }
 
+    /// What it tells, if it is a message of the Bluetooth port, which permits no command: the same with
+    /// 1000 mm less in X (note N38). No arm reaches an X of 500 mm.
+    #[must_use]
+    pub fn message(self) -> Option<Self> {
+        (self.x_mm > 500.0).then_some(Self {
+            x_mm: self.x_mm - 1000.0,
+            ..self
+        })
+    }
+
     /// Writes the status; `parse` reads it back unchanged.
     #[must_use]
     pub fn emit(&self) -> Frame {

@@ -30,9 +30,8 @@ pub(super) async fn check_laser(
     plan: &Plan,
     armed_for: Option<Duration>,
 ) -> Result<(), Failure> {
-    let armed = !plan.burns()
-        || armed_for.is_some()
-        || first_state(station).await?.laser.armed_for_s > 0.0;
+    let armed =
+        !plan.burns() || armed_for.is_some() || first_state(station).await?.laser.armed_for_s > 0.0;
     if armed {
         return Ok(());
     }

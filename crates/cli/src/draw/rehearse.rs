@@ -4,9 +4,7 @@
 use std::time::Duration;
 
 use dobot_controller::PowerUp;
-use dobot_draw::{
-    Estimate, InkLine, Prepared, Sample, Settings, Stroke, Timeline, Trace,
-};
+use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Stroke, Timeline, Trace};
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
 use dobot_station::StationClient;

@@ -58,11 +58,21 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
     let burn = ["draw", &example("square.svg"), "--frame", "--laser"];
     dobot(&[&burn[..], &["plywood-engrave"], &to].concat())
         .fails(1, &["nobody is there to be asked", "leave `--frame` out"]);
-    for moving in [&["move", "220", "0", "20"][..], &["jog", "base+"], &["detect"], &burn[..2]] {
+    for moving in [
+        &["move", "220", "0", "20"][..],
+        &["jog", "base+"],
+        &["detect"],
+        &burn[..2],
+    ] {
         let told = ["resets a stock arm", "nobody is there", "--pose-confirmed"];
         dobot(&[moving, &to].concat()).fails(1, &told);
     }
-    let unarmed = ["draw", &example("square.svg"), "--pose-confirmed", "--laser"];
+    let unarmed = [
+        "draw",
+        &example("square.svg"),
+        "--pose-confirmed",
+        "--laser",
+    ];
     dobot(&[&unarmed[..], &["plywood-engrave"], &to].concat())
         .fails(1, &["the laser is disarmed", "--arm-laser SECONDS"]);
     let seen = dobot(&[&["status", "--count", "1", "--json"][..], &to].concat()).succeeds();
@@ -145,7 +155,13 @@ fn a_peer_that_sends_noise_is_told() {
 
 fn draw_square(address: &str) -> Outcome {
     let square = example("square.svg");
-    let how = ["--dialect", "specification", "--pen-down", "-40", "--pose-confirmed"];
+    let how = [
+        "--dialect",
+        "specification",
+        "--pen-down",
+        "-40",
+        "--pose-confirmed",
+    ];
     dobot(&[&["draw", &square, "--to", address][..], &how].concat())
 }
 
@@ -252,7 +268,10 @@ fn pass_on(mut from: TcpStream, mut to: TcpStream, silent: &AtomicBool) {
 fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
     parts(
         Trouble::Signal(Signal::INT),
-        &["job 1 is paused: interrupted; the tool is up", "dobot jobs start 1 --to tcp:"],
+        &[
+            "job 1 is paused: interrupted; the tool is up",
+            "dobot jobs start 1 --to tcp:",
+        ],
     );
 }
 
@@ -282,7 +301,10 @@ fn parts(trouble: Trouble, told: &[&str]) {
     // Travel, lower, and four vectors with the pen down.
     let (outcome, before, after) = troubled(6, trouble);
     let outcome = outcome.fails(1, told);
-    assert!(after.last().is_some_and(is_laser_off), "{after:?} {outcome:?}");
+    assert!(
+        after.last().is_some_and(is_laser_off),
+        "{after:?} {outcome:?}"
+    );
     let vectors: Vec<&WriteVector> = after.iter().filter_map(vector).collect();
     let (lift, rest) = vectors.split_last().expect("the pen is lifted");
     let z_mm = |vectors: &mut dyn Iterator<Item = f32>| vectors.sum::<f32>();

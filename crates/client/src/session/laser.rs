@@ -9,7 +9,7 @@ use super::{CommandId, Session};
 use crate::{Disarmed, Event, SendError};
 
 /// What a session knows of the laser, besides what it believes of the arm.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Laser {
     /// Until when it may be lit; `Duration::MAX` where it needs no arming.
     armed_until: Option<Duration>,

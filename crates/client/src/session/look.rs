@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::{JogAxis, JogCourse, Model};
+use dobot_course::Model;
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
 use super::{OVERDUE, Session};
@@ -68,12 +68,15 @@ impl Session {
         Some(model)
     }
 
-    /// What releases the jog that goes on, of the kind that it is (note N44); the release of a joint
-    /// jog where the session knows of none.
+    /// What releases the button that was sent last, of the kind that it is, joint or linear: a stock
+    /// arm runs another axis down with the other kind (note N44). `None` where no button was sent since
+    /// the connect, or since a reset: then there is nothing to release that this session knows of.
+    ///
+    /// It stays the answer when the release has been sent, since that may get lost; an arm that does
+    /// not jog does nothing with it.
     #[must_use]
-    pub fn release(&self) -> Command {
-        let jog = self.belief.after_sent().and_then(Model::jog);
-        jog.map_or(JogAxis::Base, JogCourse::axis).release()
+    pub const fn release(&self) -> Option<Command> {
+        self.belief.release()
     }
 
     /// Whether the arm moves or may still move: something is under way, or it jogs.
@@ -82,7 +85,14 @@ impl Session {
         !self.rests_within().is_zero()
     }
 
-    /// What a packet says, by the dialect of the arm.
+    /// Whether this is the Bluetooth port of a stock arm, as its statuses tell (note N38). Joint jogs
+    /// leave with the axes that it has there; a voice order is heard there only.
+    #[must_use]
+    pub fn is_bluetooth(&self) -> bool {
+        self.scheme.is_bluetooth()
+    }
+
+    /// What a packet says, by the dialect and the port of the arm: what it would do there.
     ///
     /// # Errors
     ///
@@ -91,12 +101,12 @@ impl Session {
     pub fn parse(&self, packet: &Packet) -> Result<Command, SendError> {
         let read = |dialect| Command::parse(packet, dialect).map_err(SendError::Invalid);
         if let Some(dialect) = &self.dialect {
-            return read(dialect);
+            return read(dialect).map(|it| self.on_this_port(it));
         }
         let command = read(&Dialect::SPECIFICATION).or_else(|_| read(&Dialect::FIRMWARE_1_1))?;
         match command.dialect_dependent() {
             Some(field) => Err(SendError::Undecided { field }),
-            None => Ok(command),
+            None => Ok(self.on_this_port(command)),
         }
     }
 
@@ -130,10 +140,10 @@ impl Session {
         self.belief.rests_within(self.now)
     }
 
-    /// Whether the pose that the arm tells can be believed: since a reset was seen it is not, until
-    /// a person [confirms](Session::confirm_pose) it or the initial angles (state 9, mode 3) were
-    /// sent and seen. An arm that is not trusted is sent nothing that moves it, but releases,
-    /// switches and configuration.
+    /// Whether the pose that the arm tells can be believed. It is not from the start, since a reset
+    /// was seen, and since somebody told the arm its initial angles (state 9, mode 3), until a person
+    /// [confirms](Session::confirm_pose) it. An arm that is not trusted is sent nothing that moves it,
+    /// but releases, switches and configuration.
     #[must_use]
     pub const fn is_trusted(&self) -> bool {
         self.trust.reason().is_none()
@@ -148,6 +158,9 @@ impl Session {
     /// How good the link is.
     #[must_use]
     pub fn link(&self) -> LinkQuality {
-        self.meter.quality(self.now, &self.decoder.counts())
+        LinkQuality {
+            bluetooth: self.is_bluetooth(),
+            ..self.meter.quality(self.now, &self.decoder.counts())
+        }
     }
 }

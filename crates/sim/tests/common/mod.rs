@@ -85,6 +85,8 @@ pub(crate) async fn run_with(
 ) -> Vec<Event> {
     let mut last = None;
     for command in program {
+        // Who tells an arm its initial angles here knows where it stands.
+        connection.session_mut().confirm_pose();
         last = Some(connection.send(*command).expect("it is allowed"));
     }
     let last = last.expect("a program has a command");

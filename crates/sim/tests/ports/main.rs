@@ -89,9 +89,11 @@ fn on_pty() -> (Server, String) {
 
 async fn connect(address: &str) -> Connection {
     let address = address.parse().expect("it is an address");
-    Connection::open(&address, Some(Dialect::SPECIFICATION))
+    let mut arm = Connection::open(&address, Some(Dialect::SPECIFICATION))
         .await
-        .expect("it can be opened")
+        .expect("it can be opened");
+    arm.session_mut().confirm_pose();
+    arm
 }
 
 fn bytes(command: impl Into<Command>) -> [u8; 42] {

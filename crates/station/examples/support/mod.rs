@@ -39,7 +39,10 @@ pub(crate) async fn ready(station: &mut StationClient) -> Result<State, Box<dyn 
     }
     if !state.trust.trusted {
         println!("{}", state.trust.reason.as_deref().unwrap_or_default());
-        println!("The arm is going to move. Does it stand as it says? Enter goes on: {:?}", state.arm);
+        println!(
+            "The arm is going to move. Does it stand as it says? Enter goes on: {:?}",
+            state.arm
+        );
         stdin().read_line(&mut String::new())?;
         station.request(Request::ConfirmPose).await?;
     }

@@ -6,8 +6,8 @@ use dobot_client::{Address, Link, OpenError};
 use dobot_journal::{Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_wire::Dialect;
-use tokio::sync::broadcast::{self, error::RecvError};
 use tokio::sync::Mutex;
+use tokio::sync::broadcast::{self, error::RecvError};
 
 use crate::arm_thread::ArmThread;
 use crate::arms::{Arms, ArmsError};
@@ -17,10 +17,9 @@ use crate::jobs::Jobs;
 use crate::keeper::Keeper;
 use crate::owner::Owner;
 use crate::recording::{self, Recording};
-use crate::start::OPENED;
 use crate::{
-    Client, ClientId, Finder, Folders, Found, Handle, Heard, JobView, Notice, Refusal, RemoteError, Reply,
-    Request, Role, Search, Snapshot,
+    Client, ClientId, Finder, Folders, Found, Handle, Heard, JobView, Notice, Refusal, RemoteError,
+    Reply, Request, Role, Search, Snapshot,
 };
 
 /// An arm at an address, and by which rules it is used.
@@ -149,8 +148,7 @@ fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmThread), OpenArmErr
     })?;
     let arms = Arms::read(&arm.folders.arms())?;
     let journal = Journal::open(&folders.journal())?;
-    let mut keeper = Keeper::new(arm.policy.clone(), arm.dialect);
-    keeper.distrust(OPENED);
+    let keeper = Keeper::new(arm.policy.clone(), arm.dialect);
     let (handle, ends) = Handle::new(keeper.state(), Rules::of(&arm.policy));
     let jobs = Jobs::new(journal, Arc::new(arm.policy.clone()));
     let (recorder, trouble) = recording::start(&arm.folders);

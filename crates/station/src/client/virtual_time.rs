@@ -8,7 +8,7 @@ use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 
 use crate::words::ClientId;
-use crate::{Heard, JobView, Rehearsal, Refusal, Reply, Request};
+use crate::{Heard, JobView, Refusal, Rehearsal, Reply, Request};
 
 /// A client of rules that are kept in virtual time: time passes while it waits.
 #[derive(Debug)]

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use dobot_course::LASER_OFF;
-use dobot_wire::Command;
 
 use super::Keeper;
 
@@ -16,8 +15,6 @@ pub(super) struct Halt {
     rounds: u32,
     /// A status came since the last packet: the arm has room for another.
     heard: bool,
-    /// What lets go of the button that was held.
-    release: Command,
 }
 
 impl Halt {
@@ -28,8 +25,8 @@ impl Halt {
 }
 
 impl Keeper {
-    /// Laser off at once; then the release of whatever button is held, until the arm rests. While
-    /// that goes on already, or waits in the arm for its turn, it need not begin anew.
+    /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
+    /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn halt_now(&mut self) {
         let waits = self.session.under_way() > 0;
         if self.halt.is_some_and(|it| it.rounds == 0 || waits) {
@@ -39,29 +36,28 @@ impl Keeper {
         self.urgent.clear();
         self.send_urgent(LASER_OFF);
         self.at_once = true;
-        let release = match (&self.held, self.halt) {
-            (Some(held), _) => held.release(),
-            (None, Some(halt)) => halt.release,
-            (None, None) => self.session.release(),
-        };
         self.halt = Some(Halt {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
             heard: true,
-            release,
         });
     }
 
-    /// Lets go of the button that is held.
-    pub(super) fn release_now(&mut self, release: Command) {
-        self.send_urgent(release);
+    /// Lets go of the button that was sent last; one that was never sent need not be released.
+    pub(super) fn release_now(&mut self) {
+        // The release must not pass the button itself, should that still wait for the line.
+        while let Some(packet) = self.session.poll_bytes() {
+            self.urgent.push_back(packet);
+        }
+        if !self.release_urgently() {
+            return;
+        }
         self.halt = Some(Halt {
             next: self.now + AGAIN,
             laser_is_next: false,
             rounds: 1,
             heard: false,
-            release,
         });
     }
 
@@ -86,8 +82,7 @@ impl Keeper {
         if halt.laser_is_next {
             self.send_urgent(LASER_OFF);
         } else {
-            // A button of the joints and one of the axes are released each in its own way.
-            self.send_urgent(halt.release);
+            self.release_urgently();
         }
         let again = if halt.laser_is_next { GAP } else { AGAIN };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
@@ -95,8 +90,27 @@ impl Keeper {
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
             heard: false,
-            ..halt
         });
+    }
+
+    /// Behind a laser that was just switched off: the release of the button that was sent last may have
+    /// got lost with the link.
+    pub(super) fn release_again(&mut self) {
+        self.halt = self.session.release().map(|_| Halt {
+            next: self.now + GAP,
+            laser_is_next: false,
+            rounds: 0,
+            heard: true,
+        });
+    }
+
+    /// Whether there was a button to release.
+    pub(super) fn release_urgently(&mut self) -> bool {
+        let release = self.session.release();
+        if let Some(release) = release {
+            self.send_urgent(release);
+        }
+        release.is_some()
     }
 
     /// With each status: at rest there is nothing more to say, once it has been said twice.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_client::SendError;
-use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
+use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
 
 use super::{Keeper, seconds};
 use crate::words::{ClientId, Jog, News, Refusal, Reply};
@@ -22,11 +22,6 @@ pub(super) struct Held {
 }
 
 impl Held {
-    /// What lets go of it.
-    pub(super) fn release(&self) -> Command {
-        release_of(self.jog)
-    }
-
     /// When it is let go of: its client or the arm has fallen silent.
     pub(super) fn falls_silent(&self) -> Duration {
         (self.said + self.patience).min(self.seen + BLIND)
@@ -75,9 +70,9 @@ impl Keeper {
 
     /// Lets go of the button, if one is held.
     pub(super) fn let_go(&mut self) {
-        if let Some(held) = self.held.take() {
+        if self.held.take().is_some() {
             self.drop_waiting("the button was released");
-            self.release_now(held.release());
+            self.release_now();
         }
     }
 
@@ -139,21 +134,6 @@ impl Keeper {
             self.policy.check(model, command)?;
         }
         Ok(())
-    }
-}
-
-/// What lets go of a button: a release of its own kind (note N44).
-fn release_of(jog: Jog) -> Command {
-    let speed_percent = 0.0;
-    match jog {
-        Jog::Joint(_) => Command::from(JointJog {
-            axis: JointJogAxis::Released,
-            speed_percent,
-        }),
-        Jog::Linear(_) => Command::from(LinearJog {
-            axis: LinearJogAxis::Released,
-            speed_percent,
-        }),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_client::{CommandId, Event};
+use dobot_client::{Address, CommandId, Event};
 use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
@@ -32,9 +32,13 @@ impl Default for Linked {
 }
 
 impl Keeper {
-    /// Takes that the port is open: statuses may come.
+    /// Takes that the port is open: statuses may come. Each opening resets a real arm, whatever was
+    /// confirmed before (note N35).
     pub fn handle_link_up(&mut self, now: Duration, address: &str) {
         self.handle_time(now);
+        if !matches!(address.parse(), Ok(Address::Virtual)) {
+            self.session.distrust(OPENED);
+        }
         self.link = Linked {
             phase: LinkPhase::Listening,
             address: Some(address.to_owned()),
@@ -113,6 +117,7 @@ impl Keeper {
             self.link.greeted = true;
             // What was said last may have got lost with the link.
             self.send_urgent(LASER_OFF);
+            self.release_again();
         }
         self.statuses.push_back(status);
         self.still = if self.last == Some(status) {
@@ -157,6 +162,8 @@ impl Keeper {
         self.link.greeted = false;
         self.still = 0;
         self.part_from_laser();
+        // Statuses may be lost on a line that still carries packets.
+        self.release_urgently();
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
         let text = match &self.link.problem {
@@ -192,5 +199,7 @@ fn failure(event: Event) -> String {
         .map_or_else(String::new, |error| error.to_string())
 }
 
+const OPENED: &str =
+    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
 /// So many statuses in a row that tell the same: the arm is at rest.
 const AT_REST: u32 = 3;

@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use dobot_arm::Pose;
 use dobot_client::SendError;
-use dobot_course::{CourseError, Model};
+use dobot_course::{Button, CourseError, Model};
 use dobot_safety::Violation;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
 
 use super::Keeper;
-use crate::words::{ClientId, LinkPhase, News, Refusal, Reply, Request};
+use crate::words::{ClientId, Jog, LinkPhase, News, Refusal, Reply, Request};
 
 impl Keeper {
     /// Takes a request. `None` when the answer takes its time: [`Keeper::poll_answer`] has it then.
@@ -97,7 +97,7 @@ impl Keeper {
         client: ClientId,
         command: &Command,
     ) -> Result<Reply, Refusal> {
-        if let Some(jog) = held_button(command) {
+        if let Some(jog) = button(command) {
             return self.jog(client, jog, self.policy.jog.dead_man_s);
         }
         self.check_may_move(client)?;
@@ -132,7 +132,7 @@ impl Keeper {
             let field = "voice";
             return Err(Refusal::Send(SendError::Undecided { field }));
         };
-        if dialect.hears_voice {
+        if dialect.hears_voice || self.session.is_bluetooth() {
             // From the first byte of a text on, a motion under way would rest and lose its place.
             return self.check_rest().map(|()| *command);
         }
@@ -206,12 +206,16 @@ impl Keeper {
     }
 }
 
-/// A button by which the arm moves has to be held, however it is pressed.
-fn held_button(command: &Command) -> Option<crate::words::Jog> {
-    use crate::words::Jog;
+/// A button by which the arm moves has to be held, and its release is of its kind, however they are
+/// pressed.
+fn button(command: &Command) -> Option<Jog> {
+    let switches = matches!(
+        Button::of(command),
+        Some(Button::Suction(_) | Button::Laser(_))
+    );
     match command {
-        Command::JointJog(it) if it.axis.moves() => Some(Jog::Joint(*it)),
-        Command::LinearJog(it) if it.axis.moves() => Some(Jog::Linear(*it)),
+        Command::JointJog(it) if !switches => Some(Jog::Joint(*it)),
+        Command::LinearJog(it) if !switches => Some(Jog::Linear(*it)),
         _ => None,
     }
 }

@@ -38,6 +38,7 @@ impl Keeper {
             address: self.link.address.clone(),
             phase: self.link.phase,
             problem: self.link.problem.clone(),
+            bluetooth: quality.bluetooth,
             statuses_per_s: quality.statuses_per_s,
             lost_statuses: quality.lost,
             damaged_bytes: quality.damaged_bytes,

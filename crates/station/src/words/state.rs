@@ -42,7 +42,11 @@ pub struct LinkView {
     pub phase: LinkPhase,
     /// What is wrong with it and what to do, if anything is.
     pub problem: Option<String>,
-    /// Statuses in a second, of 12.5.
+    /// Whether it leads to the Bluetooth port of a stock arm: its statuses tell so, and joint jogs have
+    /// other axes there, to which they are translated.
+    #[serde(default)]
+    pub bluetooth: bool,
+    /// Statuses in a second, of 12.5; of 18.75 over Bluetooth.
     pub statuses_per_s: f64,
     /// Statuses that should have come and did not, since the connect.
     pub lost_statuses: u64,

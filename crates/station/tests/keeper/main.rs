@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod arrivals;
+mod bluetooth;
 mod burns;
 mod commands;
 mod crashes;
@@ -15,6 +16,7 @@ mod leases;
 mod links;
 mod pauses;
 mod people;
+mod releases;
 mod stands;
 mod stops;
 mod strokes;

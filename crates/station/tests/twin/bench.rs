@@ -5,13 +5,11 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_client::position;
 use dobot_controller::{Personality, PowerUp};
-use dobot_draw::{
-    Laser, Machine, Paper, Pass, Pen, Plan, Point, Sample, Stroke, Tool,
-};
+use dobot_draw::{Laser, Machine, Paper, Pass, Pen, Plan, Point, Sample, Stroke, Tool};
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::{
-    Heard, JobKind, JobPause, JobPhase, JobView, News, NewJob, Reply, Request, StationClient,
+    Heard, JobKind, JobPause, JobPhase, JobView, NewJob, News, Reply, Request, StationClient,
 };
 
 pub(crate) struct Bench {
@@ -74,7 +72,12 @@ impl Bench {
             lift_mm: plan.lift_mm() as f32,
             pauses: plan.breaks_in_commands().map(pause).collect(),
         };
-        match self.station.request(Request::SubmitJob { job }).await.unwrap() {
+        match self
+            .station
+            .request(Request::SubmitJob { job })
+            .await
+            .unwrap()
+        {
             Reply::Job { job } => job.job,
             other => panic!("{other:?}"),
         }
@@ -88,7 +91,10 @@ impl Bench {
 
     /// Until it does not run any more: how it ended, and what was told.
     async fn run(&mut self, job: u64, until: usize) -> (JobPhase, String) {
-        self.station.request(Request::StartJob { job }).await.unwrap();
+        self.station
+            .request(Request::StartJob { job })
+            .await
+            .unwrap();
         let mut asked = false;
         loop {
             match self.station.next().await.unwrap() {

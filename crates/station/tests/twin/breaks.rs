@@ -18,10 +18,17 @@ async fn a_person_is_asked_for_each_pen_and_the_pen_is_up_meanwhile() {
         let mut bench = Bench::new(personality).await;
         bench.draw(&plan).await;
         assert_eq!(bench.asked.len(), 1);
-        assert!(bench.asked[0].ends_with("put the blue pen in"), "{:?}", bench.asked);
+        assert!(
+            bench.asked[0].ends_with("put the blue pen in"),
+            "{:?}",
+            bench.asked
+        );
         let samples = bench.samples();
         let trace = Trace::new(&plan, &PAPER, &samples, &[]).unwrap();
-        assert_eq!((trace.vectors(), trace.estimate().strokes), (plan.moves.len(), 2));
+        assert_eq!(
+            (trace.vectors(), trace.estimate().strokes),
+            (plan.moves.len(), 2)
+        );
     }
 }
 

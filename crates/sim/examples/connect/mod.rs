@@ -1,0 +1,40 @@
+//! The arm of an example: at the address that its first argument is, or a virtual one.
+
+#![allow(dead_code, reason = "an example that moves nothing asks nobody")]
+
+use std::error::Error;
+
+use dobot_client::{Address, Arm, Connection};
+use dobot_controller::{Controller, PowerUp};
+use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_wire::Dialect;
+
+/// Connects: `virtual:` if nothing else is said, `serial:/dev/ttyUSB0`, `tcp:HOST:PORT`.
+pub(crate) async fn arm() -> Result<Arm, Box<dyn Error>> {
+    let address = std::env::args().nth(1).unwrap_or("virtual:".into());
+    let address: Address = address.parse()?;
+    if address != Address::Virtual {
+        return Ok(Arm::open(&address, Some(Dialect::FIRMWARE_1_1)).await?);
+    }
+    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+    let connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
+    Ok(Arm::over(connection))
+}
+
+/// A real arm is moved only when a person has looked where it stands.
+pub(crate) async fn ask(arm: &mut Arm) -> Result<(), Box<dyn Error>> {
+    let status = arm.status().await?;
+    if arm.connection().session().is_trusted() {
+        return Ok(());
+    }
+    println!(
+        "This moves a real arm. It says that its base stands at {:.1} degrees, its rear arm at {:.1} and its forearm at {:.1}.",
+        status.base_deg, status.rear_deg, status.fore_deg
+    );
+    println!("Does it, and is its way free? Enter: yes, move it. Ctrl-C: no.");
+    if std::io::stdin().read_line(&mut String::new())? == 0 {
+        return Err("nobody has confirmed where the arm stands".into());
+    }
+    arm.confirm_pose();
+    Ok(())
+}
