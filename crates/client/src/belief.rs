@@ -23,6 +23,10 @@ pub(crate) struct Belief {
     paused_until: Duration,
     /// Before then no status can show that all that was sent is over.
     rests_from: Duration,
+    /// The pause of the last command, which begins anew while nothing waits (note N47), and how much
+    /// later than foreseen that makes what is under way.
+    last_pause: Duration,
+    late: Duration,
 }
 
 /// When a command under way should be over.
@@ -54,6 +58,8 @@ impl Belief {
             last: None,
             paused_until: Duration::ZERO,
             rests_from: Duration::ZERO,
+            last_pause: Duration::ZERO,
+            late: Duration::ZERO,
         }
     }
 
@@ -145,12 +151,12 @@ impl Belief {
             .map_or(Duration::ZERO, |it| it.ends)
             .max(now + ARRIVAL)
             + duration;
-        self.rests_from = ends + SHOWN;
         let bound = before
             .map_or(Duration::ZERO, |it| it.bound)
             .max(now + LATEST)
             .max(self.paused_until)
             + most;
+        self.foresee_rest(now, ends, duration, seconds_of(pause_s));
         self.under_way.push_back(Foreseen {
             command: id,
             duration,
@@ -163,6 +169,22 @@ impl Belief {
             bound,
         });
         self.sent = Some(after(&model, command));
+    }
+
+    /// From when on statuses may show a rest behind a command that should end then. What is said to be
+    /// over already need not be.
+    fn foresee_rest(&mut self, now: Duration, ends: Duration, takes: Duration, pause: Duration) {
+        let (late, rests_from) = if now < self.rests_from {
+            (self.late, self.rests_from.saturating_add(takes))
+        } else {
+            (Duration::ZERO, Duration::ZERO)
+        };
+        self.late = late.max(self.last_pause);
+        self.last_pause = pause;
+        self.rests_from = ends
+            .saturating_add(self.late)
+            .saturating_add(SHOWN)
+            .max(rests_from);
     }
 
     /// A command, and all before it, is over.
@@ -195,6 +217,7 @@ impl Belief {
         self.under_way.clear();
         self.paused_until = Duration::ZERO;
         self.rests_from = Duration::ZERO;
+        self.last_pause = Duration::ZERO;
         self.sent = Some(Model::new(self.dialect, status));
         self.given = self.sent;
     }

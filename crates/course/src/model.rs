@@ -146,6 +146,7 @@ impl Model {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
             .map_err(CourseError::Invalid)?;
         let course = plan(self, command)?;
+        course.check_duration()?;
         if self.dialect.counts_ticks_in_16_bits {
             course.check_counters()?;
         }
