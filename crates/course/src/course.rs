@@ -100,6 +100,14 @@ impl Course {
         }
     }
 
+    /// Whether the motion takes no longer than [`LONGEST_S`].
+    pub(crate) fn check_duration(&self) -> Result<(), CourseError> {
+        match self.motion_s() {
+            Some(found) if found > LONGEST_S => Err(CourseError::TooSlow { found }),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether a stock arm can count the ticks of motion and pause: it does so in 16 bits.
     pub(crate) fn check_counters(&self) -> Result<(), CourseError> {
         let motion_s = self.motion_s().unwrap_or(0.0);
@@ -125,9 +133,7 @@ impl Course {
         let Some(duration_s) = self.motion_s() else {
             return Ok(());
         };
-        if duration_s > LONGEST_S {
-            return Err(CourseError::TooSlow { found: duration_s });
-        }
+        self.check_duration()?;
         let samples = libm::ceil(duration_s / SAMPLING_S).max(1.0);
         let mut inside = self.from.check().is_ok();
         let mut index = 0.0;

@@ -130,13 +130,13 @@ pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Course, CourseErro
         let average = model.followed.mouse_average(mouse_sample(by), before);
         swung(average, by, model)
     };
-    surely_moves(course(Before::Another))?;
-    surely_moves(course(Before::TheRow))?;
+    surely_moves(&course(Before::Another))?;
+    surely_moves(&course(Before::TheRow))?;
     course(Before::AsSent)
 }
 
 /// Whether the arm does not hang with a packet that may come to this.
-fn surely_moves(course: Result<Course, CourseError>) -> Result<(), CourseError> {
+fn surely_moves(course: &Result<Course, CourseError>) -> Result<(), CourseError> {
     match course {
         Err(CourseError::NothingToFollow) => Err(CourseError::NothingToFollow),
         Ok(_) | Err(_) => Ok(()),
@@ -177,8 +177,8 @@ pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Course, CourseEr
         handed(average, model)
     };
     for before in [Before::AsSent, Before::Another, Before::TheRow] {
-        surely_moves(course(before, Behind::AsSent))?;
-        surely_moves(course(before, Behind::TheSame))?;
+        surely_moves(&course(before, Behind::AsSent))?;
+        surely_moves(&course(before, Behind::TheSame))?;
     }
     course(Before::AsSent, Behind::AsSent)
 }

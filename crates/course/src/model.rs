@@ -30,10 +30,6 @@ use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 /// # Ok::<(), dobot_course::CourseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "two switches of the arm, and two things that are known or not"
-)]
 pub struct Model {
     /// Where the arm is.
     pub place: Place,
@@ -157,6 +153,7 @@ impl Model {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
             .map_err(CourseError::Invalid)?;
         let course = plan(self, command)?;
+        course.check_duration()?;
         if self.dialect.counts_ticks_in_16_bits {
             course.check_counters()?;
         }

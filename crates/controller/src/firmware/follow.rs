@@ -134,16 +134,16 @@ impl Follow {
         body: &Body,
     ) -> Result<Joints, Outcome> {
         let [swing, longer, higher] = self.history.mouse_average(sample);
-        let z_mm = body.pose.z_mm + MOUSE_MM * higher;
+        let z_mm = body.pose.z_mm + higher;
         let pose = Pose {
-            x_mm: reach(body.pose) + MOUSE_MM * longer,
+            x_mm: reach(body.pose) + longer,
             y_mm: 0.0,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
             rotation_deg: 0.0,
         };
         let arms = solve(pose, body)?;
         Ok(Joints {
-            base_deg: body.joints.base_deg - MOUSE_DEG * swing,
+            base_deg: body.joints.base_deg - swing,
             ..arms
         })
     }
@@ -183,11 +183,16 @@ impl History {
         self.count.into()
     }
 
-    /// Each of the samples before counts together with the new one, which counts once more.
+    /// Each of the samples before counts together with the new one, which counts once more: in degrees
+    /// of the base, mm of reach and mm of height.
     fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
-        let mut sums = sample;
-        for old in &self.samples[..self.len()] {
-            for (sum, (new, old)) in sums.iter_mut().zip(sample.iter().zip(old)) {
+        let worth = |[swing, longer, higher]: [f32; 3]| {
+            [MOUSE_DEG * swing, MOUSE_MM * longer, MOUSE_MM * higher]
+        };
+        let new = worth(sample);
+        let mut sums = new;
+        for &old in &self.samples[..self.len()] {
+            for (sum, (new, old)) in sums.iter_mut().zip(new.into_iter().zip(worth(old))) {
                 *sum += new + old;
             }
         }

@@ -154,7 +154,7 @@ const TABLE_HEAD: &str = "\
 ";
 
 /// What each recording shows.
-const SHOWN: [(&str, &str); 47] = [
+const SHOWN: [(&str, &str); 49] = [
     (
         "p01_boot_status",
         "switched on and left alone: when statuses come",
@@ -250,10 +250,6 @@ const SHOWN: [(&str, &str); 47] = [
     (
         "p44_write_below_zero",
         "trap: a vector behind a speed below zero creeps on for ever",
-    ),
-    (
-        "p46_mouse_servo",
-        "mouse with a servo angle beyond 90 degrees",
     ),
     (
         "p47_shared_history",

@@ -353,5 +353,5 @@ cargo test -p dobot-station --test fuzz                   # half a minute of it,
 ```
 
 Left out is what no station can promise: packets that get lost on the way to the arm, buttons held while the port is
-gone, and initial angles that are a lie. Behind a reset the base is judged as the arm believes it.
+gone, and initial angles that are a lie. Where arms go that are reset is not judged, for they do not know it.
 ";

@@ -6,7 +6,7 @@ mod cases;
 
 #[test]
 fn an_arm_is_never_lost_whatever_it_is_asked() {
-    let it = cases::fuzz::run(0, 60);
+    let it = cases::fuzz::run(0, 200);
     assert!(
         it.wrong.is_empty(),
         "{} of {} arms: {}",

@@ -132,14 +132,14 @@ impl Case {
         let mut it = Rehearsal::with_arm(arm, power_up, policy.clone());
         it.run_for(Duration::from_millis(700));
         let burns = chance.below(4) == 0;
-        let loses = faults
+        let resets = faults
             .iter()
             .any(|it| it.contains("reset") || it.contains("power"));
         let jogs = !faults.iter().any(|it| it.contains("close"));
         let people = ["Anna", "Ben", "a raw program"].map(|name| it.client(name));
         let watcher = it.watcher("the class");
         Self {
-            judge: Judge::new(policy, burns, loses),
+            judge: Judge::new(policy, burns, resets),
             asking: Asking {
                 people,
                 watcher,

@@ -12,9 +12,9 @@ pub(crate) struct Judge {
     policy: Policy,
     /// Somebody may arm the laser.
     burns: bool,
-    /// The base is not where the controller believes, from the first fault on: then its belief is
-    /// judged, for no command can tell it better.
-    loses: bool,
+    /// The arm is reset at some time: then its base is not where it believes, and where the base stood
+    /// at 0 nobody can see it. Where it goes is not judged.
+    resets: bool,
     /// Control ticks seen.
     pub ticks: u64,
     tick: u32,
@@ -28,11 +28,11 @@ pub(crate) const OUTSIDE: &str = "the arm left what the policy allows";
 pub(crate) const LASER: &str = "the laser was on, armed by nobody";
 
 impl Judge {
-    pub(crate) const fn new(policy: Policy, burns: bool, loses: bool) -> Self {
+    pub(crate) const fn new(policy: Policy, burns: bool, resets: bool) -> Self {
         Self {
             policy,
             burns,
-            loses,
+            resets,
             ticks: 0,
             tick: 0,
             lost: None,
@@ -58,11 +58,10 @@ impl Judge {
             self.lose(NAN, format!("{believed:?}"));
             return;
         }
-        let joints = if self.loses {
-            believed
-        } else {
-            arm.mechanics().joints_at(it.now())
-        };
+        if self.resets {
+            return;
+        }
+        let joints = arm.mechanics().joints_at(it.now());
         // The tool that the controller was told last.
         let reach_mm = forward(&believed, Tool::SuctionCup).position.reach().0;
         let is_long = (pose.position.reach().0 - reach_mm).abs() < 1.0;
