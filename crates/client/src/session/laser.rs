@@ -22,10 +22,10 @@ pub(super) struct Laser {
     /// When it is said again that it is to be off, and how often that was said.
     again: Option<Duration>,
     rounds: u32,
-    /// The packet that left last is on the line until then; and if the session switched the laser off
-    /// with it, nothing else leaves before.
+    /// The packet that left last is on the line until then.
     line_free: Duration,
-    holds_line: bool,
+    /// What the session switched the laser off with is on the line until then.
+    off_on_line: Duration,
     /// When the last status came that differs from the one before, and whether the last one does not.
     changed: Duration,
     stands: bool,
@@ -114,7 +114,6 @@ impl Session {
     /// Takes note of a command that leaves.
     pub(super) fn note_laser(&mut self, command: &Command) {
         self.laser.line_free = self.now + PACKET_AND_GAP;
-        self.laser.holds_line = false;
         self.laser.again = None;
         if burns(command) {
             self.laser.told_off = None;
@@ -184,13 +183,13 @@ impl Session {
         self.to_send.push_back(packet);
         // Whoever says it himself says it once more.
         self.laser.told_off = None;
-        self.laser.holds_line = true;
+        self.laser.off_on_line = self.laser.line_free;
         self.permit = false;
     }
 
     /// Whether the line is free of what switched the laser off: a stock arm wants a gap between packets.
     pub(super) fn has_line(&self) -> bool {
-        !self.laser.holds_line || self.now >= self.laser.line_free
+        self.now >= self.laser.off_on_line
     }
 
     /// When the laser has to be told to be off, if nothing more is sent until then.
