@@ -108,7 +108,6 @@ impl Connection {
     ///
     /// As [`Session::send`].
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
-        self.session.handle_time(self.now());
         self.session.send(command)
     }
 
@@ -173,6 +172,7 @@ impl Connection {
     async fn step(&mut self, until: Duration) -> Result<bool, LinkError> {
         while let Some(packet) = self.session.poll_bytes() {
             self.link.send(&packet.to_bytes());
+            self.session.note_left(self.link.now());
         }
         let open = self.link.receive(until, &mut self.incoming).await?;
         let now = self.now();

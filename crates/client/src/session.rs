@@ -293,6 +293,11 @@ impl Session {
         self.to_send.pop_front()
     }
 
+    /// Takes note that a packet left only now.
+    pub(crate) const fn note_left(&mut self, now: Duration) {
+        self.left = Some(now);
+    }
+
     /// The next thing that happened.
     pub fn poll_event(&mut self) -> Option<Event> {
         self.events.pop_front()

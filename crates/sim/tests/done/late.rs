@@ -8,8 +8,9 @@ use dobot_sim::InProcess;
 
 use crate::Dice;
 
-/// A virtual arm behind a link that is late by the same time each way, or by any time up to that;
-/// the order stays.
+/// A virtual arm behind a link that is late by the same time each way; or on the way back by any
+/// time up to that. The other way that would bring two packets too close together for a stock arm,
+/// which loses one then (note N26).
 #[derive(Debug)]
 pub(crate) struct Late {
     arm: InProcess,
@@ -30,8 +31,9 @@ impl Late {
         }
     }
 
-    /// When something that leaves now arrives, behind what left before.
-    fn arrival(&mut self, last: Option<Duration>) -> Duration {
+    /// When what the arm says now arrives, behind what it said before.
+    fn arrival(&mut self) -> Duration {
+        let last = self.from_arm.back().map(|it| it.0);
         let share = self.jitter.as_mut().map_or(1.0, |it| it.between(0.0, 1.0));
         let arrival = self.arm.now() + self.latency.mul_f32(share);
         arrival.max(last.unwrap_or_default())
@@ -54,7 +56,7 @@ impl Peer for Late {
     }
 
     fn send(&mut self, bytes: &[u8]) {
-        let arrival = self.arrival(self.to_arm.back().map(|it| it.0));
+        let arrival = self.arm.now() + self.latency;
         self.to_arm.push_back((arrival, bytes.to_vec()));
     }
 
@@ -71,7 +73,7 @@ impl Peer for Late {
             let mut piece = Vec::new();
             self.arm.receive(next.min(until), &mut piece);
             if !piece.is_empty() {
-                let arrival = self.arrival(self.from_arm.back().map(|it| it.0));
+                let arrival = self.arrival();
                 self.from_arm.push_back((arrival, piece));
             }
         }
