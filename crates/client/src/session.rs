@@ -235,6 +235,7 @@ impl Session {
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
         self.scheme = Scheme::default();
+        self.trust.handle_open();
         (self.resyncs, self.skipped) = (0, 0);
         self.to_send.clear();
         self.permit = false;
@@ -362,7 +363,10 @@ impl Session {
 
     /// Whether the status shows a reset; then everything that was told is forgotten.
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
-        let Some(evidence) = self.trust.handle_status(now, status) else {
+        let Some(evidence) = self
+            .trust
+            .handle_status(now, status, self.belief.comes_to_zero(None))
+        else {
             return false;
         };
         let forgotten = self.belief.handle_reset(status);

@@ -51,6 +51,8 @@ pub(crate) struct Trust {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
+    /// The port was opened since the last status: nobody listened before.
+    opened: bool,
     /// The initial angles that were sent and not seen yet, and for how many statuses more they
     /// would explain a jump.
     told: Option<([f32; 2], u32)>,
@@ -61,6 +63,7 @@ impl Trust {
         Self {
             reason: (!trusted).then(|| UNCONFIRMED.to_owned()),
             last: None,
+            opened: false,
             told: None,
         }
     }
@@ -71,6 +74,11 @@ impl Trust {
 
     pub(crate) fn confirm(&mut self) {
         self.reason = None;
+    }
+
+    /// The port was opened again: until the next status the silence was ours.
+    pub(crate) const fn handle_open(&mut self) {
+        self.opened = true;
     }
 
     pub(crate) fn distrust(&mut self, reason: &str) {
@@ -95,12 +103,16 @@ impl Trust {
 
     /// Takes a status; says what shows a reset. A silence that hides one may have another reason, a
     /// full queue, and a command under way may turn the base to just 0: it counts as a reset all the
-    /// same, for nothing in the statuses tells the two apart.
+    /// same, for nothing in the statuses tells the two apart. Only while the port was closed the arm may
+    /// have gone on with what it had: `to_zero` tells whether that leads to a base of 0. Of a real arm
+    /// the opening itself costs the trust.
     pub(crate) fn handle_status(
         &mut self,
         now: Duration,
         status: &Status,
+        to_zero: bool,
     ) -> Option<ResetEvidence> {
+        let went_on = std::mem::take(&mut self.opened) && to_zero;
         let (heard, before) = self.last.replace((now, *status))?;
         if self.told.is_some_and(|(told, _)| shows(status, told)) {
             self.told = None;
@@ -116,7 +128,8 @@ impl Trust {
         let deaf = silent_for >= DEAF;
         let jumped = !jumps && jumped(&before, status, silent_for);
         let base_is_zero = status.base_deg == 0.0;
-        if !(jumped || deaf && base_is_zero && tells_otherwise(&before, status)) {
+        let begun_anew = !went_on && tells_otherwise(&before, status);
+        if !(jumped || deaf && base_is_zero && begun_anew) {
             return None;
         }
         let evidence = ResetEvidence {
