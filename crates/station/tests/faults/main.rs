@@ -3,7 +3,7 @@
 #[path = "../../examples/reliability/cases/mod.rs"]
 mod cases;
 
-use cases::{cables, clients, disks, floods, kills, lines, stops};
+use cases::{cables, clients, disks, floods, fuzz, kills, lines, stops};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -71,4 +71,11 @@ fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
         right(&it.wrong);
         assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
     }
+}
+
+#[test]
+fn an_arm_is_never_lost_whatever_it_is_asked() {
+    let it = fuzz::run(0, 200);
+    right(&it.wrong);
+    assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
 }
