@@ -227,11 +227,15 @@ impl Belief {
         self.release
     }
 
-    /// Whether the base stands at 0 behind something under way, or would behind the next command.
+    /// Whether the base stands at 0 behind something under way.
     pub(crate) fn comes_to_zero(&self) -> bool {
+        self.under_way.iter().any(|it| ends_ahead(&it.plan))
+    }
+
+    /// Whether it would behind the command that is next.
+    pub(crate) fn would_come_to_zero(&self) -> bool {
         let next = self.waiting.front().and_then(|it| it.plan.as_ref());
-        let sent = self.under_way.iter().map(|it| &it.plan);
-        sent.chain(next).any(|it| ends_ahead(it))
+        next.is_some_and(|it| ends_ahead(it))
     }
 
     /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.

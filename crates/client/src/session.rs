@@ -365,7 +365,7 @@ impl Session {
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
         let Some(evidence) = self
             .trust
-            .handle_status(now, status, self.belief.comes_to_zero(None))
+            .handle_status(now, status, self.belief.comes_to_zero())
         else {
             return false;
         };
@@ -455,7 +455,7 @@ impl Session {
     fn would_hide_a_reset(&self) -> bool {
         self.may_be_full()
             && self.belief.under_way().ahead(self.now) + NOT_YET_DEAF >= DEAF
-            && self.belief.comes_to_zero()
+            && (self.belief.comes_to_zero() || self.belief.would_come_to_zero())
     }
 
     /// Whether the next command has to wait because of the port that the arm serves: a joint jog until

@@ -214,7 +214,7 @@ fn events(session: &mut Session) -> Vec<Event> {
 
 #[test]
 fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_over() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     let refused = Err(SendError::LaserDisarmed);
     assert_eq!(session.send(burn(10.0)), refused);
@@ -233,7 +233,7 @@ fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_ove
 
 #[test]
 fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     session.arm_laser(Duration::from_secs(1));
     let first = session.send(stroke(5.0)).expect("it is allowed");
@@ -255,7 +255,7 @@ fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
 #[test]
 fn the_laser_is_disarmed_by_silence_by_another_opening_of_the_port_and_by_a_reset() {
     let armed = || {
-        let mut session = Session::new(Some(Dialect::SPECIFICATION));
+        let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
         tell(&mut session, PERIOD);
         session.arm_laser(Duration::from_mins(10));
         session
@@ -281,7 +281,7 @@ fn the_laser_is_disarmed_by_silence_by_another_opening_of_the_port_and_by_a_rese
 
 #[test]
 fn a_free_laser_needs_no_arming_and_is_not_disarmed() {
-    let mut session = Session::new(Some(Dialect::SPECIFICATION)).with_free_laser();
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_free_laser();
     tell(&mut session, PERIOD);
     session.send(burn(5.0)).expect("it is free");
     session.handle_open(Duration::from_secs(1));

@@ -301,6 +301,8 @@ impl Trial {
 
     /// Something that the arm refuses, and the laser off that follows a refusal in a station.
     async fn refuse(&mut self) {
+        // Initial angles cost the trust.
+        self.connection.session_mut().confirm_pose();
         let far = self
             .connection
             .send(move_to(MovingMode::MovJ, 400.0, 0.0, 0.0));
@@ -318,6 +320,7 @@ impl Trial {
 
     /// Sends a command and waits for its end; panics where that is told too early, or never.
     async fn run(&mut self, kind: Kind) {
+        self.connection.session_mut().confirm_pose();
         let phase = Duration::from_micros(self.dice.below(80_000));
         self.pass(phase).await;
         if let Some(pressed) = self.dice.pressed(kind) {

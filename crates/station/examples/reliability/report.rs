@@ -349,7 +349,7 @@ against the limits of the policy, by a check of its own. Three arms of four are 
 ```sh
 cargo run --release -p dobot-station --example fuzz -- --requests 1000000 > crates/station/examples/reliability/fuzz.md
 cargo run -p dobot-station --example fuzz -- --seed 42    # one case
-cargo test -p dobot-station --test fuzz                   # half a minute of it, as CI does
+cargo test -p dobot-station --test faults whatever        # 80,000 of them, as CI does
 ```
 
 Left out is what no station can promise: packets that get lost on the way to the arm, buttons held while the port is

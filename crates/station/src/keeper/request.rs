@@ -132,7 +132,11 @@ impl Keeper {
             let field = "voice";
             return Err(Refusal::Send(SendError::Undecided { field }));
         };
-        if dialect.hears_voice || self.session.is_bluetooth() {
+        if self.session.is_bluetooth() {
+            // It waits in the session until the arm rests.
+            return Ok(*command);
+        }
+        if dialect.hears_voice {
             // From the first byte of a text on, a motion under way would rest and lose its place.
             return self.check_rest().map(|()| *command);
         }

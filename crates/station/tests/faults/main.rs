@@ -3,7 +3,7 @@
 #[path = "../../examples/reliability/cases/mod.rs"]
 mod cases;
 
-use cases::{cables, clients, disks, floods, kills, lines, stands, stops};
+use cases::{cables, clients, disks, floods, fuzz, kills, lines, stands, stops};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -80,4 +80,11 @@ fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
         assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
         assert!(it.stood_s.most() <= stands::MOST_S, "{}", it.stood_s);
     }
+}
+
+#[test]
+fn an_arm_is_never_lost_whatever_it_is_asked() {
+    let it = fuzz::run(0, 200);
+    right(&it.wrong);
+    assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
 }

@@ -59,10 +59,11 @@ impl Fuzz {
             self.ticks,
             self.virtual_s / 3600.0
         );
-        for loss in LOSSES {
+        let lost = LOSSES.map(|loss| {
             let times = self.lost.get(loss).copied().unwrap_or_default();
-            page.push_str(&format!("| **{loss}** | {times} |\n"));
-        }
+            format!("| **{loss}** | {times} |\n")
+        });
+        page += &lost.concat();
         page
     }
 }
@@ -115,7 +116,7 @@ impl Case {
     fn new(seed: u64) -> Self {
         // Seeds that follow one another would give the same numbers, one later.
         let mut chance = Chance::new(Chance::new(seed).number());
-        let personality = Personality::ALL[usize::from(seed % 4 != 0)];
+        let personality = Personality::ALL[usize::from(!seed.is_multiple_of(4))];
         let power_up = PowerUp::new(personality);
         let faults = match chance.below(3) {
             0 => vec![chance.one(&FAULTS)],

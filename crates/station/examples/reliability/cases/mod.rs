@@ -7,6 +7,10 @@ pub(crate) mod clients;
 mod commands;
 pub(crate) mod disks;
 pub(crate) mod floods;
+#[allow(
+    dead_code,
+    reason = "tests ask less of it than the example of its name"
+)]
 pub(crate) mod fuzz;
 pub(crate) mod jobs;
 pub(crate) mod kills;
