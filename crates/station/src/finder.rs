@@ -10,11 +10,14 @@ mod search;
 use std::io;
 
 use dobot_client::{Address, Link, LinkError, Port};
+use dobot_wire::{Dialect, Packet};
 use tokio::time::Instant;
 
 use self::candidate::{Candidate, Choice, choose};
 use self::in_vain::InVain;
 use self::listening::Listening;
+
+use crate::keeper::LASER_OFF;
 
 pub use missed::{Missed, NothingFound};
 pub use reconnect::Reconnect;
@@ -24,7 +27,8 @@ pub use search::{Search, WhereFound};
 ///
 /// A port is opened and listened to for five seconds (a stock arm starts anew when its port is
 /// opened, and says nothing for two); the arm is where a valid status comes from, one whose position
-/// agrees with its angles. Nothing is ever written to a port by the finder.
+/// agrees with its angles. Nothing is written to a port by the finder but laser off: to an arm that
+/// was found, and at once where a person has named the port or the arm was found before.
 ///
 /// Which ports are tried: those that the [`Search`] names, and no others; or else
 ///
@@ -152,7 +156,7 @@ impl Finder {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
         });
-        let missed = match listen(&candidate.address).await {
+        let missed = match listen(candidate).await {
             Ok(found) => return Ok(found),
             Err(missed) => missed,
         };
@@ -167,9 +171,14 @@ impl Finder {
     }
 }
 
-/// Opens a port and listens until an arm is heard.
-async fn listen(address: &Address) -> Result<Found, Missed> {
+/// Opens a port and listens until an arm is heard. Where it is known to be an arm, its laser is
+/// switched off before it says anything; where it shows to be one, in that moment.
+async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
+    let address = &candidate.address;
     let mut link = Link::open(address).await?;
+    if candidate.sure {
+        darken(&mut link).await;
+    }
     let mut listening = Listening::new();
     let mut some = Vec::new();
     while link.now() < Listening::UNTIL {
@@ -179,6 +188,7 @@ async fn listen(address: &Address) -> Result<Found, Missed> {
             Err(_) => false,
         };
         if listening.handle_bytes(&some) {
+            darken(&mut link).await;
             return Ok(Found {
                 address: address.clone(),
                 link,
@@ -191,6 +201,13 @@ async fn listen(address: &Address) -> Result<Found, Missed> {
         some.clear();
     }
     Err(listening.missed())
+}
+
+/// Laser off: whatever the arm was told before, and whoever told it.
+async fn darken(link: &mut Link) {
+    link.send(&Packet::from(LASER_OFF.emit(&Dialect::SPECIFICATION)).to_bytes());
+    // A link that is broken says so to whoever listens next.
+    let _ = link.flush().await;
 }
 
 #[cfg(test)]

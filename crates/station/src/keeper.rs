@@ -35,6 +35,7 @@ use self::save::Unsaved;
 use self::stop::Stop;
 use crate::words::{ClientId, News, Notice, Refusal, Reply, Role};
 
+pub(crate) use self::halt::LASER_OFF;
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
 

@@ -14,5 +14,6 @@ mod leases;
 mod links;
 mod pauses;
 mod people;
+mod stalls;
 mod stops;
 mod strokes;

@@ -7,6 +7,7 @@ pub(crate) mod clients;
 mod commands;
 pub(crate) mod disks;
 pub(crate) mod floods;
+pub(crate) mod guardians;
 pub(crate) mod jobs;
 pub(crate) mod kills;
 pub(crate) mod lines;
