@@ -13,6 +13,7 @@ use dobot_wire::{
 use tempfile::TempDir;
 
 use crate::going::{Going, line_with};
+use crate::killing::{burns, spiral};
 use crate::program::{command, command_at, run};
 
 const LASER_OFF: Command = Command::JointJog(JointJog {
@@ -121,7 +122,12 @@ impl Bench {
     fn up(&self, others: &[&str]) -> std::process::Command {
         let arm = format!("tcp:{}", self.wire);
         let arguments = ["up", "--dialect", "specification", "--arm", &arm];
-        let ports = ["--http", "127.0.0.1:0", "--raw", "off"];
+        let free: &[&str] = if others.contains(&"--http") {
+            &[]
+        } else {
+            &["--http", "127.0.0.1:0"]
+        };
+        let ports = [&["--raw", "off"], free].concat();
         command_at(self.folder(), &[&arguments[..], &ports, others].concat())
     }
 
@@ -170,20 +176,30 @@ impl Bench {
         }
     }
 
-    /// The commands until the arm told the same place ten times, and when it told that first.
+    /// The commands until the arm told the same place ten times, or the wire is closed; and when it
+    /// told that place first.
     fn until_at_rest(&self) -> (Vec<(Instant, Command)>, Instant) {
         let (mut commands, mut last, mut still) = (Vec::new(), None, 0);
         let mut since = Instant::now();
         while still < 10 {
-            match self.next() {
-                Passed::ToArm(at, command) => commands.push((at, command)),
-                Passed::FromArm(at, status) if last != Some(status) => {
+            match self.passed.recv_timeout(Duration::from_secs(2)) {
+                Ok(Passed::ToArm(at, command)) => commands.push((at, command)),
+                Ok(Passed::FromArm(at, status)) if last != Some(status) => {
                     (last, since, still) = (Some(status), at, 0);
                 }
-                Passed::FromArm(..) => still += 1,
+                Ok(Passed::FromArm(..)) => still += 1,
+                Err(_) => break,
             }
         }
         (commands, since)
+    }
+
+    /// Where the base of the arm is, by the arm itself: no station is there any more.
+    fn base_deg(&self) -> f64 {
+        let arm = format!("tcp:{}", self.wire);
+        let ask = ["status", "--to", &arm, "--json"];
+        let outcome = run(&mut command_at(self.folder(), &ask), b"").succeeds();
+        base_deg(&outcome.stdout)
     }
 
     /// The guardian said it within 0.4 s, both things, three times at least.
@@ -217,6 +233,11 @@ impl Bench {
     }
 }
 
+fn base_deg(status: &str) -> f64 {
+    let status: serde_json::Value = serde_json::from_str(status).expect("it is JSON");
+    status["base_deg"].as_f64().expect("a number")
+}
+
 fn signal(station: &Going, signal: rustix::process::Signal) {
     rustix::process::kill_process(station.pid(), signal).expect("it is there");
 }
@@ -229,6 +250,44 @@ fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
     let at = Instant::now();
     station.kill();
     bench.check_words(at, JOINT_RELEASE);
+    let (before, after) = (bench.base_deg(), bench.base_deg());
+    assert!((after - before).abs() < 0.01, "{before} {after}");
+}
+
+/// The station of an arm that burns.
+fn burning(bench: &Bench) -> (Going, Going) {
+    let (station, _errors) = bench.station();
+    let file = bench.folder().join("job.json");
+    let text = serde_json::to_string(&spiral()).expect("it is JSON");
+    std::fs::write(&file, text).expect("there is room");
+    let submit = ["jobs", "submit", file.to_str().expect("the path is text")];
+    run(&mut command_at(bench.folder(), &submit), b"").succeeds();
+    let start = ["jobs", "start", "1", "--arm-laser", "600"];
+    let follower = Going::new(command_at(bench.folder(), &start));
+    let mut burnt = 0;
+    while burnt < 3 {
+        burnt += usize::from(bench.next_command().is_some_and(|(_, it)| burns(&it)));
+    }
+    (station, follower)
+}
+
+#[test]
+fn a_light_whose_station_is_killed_or_stands_still_is_off_within_two_fifths_of_a_second() {
+    use rustix::process::Signal;
+    for how in [Signal::KILL, Signal::STOP] {
+        let bench = Bench::new();
+        let (station, _follower) = burning(&bench);
+        let at = Instant::now();
+        signal(&station, how);
+        let (commands, _) = bench.until_at_rest();
+        let mut after = commands.iter().filter(|it| it.0 > at);
+        // What the station had sent before may still be on the wire.
+        let first = after.find(|it| !matches!(it.1, Command::WriteVector(_)));
+        let (said, first) = first.expect("the guardian speaks");
+        assert_eq!(*first, LASER_OFF, "{how:?}");
+        let within = said.saturating_duration_since(at);
+        assert!(within <= Duration::from_millis(400), "{how:?}: {within:?}");
+    }
 }
 
 #[test]
@@ -282,7 +341,7 @@ fn a_station_that_ends_as_it_should_has_said_all_itself() {
 
 #[test]
 fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
-    let mut arm = Going::new(command(&["arm", "--tcp", "off", "--pty", ""]));
+    let mut arm = Going::new(command(&["arm", "--pty"]));
     let address = arm.address();
     let folder = tempfile::tempdir().expect("there is room");
     let ports = ["--http", "127.0.0.1:0", "--raw", "off"];
@@ -296,9 +355,11 @@ fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
     let _holder = Going::new(command_at(folder.path(), &["jog", "base+", "--for", "60"]));
     let base = || {
         let show = ["status", "--count", "1", "--json"];
-        let outcome = run(&mut command_at(folder.path(), &show), b"").succeeds();
-        let status: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("it is JSON");
-        status["base_deg"].as_f64().expect("a number")
+        base_deg(
+            &run(&mut command_at(folder.path(), &show), b"")
+                .succeeds()
+                .stdout,
+        )
     };
     while base() < 3.0 {}
     station.kill();
@@ -319,10 +380,9 @@ fn a_start_that_fails_has_switched_the_laser_off_first() {
     std::fs::write(&policy, "[jog]\ndead_man = 1").expect("there is room");
     let policy = policy.to_str().expect("the path is text");
     bench.first_of_a_failing_start(&["--policy", policy], &["policy"]);
-    let taken = TcpListener::bind("127.0.0.1:0").expect("a port is free");
-    let taken = taken.local_addr().expect("it has an address").to_string();
-    let _held = TcpListener::bind(&taken);
-    bench.first_of_a_failing_start(&["--policy", policy, "--http", &taken], &["policy"]);
+    let held = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let taken = held.local_addr().expect("it has an address").to_string();
+    bench.first_of_a_failing_start(&["--http", &taken], &[&taken]);
     std::fs::write(bench.folder().join("journal.redb"), "a power cut").expect("there is room");
     bench.first_of_a_failing_start(&[], &["journal"]);
 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_controller::Personality;
 use dobot_station::{JobPhase, Jog, Rehearsal, Request};
-use dobot_wire::{Command, JointJogAxis, LinearJog, LinearJogAxis, Packet};
+use dobot_wire::{Command, JointJog, JointJogAxis, Packet};
 
 use crate::burns::armed;
 use crate::drawing::rehearsal;
@@ -30,8 +30,8 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
-        let jog = Jog::Linear(LinearJog {
-            axis: LinearJogAxis::YPlus,
+        let jog = Jog::Joint(JointJog {
+            axis: JointJogAxis::BasePlus,
             speed_percent: 30.0,
         });
         for _ in 0..8 {
