@@ -1,11 +1,6 @@
 //! `dobot confirm`: the arm stands where it says.
 
-use std::io::IsTerminal;
-
-use anyhow::anyhow;
-use dobot_station::Request;
-
-use crate::control::{self, take_control};
+use crate::control::{self, check_pose};
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
@@ -28,30 +23,9 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut station = args.station.connect("confirm").await?;
+    let mut station = args.station.client("confirm").await?;
     let status = control::status(&mut station).await?;
+    check_pose(&mut station, args.yes).await?;
     output::line(&output::status_text(&status))?;
-    if !args.yes && !ask().await? {
-        return Err(anyhow!("not confirmed").into());
-    }
-    take_control(&mut station).await?;
-    station.request(Request::ConfirmPose).await?;
     Ok(output::line("the pose is trusted")?)
-}
-
-/// Asks the person.
-async fn ask() -> Result<bool, Failure> {
-    if !std::io::stdin().is_terminal() {
-        return Err(Failure::new(
-            anyhow!("nobody is there to be asked"),
-            "`--yes`, when a person has looked at the arm",
-        ));
-    }
-    eprintln!("does the arm stand there? y or n");
-    let answer = tokio::task::spawn_blocking(|| {
-        let mut line = String::new();
-        std::io::stdin().read_line(&mut line).map(|_| line)
-    });
-    let answer = answer.await??;
-    Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }

@@ -8,10 +8,9 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use anyhow::{Context, anyhow};
 use dobot_client::{Address, Link};
 use dobot_conformance::{HEADING, Options, Outcome, Report, Row, Suite, Verdict};
-use dobot_controller::Personality;
-use dobot_sim::InProcess;
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_sim::{InProcess, Line, VirtualArm};
 
-use crate::connect::virtual_arm;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -96,7 +95,9 @@ impl Args {
     async fn link(&self) -> Result<Link, Failure> {
         if self.is_virtual() {
             let personality = self.personality.unwrap_or_default();
-            return Ok(Link::over_peer(InProcess::new(virtual_arm(personality))));
+            let controller = Controller::power_up(PowerUp::new(personality));
+            let arm = VirtualArm::new(controller, Line::STOCK);
+            return Ok(Link::over_peer(InProcess::new(arm)));
         }
         if self.personality.is_some() {
             return Err(Failure::new(

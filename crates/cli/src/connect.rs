@@ -1,19 +1,18 @@
-//! From an address to a connection.
+//! From an address to an arm under its rules.
 
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_client::{Address, Connection};
-use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_client::Address;
+use dobot_controller::{Personality, PowerUp};
 use dobot_safety::Policy;
-use dobot_sim::{InProcess, Line, VirtualArm};
-use dobot_station::{Remote, State};
+use dobot_station::{LocalArm, State, StationClient};
 use dobot_wire::Dialect;
 
 use crate::control::first_state;
 use crate::failure::Failure;
 use crate::policy;
-use crate::reach::{Station, client_name};
+use crate::reach::{Station, client_name, folders};
 
 /// Which arm, and by which way.
 #[derive(Clone, Debug, clap::Args)]
@@ -39,41 +38,45 @@ pub(crate) struct To {
     /// The safety policy, a TOML file (default: the one that `dobot policy` shows); a station has its own
     #[arg(long, value_name = "FILE", global = true)]
     pub(crate) policy: Option<PathBuf>,
+    /// Do not ask where the arm stands: a person has looked since its port was opened or it was reset
+    #[arg(long, global = true)]
+    pub(crate) pose_confirmed: bool,
     #[command(flatten)]
     pub(crate) station: Station,
 }
 
-/// The way to an arm.
-pub(crate) enum Reached {
-    /// Through a station.
-    Station(Box<Remote>),
-    /// From this process.
-    Arm(Box<Connected>),
-}
-
-/// A connection, and the virtual arm at its other end if it is one in this process.
-pub(crate) struct Connected {
-    pub(crate) arm: Connection,
-    pub(crate) virtual_arm: Option<InProcess>,
-    pub(crate) policy: Policy,
-}
-
 impl To {
-    /// Whether the arm, when it is reached from this process, is a virtual one.
-    pub(crate) const fn is_virtual(&self) -> bool {
-        matches!(self.address, None | Some(Address::Virtual))
+    /// Does something with the arm: through the station that is named, or that runs here and has this
+    /// arm, and otherwise under the same rules in this process. Whatever comes of it, the arm is left
+    /// in order.
+    pub(crate) async fn with_arm<T>(
+        &self,
+        verb: &str,
+        act: impl AsyncFnOnce(&mut StationClient) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let mut station = match self.find_station(verb).await? {
+            Some(station) => station,
+            None => self.open(verb).await?,
+        };
+        let done = act(&mut station).await;
+        station.end().await;
+        done
     }
 
-    /// The way to the arm: through the station that is named, or that runs here and has this arm,
-    /// and otherwise from this process.
-    pub(crate) async fn reach(&self, verb: &str) -> Result<Reached, Failure> {
-        match self.find_station(verb).await? {
-            Some(station) => Ok(Reached::Station(Box::new(station))),
-            None => Ok(Reached::Arm(Box::new(self.connect().await?))),
+    /// The same for what only makes sense with an arm that outlives this process: there is no
+    /// virtual one unless it is asked for.
+    pub(crate) async fn with_lasting_arm<T>(
+        &self,
+        verb: &str,
+        act: impl AsyncFnOnce(&mut StationClient) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        if self.address.is_none() {
+            return act(&mut self.station.client(verb).await?).await;
         }
+        self.with_arm(verb, act).await
     }
 
-    async fn find_station(&self, verb: &str) -> Result<Option<Remote>, Failure> {
+    async fn find_station(&self, verb: &str) -> Result<Option<StationClient>, Failure> {
         if self.address == Some(Address::Virtual) {
             return Ok(None);
         }
@@ -81,7 +84,7 @@ impl To {
         let Some(address) = self.station.address()? else {
             return Ok(None);
         };
-        let mut station = match Remote::connect(&address, &client_name(verb)).await {
+        let mut station = match StationClient::connect(&address, &client_name(verb)).await {
             Ok(station) => station,
             // It was killed, and could not take back that it runs.
             Err(error) if error.is_nobody() && !named => return Ok(None),
@@ -126,25 +129,32 @@ impl To {
         ))
     }
 
-    async fn connect(&self) -> Result<Connected, Failure> {
-        let policy = self
-            .policy
-            .as_deref()
-            .map_or(Ok(Policy::default()), policy::read)?;
-        if let Some(address) = self.address.as_ref().filter(|_| !self.is_virtual()) {
-            return Ok(Connected {
-                arm: Connection::open(address, self.dialect).await?,
-                virtual_arm: None,
-                policy,
-            });
+    /// The policy that was given, or the default one.
+    pub(crate) fn policy(&self) -> Result<Policy, Failure> {
+        let file = self.policy.as_deref();
+        file.map_or_else(|| Ok(Policy::default()), policy::read)
+    }
+
+    async fn open(&self, verb: &str) -> Result<StationClient, Failure> {
+        let policy = self.policy()?;
+        let name = client_name(verb);
+        match &self.address {
+            None | Some(Address::Virtual) => {
+                let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
+                let power_up = PowerUp::new(speaker(dialect));
+                Ok(StationClient::with_virtual_arm(power_up, policy, &name))
+            }
+            Some(address) => {
+                let arm = LocalArm {
+                    address: address.clone(),
+                    dialect: self.dialect,
+                    policy,
+                    folders: folders(None)?,
+                    guardian: std::env::current_exe().ok(),
+                };
+                Ok(StationClient::open(arm, &name).await?)
+            }
         }
-        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
-        let virtual_arm = InProcess::new(virtual_arm(speaker(dialect)));
-        Ok(Connected {
-            arm: Connection::over_peer(virtual_arm.clone(), Some(dialect)),
-            virtual_arm: Some(virtual_arm),
-            policy,
-        })
     }
 }
 
@@ -165,12 +175,6 @@ fn owns(state: &State, address: &Address) -> bool {
 /// The device behind the names that it may have.
 fn device(path: &str) -> PathBuf {
     std::fs::canonicalize(path).unwrap_or_else(|_| path.into())
-}
-
-/// A virtual arm at the end of a line as slow as that of a stock arm.
-pub(crate) fn virtual_arm(personality: Personality) -> VirtualArm {
-    let controller = Controller::power_up(PowerUp::new(personality));
-    VirtualArm::new(controller, Line::STOCK)
 }
 
 /// The controller that speaks a dialect.

@@ -1,24 +1,26 @@
-//! Having a station do something.
+//! Having an arm do something, under its rules.
 
+use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_station::{ArmView, LinkPhase, Remote, RemoteError, Reply, Request, State};
+use dobot_station::{ArmView, LinkPhase, RemoteError, Reply, Request, State, StationClient};
 use dobot_wire::{Command, Dialect, Status};
-use tokio::time::{Instant, sleep, timeout, timeout_at};
+use tokio::time::timeout;
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
+use crate::output;
 
 /// Takes control of the arm.
-pub(crate) async fn take_control(station: &mut Remote) -> Result<(), RemoteError> {
+pub(crate) async fn take_control(station: &mut StationClient) -> Result<(), RemoteError> {
     station.request(Request::TakeLease).await?;
     Ok(())
 }
 
 /// Lets the laser be switched on for a while, if that is wanted; control has been taken.
 pub(crate) async fn arm_laser(
-    station: &mut Remote,
+    station: &mut StationClient,
     time: Option<Duration>,
 ) -> Result<(), RemoteError> {
     if let Some(time) = time {
@@ -30,14 +32,14 @@ pub(crate) async fn arm_laser(
 
 /// Asks for something that takes an arm at rest, as soon as it is.
 pub(crate) async fn request_at_rest(
-    station: &mut Remote,
+    station: &mut StationClient,
     request: Request,
 ) -> Result<Reply, RemoteError> {
-    let until = Instant::now() + PATIENCE;
+    let until = station.now() + PATIENCE;
     loop {
         match station.request(request.clone()).await {
-            Err(error) if error.kind() == Some("still-moving") && Instant::now() < until => {
-                sleep(PAUSE).await;
+            Err(error) if error.kind() == Some("still-moving") && station.now() < until => {
+                station.wait(PAUSE).await;
             }
             answer => return answer,
         }
@@ -45,7 +47,10 @@ pub(crate) async fn request_at_rest(
 }
 
 /// Sends a command and waits until it is over; Ctrl-C stops the arm.
-pub(crate) async fn carry_out(station: &mut Remote, command: Command) -> Result<(), Failure> {
+pub(crate) async fn carry_out(
+    station: &mut StationClient,
+    command: Command,
+) -> Result<(), Failure> {
     let reply = station.request(Request::Command { command }).await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
@@ -59,7 +64,7 @@ pub(crate) async fn carry_out(station: &mut Remote, command: Command) -> Result<
 }
 
 /// Stops the arm, because this program was interrupted.
-pub(crate) async fn stop(station: &mut Remote) -> Result<(), Failure> {
+pub(crate) async fn stop(station: &mut StationClient) -> Result<(), Failure> {
     let reason = Some("Ctrl-C was pressed".to_owned());
     station.request(Request::Stop { reason }).await?;
     Err(Failure::new(
@@ -69,35 +74,85 @@ pub(crate) async fn stop(station: &mut Remote) -> Result<(), Failure> {
 }
 
 /// The first state that the station tells.
-pub(crate) async fn first_state(station: &mut Remote) -> Result<State, Failure> {
+pub(crate) async fn first_state(station: &mut StationClient) -> Result<State, Failure> {
     let state = timeout(PATIENCE, station.state()).await;
     Ok(state.map_err(|_| RemoteError::Silent)??)
 }
 
 /// What the arm tells next, through its station.
-pub(crate) async fn status(station: &mut Remote) -> Result<Status, Failure> {
+pub(crate) async fn status(station: &mut StationClient) -> Result<Status, Failure> {
     Ok(arm(station).await?.0.status)
 }
 
 /// What the arm tells next, and which dialect it speaks if that is known. A station that has just
 /// been started is waited for until its arm tells something.
-pub(crate) async fn arm(station: &mut Remote) -> Result<(ArmView, Option<Dialect>), Failure> {
+pub(crate) async fn arm(
+    station: &mut StationClient,
+) -> Result<(ArmView, Option<Dialect>), Failure> {
     let mut missing = RemoteError::Silent.into();
-    let until = Instant::now() + PATIENCE;
-    while let Ok(state) = timeout_at(until, station.state()).await {
+    let until = station.now() + FIRST_STATUS;
+    while station.now() < until {
+        let Ok(state) = timeout(FIRST_STATUS, station.state()).await else {
+            break;
+        };
         let state = state?;
         match &state.arm {
             Some(arm) if state.link.phase == LinkPhase::Up => {
                 return Ok((arm.clone(), state.dialect));
             }
+            // What was said of the link while there was one tells more than that there is none now.
+            _ if state.link.phase == LinkPhase::Lost => return Err(no_arm(&state)),
             _ => missing = no_arm(&state),
         }
     }
     Err(missing)
 }
 
+/// Whether the arm stands where it says is known before it is moved: a person is asked, or has said
+/// so already (`--pose-confirmed`).
+pub(crate) async fn check_pose(
+    station: &mut StationClient,
+    pose_confirmed: bool,
+) -> Result<(), Failure> {
+    arm(station).await?;
+    let state = first_state(station).await?;
+    let (Some(arm), false) = (&state.arm, state.trust.trusted) else {
+        return Ok(());
+    };
+    let why = state.trust.reason.unwrap_or_default();
+    if !pose_confirmed && !ask_about_pose(&why, &arm.status).await? {
+        return Err(anyhow!("the pose was not confirmed; nothing was moved").into());
+    }
+    station.request(Request::ConfirmPose).await?;
+    Ok(())
+}
+
+/// Tells what happened, and asks whether the arm stands where it says.
+async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
+    if !std::io::stdin().is_terminal() {
+        return Err(Failure::new(
+            anyhow!("the arm may not stand where it says, and nobody is there to be asked: {why}"),
+            "look at the arm; where it stands as `dobot status` says: `--pose-confirmed`",
+        ));
+    }
+    eprintln!("The arm may not stand where it says: {why}.");
+    eprintln!("{}", output::status_text(status));
+    eprintln!(
+        "Look at it: does it stand there, and does it point to where base {:.1}° is? y or n",
+        status.base_deg
+    );
+    let answer = tokio::task::spawn_blocking(|| {
+        let mut line = String::new();
+        std::io::stdin().read_line(&mut line).map(|_| line)
+    });
+    tokio::select! {
+        answer = answer => Ok(matches!(answer??.trim(), "y" | "Y" | "yes")),
+        () = interrupt() => Ok(false),
+    }
+}
+
 /// What the arm tells when it has come to rest.
-pub(crate) async fn rest(station: &mut Remote) -> Result<Status, Failure> {
+pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure> {
     loop {
         let (arm, _) = arm(station).await?;
         if !arm.moving {
@@ -108,7 +163,7 @@ pub(crate) async fn rest(station: &mut Remote) -> Result<Status, Failure> {
 
 /// Waits until nothing is under way any more, or no arm is there to do anything: three states in a
 /// row say so, for between two commands it looks like that, too.
-pub(crate) async fn idle(station: &mut Remote) -> Result<(), Failure> {
+pub(crate) async fn idle(station: &mut StationClient) -> Result<(), Failure> {
     let mut idle = 0;
     while idle < 3 {
         let state = first_state(station).await?;
@@ -129,11 +184,13 @@ fn no_arm(state: &State) -> Failure {
         (None, _) => "the arm says nothing".into(),
     };
     Failure::new(
-        anyhow!("the station has no arm: {why}"),
-        "`dobot watch` shows what the station waits for",
+        anyhow!("no arm can be used: {why}"),
+        "is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for",
     )
 }
 
 const PATIENCE: Duration = Duration::from_secs(5);
+/// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
+const FIRST_STATUS: Duration = Duration::from_secs(6);
 /// A status.
 const PAUSE: Duration = Duration::from_millis(80);

@@ -1,40 +1,46 @@
 //! `dobot detect`: find out which dialect the arm speaks.
 
-use dobot_station::{Reply, Request};
+use dobot_station::{Reply, Request, StationClient};
 
-use crate::control::{self, request_at_rest, stop, take_control};
+use crate::connect::To;
+use crate::control::{self, check_pose, request_at_rest, stop, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
-use crate::reach::Station;
 
-/// Find out which dialect the arm of the station speaks, by small slow motions
+/// Find out which dialect the arm speaks, by small slow motions
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot detect
+  dobot detect --to serial:/dev/ttyUSB0
   dobot detect --json
 
 The arm makes a few small motions: keep your hands off, and let nothing stand next to it. What it does where the
-dialects disagree is shown, and the station remembers it for this arm. Ctrl-C stops the arm.")]
+dialects disagree is shown, and remembered for this arm. Ctrl-C stops the arm.")]
 pub(crate) struct Args {
     #[command(flatten)]
-    station: Station,
+    to: To,
     /// Print JSON
     #[arg(long)]
     json: bool,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut station = args.station.connect("detect").await?;
-    control::status(&mut station).await?;
-    take_control(&mut station).await?;
+    let detect = async |station: &mut StationClient| detect(station, &args).await;
+    args.to.with_lasting_arm("detect", detect).await
+}
+
+async fn detect(station: &mut StationClient, args: &Args) -> Result<(), Failure> {
+    check_pose(station, args.to.pose_confirmed).await?;
+    control::status(station).await?;
+    take_control(station).await?;
     let reply = tokio::select! {
-        reply = request_at_rest(&mut station, Request::Detect) => Some(reply?),
+        reply = request_at_rest(station, Request::Detect) => Some(reply?),
         () = interrupt() => None,
     };
     match reply {
-        None => stop(&mut station).await,
+        None => stop(station).await,
         Some(Reply::Found { finding }) if !args.json => {
             for line in finding.lines() {
                 output::line(&line)?;

@@ -13,21 +13,21 @@ mod work;
 use std::path::Path;
 
 use dobot_draw::{
-    Colors, Deviation, FrameShape, InkLine, Picture, Plan, Prepared, Settings, Stroke, View, Worst,
+    Colors, Deviation, FrameShape, InkLine, Picture, Prepared, Settings, Stroke, View, Worst,
     deviation, frame, ink_seen,
 };
 use dobot_sim::RECORDING_PERIOD;
-use dobot_wire::Dialect;
+use dobot_station::StationClient;
+use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;
-use self::execute::{Executed, ask_about_frame, check_frame, check_laser, direct, through};
+use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::output_files::{check_writable, write};
-use self::rehearse::{Carried, rehearse};
+use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use self::work::Work;
 pub(crate) use self::work::materials;
-use crate::connect::Reached;
-use crate::control;
+use crate::control::{self, check_pose};
 use crate::failure::Failure;
 use crate::output;
 
@@ -45,37 +45,35 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if args.way.dry_run {
         return drawing.estimate().await;
     }
-    let mut reached = args.to.reach("draw").await?;
-    if args.way.frame {
-        check_frame(&reached)?;
-    }
-    if let Some((z_mm, dialect)) = standing(&args, &mut reached).await? {
-        drawing = Drawing::new(&args, &work, dialect, z_mm)?;
-    }
-    check_laser(&mut reached, &drawing.prepared.plan, &args).await?;
-    if args.way.frame {
-        drawing.frame(&mut reached).await?;
-    }
-    drawing.draw(&mut reached).await
+    let draw = async |station: &mut StationClient| {
+        if args.way.frame {
+            check_frame(station)?;
+        }
+        check_pose(station, args.to.pose_confirmed).await?;
+        if let Some((status, dialect)) = standing(station).await? {
+            drawing = Drawing::new(&args, &work, dialect, status.z_mm.into())?;
+            drawing.from = Some(status);
+        }
+        let plan = &drawing.prepared.plan;
+        check_laser(station, plan, args.tool.arm_laser).await?;
+        if args.way.frame {
+            drawing.frame(station).await?;
+        }
+        drawing.draw(station).await
+    };
+    args.to.with_arm("draw", draw).await
 }
 
-/// How high the arm stands and which dialect it speaks, where that decides how it draws: a virtual
-/// arm in this process has its own paper.
+/// Where the arm stands and which dialect it speaks, where that decides how it draws: a virtual arm
+/// in this process has its own paper.
 async fn standing(
-    args: &Args,
-    reached: &mut Reached,
-) -> Result<Option<(f64, Option<Dialect>)>, Failure> {
-    let (z_mm, dialect) = match reached {
-        Reached::Station(station) => {
-            let (arm, dialect) = control::arm(station).await?;
-            (arm.status.z_mm, dialect)
-        }
-        Reached::Arm(it) if it.virtual_arm.is_none() => {
-            (it.arm.next_status().await?.z_mm, args.to.dialect)
-        }
-        Reached::Arm(_) => return Ok(None),
-    };
-    Ok(Some((z_mm.into(), dialect)))
+    station: &mut StationClient,
+) -> Result<Option<(Status, Option<Dialect>)>, Failure> {
+    if station.virtual_arm().is_some() {
+        return Ok(None);
+    }
+    let (arm, dialect) = control::arm(station).await?;
+    Ok(Some((arm.status, dialect)))
 }
 
 /// A drawing, planned for an arm.
@@ -86,6 +84,8 @@ struct Drawing<'a> {
     settings: Settings,
     /// What the arm speaks, where that is known.
     dialect: Option<Dialect>,
+    /// Where the arm stands, where that is known.
+    from: Option<Status>,
 }
 
 impl<'a> Drawing<'a> {
@@ -102,15 +102,20 @@ impl<'a> Drawing<'a> {
             prepared,
             settings,
             dialect,
+            from: None,
         })
     }
 
     /// Tells what it would be; nothing moves.
     async fn estimate(&self) -> Result<(), Failure> {
-        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
-        let (finished, carried) = rehearse(&self.prepared, &self.settings, dialect).await?;
+        let Rehearsed {
+            time,
+            planned_s,
+            carried,
+        } = self.rehearse().await?;
         let times = Times {
-            estimated: Some(finished.time),
+            planned_s,
+            estimated: Some(time),
             took: None,
         };
         let drawn = carried.as_ref().map(Drawn::carried);
@@ -118,65 +123,55 @@ impl<'a> Drawing<'a> {
         print(self.args, &report)
     }
 
+    async fn rehearse(&self) -> Result<Rehearsed, Failure> {
+        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
+        let policy = self.args.to.policy()?;
+        let from = self.from.as_ref();
+        rehearse(&self.prepared, &self.settings, dialect, policy, from).await
+    }
+
     /// Goes around it, and asks whether that is the place.
-    async fn frame(&self, reached: &mut Reached) -> Result<(), Failure> {
+    async fn frame(&self, station: &mut StationClient) -> Result<(), Failure> {
         let Settings { paper, machine, .. } = &self.settings;
         let plan = frame(&self.prepared.passes, paper, machine, FrameShape::Rectangle)?;
         let title = format!("frame of {}", self.title);
-        let executed = self
-            .execute(&plan, &title, reached, plan.duration_s())
-            .await;
+        let armed_for = self.args.tool.arm_laser;
+        let executed = execute(station, &plan, &title, armed_for).await;
         executed.outcome?;
-        ask_about_frame(reached).await
+        ask_about_frame(station).await
     }
 
-    async fn draw(&self, reached: &mut Reached) -> Result<(), Failure> {
-        let arm = match reached {
-            Reached::Arm(it) => it.virtual_arm.clone(),
-            Reached::Station(_) => None,
-        };
-        // What a virtual arm in this process does is not estimated, it is seen.
-        let rehearsed = match self.dialect.filter(|_| arm.is_none()) {
-            Some(dialect) => Some(rehearse(&self.prepared, &self.settings, dialect).await?),
+    async fn draw(&self, station: &mut StationClient) -> Result<(), Failure> {
+        let is_virtual = station.virtual_arm().is_some();
+        // What a virtual arm in this process does is not estimated, it is seen. Where another policy
+        // holds than here, the estimate may be refused: then there is none.
+        let rehearsed = match self.dialect.filter(|_| !is_virtual) {
+            Some(_) => self.rehearse().await.ok(),
             None => None,
         };
         let (estimated, estimate) =
-            rehearsed.map_or((None, None), |(it, carried)| (Some(it.time), carried));
-        let total_s = estimated.map_or(self.prepared.plan.duration_s(), |it| it.as_secs_f64());
-        if let Some(arm) = &arm {
-            arm.arm().record(RECORDING_PERIOD);
+            rehearsed.map_or((None, None), |it| (Some(it.time), it.carried));
+        if let Some(arm) = station.virtual_arm_mut() {
+            arm.record(RECORDING_PERIOD);
         }
-        let executed = self
-            .execute(&self.prepared.plan, self.title, reached, total_s)
-            .await;
+        let armed_for = self.args.tool.arm_laser;
+        let executed = execute(station, &self.prepared.plan, self.title, armed_for).await;
         let times = Times {
+            planned_s: executed.planned_s,
             estimated,
             took: executed.outcome.as_ref().ok().copied(),
         };
-        let carried = arm
-            .as_ref()
-            .and_then(|it| Carried::of(it, &self.prepared, &self.settings));
-        let drawn = match (&arm, &carried) {
-            (Some(_), carried) => carried.as_ref().map(Drawn::carried),
-            (None, _) => Some(Drawn::seen(&executed, &self.prepared, &self.settings)),
+        let arm = station.virtual_arm();
+        let carried = arm.and_then(|it| Carried::of(it, &self.prepared, &self.settings));
+        let drawn = if is_virtual {
+            carried.as_ref().map(Drawn::carried)
+        } else {
+            Some(Drawn::seen(&executed, &self.prepared, &self.settings))
         };
         let report = self.write_files(carried.or(estimate).as_ref(), drawn.as_ref(), times)?;
         executed.outcome?;
         estimates::keep(self.title, times)?;
         print(self.args, &report)
-    }
-
-    async fn execute(
-        &self,
-        plan: &Plan,
-        title: &str,
-        reached: &mut Reached,
-        total_s: f64,
-    ) -> Executed {
-        match reached {
-            Reached::Station(station) => through(station, plan, title, self.args).await,
-            Reached::Arm(connected) => direct(connected, plan, total_s).await,
-        }
     }
 
     /// Writes the files that were asked for: of a drawing that was stopped half way, too.

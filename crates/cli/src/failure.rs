@@ -60,12 +60,7 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if let Some(error) = cause.downcast_ref::<RemoteError>() {
         return error.hint();
     }
-    let link = cause.downcast_ref::<LinkError>().or_else(|| {
-        match cause.downcast_ref::<dobot_draw::Cause>() {
-            Some(dobot_draw::Cause::Failed(error)) => Some(error),
-            _ => None,
-        }
-    });
+    let link = cause.downcast_ref::<LinkError>();
     let send = match link {
         Some(LinkError::Send(error)) => Some(error),
         _ => cause.downcast_ref::<SendError>(),

@@ -1,10 +1,10 @@
-//! Following a job of a station until it is over.
+//! Following a job until it is over.
 
 use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_station::{Heard, JobPhase, JobView, News, Remote, RemoteError, Request, State};
+use dobot_station::{Heard, JobPhase, JobView, News, RemoteError, Request, State, StationClient};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::control::{self, request_at_rest, take_control};
@@ -19,26 +19,24 @@ use crate::output::time_left;
 /// Ctrl-C pauses it with the tool lifted and asks what is to become of it. `see` is shown every
 /// state. Gives how long the arm was at it.
 pub(crate) async fn start(
-    station: &mut Remote,
+    station: &mut StationClient,
     job: u64,
     burns: bool,
     mut see: impl FnMut(&State),
 ) -> Result<Duration, Failure> {
-    let mut spent_s = 0.0;
     loop {
         take_control(station).await?;
         request_at_rest(station, Request::StartJob { job }).await?;
         if !burns {
             station.request(Request::ReleaseLease).await?;
         }
-        let (ended, took_s) = follow(station, job, &mut see).await?;
-        spent_s += took_s;
+        let ended = follow(station, job, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // What the arm has got already it does, and it lifts the tool.
             control::idle(station).await?;
         }
         match ended {
-            End::Done => return Ok(Duration::from_secs_f64(spent_s.max(0.0))),
+            End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
             End::Paused(text) => go_on(station, job, &text).await?,
             End::Interrupted => go_on(station, job, "interrupted; the tool is up").await?,
@@ -46,18 +44,32 @@ pub(crate) async fn start(
     }
 }
 
+/// How long the arm was at a job that is done, without its pauses; where a crash came between, since
+/// then.
+async fn took(station: &mut StationClient, job: u64) -> Result<Duration, Failure> {
+    let jobs = station.jobs().await?;
+    let job = jobs.iter().find(|it| it.job == job);
+    let took_s = job.and_then(|it| it.took_s).unwrap_or_default();
+    Ok(Duration::try_from_secs_f64(took_s).unwrap_or_default())
+}
+
 /// Asks a person whether a paused job is to go on: because it waits for a new pen, say.
-async fn go_on(station: &mut Remote, job: u64, why: &str) -> Result<(), Failure> {
+async fn go_on(station: &mut StationClient, job: u64, why: &str) -> Result<(), Failure> {
     let why = why
         .strip_prefix(&format!("job {job} is paused: "))
         .unwrap_or(why);
-    match ask(job, why).await {
+    let answer = match ask(job, why).await {
+        // A virtual arm in this process harms nobody, and has no pen that a person would change.
+        None if station.virtual_arm().is_some() => Answer::GoOn,
+        answer => answer.unwrap_or(Answer::Leave),
+    };
+    match answer {
         Answer::GoOn => Ok(()),
         Answer::Cancel => {
             station.request(Request::CancelJob { job }).await?;
             Err(anyhow!("job {job} is cancelled").into())
         }
-        Answer::Leave => Err(paused(job, why)),
+        Answer::Leave => Err(paused(station, job, why)),
     }
 }
 
@@ -80,15 +92,15 @@ enum Answer {
     Leave,
 }
 
-/// Until the job does not run any more; and for how long it ran, in seconds.
+/// Until the job does not run any more.
 async fn follow(
-    station: &mut Remote,
+    station: &mut StationClient,
     job: u64,
     mut see: impl FnMut(&State),
-) -> Result<(End, f64), Failure> {
+) -> Result<End, Failure> {
     let bar = progress_bar();
     let mut interrupt = std::pin::pin!(interrupt());
-    let (mut began_s, mut interrupted) = (None, false);
+    let mut interrupted = false;
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -112,10 +124,9 @@ async fn follow(
                 if of != job {
                     continue;
                 }
-                let began_s = *began_s.get_or_insert(notice.at_s);
                 if let Some(end) = end(phase, notice.text, interrupted) {
                     bar.finish_and_clear();
-                    return Ok((end, notice.at_s - began_s));
+                    return Ok(end);
                 }
             }
         }
@@ -133,32 +144,36 @@ fn end(phase: JobPhase, text: String, interrupted: bool) -> Option<End> {
 }
 
 /// A job that is over in this very moment need not be paused any more.
-async fn pause(station: &mut Remote) -> Result<(), RemoteError> {
+async fn pause(station: &mut StationClient) -> Result<(), RemoteError> {
     match station.request(Request::PauseJob).await {
         Err(RemoteError::Refused(_)) | Ok(_) => Ok(()),
         Err(error) => Err(error),
     }
 }
 
-fn paused(job: u64, text: &str) -> Failure {
+fn paused(station: &StationClient, job: u64, text: &str) -> Failure {
+    let to = station.arm_address();
+    let to = to.map_or_else(String::new, |it| format!(" --to {it}"));
     Failure::new(
         anyhow!("job {job} is paused: {text}"),
-        format!("`dobot jobs start {job}` goes on with it, `dobot jobs cancel {job}` ends it"),
+        format!(
+            "`dobot jobs start {job}{to}` goes on with it, `dobot jobs cancel {job}{to}` ends it"
+        ),
     )
 }
 
 /// Asks the person, if one is there.
-async fn ask(job: u64, why: &str) -> Answer {
+async fn ask(job: u64, why: &str) -> Option<Answer> {
     if !std::io::stdin().is_terminal() {
-        return Answer::Leave;
+        return None;
     }
     eprintln!("{why}\njob {job} is paused: g goes on, c cancels it, Enter leaves it paused");
-    tokio::select! {
+    Some(tokio::select! {
         line = tokio::task::spawn_blocking(read_line) => {
             line.ok().map_or(Answer::Leave, |it| answer(&it))
         }
         () = interrupt() => Answer::Leave,
-    }
+    })
 }
 
 fn read_line() -> String {

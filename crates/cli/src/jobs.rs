@@ -7,16 +7,16 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_station::{JobView, NewJob, Reply, Request, fetch};
+use dobot_station::{JobView, NewJob, Reply, Request, StationClient};
 
-use crate::control::{self, arm_laser, take_control};
+use crate::connect::To;
+use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::jog::laser_seconds;
 use crate::output::{self, clock, time_left};
-use crate::reach::Station;
 
-/// List, start, pause and cancel the jobs of the station
+/// List, start, pause and cancel jobs: of the station, or of an arm that is used without one
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -28,6 +28,7 @@ Examples:
   dobot jobs height -0.2                 0.2 mm lower than planned: the pen leaves no ink
   dobot jobs cancel 4
   dobot jobs submit program.json         queue a file; `dobot draw` queues a picture
+  dobot jobs --to serial:/dev/ttyUSB0    those of an arm that was used without a station
 
 Jobs survive the station's end, a crash and a power cut. Whoever starts one needs control of the arm; anybody
 may let go of it again while the job runs, unless it burns.")]
@@ -35,7 +36,7 @@ pub(crate) struct Args {
     #[command(subcommand)]
     action: Option<Action>,
     #[command(flatten)]
-    station: Station,
+    to: To,
     /// Print JSON
     #[arg(long, global = true)]
     json: bool,
@@ -85,40 +86,40 @@ enum Action {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let json = args.json;
-    match args.action.clone().unwrap_or(Action::List) {
-        Action::List => list(&args).await,
-        Action::Show { job } => {
-            let path = format!("/api/v1/jobs/{job}");
-            let job = fetch(&args.station.address_of_running()?, &path).await?;
-            tell(&job, json)
-        }
-        Action::Start { job, arm_laser } => start(&args, job, arm_laser).await,
-        Action::Pause => ask(&args, Request::PauseJob, "the job is paused").await,
-        Action::Speed { percent } => {
-            let text = "the job goes at another speed";
-            ask(&args, Request::SetJobSpeed { percent }, text).await
-        }
-        Action::Height { offset_mm } => {
-            let text = "the job is drawn at another height";
-            ask(&args, Request::SetJobHeight { offset_mm }, text).await
-        }
-        Action::Cancel { job } => {
-            let text = format!("job {job} is cancelled");
-            ask(&args, Request::CancelJob { job }, &text).await
-        }
-        Action::Submit { file } => {
-            let job = read(&file)?;
-            let text = "the job is queued";
-            ask(&args, Request::SubmitJob { job }, text).await
-        }
-    }
+    let action = args.action.clone().unwrap_or(Action::List);
+    let act = async |station: &mut StationClient| act(station, &args, action).await;
+    args.to.with_lasting_arm("jobs", act).await
 }
 
-async fn list(args: &Args) -> Result<(), Failure> {
-    let address = args.station.address_of_running()?;
-    let jobs: Vec<JobView> = fetch(&address, "/api/v1/jobs").await?;
-    if args.json {
+async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result<(), Failure> {
+    let (request, done) = match action {
+        Action::List => return list(station, args.json).await,
+        Action::Show { job } => return show(station, job, args.json).await,
+        Action::Start { job, arm_laser } => return start(station, args, job, arm_laser).await,
+        Action::Pause => (Request::PauseJob, "the job is paused".to_owned()),
+        Action::Speed { percent } => {
+            let done = "the job goes at another speed".to_owned();
+            (Request::SetJobSpeed { percent }, done)
+        }
+        Action::Height { offset_mm } => {
+            let done = "the job is drawn at another height".to_owned();
+            (Request::SetJobHeight { offset_mm }, done)
+        }
+        Action::Cancel { job } => (
+            Request::CancelJob { job },
+            format!("job {job} is cancelled"),
+        ),
+        Action::Submit { file } => {
+            let job = read(&file)?;
+            (Request::SubmitJob { job }, "the job is queued".to_owned())
+        }
+    };
+    ask(station, request, &done, args.json).await
+}
+
+async fn list(station: &mut StationClient, as_json: bool) -> Result<(), Failure> {
+    let jobs = station.jobs().await?;
+    if as_json {
         return Ok(output::json(&jobs)?);
     }
     if jobs.is_empty() {
@@ -130,35 +131,54 @@ async fn list(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
-async fn start(args: &Args, job: u64, laser: Option<Duration>) -> Result<(), Failure> {
-    let mut station = args.station.connect("jobs").await?;
-    take_control(&mut station).await?;
-    arm_laser(&mut station, laser).await?;
+async fn show(station: &mut StationClient, job: u64, as_json: bool) -> Result<(), Failure> {
+    let jobs = station.jobs().await?;
+    match jobs.iter().find(|it| it.job == job) {
+        Some(job) => tell(job, as_json),
+        None => Err(Failure::new(
+            anyhow!("there is no job {job}"),
+            "`dobot jobs` lists the jobs",
+        )),
+    }
+}
+
+async fn start(
+    station: &mut StationClient,
+    args: &Args,
+    job: u64,
+    laser: Option<Duration>,
+) -> Result<(), Failure> {
+    check_pose(station, args.to.pose_confirmed).await?;
+    take_control(station).await?;
+    arm_laser(station, laser).await?;
     // Whoever may burn keeps control.
-    let burns =
-        laser.is_some() || control::first_state(&mut station).await?.laser.armed_for_s > 0.0;
-    let time = follow::start(&mut station, job, burns, |_| {}).await?;
+    let burns = laser.is_some() || control::first_state(station).await?.laser.armed_for_s > 0.0;
+    let time = follow::start(station, job, burns, |_| {}).await?;
     let time = clock(time.as_secs_f64());
     Ok(output::line(&format!("job {job} is done, in {time}"))?)
 }
 
 /// Asks, with control of the arm where nobody else has it.
-async fn ask(args: &Args, request: Request, done: &str) -> Result<(), Failure> {
-    let mut station = args.station.connect("jobs").await?;
+async fn ask(
+    station: &mut StationClient,
+    request: Request,
+    done: &str,
+    as_json: bool,
+) -> Result<(), Failure> {
     if matches!(request, Request::SubmitJob { .. }) {
         // Its way is planned for the arm that is there.
-        control::status(&mut station).await?;
+        control::status(station).await?;
     }
     let reply = match station.request(request.clone()).await {
         Err(error) if error.kind() == Some("no-lease") => {
-            take_control(&mut station).await?;
+            take_control(station).await?;
             station.request(request).await?
         }
         reply => reply?,
     };
     match reply {
-        Reply::Job { job } => tell(&job, args.json),
-        reply if args.json => Ok(output::json(&reply)?),
+        Reply::Job { job } => tell(&job, as_json),
+        reply if as_json => Ok(output::json(&reply)?),
         _ => Ok(output::line(done)?),
     }
 }

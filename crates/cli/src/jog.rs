@@ -3,15 +3,12 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use dobot_client::{CommandId, Connection, Event, LinkError};
-use dobot_station::{Jog, Remote, RemoteError, Request};
+use dobot_station::{Jog, RemoteError, Request, StationClient};
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
-use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
 
-use crate::connect::{Connected, Reached, To};
-use crate::control::{self, arm_laser, carry_out, request_at_rest, take_control};
+use crate::connect::To;
+use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, take_control};
 use crate::failure::Failure;
-use crate::guard;
 use crate::interrupt::interrupt;
 use crate::output;
 
@@ -24,8 +21,8 @@ Examples:
   dobot jog suction-on
   dobot jog laser-on --for 0.2           on, and off again
 
-The axis is released when the time is over, on Ctrl-C, and when anything goes wrong. A station that does not
-hear of it any more releases it, too, and keeps the laser off without `--arm-laser`.")]
+The axis is released when the time is over, on Ctrl-C, and when anything goes wrong, also when this program
+is killed. The laser stays off without `--arm-laser`.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
     /// suction-on suction-off laser-on laser-off
@@ -37,7 +34,7 @@ pub(crate) struct Args {
     /// Share of the jog speed, in percent from 1 to 100
     #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
     speed: f32,
-    /// Let a station's laser be switched on for so many seconds: everybody's goggles are on
+    /// Let the laser be switched on for so many seconds: everybody's goggles are on
     #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
     arm_laser: Option<Duration>,
     #[command(flatten)]
@@ -55,23 +52,24 @@ enum Button {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let status = match args.to.reach("jog").await? {
-        Reached::Station(mut station) => args.through(&mut station).await?,
-        Reached::Arm(mut connected) => args.directly(&mut connected).await?,
-    };
+    let jog = async |station: &mut StationClient| args.press(station).await;
+    let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
-    /// Through a station a button has to be held, and a switch has not.
-    async fn through(&self, station: &mut Remote) -> Result<Status, Failure> {
+    /// A button has to be held, and a switch has not.
+    async fn press(&self, station: &mut StationClient) -> Result<Status, Failure> {
+        if self.button.held(self.speed).is_some() {
+            check_pose(station, self.to.pose_confirmed).await?;
+        }
         control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
         let pressed = self.button.pressed(self.speed);
         match (self.button.held(self.speed), self.button.released()) {
             (Some(jog), _) => {
-                let held = hold_through(station, jog, self.time).await;
+                let held = hold(station, jog, self.time).await;
                 station.request(Request::Release).await?;
                 held?;
             }
@@ -79,7 +77,7 @@ impl Args {
             (None, Some(released)) => {
                 carry_out(station, pressed).await?;
                 tokio::select! {
-                    () = tokio::time::sleep(self.time) => {}
+                    () = station.wait(self.time) => {}
                     () = interrupt() => {}
                 }
                 carry_out(station, released).await?;
@@ -87,88 +85,24 @@ impl Args {
         }
         control::rest(station).await
     }
-
-    async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {
-        let button = self.button.pressed(self.speed);
-        let pressed = guard::send(&mut connected.arm, &connected.policy, button).await?;
-        let held = tokio::select! {
-            held = hold(connected, pressed, &button, self.time) => held,
-            () = interrupt() => Ok(()),
-        };
-        let arm = &mut connected.arm;
-        if let Some(released) = self.button.released() {
-            release(arm, released, held.is_err()).await?;
-        }
-        held?;
-        Ok(settled(arm).await?)
-    }
 }
 
 /// Holds a button by saying so again and again, until its time is over or Ctrl-C.
-async fn hold_through(station: &mut Remote, jog: Jog, time: Duration) -> Result<(), RemoteError> {
+async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), RemoteError> {
     let mut interrupt = std::pin::pin!(interrupt());
     request_at_rest(station, Request::Jog { jog }).await?;
-    let until = Instant::now() + time;
-    let mut beat = interval(BEAT);
-    beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-    while Instant::now() < until {
+    let until = station.now() + time;
+    while station.now() < until {
+        let left = until.saturating_sub(station.now());
         tokio::select! {
-            _ = beat.tick() => {
-                station.request(Request::Jog { jog }).await?;
-            }
-            heard = station.next() => {
-                heard?;
-            }
-            () = sleep_until(until) => {}
+            () = station.wait(BEAT.min(left)) => {}
             () = &mut interrupt => break,
         }
-    }
-    Ok(())
-}
-
-/// Waits until the button has left, and then for as long as it is held and the policy allows.
-async fn hold(
-    connected: &mut Connected,
-    pressed: CommandId,
-    button: &Command,
-    time: Duration,
-) -> Result<(), Failure> {
-    let Connected { arm, policy, .. } = connected;
-    loop {
-        match arm.next_event().await?.or_failed()? {
-            Event::Sent(id) if id == pressed => break,
-            _ => {}
-        }
-    }
-    let until = arm.now() + time;
-    while arm.now() < until {
-        if let Event::Status(_) = arm.next_event().await?.or_failed()? {
-            guard::check_held(arm, policy, button)?;
+        if station.now() < until {
+            station.request(Request::Jog { jog }).await?;
         }
     }
     Ok(())
-}
-
-/// On a link that is failing nobody waits for a permit.
-async fn release(arm: &mut Connection, released: Command, failing: bool) -> Result<(), LinkError> {
-    if failing {
-        arm.session_mut().send_now(released)?;
-        return arm.flush().await;
-    }
-    let id = arm.send(released)?;
-    arm.completed(id).await
-}
-
-/// The first status that says the same as the one before.
-async fn settled(arm: &mut Connection) -> Result<Status, LinkError> {
-    let mut before = arm.next_status().await?;
-    loop {
-        let status = arm.next_status().await?;
-        if status == before {
-            return Ok(status);
-        }
-        before = status;
-    }
 }
 
 impl Button {
@@ -201,30 +135,17 @@ impl Button {
         }
     }
 
-    /// What ends it; nothing, for a switch that may stay as it is.
+    /// What ends a switch; nothing where it may stay as it is, or where a button is let go.
     fn released(self) -> Option<Command> {
-        let joint = |axis| {
-            Some(
-                JointJog {
-                    axis,
-                    speed_percent: 0.0,
-                }
-                .into(),
-            )
-        };
         match self {
-            Self::Joint(JointJogAxis::LaserOn) => joint(JointJogAxis::LaserOff),
-            Self::Joint(
-                JointJogAxis::SuctionOn | JointJogAxis::SuctionOff | JointJogAxis::LaserOff,
-            ) => None,
-            Self::Joint(_) => joint(JointJogAxis::Released),
-            Self::Linear(_) => Some(
-                LinearJog {
-                    axis: LinearJogAxis::Released,
+            Self::Joint(JointJogAxis::LaserOn) => Some(
+                JointJog {
+                    axis: JointJogAxis::LaserOff,
                     speed_percent: 0.0,
                 }
                 .into(),
             ),
+            Self::Joint(_) | Self::Linear(_) => None,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use anyhow::{anyhow, bail};
 use clap::Subcommand;
-use dobot_station::{ClientId, Heard, LeaseView, News, Notice, Remote, Reply, Request};
+use dobot_station::{ClientId, Heard, LeaseView, News, Notice, Reply, Request, StationClient};
 use tokio::sync::mpsc;
 use tokio::time::sleep;
 
@@ -62,7 +62,7 @@ enum Action {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut station = args.station.connect("lease").await?;
+    let mut station = args.station.client("lease").await?;
     match args.action.unwrap_or(Action::Show) {
         Action::Show => show(&mut station, args.json).await,
         Action::Take { time } => {
@@ -91,7 +91,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
 }
 
-async fn show(station: &mut Remote, as_json: bool) -> Result<(), Failure> {
+async fn show(station: &mut StationClient, as_json: bool) -> Result<(), Failure> {
     let state = first_state(station).await?;
     if as_json {
         return Ok(output::json(&state.lease)?);
@@ -115,8 +115,8 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
 }
 
 /// Asks for control and waits until it is given.
-async fn ask(station: &mut Remote) -> Result<(), Failure> {
-    let me = station.hello().client;
+async fn ask(station: &mut StationClient) -> Result<(), Failure> {
+    let me = station.id();
     let reply = station.request(Request::AskLease).await?;
     let Reply::Lease { lease } = reply else {
         return Ok(());
@@ -129,7 +129,7 @@ async fn ask(station: &mut Remote) -> Result<(), Failure> {
 }
 
 /// Waits until control is this client's.
-async fn wait(station: &mut Remote, me: ClientId) -> Result<(), Failure> {
+async fn wait(station: &mut StationClient, me: ClientId) -> Result<(), Failure> {
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -148,9 +148,9 @@ async fn wait(station: &mut Remote, me: ClientId) -> Result<(), Failure> {
 }
 
 /// Keeps control until the time is over, Ctrl-C, or somebody gets it.
-async fn keep(station: &mut Remote, time: Option<Duration>) -> Result<(), Failure> {
+async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(), Failure> {
     output::line("control is yours; Ctrl-C gives it back")?;
-    let me = station.hello().client;
+    let me = station.id();
     let mut over = std::pin::pin!(over(time));
     let mut interrupt = std::pin::pin!(interrupt());
     let mut lines = lines_of_person();

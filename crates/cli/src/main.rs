@@ -11,7 +11,6 @@ mod detect;
 mod draw;
 mod failure;
 mod follow;
-mod guard;
 #[cfg(unix)]
 mod guardian;
 mod interrupt;

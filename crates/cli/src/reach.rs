@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_station::{Folders, Remote, Running, StationAddress, Trust, fingerprint};
+use dobot_station::{Folders, Running, StationAddress, StationClient, Trust, fingerprint};
 
 use crate::failure::Failure;
 
@@ -58,9 +58,9 @@ impl Station {
     }
 
     /// Connects with the station, under the name of a verb.
-    pub(crate) async fn connect(&self, verb: &str) -> Result<Remote, Failure> {
+    pub(crate) async fn client(&self, verb: &str) -> Result<StationClient, Failure> {
         let address = self.address_of_running()?;
-        Ok(Remote::connect(&address, &client_name(verb)).await?)
+        Ok(StationClient::connect(&address, &client_name(verb)).await?)
     }
 
     fn name(&self) -> Option<String> {

@@ -1,12 +1,12 @@
 //! `dobot set`: configuration (states 9 and 10).
 
 use clap::{Subcommand, ValueEnum};
+use dobot_station::StationClient;
 use dobot_wire::{Command, Configuration, EndEffector, PlaybackAdjustment};
 
-use crate::connect::{Connected, Reached, To};
+use crate::connect::To;
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
-use crate::guard;
 use crate::output;
 
 /// Configure the arm
@@ -128,20 +128,13 @@ enum Tool {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let command = command(&args.group);
-    let status = match args.to.to.reach("set").await? {
-        Reached::Station(mut station) => {
-            control::status(&mut station).await?;
-            take_control(&mut station).await?;
-            carry_out(&mut station, command).await?;
-            control::rest(&mut station).await?
-        }
-        Reached::Arm(mut connected) => {
-            let Connected { arm, policy, .. } = &mut *connected;
-            let id = guard::send(arm, policy, command).await?;
-            arm.completed(id).await?;
-            arm.next_status().await?
-        }
+    let set = async |station: &mut StationClient| {
+        control::status(station).await?;
+        take_control(station).await?;
+        carry_out(station, command).await?;
+        control::rest(station).await
     };
+    let status = args.to.to.with_arm("set", set).await?;
     Ok(output::status(&status, args.to.json)?)
 }
 

@@ -2,9 +2,9 @@
 
 use std::io::{IsTerminal, Write};
 
-use dobot_wire::Status;
+use dobot_station::StationClient;
 
-use crate::connect::{Reached, To};
+use crate::connect::To;
 use crate::control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -18,7 +18,8 @@ Examples:
   dobot status --to serial:/dev/ttyUSB0
   dobot status --to tcp:localhost:5555 --json --count 10
 
-Nothing is sent to the arm. A virtual arm in this process stands still, so one status of it is shown.")]
+Nothing is sent to the arm but that its laser is to be off. A virtual arm in this process stands still, so
+one status of it is shown.")]
 pub(crate) struct Args {
     #[command(flatten)]
     to: To,
@@ -31,34 +32,28 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut reached = args.to.reach("status").await?;
-    let count = match (&reached, args.count) {
-        (Reached::Arm(_), None) if args.to.is_virtual() => 1,
-        (_, None) => u64::MAX,
-        (_, Some(count)) => count,
-    };
-    let in_place = !args.json && args.count.is_none() && std::io::stdout().is_terminal();
-    for _ in 0..count {
+    let Args { to, json, count } = args;
+    to.with_arm("status", async |station| show(station, json, count).await)
+        .await
+}
+
+async fn show(station: &mut StationClient, json: bool, count: Option<u64>) -> Result<(), Failure> {
+    let still = station.virtual_arm().is_some();
+    let in_place = !json && count.is_none() && std::io::stdout().is_terminal();
+    for _ in 0..count.unwrap_or(if still { 1 } else { u64::MAX }) {
         let status = tokio::select! {
-            status = next(&mut reached) => status?,
+            status = control::status(station) => status?,
             () = interrupt() => break,
         };
         if in_place {
             print!("\r{}\x1b[K", output::status_text(&status));
             std::io::stdout().flush()?;
         } else {
-            output::status(&status, args.json)?;
+            output::status(&status, json)?;
         }
     }
     if in_place {
         println!();
     }
     Ok(())
-}
-
-async fn next(reached: &mut Reached) -> Result<Status, Failure> {
-    match reached {
-        Reached::Station(station) => control::status(station).await,
-        Reached::Arm(connected) => Ok(connected.arm.next_status().await?),
-    }
 }

@@ -29,7 +29,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut station = args.station.connect("stop").await?;
+    let mut station = args.station.client("stop").await?;
     if args.reset {
         request_at_rest(&mut station, Request::ResetStop).await?;
         return Ok(output::line("the arm may move again")?);

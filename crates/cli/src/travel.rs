@@ -4,15 +4,12 @@ use std::fmt;
 use std::str::FromStr;
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
-use dobot_client::Connection;
-use dobot_station::Remote;
+use dobot_station::StationClient;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
-use crate::connect::{Connected, Reached, To};
-use crate::control::{self, carry_out, take_control};
+use crate::connect::To;
+use crate::control::{self, carry_out, check_pose, take_control};
 use crate::failure::Failure;
-use crate::guard;
-use crate::interrupt::interrupt;
 use crate::output;
 
 /// Go to a point or to joint angles
@@ -28,8 +25,7 @@ Examples:
 
 Points are millimetres in the base frame: x forward, y left, z up from the pivot of the rear arm,
 about 103 mm above the table. Tool, gripper and suction stay as they are unless told otherwise.
-Through a station, Ctrl-C stops the arm; otherwise a move that has begun goes on to its end, for the protocol
-has no stop."
+Ctrl-C stops the arm. A move that has begun goes on to its end, for the protocol has no stop."
 )]
 pub(crate) struct Args {
     /// The point, in millimetres
@@ -64,32 +60,18 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let status = match args.to.reach("move").await? {
-        Reached::Station(mut station) => args.through(&mut station).await?,
-        Reached::Arm(mut connected) => args.directly(&mut connected).await?,
+    let go = async |station: &mut StationClient| {
+        check_pose(station, args.to.pose_confirmed).await?;
+        let command = args.command(&control::status(station).await?)?;
+        take_control(station).await?;
+        carry_out(station, command).await?;
+        control::rest(station).await
     };
+    let status = args.to.with_arm("move", go).await?;
     Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
-    async fn through(&self, station: &mut Remote) -> Result<Status, Failure> {
-        let command = self.command(&control::status(station).await?)?;
-        take_control(station).await?;
-        carry_out(station, command).await?;
-        control::rest(station).await
-    }
-
-    async fn directly(&self, connected: &mut Connected) -> Result<Status, Failure> {
-        let Connected { arm, policy, .. } = connected;
-        let command = self.command(&arm.next_status().await?)?;
-        let id = guard::send(arm, policy, command).await?;
-        tokio::select! {
-            done = arm.completed(id) => done?,
-            () = interrupt() => return Err(interrupted(arm)),
-        }
-        Ok(arm.next_status().await?)
-    }
-
     fn command(&self, from: &Status) -> Result<Command, Failure> {
         let suction = self.suction.unwrap_or(from.suction);
         let gripper_deg = self.gripper.unwrap_or(from.gripper_deg);
@@ -196,13 +178,4 @@ fn out_of_reach(error: Unreachable) -> Failure {
         anyhow::Error::from(error).context("the target is out of reach"),
         "nothing was sent; `dobot status` tells where the arm is now",
     )
-}
-
-fn interrupted(arm: &Connection) -> Failure {
-    let begun = if arm.session().waiting() > 0 {
-        "nothing was sent"
-    } else {
-        "the arm goes on to its target: the protocol has no stop; switch it off to stop it at once"
-    };
-    Failure::new(anyhow::anyhow!("interrupted"), begun)
 }

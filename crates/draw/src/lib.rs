@@ -48,7 +48,6 @@ mod place;
 mod plan;
 mod point;
 mod prepare;
-mod run;
 mod sample;
 mod simplify;
 mod source;
@@ -76,7 +75,6 @@ pub use plan::{
 };
 pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
-pub use run::{Cause, Finished, Parting, Progress, Stopped, run};
 pub use sample::Sample;
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use source::{

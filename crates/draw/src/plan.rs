@@ -23,7 +23,6 @@ mod vector;
 mod ways;
 
 pub use acceleration::acceleration;
-pub(crate) use commands::{LASER_OFF, approach, single, to_start, write};
 pub use error::PlanError;
 pub use lookahead::{Cornering, Joint, Run};
 pub use machine::{LinkRate, Machine};
@@ -34,6 +33,7 @@ pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};
 
+pub(crate) use commands::write;
 use landing::Landing;
 use planner::Planner;
 
@@ -107,10 +107,6 @@ impl Plan {
     /// How long each vector takes, in seconds.
     pub fn durations(&self) -> impl Iterator<Item = f64> {
         self.moves.iter().map(|vector| vector.duration_s.into())
-    }
-
-    pub(crate) fn duration_of(&self, vector: usize) -> f64 {
-        self.moves[vector].duration_s.into()
     }
 
     /// How high above the paper the pen travels at most, in mm; 0 for a laser.
@@ -312,7 +308,7 @@ mod tests {
         let breaks: Vec<_> = plan.breaks_in_commands().collect();
         assert_eq!(breaks, [(7, "put the blue pen in")]);
         let waits = plan.commands().nth(7).unwrap();
-        assert_eq!(waits, write(&plan.moves[3]).into());
+        assert_eq!(waits, commands::write(&plan.moves[3]).into());
     }
 
     fn burned(strokes: Vec<Stroke>, times: u32) -> Plan {

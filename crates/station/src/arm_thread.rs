@@ -179,7 +179,7 @@ mod tests {
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             own: own.clone(),
-            heart: Heart::new(&config, words.clone()),
+            heart: Heart::new(None, config.folders.guardian(), words.clone()),
         });
         let found = Found {
             address: Address::Tcp {

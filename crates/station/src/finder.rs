@@ -204,7 +204,7 @@ async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
 }
 
 /// Laser off: whatever the arm was told before, and whoever told it.
-async fn darken(link: &mut Link) {
+pub(crate) async fn darken(link: &mut Link) {
     link.send(&Packet::from(LASER_OFF.emit(&Dialect::SPECIFICATION)).to_bytes());
     // A link that is broken says so to whoever listens next.
     let _ = link.flush().await;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use directories::ProjectDirs;
+use dobot_client::Address;
 
 /// Where a station keeps what it has to remember, and where it says that it runs.
 ///
@@ -79,6 +80,14 @@ impl Folders {
     #[must_use]
     pub fn tls(&self) -> PathBuf {
         self.data.join("tls")
+    }
+
+    /// The folder of an arm that is used without a station: its jobs.
+    #[must_use]
+    pub fn of_arm(&self, address: &Address) -> Self {
+        let plain = |it: char| if it.is_ascii_alphanumeric() { it } else { '-' };
+        let name: String = address.to_string().chars().map(plain).collect();
+        Self::at(self.data.join("arms").join(name))
     }
 
     /// What a running station says of itself; absent while none runs.

@@ -137,7 +137,7 @@ pub(crate) enum Message {
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
     /// Somebody wants to know all jobs, the oldest first.
-    Jobs(oneshot::Sender<Vec<JobView>>),
+    Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
     /// A client behaves badly, in one line: those who watch are to know.
     Trouble(String),
     /// Something that the arm depends on failed, in one line: end, and say so.
@@ -258,11 +258,11 @@ impl Handle {
     ///
     /// # Errors
     ///
-    /// [`Refusal::Ending`].
+    /// [`Refusal::Ending`], [`Refusal::Journal`] where the journal cannot be read.
     pub async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         let (reply, answer) = oneshot::channel();
         self.send(Message::Jobs(reply)).await?;
-        answer.await.map_err(|_| Refusal::Ending)
+        answer.await.map_err(|_| Refusal::Ending)?
     }
 
     /// Lets those who watch know that a client behaves badly.

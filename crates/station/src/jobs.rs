@@ -134,16 +134,15 @@ impl Jobs {
 
     /// All jobs, the oldest first; that of the keeper as it is now, and of all others what was told
     /// of them last.
-    pub(crate) fn list(self, current: Option<JobView>, reply: oneshot::Sender<Vec<JobView>>) {
+    pub(crate) fn list(
+        self,
+        current: Option<JobView>,
+        reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>,
+    ) {
         tokio::task::spawn_blocking(move || {
             self.catch_up();
-            let jobs = self.journal.jobs().unwrap_or_default();
-            let view = |job: &Job| match &current {
-                Some(current) if current.job == job.id.0 => current.clone(),
-                _ => view(job),
-            };
             // Whoever asked may have left.
-            let _ = reply.send(jobs.iter().map(view).collect());
+            let _ = reply.send(list(&self.journal, current.as_ref()));
         });
     }
 
@@ -189,29 +188,40 @@ impl Jobs {
 
     fn end_waiting(&self, job: u64, by: &str) -> Result<Reply, Refusal> {
         self.catch_up();
-        let job = self.find(job)?;
-        if job.state.is_over() {
-            return Err(Refusal::JobPhase {
-                job: job.id.0,
-                found: phase(&job.state),
-                allowed: "queued, running or paused",
-            });
-        }
-        let reason = format!("ended by {by}");
-        self.journal
-            .set_state(job.id, &JobState::Stopped { reason })
-            .map_err(|error| journal_refusal(&error))?;
-        let job = self.find(job.id.0)?;
+        end_waiting(&self.journal, job, by)?;
+        let job = find(&self.journal, job)?;
         Ok(Reply::Job { job: view(&job) })
-    }
-
-    fn find(&self, job: u64) -> Result<Job, Refusal> {
-        find(&self.journal, job)
     }
 }
 
+/// All jobs, the oldest first; one of them as it is now.
+pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
+    let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
+    let view = |job: &Job| match current {
+        Some(current) if current.job == job.id.0 => current.clone(),
+        _ => view(job),
+    };
+    Ok(jobs.iter().map(view).collect())
+}
+
+/// Ends a job that the arm is not at.
+pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), Refusal> {
+    let job = find(journal, job)?;
+    if job.state.is_over() {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: phase(&job.state),
+            allowed: "queued, running or paused",
+        });
+    }
+    let reason = format!("ended by {by}");
+    journal
+        .set_state(job.id, &JobState::Stopped { reason })
+        .map_err(|error| journal_refusal(&error))
+}
+
 /// A job as the journal has it.
-fn view(job: &Job) -> JobView {
+pub(crate) fn view(job: &Job) -> JobView {
     JobView {
         job: job.id.0,
         title: job.title.clone(),
@@ -281,7 +291,7 @@ pub(crate) fn startable(
     look_again(journal, policy, &job, model)
 }
 
-fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
+pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
     match journal.job(JobId(job)) {
         Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
         found => found.map_err(|error| journal_refusal(&error)),

@@ -42,6 +42,7 @@ mod approach;
 mod arm_thread;
 mod arms;
 mod bridge;
+mod client;
 mod config;
 mod connect;
 #[cfg(test)]
@@ -69,6 +70,7 @@ mod virtual_port;
 mod words;
 
 pub use approach::Approach;
+pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 pub use folders::Folders;

@@ -4,12 +4,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_client::Address;
-use dobot_record::{About, Record, Recorder, Topic};
+use dobot_record::{About, Limits, Record, Recorder, Topic};
 use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
+use crate::Folders;
 use crate::words::{Notice, State};
 
 /// What the station records; without a recorder nothing.
@@ -94,6 +95,20 @@ impl Recording {
         if let Some(recorder) = &self.recorder {
             recorder.record(at, record());
         }
+    }
+}
+
+/// Starts a recording, or says why there is none.
+pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
+    let recorder = Recorder::start(
+        folders.recordings(),
+        Limits::default(),
+        About::default(),
+        jiff::Timestamp::now(),
+    );
+    match recorder {
+        Ok(recorder) => (Some(recorder), None),
+        Err(error) => (None, Some(format!("nothing is recorded: {error}"))),
     }
 }
 

@@ -10,7 +10,7 @@ use dobot_wire::Packet;
 
 use crate::jobs;
 use crate::keeper::{Begun, Effect, Keeper};
-use crate::words::{ClientId, LinkPhase, NewJob, Notice, Refusal, Reply, Request, Role};
+use crate::words::{ClientId, JobView, LinkPhase, NewJob, Notice, Refusal, Reply, Request, Role};
 
 /// A keeper and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
@@ -180,6 +180,26 @@ impl Rehearsal {
     /// [`Refusal`].
     pub fn ask(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         let now = self.keeper_now();
+        if self.keeper.check_request(client, &request).is_ok() {
+            if matches!(
+                request,
+                Request::StartJob { .. } | Request::CancelJob { .. }
+            ) {
+                self.catch_up();
+            }
+            match request {
+                Request::SubmitJob { job } => {
+                    let job = self.submit(&job)?;
+                    return self.kept(job);
+                }
+                Request::StartJob { job } => return self.start(client, job),
+                Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
+                    jobs::end_waiting(&self.journal, job, &self.keeper.client_name(client))?;
+                    return self.kept(job);
+                }
+                _ => {}
+            }
+        }
         let answer = self.keeper.handle_request(now, client, request);
         self.settle();
         answer.unwrap_or(Ok(Reply::Done))
@@ -220,6 +240,26 @@ impl Rehearsal {
         let reply = self.keeper.handle_start(now, client, begun);
         self.settle();
         reply
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`] where the journal cannot be read.
+    pub fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
+        self.catch_up();
+        jobs::list(&self.journal, self.keeper.job().as_ref())
+    }
+
+    /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
+    pub fn free_laser(&mut self) {
+        self.keeper.free_laser();
+    }
+
+    /// Whether the arm has told anything since this was asked last.
+    pub fn poll_status(&mut self) -> bool {
+        std::iter::from_fn(|| self.keeper.poll_status()).count() > 0
     }
 
     /// What became of a job, by the journal.
@@ -292,6 +332,18 @@ impl Rehearsal {
         }
     }
 
+    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    fn catch_up(&mut self) {
+        let latest = self.now + PATIENCE;
+        self.run_until(latest, |it| it.disk.is_empty());
+    }
+
+    fn kept(&self, job: u64) -> Result<Reply, Refusal> {
+        let job = jobs::find(&self.journal, job)?;
+        let job = jobs::view(&job);
+        Ok(Reply::Job { job })
+    }
+
     fn keeper_now(&self) -> Duration {
         self.now.saturating_sub(self.started)
     }
@@ -353,3 +405,6 @@ impl Rehearsal {
         }
     }
 }
+
+/// A disk that takes longer has failed.
+const PATIENCE: Duration = Duration::from_secs(10);

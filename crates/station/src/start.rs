@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use dobot_client::Address;
 use dobot_journal::{Journal, JournalError};
-use dobot_record::{About, Limits, Recorder};
 use dobot_safety::{Policy, PolicyError};
 use tokio::task::JoinHandle;
 
@@ -16,14 +15,16 @@ use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::{Connecting, Source};
-use crate::guardian::Heart;
+use crate::guardian::{Heart, LastWords};
 use crate::handle::Rules;
 use crate::http;
 use crate::jobs::Jobs;
 use crate::keeper::Keeper;
 use crate::owner::{Given, Owner};
-use crate::recording::Recording;
-use crate::{Config, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Web};
+use crate::recording::{self, Recording};
+use crate::{
+    Config, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Supervisor, Web,
+};
 
 /// A station that runs.
 #[derive(Debug)]
@@ -139,7 +140,7 @@ impl Station {
             recording: recording(&config, &source, &mut notes),
             source,
             own,
-            heart: Heart::new(&config, approach.words),
+            heart: heart(&config, approach.words),
         });
         notes.extend(owner.recover().err());
         let virtual_port = open_pty(&config)?;
@@ -288,14 +289,17 @@ fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
 
 fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {
     let personality = source.is_virtual().then(|| config.personality.to_string());
-    let recorder = Recorder::start(
-        config.folders.recordings(),
-        Limits::default(),
-        About::default(),
-        jiff::Timestamp::now(),
-    );
-    let recorder = recorder.map_err(|error| notes.push(format!("nothing is recorded: {error}")));
-    Recording::new(recorder.ok(), personality)
+    let (recorder, trouble) = recording::start(&config.folders);
+    notes.extend(trouble);
+    Recording::new(recorder, personality)
+}
+
+fn heart(config: &Config, words: Arc<LastWords>) -> Heart {
+    let heart = Heart::new(config.guardian.clone(), config.folders.guardian(), words);
+    if config.is_service {
+        return heart.supervised(Supervisor::of_environment());
+    }
+    heart
 }
 
 /// A virtual serial port for programs that speak nothing else.
@@ -331,5 +335,6 @@ fn serve_pty(port: std::convert::Infallible, _: &Handle, _: &ArmThread) -> PathB
     match port {}
 }
 
-const OPENED: &str =
+/// Why the pose of an arm is not trusted whose port was opened.
+pub(crate) const OPENED: &str =
     "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

@@ -1,93 +1,36 @@
-//! A plan on its way to an arm: from this process, or as a job of the station.
+//! A plan on its way to an arm, as a job.
 
 use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_client::position;
-use dobot_draw::{Parting, Plan, Progress, Stopped};
-use dobot_station::{JobKind, JobPause, NewJob, Remote, Reply, Request, State};
-use indicatif::{ProgressBar, ProgressStyle};
+use dobot_draw::Plan;
+use dobot_station::{JobKind, JobPause, JobView, NewJob, Reply, Request, State, StationClient};
 use tokio::io::{AsyncBufReadExt, BufReader};
 
-use super::args::Args;
-use crate::connect::{Connected, Reached};
 use crate::control::{arm_laser, first_state, take_control};
 use crate::failure::Failure;
 use crate::follow;
-use crate::guard;
 use crate::interrupt::interrupt;
-use crate::output::clock;
 
 /// Where the statuses saw the tool, and how long it took or why it did not get to the end.
 pub(super) struct Executed {
     pub(super) outcome: Result<Duration, Failure>,
+    /// How long all of it was to take by the motion model, in seconds, the way to its start
+    /// included; absent where it was not taken.
+    pub(super) planned_s: Option<f64>,
     pub(super) seen: Vec<dobot_arm::Position>,
 }
 
-impl Executed {
-    fn failed(failure: Failure) -> Self {
-        Self {
-            outcome: Err(failure),
-            seen: Vec::new(),
-        }
-    }
-}
-
-/// Draws from this process.
-pub(super) async fn direct(connected: &mut Connected, plan: &Plan, total_s: f64) -> Executed {
-    if let Err(failure) = check(connected, plan).await {
-        return Executed::failed(failure);
-    }
-    let bar = progress_bar(plan);
-    let scale = total_s / plan.duration_s().max(f64::MIN_POSITIVE);
-    let tell = |progress: Progress| {
-        bar.set_position(progress.vectors as u64);
-        bar.set_message(clock(total_s - progress.planned_s * scale));
-    };
-    let confirm = async |message: &str| {
-        bar.suspend(|| prompt(message));
-        enter().await;
-    };
-    let outcome = dobot_draw::run(&mut connected.arm, plan, confirm, interrupt(), tell).await;
-    bar.finish_and_clear();
-    match outcome {
-        Ok(finished) => Executed {
-            outcome: Ok(finished.time),
-            seen: finished.seen,
-        },
-        Err(mut stopped) => Executed {
-            seen: std::mem::take(&mut stopped.seen),
-            outcome: Err(stopped_failure(stopped)),
-        },
-    }
-}
-
-/// What would stop the drawing half way is found out before anything moves.
-async fn check(connected: &mut Connected, plan: &Plan) -> Result<(), Failure> {
-    guard::check_all(connected, plan.commands()).await?;
-    let asks = !plan.breaks.is_empty() && connected.virtual_arm.is_none();
-    if asks && !std::io::stdin().is_terminal() {
-        return Err(Failure::new(
-            anyhow!("the pen has to be changed, and there is nobody at the terminal to do it"),
-            "run it in a terminal, or through a station: `dobot up`",
-        ));
-    }
-    Ok(())
-}
-
-/// What a station would not let burn is told before anything moves or is queued.
+/// What would not burn is told before anything moves or is queued.
 pub(super) async fn check_laser(
-    reached: &mut Reached,
+    station: &mut StationClient,
     plan: &Plan,
-    args: &Args,
+    armed_for: Option<Duration>,
 ) -> Result<(), Failure> {
-    let Reached::Station(station) = reached else {
-        return Ok(());
-    };
-    let armed = !plan.burns()
-        || args.tool.arm_laser.is_some()
-        || first_state(station).await?.laser.armed_for_s > 0.0;
+    let armed =
+        !plan.burns() || armed_for.is_some() || first_state(station).await?.laser.armed_for_s > 0.0;
     if armed {
         return Ok(());
     }
@@ -97,67 +40,65 @@ pub(super) async fn check_laser(
     ))
 }
 
-/// Queues a plan as a job of the station, and follows it.
-pub(super) async fn through(
-    station: &mut Remote,
+/// Makes a job of a plan, starts it and follows it.
+pub(super) async fn execute(
+    station: &mut StationClient,
     plan: &Plan,
     title: &str,
-    args: &Args,
+    armed_for: Option<Duration>,
 ) -> Executed {
     let mut seen = Vec::new();
     let see = |state: &State| {
         seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
     };
-    let outcome = job(station, plan, title, args, see).await;
-    Executed { outcome, seen }
+    let mut planned_s = None;
+    let outcome = match submit(station, plan, title, armed_for).await {
+        Ok(job) => {
+            planned_s = job.planned_s;
+            follow::start(station, job.job, plan.burns(), see).await
+        }
+        Err(failure) => Err(failure),
+    };
+    Executed {
+        outcome,
+        planned_s,
+        seen,
+    }
 }
 
-async fn job(
-    station: &mut Remote,
+async fn submit(
+    station: &mut StationClient,
     plan: &Plan,
     title: &str,
-    args: &Args,
-    see: impl FnMut(&State),
-) -> Result<Duration, Failure> {
+    armed_for: Option<Duration>,
+) -> Result<JobView, Failure> {
     // Nothing is queued that cannot be started.
     take_control(station).await?;
-    arm_laser(station, args.tool.arm_laser).await?;
+    arm_laser(station, armed_for).await?;
+    let job = job(plan, title);
+    match station.request(Request::SubmitJob { job }).await? {
+        Reply::Job { job } => Ok(job),
+        other => Err(anyhow!("the station answers {other:?} to a new job").into()),
+    }
+}
+
+fn job(plan: &Plan, title: &str) -> NewJob {
     let pauses = plan.breaks_in_commands().map(|(before, message)| JobPause {
         before,
         message: message.to_owned(),
     });
-    let job = NewJob {
+    NewJob {
         title: title.to_owned(),
         kind: JobKind::Drawing,
         commands: plan.commands().collect(),
         lift_mm: lift_mm(plan),
         pauses: pauses.collect(),
-    };
-    match station.request(Request::SubmitJob { job }).await? {
-        Reply::Job { job } => follow::start(station, job.job, plan.burns(), see).await,
-        other => Err(anyhow!("the station answers {other:?} to a new job").into()),
-    }
-}
-
-/// Tells a person why it waits, and for what.
-fn prompt(message: &str) {
-    eprintln!("{message}");
-    if std::io::stdin().is_terminal() {
-        eprintln!("press Enter to go on");
-    }
-}
-
-/// Waits for a person at the terminal; where there is none, a virtual arm goes on.
-async fn enter() {
-    if std::io::stdin().is_terminal() {
-        // Whoever closes the terminal is heard as a signal.
-        line_entered().await;
     }
 }
 
 /// Whether a frame has its person; that of a virtual arm in this process needs none.
-pub(super) fn check_frame(reached: &Reached) -> Result<(), Failure> {
-    if is_harmless(reached) || std::io::stdin().is_terminal() {
+pub(super) fn check_frame(station: &StationClient) -> Result<(), Failure> {
+    if is_harmless(station) || std::io::stdin().is_terminal() {
         return Ok(());
     }
     Err(Failure::new(
@@ -167,11 +108,12 @@ pub(super) fn check_frame(reached: &Reached) -> Result<(), Failure> {
 }
 
 /// Asks whether the frame that was gone around is the place.
-pub(super) async fn ask_about_frame(reached: &Reached) -> Result<(), Failure> {
-    if is_harmless(reached) && !std::io::stdin().is_terminal() {
+pub(super) async fn ask_about_frame(station: &StationClient) -> Result<(), Failure> {
+    if is_harmless(station) && !std::io::stdin().is_terminal() {
         return Ok(());
     }
-    prompt("this is where it will be; Ctrl-C leaves it undone");
+    eprintln!("this is where it will be; Ctrl-C leaves it undone");
+    eprintln!("press Enter to go on");
     let agreed = tokio::select! {
         entered = line_entered() => entered,
         // The way around it has taken Ctrl-C from the system.
@@ -183,8 +125,8 @@ pub(super) async fn ask_about_frame(reached: &Reached) -> Result<(), Failure> {
     Err(anyhow!("left undone after the frame; nothing was drawn").into())
 }
 
-const fn is_harmless(reached: &Reached) -> bool {
-    matches!(reached, Reached::Arm(it) if it.virtual_arm.is_some())
+const fn is_harmless(station: &StationClient) -> bool {
+    station.virtual_arm().is_some()
 }
 
 /// Whether a line came, and not the end of all lines.
@@ -192,23 +134,6 @@ async fn line_entered() -> bool {
     let mut line = String::new();
     let mut lines = BufReader::new(tokio::io::stdin());
     matches!(lines.read_line(&mut line).await, Ok(1..))
-}
-
-fn stopped_failure(stopped: Stopped) -> Failure {
-    match stopped.parting {
-        Parting::Done | Parting::Unneeded => stopped.into(),
-        Parting::Sent | Parting::Lost => Failure::new(
-            stopped,
-            "look after the arm: lift the pen or switch it off by hand",
-        ),
-    }
-}
-
-fn progress_bar(plan: &Plan) -> ProgressBar {
-    let vectors = plan.moves.len() as u64;
-    let style =
-        ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} vectors, {msg} left");
-    ProgressBar::new(vectors).with_style(style.expect("the template is well-formed"))
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "as the job holds it")]

@@ -1,14 +1,20 @@
-//! A virtual arm draws a plan: the estimate of what a real one will do is what this one did.
+//! A virtual arm draws a plan: the estimate of what a real one will do is what this one did, under
+//! the same rules.
 
-use dobot_client::Connection;
-use dobot_draw::{
-    Estimate, Finished, InkLine, Plan, Prepared, Progress, Sample, Settings, Stopped, Stroke,
-    Timeline, Trace,
-};
-use dobot_sim::{InProcess, RECORDING_PERIOD};
-use dobot_wire::Dialect;
+use std::time::Duration;
 
-use crate::connect::{speaker, virtual_arm};
+use dobot_controller::PowerUp;
+use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Stroke, Timeline, Trace};
+use dobot_safety::Policy;
+use dobot_sim::{RECORDING_PERIOD, VirtualArm};
+use dobot_station::StationClient;
+use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
+
+use super::execute::execute;
+use crate::connect::speaker;
+use crate::control::{self, carry_out, take_control};
+use crate::failure::Failure;
+use crate::reach::client_name;
 
 /// What a virtual arm did.
 #[derive(Debug)]
@@ -22,8 +28,8 @@ pub(super) struct Carried {
 
 impl Carried {
     /// Reads what the arm recorded; nothing where it never came to the plan's start.
-    pub(super) fn of(arm: &InProcess, prepared: &Prepared, settings: &Settings) -> Option<Self> {
-        let samples: Vec<Sample> = arm.arm().samples().iter().map(sample).collect();
+    pub(super) fn of(arm: &VirtualArm, prepared: &Prepared, settings: &Settings) -> Option<Self> {
+        let samples: Vec<Sample> = arm.samples().iter().map(sample).collect();
         let wanted = prepared.wanted();
         let trace = Trace::new(&prepared.plan, &settings.paper, &samples, &wanted).ok()?;
         let ink = trace.ink();
@@ -37,23 +43,55 @@ impl Carried {
     }
 }
 
-/// Has a virtual arm that speaks this dialect draw the plan, in no time.
+/// How long a virtual arm took, how long that was to take by the motion model, and what it did.
+#[derive(Debug)]
+pub(super) struct Rehearsed {
+    pub(super) time: Duration,
+    pub(super) planned_s: Option<f64>,
+    pub(super) carried: Option<Carried>,
+}
+
+/// Has a virtual arm that speaks this dialect draw the plan, in no time, from where the real one
+/// stands.
 pub(super) async fn rehearse(
     prepared: &Prepared,
     settings: &Settings,
     dialect: Dialect,
-) -> Result<(Finished, Option<Carried>), Stopped> {
-    let arm = InProcess::new(virtual_arm(speaker(dialect)));
-    let mut connection = Connection::over_peer(arm.clone(), Some(dialect));
-    arm.arm().record(RECORDING_PERIOD);
-    let finished = draw(&mut connection, &prepared.plan).await?;
-    let carried = Carried::of(&arm, prepared, settings);
-    Ok((finished, carried))
+    policy: Policy,
+    from: Option<&Status>,
+) -> Result<Rehearsed, Failure> {
+    let power_up = PowerUp::new(speaker(dialect));
+    let name = client_name("draw");
+    let mut station = StationClient::with_virtual_arm(power_up, policy, &name);
+    control::status(&mut station).await?;
+    if let Some(from) = from {
+        take_control(&mut station).await?;
+        // Where the policy does not let it stand there, the way from there is left out.
+        let _ = carry_out(&mut station, standing(from).into()).await;
+    }
+    if let Some(arm) = station.virtual_arm_mut() {
+        arm.record(RECORDING_PERIOD);
+    }
+    let executed = execute(&mut station, &prepared.plan, "estimate", None).await;
+    let arm = station.virtual_arm();
+    Ok(Rehearsed {
+        time: executed.outcome?,
+        planned_s: executed.planned_s,
+        carried: arm.and_then(|it| Carried::of(it, prepared, settings)),
+    })
 }
 
-async fn draw(arm: &mut Connection, plan: &Plan) -> Result<Finished, Stopped> {
-    let nobody = std::future::pending();
-    dobot_draw::run(arm, plan, async |_: &str| {}, nobody, |_: Progress| {}).await
+const fn standing(at: &Status) -> MoveJoints {
+    MoveJoints {
+        base_deg: at.base_deg,
+        rear_deg: at.rear_deg,
+        fore_deg: at.fore_deg,
+        servo_deg: at.servo_deg,
+        suction: false,
+        mode: MovingMode::MovJ,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
 }
 
 fn sample(it: &dobot_sim::Sample) -> Sample {

@@ -18,11 +18,11 @@ pub(super) struct Report {
     travelled_mm: f64,
     /// How much larger than its file says it is.
     scale: f64,
-    /// The time that the planned motions take.
+    /// The time that the planned motions take, the way to the paper included.
     planned_s: f64,
     /// The time that a virtual arm took; absent where none was asked.
     estimated_s: Option<f64>,
-    /// From the first vector sent to the last one over; absent where nothing moved or the drawing was
+    /// From the first motion to the last one over; absent where nothing moved or the drawing was
     /// stopped.
     time_s: Option<f64>,
     /// How much longer it took than was estimated.
@@ -53,7 +53,7 @@ impl Report {
             drawn_mm: summary.drawn_mm,
             travelled_mm: summary.travelled_mm,
             scale: prepared.scale,
-            planned_s: summary.duration_s,
+            planned_s: times.planned_s.unwrap_or(summary.duration_s),
             estimated_s: times.estimated.map(|it| it.as_secs_f64()),
             time_s: times.took.map(|it| it.as_secs_f64()),
             estimate_error_percent: times.error_percent(),
@@ -144,6 +144,8 @@ impl Report {
 /// How long it was to take, and how long it took.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Times {
+    /// By the motion model, in seconds.
+    pub(super) planned_s: Option<f64>,
     pub(super) estimated: Option<Duration>,
     pub(super) took: Option<Duration>,
 }

@@ -143,6 +143,11 @@ impl Bench {
     fn jog(&self, button: &str) -> Going {
         let hold = ["jog", button, "--for", "60"];
         let holder = Going::new(command_at(self.folder(), &hold));
+        self.wait_for_jog();
+        holder
+    }
+
+    fn wait_for_jog(&self) {
         let moves = |command: &Command| match command {
             Command::JointJog(it) => it.axis.moves(),
             Command::LinearJog(it) => it.axis.moves(),
@@ -153,7 +158,6 @@ impl Bench {
         for _ in 0..6 {
             self.next_status();
         }
-        holder
     }
 
     fn next(&self) -> Passed {
@@ -252,6 +256,26 @@ fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
     bench.check_words(at, JOINT_RELEASE);
     let (before, after) = (bench.base_deg(), bench.base_deg());
     assert!((after - before).abs() < 0.01, "{before} {after}");
+}
+
+#[test]
+fn an_arm_that_is_used_without_a_station_is_let_go_too_when_the_verb_is_killed() {
+    let bench = Bench::new();
+    let arm = format!("tcp:{}", bench.wire);
+    let hold = [
+        "jog",
+        "base+",
+        "--for",
+        "60",
+        "--to",
+        &arm,
+        "--pose-confirmed",
+    ];
+    let mut verb = Going::new(command_at(bench.folder(), &hold));
+    bench.wait_for_jog();
+    let at = Instant::now();
+    verb.kill();
+    bench.check_words(at, JOINT_RELEASE);
 }
 
 /// The station of an arm that burns.

@@ -11,7 +11,7 @@ use dobot_wire::{Dialect, Packet};
 use super::child::Child;
 use super::clock::Clock;
 use super::{Beat, Guardian, LastWords, Told};
-use crate::{Config, Sign, Supervisor};
+use crate::{Sign, Supervisor};
 
 /// The heart of the thread that has the arm: as long as its loop goes round, it beats.
 #[derive(Debug)]
@@ -34,13 +34,11 @@ pub(crate) struct Heart {
 }
 
 impl Heart {
-    pub(crate) fn new(config: &Config, words: Arc<LastWords>) -> Self {
-        let supervisor = config.is_service.then(Supervisor::of_environment);
+    /// A heart that beats for a guardian, if there is a program that is one.
+    pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, words: Arc<LastWords>) -> Self {
         Self {
-            program: config.guardian.clone(),
-            note: config.folders.guardian(),
-            supervisor: supervisor.unwrap_or_default(),
-            fed: Duration::ZERO,
+            program,
+            note,
             clock: Clock::new(),
             last: None,
             told: Told::default(),
@@ -48,7 +46,15 @@ impl Heart {
             #[cfg(unix)]
             guardian: None,
             trouble: None,
+            supervisor: Supervisor::default(),
+            fed: Duration::ZERO,
         }
+    }
+
+    /// The same, beating for the system that keeps the station running, too.
+    pub(crate) fn supervised(mut self, supervisor: Supervisor) -> Self {
+        self.supervisor = supervisor;
+        self
     }
 
     /// Takes the link to an arm: from now on there is something to guard.

@@ -84,7 +84,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<Telling>, ask
             }
             Message::Planned { .. } => panic!("it plans no jobs"),
             Message::Jobs(reply) => {
-                let _ = reply.send(vec![job(7)]);
+                let _ = reply.send(Ok(vec![job(7)]));
             }
             Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
             Message::Failed(text) => panic!("{text}"),

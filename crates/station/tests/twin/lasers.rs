@@ -1,7 +1,8 @@
 //! Burning.
 
 use dobot_controller::Personality;
-use dobot_draw::{Parting, Trace, deviation};
+use dobot_draw::{Trace, deviation};
+use dobot_station::JobPhase;
 
 use crate::bench::{Bench, PAPER, laser, line, plan, square};
 
@@ -12,8 +13,8 @@ async fn a_laser_burns_the_strokes_and_nothing_else() {
         square(200.0, 20.0, 10.0),
     ];
     let plan = plan(&[laser(strokes.clone(), 2)], Personality::Specification);
-    let mut bench = Bench::new(Personality::Specification);
-    bench.draw(&plan).await.unwrap();
+    let mut bench = Bench::new(Personality::Specification).await;
+    bench.draw(&plan).await;
     let samples = bench.samples();
     let trace = Trace::new(&plan, &PAPER, &samples, &strokes).unwrap();
     let ink: Vec<_> = trace.ink().into_iter().map(|it| it.stroke).collect();
@@ -29,11 +30,9 @@ async fn a_laser_that_is_stopped_is_off() {
     for personality in Personality::ALL {
         let strokes = vec![square(200.0, 0.0, 20.0); 100];
         let plan = plan(&[laser(strokes, 1)], personality);
-        let mut bench = Bench::new(personality);
-        let Err(stopped) = bench.draw_until(&plan, 2).await else {
-            panic!("it was not stopped");
-        };
-        assert_eq!(stopped.parting, Parting::Done);
+        let mut bench = Bench::new(personality).await;
+        let job = bench.draw_until(&plan, plan.command_of(4)).await;
+        assert_eq!(job.phase, JobPhase::Paused);
         let samples = bench.samples();
         assert!(samples.iter().any(|it| it.laser));
         assert!(!samples.last().unwrap().laser);
