@@ -130,7 +130,6 @@ impl Owner {
     ///
     /// What failed that the arm depends on, in one line.
     pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
-        self.remember_guardian();
         self.follow(first);
         if self.link.is_none() && self.connecting.is_none() {
             self.connect();
@@ -163,7 +162,7 @@ impl Owner {
         self.part().await
     }
 
-    /// Tells what a guardian did while there was no station that could have.
+    /// Tells what the guardian did while this loop stood still.
     fn remember_guardian(&mut self) {
         for line in take_note(self.heart.note()) {
             let now = self.now();

@@ -15,7 +15,7 @@ use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::{Connecting, Source};
-use crate::guardian::{Heart, LastWords};
+use crate::guardian::{Heart, LastWords, take_note};
 use crate::handle::Rules;
 use crate::http;
 use crate::jobs::Jobs;
@@ -143,6 +143,10 @@ impl Station {
             heart: heart(&config, approach.words),
         });
         notes.extend(owner.recover().err());
+        for line in take_note(&config.folders.guardian()) {
+            handle.tell_trouble(line.clone());
+            notes.push(line);
+        }
         let virtual_port = open_pty(&config)?;
         let arm = arm.or_else(|| approach.first.as_ref().and_then(Connecting::address));
         let owner = approach.thread.give(owner, approach.first);

@@ -201,7 +201,7 @@ impl Bench {
     /// Where the base of the arm is, by the arm itself: no station is there any more.
     fn base_deg(&self) -> f64 {
         let arm = format!("tcp:{}", self.wire);
-        let ask = ["status", "--to", &arm, "--json"];
+        let ask = ["status", "--to", &arm, "--count", "1", "--json"];
         let outcome = run(&mut command_at(self.folder(), &ask), b"").succeeds();
         base_deg(&outcome.stdout)
     }

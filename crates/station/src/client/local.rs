@@ -14,7 +14,7 @@ use crate::arm_thread::{ArmAtWork, ArmThread};
 use crate::arms::{Arms, ArmsError};
 use crate::connect::{Connecting, Source};
 use crate::finder::darken;
-use crate::guardian::{Heart, LastWords, wait_for_guardian};
+use crate::guardian::{Heart, LastWords, take_note, wait_for_guardian};
 use crate::handle::Rules;
 use crate::jobs::Jobs;
 use crate::keeper::Keeper;
@@ -179,7 +179,8 @@ fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmAtWork), OpenArmErr
         own,
         heart: Heart::new(arm.guardian.clone(), folders.guardian(), words.clone()),
     });
-    let troubles = trouble.into_iter().chain(owner.recover().err());
+    let left = take_note(&folders.guardian());
+    let troubles = trouble.into_iter().chain(owner.recover().err()).chain(left);
     for text in troubles {
         handle.tell_trouble(text);
     }

@@ -43,7 +43,8 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         it.run_for(Duration::from_secs(3));
         let said = sent(&it, before, personality);
         assert!(is_laser_off(&said[0]), "{personality}: {said:?}");
-        let release = |it: &Command| matches!(it, Command::LinearJog(it) if it.axis == LinearJogAxis::Released);
+        let release =
+            |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
         assert!(said.iter().any(release), "{personality}: {said:?}");
         assert!(
             said.iter().all(|it| release(it) || is_laser_off(it)),
