@@ -45,7 +45,7 @@ impl ArmThread {
             let work = || {
                 runtime.block_on(async {
                     match given.await {
-                        Ok((owner, first)) => owner.run(first).await,
+                        Ok((owner, first)) => Box::pin(owner.run(first)).await,
                         // The station did not start.
                         Err(_) => Ok(()),
                     }

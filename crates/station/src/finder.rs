@@ -10,7 +10,7 @@ mod search;
 use std::io;
 
 use dobot_client::{Address, Link, LinkError, Port};
-use dobot_wire::{Dialect, Packet};
+use dobot_wire::Dialect;
 use tokio::time::Instant;
 
 use self::candidate::{Candidate, Choice, choose};
@@ -205,7 +205,7 @@ async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
 
 /// Laser off: whatever the arm was told before, and whoever told it.
 pub(crate) async fn darken(link: &mut Link) {
-    link.send(&Packet::from(LASER_OFF.emit(&Dialect::SPECIFICATION)).to_bytes());
+    link.send(&LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes());
     // A link that is broken says so to whoever listens next.
     let _ = link.flush().await;
 }

@@ -147,7 +147,7 @@ impl Owner {
                 Happening::Message(None) => self.end(),
                 Happening::Link(outcome) => self.hear(outcome),
                 Happening::Connecting(None) => {
-                    self.fail("the task that looks for the arm panicked".into())
+                    self.fail("the task that looks for the arm panicked".into());
                 }
                 Happening::Connecting(news) => self.follow(news),
                 Happening::Written(Some(written)) => self.note(written),

@@ -103,7 +103,7 @@ impl Station {
     ///
     /// Outside of a tokio runtime.
     pub async fn start(config: Config) -> Result<Self, StartError> {
-        Self::begin(Approach::new(config).await?).await
+        Self::begin(Box::pin(Approach::new(config)).await?).await
     }
 
     /// Starts a station whose arm has been told to switch its laser off already.
@@ -116,6 +116,10 @@ impl Station {
     ///
     /// Outside of a tokio runtime.
     pub async fn begin(approach: Approach) -> Result<Self, StartError> {
+        Box::pin(Self::open(approach)).await
+    }
+
+    async fn open(approach: Approach) -> Result<Self, StartError> {
         let config = approach.config;
         make_folder(config.folders.data())?;
         let policy = read_policy(config.policy.as_deref())?;

@@ -365,9 +365,11 @@ fn a_station_that_ends_as_it_should_has_said_all_itself() {
 
 #[test]
 fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
-    let mut arm = Going::new(command(&["arm", "--pty"]));
-    let address = arm.address();
     let folder = tempfile::tempdir().expect("there is room");
+    let link = folder.path().join("arm");
+    let link = link.to_str().expect("the path is text");
+    let mut arm = Going::new(command(&["arm", "--pty", link]));
+    let address = arm.address();
     let ports = ["--http", "127.0.0.1:0", "--raw", "off"];
     let arguments = ["up", "--dialect", "specification", "--arm", &address];
     let mut station = Going::new(command_at(

@@ -21,14 +21,14 @@ impl Clock {
     /// The time since a moment that does not change.
     #[cfg(target_os = "linux")]
     #[expect(clippy::unused_self, reason = "other systems need where it began")]
-    pub(crate) fn now(&self) -> Duration {
+    pub(crate) fn now(self) -> Duration {
         let time = rustix::time::clock_gettime(rustix::time::ClockId::Boottime);
         Duration::try_from(time).expect("no computer was started before its clock began")
     }
 
     /// The time since a moment that does not change.
     #[cfg(not(target_os = "linux"))]
-    pub(crate) fn now(&self) -> Duration {
+    pub(crate) fn now(self) -> Duration {
         self.started.elapsed()
     }
 }

@@ -33,9 +33,8 @@ pub(super) fn write_within(port: impl AsFd, mut bytes: &[u8], within: Duration) 
     while !bytes.is_empty() {
         let mut waited = [PollFd::new(&port, PollFlags::OUT)];
         let left = latest.saturating_duration_since(Instant::now());
-        match poll(&mut waited, Some(&timespec(left))) {
-            Ok(0) => return false,
-            Ok(_) | Err(_) => {}
+        if poll(&mut waited, Some(&timespec(left))) == Ok(0) {
+            return false;
         }
         match write_some(&port, bytes) {
             Taken::Some(written) => bytes = &bytes[written..],
