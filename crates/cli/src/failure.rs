@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dobot_client::{LinkError, OpenError, SendError};
-use dobot_station::{ConnectError, RemoteError};
+use dobot_station::{ConnectError, OpenArmError, RemoteError};
 
 /// What went wrong.
 #[derive(Debug)]
@@ -52,6 +52,9 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 /// What helps against the failures that any verb may meet.
 fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if let Some(error) = cause.downcast_ref::<OpenError>() {
+        return error.hint();
+    }
+    if let Some(OpenArmError::Open(error)) = cause.downcast_ref::<OpenArmError>() {
         return error.hint();
     }
     if let Some(error) = cause.downcast_ref::<ConnectError>() {

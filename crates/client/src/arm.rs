@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_course::Button;
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveJoints, MoveTo, Status};
+use dobot_course::{Button, LASER_OFF};
+use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};
 
@@ -57,6 +57,14 @@ impl Arm {
         Self { connection }
     }
 
+    /// Lets the laser be lit for so long: a person has put the goggles on. Until then, and afterwards,
+    /// what burns is refused ([`SendError::LaserDisarmed`](crate::SendError::LaserDisarmed)); that of an
+    /// arm in this process needs no arming. A laser that would burn on the spot is switched off, while a
+    /// call goes on.
+    pub fn arm_laser(&mut self, time: Duration) {
+        self.connection.arm_laser(time);
+    }
+
     /// Goes to a point, sets the tool, and returns what the arm tells then.
     ///
     /// # Errors
@@ -76,7 +84,7 @@ impl Arm {
     }
 
     /// Jogs one axis for a while, releases it, and returns what the arm tells when it rests. `held`
-    /// is a [`JointJog`] or a [`LinearJog`](dobot_wire::LinearJog) of an axis that moves.
+    /// is a [`JointJog`](dobot_wire::JointJog) or a [`LinearJog`](dobot_wire::LinearJog) of an axis that moves.
     ///
     /// The axis moves until the release arrives: with the next status, up to 0.2 s later. If this
     /// call is cancelled the arm jogs on, until [`Arm::stop`].
@@ -167,10 +175,6 @@ impl Arm {
     }
 }
 
-const LASER_OFF: JointJog = JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-};
 /// Longer than a packet takes on the line (note N26).
 const GAP: Duration = Duration::from_millis(60);
 /// What the two packets take on the line, and a status that left after them.

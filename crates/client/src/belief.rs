@@ -1,5 +1,4 @@
-//! What a session believes of its arm: the motion model after what was sent, and the time that this
-//! takes.
+//! What a session believes of its arm: the motion model after what was sent, and after what waits.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -8,37 +7,27 @@ use dobot_course::{Model, Settings};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
+use crate::plan::Plan;
+use crate::under_way::{Sent, UnderWay};
 
-/// The model after all that was sent, and after all that was given.
-#[derive(Debug)]
+/// The arm as it is believed to be, and the commands that it and the session have.
+#[derive(Clone, Debug)]
 pub(crate) struct Belief {
     dialect: Dialect,
-    /// After all that was sent; there is none before the first status.
-    sent: Option<Model>,
-    /// After what waits, too.
-    given: Option<Model>,
-    under_way: VecDeque<Foreseen>,
+    /// After all that was seen to be over; there is none before the first status.
+    over: Option<Model>,
+    under_way: UnderWay,
+    waiting: VecDeque<Given>,
     last: Option<Status>,
-    /// Until then the arm may pause once more where the last command ended (note N47).
-    paused_until: Duration,
 }
 
-/// When a command under way should be over.
-#[derive(Clone, Copy, Debug)]
-struct Foreseen {
-    /// `None` for one that left beside the session: nobody tells when it is over.
-    command: Option<CommandId>,
-    duration: Duration,
-    /// The pause in that.
-    pause: Duration,
-    /// Whether it goes on until told otherwise.
-    endless: bool,
-    /// Whether the base stands at 0 when it is over.
-    ends_ahead: bool,
-    /// When it should be over.
-    ends: Duration,
-    /// When it must be over.
-    bound: Duration,
+/// A command that waits for its turn.
+#[derive(Clone, Debug)]
+pub(crate) struct Given {
+    pub(crate) id: CommandId,
+    pub(crate) command: Command,
+    /// None before the first status.
+    plan: Option<Box<Plan>>,
 }
 
 impl Belief {
@@ -46,52 +35,57 @@ impl Belief {
     pub(crate) fn new(dialect: Option<&Dialect>) -> Self {
         Self {
             dialect: dialect.copied().unwrap_or(Dialect::SPECIFICATION),
-            sent: None,
-            given: None,
-            under_way: VecDeque::new(),
+            over: None,
+            under_way: UnderWay::default(),
+            waiting: VecDeque::new(),
             last: None,
-            paused_until: Duration::ZERO,
         }
     }
 
     /// The arm turns out to speak another dialect; what stands as at power-up stands as at its own.
-    pub(crate) fn set_dialect<'a>(
-        &mut self,
-        dialect: Dialect,
-        waiting: impl Iterator<Item = &'a Command>,
-    ) {
+    pub(crate) fn set_dialect(&mut self, dialect: Dialect) {
         let (before, after) = (Settings::stock(&self.dialect), Settings::stock(&dialect));
         self.dialect = dialect;
-        if let Some(model) = &mut self.sent {
+        for model in self.over.iter_mut().chain(self.under_way.models()) {
             model.dialect = dialect;
             if model.settings.jump_height == before.jump_height {
                 model.settings.jump_height = after.jump_height;
             }
         }
-        self.plan_anew(waiting);
+        self.plan_anew();
     }
 
-    pub(crate) const fn after_sent(&self) -> Option<&Model> {
-        self.sent.as_ref()
+    /// What is believed when all that was sent is over.
+    pub(crate) fn after_sent(&self) -> Option<&Model> {
+        let last = self.under_way.last().map(|it| &it.plan.after);
+        last.or(self.over.as_ref())
     }
 
-    pub(crate) const fn after_given(&self) -> Option<&Model> {
-        self.given.as_ref()
+    /// What is believed when all that was given is over, what waits included.
+    pub(crate) fn after_given(&self) -> Option<&Model> {
+        let last = self.waiting.back().and_then(|it| it.plan.as_ref());
+        last.map(|it| &it.after).or_else(|| self.after_sent())
     }
 
-    /// Takes a status, and what waits. An arm that rests with nothing under way is where it says.
-    pub(crate) fn handle_status<'a>(
-        &mut self,
-        now: Duration,
-        status: &Status,
-        waiting: impl Iterator<Item = &'a Command>,
-    ) {
-        self.under_way
-            .retain(|it| it.command.is_some() || it.bound > now);
-        let rests = self.last.replace(*status) == Some(*status);
-        match &mut self.sent {
-            None => self.sent = Some(Model::new(self.dialect, status)),
-            Some(model) if self.under_way.is_empty() && rests => {
+    pub(crate) const fn under_way(&self) -> &UnderWay {
+        &self.under_way
+    }
+
+    /// How many commands wait.
+    pub(crate) fn waiting(&self) -> usize {
+        self.waiting.len()
+    }
+
+    /// Takes a status. An arm that rests with nothing under way is where it says.
+    pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
+        while let Some(expired) = self.under_way.pop_expired(now) {
+            self.over = Some(expired.plan.after);
+        }
+        let rests =
+            self.last.replace(*status) == Some(*status) && now >= self.under_way.rests_from();
+        match &mut self.over {
+            None => self.over = Some(Model::new(self.dialect, status)),
+            Some(model) if self.under_way.len() == 0 && rests => {
                 let before = *model;
                 model.seen(status);
                 if *model == before {
@@ -100,161 +94,141 @@ impl Belief {
             }
             Some(_) => return,
         }
-        self.plan_anew(waiting);
+        self.plan_anew();
     }
 
-    /// Begins from what was sent: what waited has changed.
-    pub(crate) fn plan_anew<'a>(&mut self, waiting: impl Iterator<Item = &'a Command>) {
-        self.given = self.sent;
-        for command in waiting {
-            self.handle_given(command);
+    /// Predicts anew what waits: what it begins from has changed.
+    fn plan_anew(&mut self) {
+        let Some(mut model) = self.after_sent().copied() else {
+            return;
+        };
+        for given in &mut self.waiting {
+            let plan = Plan::new(&model, &given.command);
+            model = plan.after;
+            given.plan = Some(plan);
         }
     }
 
-    /// Takes a command that waits behind all others.
-    pub(crate) fn handle_given(&mut self, command: &Command) {
-        self.given = self.given.map(|model| after(&model, command));
+    /// Where a command leads behind all that was given; `None` before the first status.
+    pub(crate) fn plan(&self, command: &Command) -> Option<Box<Plan>> {
+        self.after_given().map(|model| Plan::new(model, command))
     }
 
-    /// Takes a command that leaves now, with its name if its end will be told; `longest` is how long it may take if it cannot be foreseen.
-    pub(crate) fn handle_sent(
-        &mut self,
-        now: Duration,
-        id: Option<CommandId>,
-        command: &Command,
-        longest: Duration,
-    ) {
-        let Some(model) = self.sent else {
-            return;
-        };
-        let course = model.course(command).ok();
-        let endless = course.is_some_and(|it| it.duration_s().is_none());
-        let seconds = course.map_or(Some(0.0), |it| it.duration_s());
-        let pause_s = course.map_or(0.0, |it| it.pause_s());
-        let duration = seconds_of(seconds.unwrap_or(0.0));
-        let most = match course {
-            Some(_) => duration + duration / ROUNDING_SHARE + seconds_of(pause_s) + ROUNDING,
-            None => longest + ROUNDING,
-        };
-        let before = self.under_way.back();
-        let ends = before
-            .map_or(Duration::ZERO, |it| it.ends)
-            .max(now + ARRIVAL)
-            + duration;
-        let bound = before
-            .map_or(Duration::ZERO, |it| it.bound)
-            .max(now + LATEST)
-            .max(self.paused_until)
-            + most;
-        self.under_way.push_back(Foreseen {
-            command: id,
-            duration,
-            pause: seconds_of(pause_s),
-            endless,
-            ends_ahead: course
-                .and_then(|it| it.end())
-                .is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG),
-            ends,
-            bound,
-        });
-        self.sent = Some(after(&model, command));
+    /// Takes a command that waits behind all others, and where it leads.
+    pub(crate) fn give(&mut self, id: CommandId, command: Command, plan: Option<Box<Plan>>) {
+        self.waiting.push_back(Given { id, command, plan });
     }
 
-    /// A command, and all before it, is over.
-    pub(crate) fn handle_over(&mut self, now: Duration, id: CommandId) {
-        let last = self.under_way.iter().find(|it| it.command == Some(id));
-        self.paused_until = now + last.map_or(Duration::ZERO, |it| it.pause);
-        self.under_way
-            .retain(|it| it.command.is_none_or(|it| it > id));
-        // What follows began before that was seen. It may have begun long before: a target passed
-        // without a rest is seen to be over late, so that nothing is ever put off.
-        let Some(first) = self.under_way.front() else {
-            return;
-        };
-        let early = first.ends.saturating_sub(now + first.duration);
-        for foreseen in &mut self.under_way {
-            foreseen.ends = foreseen.ends.saturating_sub(early);
+    /// The next command to send.
+    pub(crate) fn take_next(&mut self) -> Option<Given> {
+        self.waiting.pop_front()
+    }
+
+    /// Forgets what waits; says which they were.
+    pub(crate) fn forget_waiting(&mut self) -> Vec<CommandId> {
+        self.waiting.drain(..).map(|it| it.id).collect()
+    }
+
+    /// The same, to look at.
+    pub(crate) fn next(&self) -> Option<&Given> {
+        self.waiting.front()
+    }
+
+    /// Forgets the first waiting command of a kind, and those behind it; says which they were.
+    pub(crate) fn forget_from_first(&mut self, kind: impl Fn(&Command) -> bool) -> Vec<CommandId> {
+        let first = self.waiting.iter().position(|it| kind(&it.command));
+        let kept = first.unwrap_or(self.waiting.len());
+        self.waiting.drain(kept..).map(|it| it.id).collect()
+    }
+
+    /// Whether the laser may be on: it is, or something under way has it on.
+    pub(crate) fn is_lit(&self) -> bool {
+        self.stays_lit() || self.under_way.is_lit()
+    }
+
+    /// Whether the laser is on when all that was sent is over.
+    pub(crate) fn stays_lit(&self) -> bool {
+        self.after_sent().is_some_and(|it| it.laser)
+    }
+
+    /// Whether the arm would pause with the laser on if it got this command now.
+    pub(crate) fn would_pause_lit(&self, command: &Command) -> bool {
+        let lit = self.after_sent().filter(|it| it.laser);
+        let course = lit.and_then(|it| it.course(command).ok());
+        course.is_some_and(|it| it.pause_s() > 0.0)
+    }
+
+    /// Takes the one that was next and leaves now.
+    pub(crate) fn handle_sent(&mut self, now: Duration, given: Given) {
+        if let Some(before) = self.after_sent().copied() {
+            let plan = given
+                .plan
+                .unwrap_or_else(|| Plan::new(&before, &given.command));
+            self.under_way
+                .push(now, Some(given.id), given.command, plan, &before);
         }
     }
 
-    /// A command ended elsewhere: nobody knows where the arm is, until it is seen at rest.
-    pub(crate) fn handle_not_reached(&mut self, now: Duration, id: CommandId) {
-        self.handle_over(now, id);
-        for model in [&mut self.sent, &mut self.given].into_iter().flatten() {
+    /// Takes one that leaves now, before all that waits and beside the session.
+    pub(crate) fn handle_urgent(&mut self, now: Duration, command: &Command) {
+        if let Some(before) = self.after_sent().copied() {
+            let plan = Plan::new(&before, command);
+            self.under_way.push(now, None, *command, plan, &before);
+            self.plan_anew();
+        }
+    }
+
+    /// The first command under way is over.
+    pub(crate) fn handle_over(&mut self, now: Duration) -> Option<Sent> {
+        let over = self.under_way.pop(now)?;
+        self.over = Some(over.plan.after);
+        Some(over)
+    }
+
+    /// It ended elsewhere: nobody knows where the arm is, until it is seen at rest.
+    pub(crate) fn handle_missed(&mut self, now: Duration) -> Option<Sent> {
+        let missed = self.handle_over(now)?;
+        if let Some(model) = &mut self.over {
             model.lose_place();
+            self.under_way.plan_anew(*model);
         }
+        self.plan_anew();
+        Some(missed)
     }
 
-    /// The arm was reset: nothing that was told to it counts any more.
-    pub(crate) fn handle_reset(&mut self, status: &Status) {
+    /// The arm was reset: nothing that was told to it counts any more. Says how many commands that
+    /// were asked for are forgotten.
+    pub(crate) fn handle_reset(&mut self, status: &Status) -> usize {
+        let forgotten = self.waiting.len() + self.under_way.asked_for();
+        self.waiting.clear();
         self.under_way.clear();
-        self.paused_until = Duration::ZERO;
-        self.sent = Some(Model::new(self.dialect, status));
-        self.given = self.sent;
-    }
-
-    /// How many commands the arm may still have, urgent ones included.
-    pub(crate) fn under_way(&self) -> usize {
-        self.under_way.len()
+        self.over = Some(Model::new(self.dialect, status));
+        forgotten
     }
 
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.under_way.is_empty()
+        self.under_way.len() == 0
     }
 
     /// Whether something under way turns the base to 0.
     pub(crate) fn turns_to_zero(&self) -> bool {
-        self.under_way.iter().any(|it| it.ends_ahead)
-    }
-
-    /// How long those commands take that wait in the arm behind the one that it should execute now.
-    /// That one need not have been seen to begin: of targets that are passed without a rest the
-    /// statuses say so late only.
-    pub(crate) fn behind_the_first(&self, now: Duration) -> Duration {
-        let not_over = self.under_way.iter().skip_while(|it| it.ends <= now);
-        not_over.skip(1).map(|it| it.duration).sum()
-    }
-
-    /// How long it takes until all that was sent is over; a jog counts as over.
-    pub(crate) fn ahead(&self, now: Duration) -> Duration {
-        let last = self.under_way.back();
-        last.map_or(Duration::ZERO, |it| it.ends.saturating_sub(now))
+        self.under_way
+            .iter()
+            .filter_map(|it| it.plan.course.ok()?.end())
+            .any(|it| it.joints.base.abs().0 < AHEAD_DEG)
     }
 
     /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.
     pub(crate) fn rests_within(&self, now: Duration) -> Duration {
-        match self.under_way.back() {
-            None if self.sent.is_some_and(|it| !it.knows_place()) => Duration::MAX,
-            None => Duration::ZERO,
-            Some(last) if last.endless => Duration::MAX,
-            Some(last) => last.bound.saturating_sub(now),
-        }
+        let unknown = self.over.is_some_and(|it| !it.knows_place());
+        let at_rest = if unknown {
+            Duration::MAX
+        } else {
+            Duration::ZERO
+        };
+        self.under_way.rests_within(now).unwrap_or(at_rest)
     }
 }
 
-fn after(model: &Model, command: &Command) -> Model {
-    if let Ok(course) = model.course(command) {
-        return model.after(command, &course);
-    }
-    // It is refused, skipped or cut short: where the arm is then is seen when it rests.
-    let mut model = model.begun(command);
-    model.lose_place();
-    model
-}
-
-fn seconds_of(seconds: f64) -> Duration {
-    Duration::try_from_secs_f64(seconds).unwrap_or(FOR_EVER)
-}
-
-/// From the status with which a command leaves to its first motion: 43.68 ms on the line, and half a
-/// tick.
-const ARRIVAL: Duration = Duration::from_millis(55);
-/// The same at the latest, with what a computer may be late.
-const LATEST: Duration = Duration::from_millis(120);
-/// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
-const ROUNDING: Duration = Duration::from_millis(120);
-const ROUNDING_SHARE: u32 = 50;
 const AHEAD_DEG: f64 = 0.001;
-/// Many of them added up still are a duration.
-const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

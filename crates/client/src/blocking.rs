@@ -59,6 +59,11 @@ impl Arm {
         })
     }
 
+    /// As [`Arm::arm_laser`](crate::Arm::arm_laser).
+    pub fn arm_laser(&mut self, time: Duration) {
+        self.arm.arm_laser(time);
+    }
+
     /// As [`Arm::move_to`](crate::Arm::move_to).
     ///
     /// # Errors

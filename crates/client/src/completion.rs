@@ -1,485 +1,371 @@
 //! When a command is over: the protocol has no "done", so it is read off the statuses.
 //!
-//! Each command sent has a course: where it should lead. A status lies on one of the courses under
-//! way; all before that one are over. An arm at rest where a course ends has finished it, and an
-//! arm at rest elsewhere has not. And a status comes only while the arm's queue has room, so that
-//! no more commands can be under way than fit before that.
+//! Nothing here needs a clock on the other side, nor how long a motion takes. A status lies on the
+//! straight way of one of the commands under way: all before that one are over. The arm came to rest
+//! where one of them ends: that one is over when its pause is. The arm rests, and would have been
+//! seen to begin by now whatever it was sent: all that is over, there or elsewhere. And a status comes
+//! only while the arm's queue has room, so that no more commands can be under way than fit before
+//! that (note N20).
 
 mod geometry;
 
-use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_arm::{Joints, Position, Tool, forward, stock};
-use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, JointJogAxis, LinearJogAxis, MoveJoints, MoveTo,
-    MovingMode, Status, WriteVector,
-};
+use dobot_arm::Position;
+use dobot_wire::Status;
 
-use self::geometry::{beside, is_at_limit, retooled};
-use crate::pace::Pace;
-use crate::{CommandId, Event, NotReached};
+use self::geometry::{beside, is_at_limit};
+use crate::NotReached;
+use crate::plan::{ARRIVED_MM, position};
+use crate::under_way::{Sent, UnderWay};
 
-/// The commands sent and not yet seen to be over, oldest first.
-#[derive(Debug, Default)]
+/// Watches the statuses for what is over.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Completion {
-    under_way: VecDeque<UnderWay>,
-    /// How far along the first straight course the arm was seen, so that it never goes back on it.
-    progress_mm: f64,
-    last: Option<Seen>,
-    /// Since when the first command is the first.
-    first_since: Duration,
-    tool: Tool,
-    pace: Pace,
+    seen: Option<Seen>,
+    first: Option<First>,
+    /// When a command was last seen to be over.
+    freed: Duration,
+    /// Up to then what is over explains why the arm rests.
+    busy_until: Duration,
 }
 
 /// The last status, and since when all its values are the same.
 #[derive(Clone, Copy, Debug)]
 struct Seen {
     status: Status,
+    heard: Duration,
     since: Duration,
     /// How many statuses in a row said the same.
     repeats: u32,
-    /// The arm was elsewhere one status before.
-    moving: bool,
 }
 
+/// What is known of the command that is the first under way.
 #[derive(Clone, Copy, Debug)]
-struct UnderWay {
-    command: CommandId,
-    course: Course,
-    /// It says itself where it leads, from wherever.
-    absolute: bool,
-    pause: Duration,
-    /// How long it may move at the most.
-    longest: Duration,
-    /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
-    leaves_limits: bool,
-    sent: Duration,
-    /// Statuses received since it was sent.
-    heard: u32,
-    /// Statuses received since it was sent, or since it became the first.
-    statuses: u32,
+struct First {
+    number: u64,
+    /// Since when it is the first.
+    since: Duration,
+    /// What the arm told then, and whether it rested.
+    status: Status,
+    rested: bool,
+    /// How far along its straight way the arm was seen, so that it never goes back on it.
+    progress_mm: f64,
+    /// When the arm came to rest where it ends.
+    arrived: Option<Duration>,
+    told: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Course {
-    /// On a straight line.
-    Line { from: Position, to: Position },
-    /// On some way, of which only the end is known.
-    To { to: Position },
-    /// On some way to an end that nobody knows.
-    Somewhere,
-    /// No motion, or one that goes on; `to` is where the arm is then, if that is known.
-    Still { to: Option<Position> },
+/// What the statuses say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// So many of the first are over.
+    Over(usize),
+    /// The arm pauses behind the first one.
+    Pauses,
+    /// The first one is over or given up, and the arm is elsewhere than it leads.
+    Missed(NotReached, Position),
+}
+
+/// What there is to judge by.
+#[derive(Clone, Copy)]
+struct Look<'a> {
+    now: Duration,
+    answer: Duration,
+    seen: Seen,
+    sent: &'a Sent,
+    under_way: &'a UnderWay,
 }
 
 impl Completion {
-    /// Takes a command that leaves with the status of `now`; `leaves_limits` tells whether
-    /// its way leaves the limits. Returns how long it may take at the most.
-    pub(crate) fn handle_sent(
-        &mut self,
-        now: Duration,
-        id: CommandId,
-        command: &Command,
-        dialect: &Dialect,
-        leaves_limits: bool,
-    ) -> Duration {
-        let course = self.course(command, dialect);
-        self.pace.note(command);
-        let (pause, longest) = (
-            self.pause(command, dialect.uses_default_pause),
-            self.pace.longest(command),
-        );
-        self.under_way.push_back(UnderWay {
-            command: id,
-            course,
-            absolute: is_absolute(command),
-            pause,
-            longest,
-            leaves_limits,
-            sent: now,
-            heard: 0,
-            statuses: 0,
-        });
-        if self.under_way.len() == 1 {
-            self.first_since = now;
-        }
-        pause + longest
-    }
-
-    pub(crate) fn handle_status(
-        &mut self,
-        now: Duration,
-        status: &Status,
-        mut report: impl FnMut(Event),
-    ) {
-        let left = self.left_its_end(status);
-        self.see(now, status);
-        for under_way in &mut self.under_way {
-            under_way.heard += 1;
-            under_way.statuses += 1;
-        }
-        let found = position(status);
-        let (on_course, progress_mm) = self.on_course(found);
-        let over = on_course
-            .max(usize::from(left))
-            .max(self.over_at_rest(now, found))
-            .max(self.without_motion())
-            .max(self.beyond_room(now));
-        for _ in 0..over {
-            let Some(first) = self.finish_first() else {
-                break;
-            };
-            report(Event::Completed(first.command));
-        }
-        if over == on_course {
-            self.progress_mm = progress_mm;
-        }
-        if over > 0 {
-            self.first_since = now;
-        } else if let Some((expected, command, reason)) = self
-            .not_reached(now, status)
-            .or_else(|| self.timed_out(now))
-        {
-            self.finish_first();
-            self.first_since = now;
-            self.forget_ends();
-            report(Event::NotReached {
-                command,
-                reason,
-                expected,
-                found,
-            });
-        }
-    }
-
-    /// The tool that was set last.
-    pub(crate) const fn tool(&self) -> Tool {
-        self.tool
-    }
-
-    pub(crate) fn len(&self) -> usize {
-        self.under_way.len()
-    }
-
-    /// How long the commands under way may take at the most before the arm has room for another:
-    /// a full queue keeps an arm silent for just that long (note N20).
-    pub(crate) fn longest_silence(&self) -> Duration {
-        let longest = |it: &UnderWay| it.pause + it.longest;
-        self.under_way.iter().map(longest).sum()
-    }
-
-    fn see(&mut self, now: Duration, status: &Status) {
-        self.last = Some(match self.last {
-            Some(seen) if seen.status == *status => Seen {
+    /// Takes a status.
+    pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
+        // What was between two statuses that are far apart nobody knows.
+        let same = |it: &Seen| it.status == *status && now.saturating_sub(it.heard) <= GAP;
+        self.seen = Some(match self.seen.filter(same) {
+            Some(seen) => Seen {
+                heard: now,
                 repeats: seen.repeats + 1,
-                moving: false,
                 ..seen
             },
-            before => Seen {
+            None => Seen {
                 status: *status,
+                heard: now,
                 since: now,
                 repeats: 1,
-                moving: before.is_some_and(|it| position(&it.status) != position(status)),
             },
         });
     }
 
-    /// Whether the arm has rested where the first command ends, and goes on now.
-    fn left_its_end(&self, status: &Status) -> bool {
-        let rested = |seen: &Seen| seen.repeats >= AT_REST && seen.status != *status;
-        let (Some(seen), Some(first)) = (self.last.filter(rested), self.under_way.front()) else {
-            return false;
-        };
-        first.statuses >= SEEN_AFTER
-            && seen.since > first.sent
-            && first.ends_at(position(&seen.status))
-    }
-
-    /// How many commands must be over because the arm has room again: a status comes only while
-    /// three commands wait at the most, and one is executed (note N20).
-    fn beyond_room(&self, now: Duration) -> usize {
-        let arrived =
-            |it: &&UnderWay| it.heard >= SEEN_AFTER && now.saturating_sub(it.sent) >= ARRIVED_AFTER;
-        let arrived = self.under_way.iter().take_while(arrived).count();
-        arrived.saturating_sub(MOST_WITH_ROOM)
-    }
-
-    /// How many commands lie before the one that the arm is seen to follow, and how far along it.
-    fn on_course(&self, found: Position) -> (usize, f64) {
-        for (index, under_way) in self.under_way.iter().enumerate() {
-            let (from, to) = match under_way.course {
-                Course::Line { from, to } => (from, to),
-                Course::Still { .. } => continue,
-                // An unknown way may cross those behind it.
-                Course::To { .. } | Course::Somewhere => break,
-            };
-            let (aside, along) = beside(from, to, found);
-            let back = index == 0 && along < self.progress_mm - ARRIVED_MM;
-            // The start of a later course may be the end of an earlier one, passed again and again.
-            let begun = index == 0 || along > ARRIVED_MM;
-            if aside <= ARRIVED_MM && begun && !back {
-                return (index, along);
-            }
-        }
-        (0, self.progress_mm)
-    }
-
-    /// How many commands without a motion had time to act.
-    fn without_motion(&self) -> usize {
-        self.under_way
-            .iter()
-            .take_while(|it| matches!(it.course, Course::Still { .. }) && it.statuses >= SEEN_AFTER)
-            .count()
-    }
-
-    /// How many commands are over because the arm rests where the last of them ends.
-    fn over_at_rest(&self, now: Duration, found: Position) -> usize {
-        let Some(seen) = self.last.filter(|seen| seen.repeats >= AT_REST) else {
-            return 0;
-        };
-        // The pauses that are spent right here.
-        let mut pauses = Duration::ZERO;
-        let mut over = 0;
-        for (index, under_way) in self.under_way.iter().enumerate() {
-            let ends = match under_way.course {
-                Course::Somewhere if index == 0 => seen.repeats > AT_REST,
-                // A rest that no other command explains.
-                Course::Somewhere => seen.repeats >= GIVEN_UP && !self.any_ends_at(found),
-                _ => under_way.ends_at(found),
-            };
-            if !ends {
-                pauses = Duration::ZERO;
-                continue;
-            }
-            pauses += under_way.pause;
-            // A later command may lead back to where the arm has stood all the time.
-            let went = index == 0 || seen.since > under_way.sent || seen.repeats >= GIVEN_UP;
-            let paused = now.saturating_sub(seen.since) >= pauses;
-            if under_way.statuses < SEEN_AFTER || !went || !paused {
-                // It explains why the arm rests here: those behind it have to wait.
-                break;
-            }
-            over = index + 1;
-        }
-        over
-    }
-
-    /// The first command and its end, if the arm rests elsewhere for so long that it gave up.
-    /// Statuses that come in a heap, after the computer stood still, tell of a time before.
-    fn not_reached(
-        &self,
+    /// What the last status says of the commands under way: to be asked again when that was obeyed,
+    /// until it says nothing more. `answer` is how long it takes at the most until a status shows
+    /// what was sent.
+    pub(crate) fn poll(
+        &mut self,
         now: Duration,
-        status: &Status,
-    ) -> Option<(Position, CommandId, NotReached)> {
-        self.last.filter(|seen| seen.repeats >= GIVEN_UP)?;
-        let first = self
-            .under_way
-            .front()
-            .filter(|it| it.statuses >= GIVEN_UP)?;
-        if now.saturating_sub(first.sent.max(self.first_since)) < GIVEN_UP_AFTER {
+        answer: Duration,
+        under_way: &UnderWay,
+    ) -> Option<Verdict> {
+        let (seen, sent) = (self.seen?, under_way.first()?);
+        let look = Look {
+            now,
+            answer,
+            seen,
+            sent,
+            under_way,
+        };
+        let known = self.first.filter(|it| it.number == sent.number);
+        let mut first = known.unwrap_or_else(|| First::new(sent, self.freed.max(sent.at), &seen));
+        let (over, next) = look.passed(&first);
+        if over > 0 {
+            self.finish(now, next);
+            return Some(Verdict::Over(over));
+        }
+        first = next.unwrap_or(first);
+        let verdict = self.judge(&look, &mut first);
+        self.first = Some(first);
+        match verdict {
+            Some(Verdict::Over(over)) => {
+                let next = under_way.get(over);
+                self.finish(now, next.map(|next| First::new(next, now, &seen)));
+            }
+            Some(Verdict::Missed(..)) => {
+                self.busy_until = now;
+                self.finish(now, None);
+            }
+            Some(Verdict::Pauses) | None => {}
+        }
+        verdict
+    }
+
+    fn finish(&mut self, now: Duration, next: Option<First>) {
+        self.freed = now;
+        self.first = next;
+    }
+
+    /// What is to be said of the first command, if no later one says that it is over.
+    fn judge(&mut self, look: &Look, first: &mut First) -> Option<Verdict> {
+        let (now, sent, seen) = (look.now, look.sent, &look.seen);
+        if sent.plan.is_still() || sent.plan.is_endless() {
+            let taken = first.since.max(sent.at + look.answer) + look.waits(first);
+            let acted = first.acted(sent, seen) || now >= taken;
+            return acted.then_some(Verdict::Over(1));
+        }
+        let idle = self.idle(look, first, 0)?;
+        if first.arrived.is_none() && seen.rests() && now >= idle && sent.plan.is_near(&seen.status)
+        {
+            // It led to where the arm was, or came back there between two statuses.
+            first.arrived = Some(idle);
+        }
+        if let Some(arrived) = first.arrived {
+            return self.arrived(look, first, arrived);
+        }
+        if !seen.rests() {
+            return look.timed_out(first);
+        }
+        if sent.plan.aim.is_none() {
+            let came = seen.since > first.since && now >= sent.at + look.answer;
+            return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
+        }
+        self.missed(look, first)
+    }
+
+    /// What is to be said of a command where it ends: it is over when its pause is, or when the arm
+    /// goes on.
+    fn arrived(&mut self, look: &Look, first: &mut First, arrived: Duration) -> Option<Verdict> {
+        let plan = &look.sent.plan;
+        if look.now >= arrived + plan.pause || !plan.is_near(&look.seen.status) {
+            if !plan.pause.is_zero() {
+                self.busy_until = look.now;
+            }
+            return Some(Verdict::Over(1));
+        }
+        if plan.pause < TOLD || first.told {
             return None;
         }
-        let end = first.end()?;
-        let reason = if first.leaves_limits || is_at_limit(status, self.tool) {
+        first.told = true;
+        Some(Verdict::Pauses)
+    }
+
+    /// From when on the arm is surely idle, if it has not moved till then, and got the command of this
+    /// index and all before: no pause explains that, and another command would show.
+    fn idle(&self, look: &Look, first: &First, index: usize) -> Option<Duration> {
+        let mut pauses = look.waits(first);
+        for sent in look.under_way.iter().take(index) {
+            let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
+            if here || sent.plan.course.is_err() {
+                pauses += sent.plan.pause;
+            }
+        }
+        let later = look.under_way.iter().take(index + 1).skip(1);
+        pauses += later.map(|it| it.waits).sum();
+        let sent = look.under_way.get(index)?;
+        let rests_since = look.seen.since.max(self.busy_until).max(sent.at);
+        Some(rests_since + pauses + look.answer)
+    }
+
+    /// An arm that rests elsewhere has passed the end of the first command unseen, or gave it up.
+    /// Statuses that come in a heap, after the computer stood still, tell of a time before.
+    fn missed(&self, look: &Look, first: &First) -> Option<Verdict> {
+        let (seen, plan) = (&look.seen, &look.sent.plan);
+        let mut ends = look.under_way.iter();
+        if let Some(later) = ends.position(|it| it.plan.is_near(&seen.status)) {
+            let idle = self.idle(look, first, later)?;
+            return (look.now >= idle).then_some(Verdict::Over(later));
+        }
+        // One that is refused or cut short may pause wherever the arm is.
+        let mut idle = self.idle(look, first, 0)?;
+        if plan.course.is_err() {
+            idle += plan.pause;
+        }
+        let waited = look.now.saturating_sub(look.sent.at.max(first.since));
+        if seen.repeats < GIVEN_UP || waited < GIVEN_UP_AFTER || look.now < idle {
+            return None;
+        }
+        let reason = if plan.leaves_limits() || is_at_limit(&seen.status, plan.after.tool) {
             NotReached::AtLimit
         } else {
             NotReached::Stalled
         };
-        // Where another one ends the arm may be pausing.
-        (!self.any_ends_at(position(status))).then_some((end, first.command, reason))
+        Some(Verdict::Missed(reason, plan.aim?))
     }
+}
 
-    /// The first command and its end, if it and all behind it would be over for long: that it is
-    /// over itself need not have been seen while the arm moves on.
-    fn timed_out(&self, now: Duration) -> Option<(Position, CommandId, NotReached)> {
-        let first = self.under_way.front()?;
-        let most = self.longest_silence() * 2 + PATIENCE;
-        let waited = now.saturating_sub(self.first_since);
-        (waited > most).then_some((first.end()?, first.command, NotReached::TimedOut))
-    }
-
-    fn any_ends_at(&self, found: Position) -> bool {
-        self.under_way.iter().any(|it| it.ends_at(found))
-    }
-
-    fn finish_first(&mut self) -> Option<UnderWay> {
-        self.progress_mm = 0.0;
-        let first = self.under_way.pop_front()?;
-        if let Some(next) = self.under_way.front_mut() {
-            next.statuses = next.statuses.min(1);
-        }
-        Some(first)
-    }
-
-    /// After a command fell short, nobody knows where the relative ones behind it lead.
-    fn forget_ends(&mut self) {
-        for under_way in &mut self.under_way {
-            under_way.course = match under_way.course {
-                Course::Line { to, .. } if under_way.absolute => Course::To { to },
-                Course::Line { .. } => Course::Somewhere,
-                Course::Still { .. } if !under_way.absolute => Course::Still { to: None },
-                course => course,
-            };
-        }
-    }
-
-    /// Where the arm will be after all that was sent.
-    pub(crate) fn end(&self) -> Option<Position> {
-        match self.under_way.back() {
-            Some(last) => last.end(),
-            None => self
-                .last
-                .filter(|seen| !seen.moving)
-                .map(|seen| position(&seen.status)),
-        }
-    }
-
-    /// Where a vector leads: exactly so far, or to where a stock arm takes itself to be then.
-    #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-    fn behind(&self, from: Position, vector: &WriteVector, dialect: &Dialect) -> Position {
-        let way = [vector.x_mm, vector.y_mm, vector.z_mm];
-        if dialect.uses_start_speed {
-            let [x, y, z] = way.map(f64::from);
-            return from + Position::new(x, y, z);
-        }
-        let from = [from.x, from.y, from.z].map(|it| it.0);
-        let [x, y, z] = stock::behind(from, way, self.tool.reach().0 as f32);
-        Position::new(x, y, z)
-    }
-
-    fn pause(&self, command: &Command, pauses: bool) -> Duration {
-        let pause_s = match command {
-            Command::MoveTo(it) => it.pause_s,
-            Command::MoveJoints(it) => it.pause_s,
-            _ => return Duration::ZERO,
+impl Look<'_> {
+    /// How many commands are over because a later one goes on or has ended, and what is known of the
+    /// one behind them.
+    fn passed(&self, first: &First) -> (usize, Option<First>) {
+        let (on_course, progress_mm) = self.on_course(first);
+        let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
+        let over = on_course
+            .max(self.beyond_room())
+            .max(arrived_at.unwrap_or(0));
+        let arrived = (arrived_at == Some(over)).then_some(self.seen.since);
+        let next = if over == 0 {
+            *first
+        } else if let Some(next) = self.under_way.get(over) {
+            First::new(next, self.now, &self.seen)
+        } else {
+            return (over, None);
         };
-        if pauses && pause_s == 0.0 {
-            return self.pace.default_pause();
-        }
-        Duration::try_from_secs_f32(pause_s).unwrap_or_default()
+        let next = First {
+            progress_mm: if over == on_course { progress_mm } else { 0.0 },
+            arrived: next.arrived.or(arrived),
+            ..next
+        };
+        (over, Some(next))
     }
 
-    fn course(&mut self, command: &Command, dialect: &Dialect) -> Course {
-        let from = self.end();
-        match command {
-            Command::WriteVector(it) if !it.stop => {
-                line(from, from.map(|from| self.behind(from, it, dialect)))
-            }
-            Command::MoveTo(it) => way(it.mode, from, point(it)),
-            Command::MoveJoints(it) => way(it.mode, from, place(it, self.tool)),
-            Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) => {
-                let joints = Joints::new(0.0, (*rear_deg).into(), (*fore_deg).into(), 0.0);
-                Course::Still {
-                    to: Some(forward(&joints, self.tool).position),
+    /// How many commands lie before the one that the arm is seen to follow, and how far along it.
+    fn on_course(&self, first: &First) -> (usize, f64) {
+        let found = position(&self.seen.status);
+        for (index, sent) in self.under_way.iter().enumerate() {
+            let Some((from, to)) = sent.plan.course.ok().and_then(|it| it.line()) else {
+                if sent.plan.is_still() || sent.plan.is_endless() {
+                    continue;
                 }
+                // An unknown way may cross those behind it.
+                break;
+            };
+            let (aside, along) = beside(from, to, found);
+            let back = index == 0 && along < first.progress_mm - ARRIVED_MM;
+            if aside > ARRIVED_MM || back {
+                continue;
             }
-            Command::Configuration(Configuration::EndEffector { tool }) => {
-                let before = self.tool;
-                self.tool = match tool {
-                    EndEffector::SuctionCup => Tool::SuctionCup,
-                    EndEffector::Gripper => Tool::Gripper,
-                    EndEffector::Laser => Tool::Laser,
-                };
-                Course::Still {
-                    to: from.map(|from| retooled(from, before, self.tool)),
-                }
+            if index == 0 || along > ARRIVED_MM {
+                return (index, along);
             }
-            Command::Configuration(_)
-            | Command::PlaybackAdjustment(_)
-            | Command::WriteVector(_) => Course::Still { to: from },
-            Command::JointJog(it) => match it.axis {
-                JointJogAxis::Released => Course::Somewhere,
-                axis if axis.moves() => Course::Still { to: None },
-                _ => Course::Still { to: from },
-            },
-            Command::LinearJog(it) => match it.axis {
-                LinearJogAxis::Released => Course::Somewhere,
-                axis if axis.moves() => Course::Still { to: None },
-                _ => Course::Still { to: from },
-            },
-            Command::MouseMove(_) | Command::Gesture(_) | Command::Voice(_) => Course::Somewhere,
+            // Where a later way begins an earlier one may end, and those behind it come by again.
+            break;
+        }
+        (0, first.progress_mm)
+    }
+
+    /// How many commands must be over because the arm has room again: a status comes only while
+    /// three commands wait at the most, and one is executed (note N20).
+    fn beyond_room(&self) -> usize {
+        let arrived = |it: &&Sent| self.now.saturating_sub(it.at) >= self.answer;
+        let arrived = self.under_way.iter().take_while(arrived).count();
+        arrived.saturating_sub(MOST_WITH_ROOM)
+    }
+
+    /// For how long a pause before the first command may begin anew: not if that command was there
+    /// already when the one before it ended (note N47).
+    fn waits(&self, first: &First) -> Duration {
+        if self.sent.at + self.answer * 2 <= first.since {
+            return Duration::ZERO;
+        }
+        self.sent.waits
+    }
+
+    /// The arm moves on although all would be over for long: that the first command is over need not
+    /// have been seen.
+    fn timed_out(&self, first: &First) -> Option<Verdict> {
+        let waited = self.now.saturating_sub(first.since);
+        let expected = self.sent.plan.aim?;
+        (waited > self.under_way.longest_silence() + PATIENCE)
+            .then_some(Verdict::Missed(NotReached::TimedOut, expected))
+    }
+}
+
+impl First {
+    fn new(sent: &Sent, since: Duration, seen: &Seen) -> Self {
+        Self {
+            number: sent.number,
+            since,
+            status: seen.status,
+            rested: seen.rests(),
+            progress_mm: 0.0,
+            arrived: None,
+            told: false,
         }
     }
-}
 
-impl UnderWay {
-    const fn end(&self) -> Option<Position> {
-        match self.course {
-            Course::Line { to, .. } | Course::To { to } => Some(to),
-            Course::Still { to } => to,
-            Course::Somewhere => None,
+    /// Whether the status shows that a command without an end of its own acts: it looks as it should
+    /// and did not before, or an arm at rest begins to move.
+    fn acted(&self, sent: &Sent, seen: &Seen) -> bool {
+        if sent.plan.is_endless() {
+            return self.rested && self.status != seen.status;
         }
-    }
-
-    fn ends_at(&self, found: Position) -> bool {
-        self.end()
-            .is_some_and(|end| end.distance(found).0 <= ARRIVED_MM)
+        !sent.plan.shows(&self.status) && sent.plan.shows(&seen.status)
     }
 }
 
-/// Where a command leads straight, if it says so.
-pub(crate) fn straight_target(command: &Command, tool: Tool) -> Option<Position> {
-    match command {
-        Command::MoveTo(it) if it.mode == MovingMode::MovL => Some(point(it)),
-        Command::MoveJoints(it) if it.mode == MovingMode::MovL => Some(place(it, tool)),
-        _ => None,
+impl Seen {
+    const fn rests(&self) -> bool {
+        self.repeats >= AT_REST
+    }
+
+    /// The first command of which the arm has come to rest where it ends, since it moved. It would not
+    /// rest there without a pause, had it got another one to go on with.
+    fn came_to(&self, answer: Duration, first: &First, under_way: &UnderWay) -> Option<usize> {
+        if !self.rests() || self.since <= first.since {
+            return None;
+        }
+        let goes_on = |index: usize| {
+            let mut later = under_way.iter().skip(index + 1);
+            let next = later.find(|it| !it.plan.is_still());
+            next.is_some_and(|it| it.at + answer <= self.since)
+        };
+        let rests = |(index, sent): (usize, &Sent)| {
+            let pauses = !sent.plan.pause.is_zero();
+            sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
+        };
+        under_way.iter().enumerate().position(rests)
     }
 }
 
-/// Where the tool is by a status.
-#[must_use]
-pub fn position(status: &Status) -> Position {
-    Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
-}
-
-const fn line(from: Option<Position>, to: Option<Position>) -> Course {
-    match (from, to) {
-        (Some(from), Some(to)) => Course::Line { from, to },
-        _ => Course::Somewhere,
-    }
-}
-
-fn point(target: &MoveTo) -> Position {
-    Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into())
-}
-
-fn place(target: &MoveJoints, tool: Tool) -> Position {
-    let joints = [target.base_deg, target.rear_deg, target.fore_deg].map(f64::from);
-    forward(&Joints::new(joints[0], joints[1], joints[2], 0.0), tool).position
-}
-
-fn way(mode: MovingMode, from: Option<Position>, to: Position) -> Course {
-    match (mode, from) {
-        (MovingMode::MovL, Some(from)) => Course::Line { from, to },
-        _ => Course::To { to },
-    }
-}
-
-const fn is_absolute(command: &Command) -> bool {
-    matches!(
-        command,
-        Command::MoveTo(_)
-            | Command::MoveJoints(_)
-            | Command::Configuration(Configuration::InitialAngles { .. })
-    )
-}
-
-/// As near as this counts as arrived: a status agrees with the target to 0.01 mm on a stock arm.
-const ARRIVED_MM: f64 = 0.05;
-/// A command acts at the earliest in the second status after it was sent.
-const SEEN_AFTER: u32 = 2;
 /// That many equal statuses in a row: the arm is at rest.
 const AT_REST: u32 = 2;
 /// That many equal statuses in a row, more than a second: the arm will not go on by itself.
 const GIVEN_UP: u32 = 15;
 /// The time in which they come.
 const GIVEN_UP_AFTER: Duration = Duration::from_secs(1);
+/// Between two statuses that are as far apart some are missing: three in a row.
+const GAP: Duration = Duration::from_millis(280);
 /// Longer than the slowest motion, and not over.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// By then a command has arrived that left with a status, and a status has come that left after
-/// that: each takes 43.68 ms, and a bit.
-const ARRIVED_AFTER: Duration = Duration::from_millis(120);
+/// A pause as long as this is told when it begins.
+const TOLD: Duration = Duration::from_secs(5);
 /// Three commands that wait and one that is executed: with one more no status comes.
 const MOST_WITH_ROOM: usize = 4;

@@ -72,7 +72,7 @@ impl Connection {
     ///
     /// Outside of a tokio runtime.
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
-        Ok(Self::new(Link::open(address).await?, dialect))
+        Ok(Self::new(Link::open(address).await?, Session::new(dialect)))
     }
 
     /// A connection over anything that carries bytes both ways.
@@ -80,17 +80,20 @@ impl Connection {
         stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
         dialect: Option<Dialect>,
     ) -> Self {
-        Self::new(Link::over_stream(stream), dialect)
+        Self::new(Link::over_stream(stream), Session::new(dialect))
     }
 
-    /// A connection with an arm in this process.
+    /// A connection with an arm in this process, whose laser needs no arming.
     pub fn over_peer(peer: impl Peer + 'static, dialect: Option<Dialect>) -> Self {
-        Self::new(Link::over_peer(peer), dialect)
+        Self::new(
+            Link::over_peer(peer),
+            Session::new(dialect).with_free_laser(),
+        )
     }
 
-    fn new(link: Link, dialect: Option<Dialect>) -> Self {
+    const fn new(link: Link, session: Session) -> Self {
         Self {
-            session: Session::new(dialect),
+            session,
             link,
             incoming: Vec::new(),
         }
@@ -102,7 +105,14 @@ impl Connection {
     ///
     /// As [`Session::send`].
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
+        self.session.handle_time(self.now());
         self.session.send(command)
+    }
+
+    /// Lets the laser be lit for so long: a person has put the goggles on. See [`Session::arm_laser`].
+    pub fn arm_laser(&mut self, time: Duration) {
+        let until = self.now().saturating_add(time);
+        self.session.arm_laser(until);
     }
 
     /// The session, to look at.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_wire::Status;
 
-use crate::{CommandId, LinkError, ResetEvidence};
+use crate::{CommandId, LinkError, ResetEvidence, SendError};
 
 /// What happened in a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,15 @@ pub enum Event {
     Sent(CommandId),
     /// A command is over: the arm was seen where it leads.
     Completed(CommandId),
+    /// The arm is where a command leads, and now pauses there for five seconds or longer.
+    Pausing {
+        /// The command; it is over when its pause is.
+        command: CommandId,
+        /// How long the pause lasts.
+        lasts: Duration,
+        /// Whether it is the default pause (state 9, mode 1; note N10), and not the command's own.
+        by_default: bool,
+    },
     /// A command is over, or given up, elsewhere than it leads.
     NotReached {
         /// The command.
@@ -37,6 +46,14 @@ pub enum Event {
         /// How many commands are forgotten.
         forgotten: usize,
     },
+    /// A command that burns, or waited behind one that does, was forgotten: the laser's time was over
+    /// before it could be sent.
+    NotSent(CommandId),
+    /// The laser's time is over, or its arm was reset or lost: what burns is refused until it is armed
+    /// anew.
+    LaserDisarmed(Disarmed),
+    /// The laser was switched off, because it would have burned on the spot, or did.
+    LaserOff,
     /// Bytes that belong to no status were skipped, and the stream of statuses was found again.
     Resynced {
         /// How many bytes since the last such event.
@@ -49,6 +66,28 @@ pub enum Event {
         /// Bytes that came all the same, but in no status.
         noise: u64,
     },
+}
+
+/// Why the laser is not armed any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Disarmed {
+    /// The time for which it was armed is over.
+    TimeOver,
+    /// The arm fell silent, or its port was opened again.
+    LinkLost,
+    /// The arm was reset.
+    Reset,
+}
+
+impl fmt::Display for Disarmed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::TimeOver => "the time for which it was armed is over",
+            Self::LinkLost => "the link to the arm was lost",
+            Self::Reset => "the arm was reset",
+        })
+    }
 }
 
 /// Why a command did not end where it leads.
@@ -80,7 +119,8 @@ impl Event {
     /// # Errors
     ///
     /// [`LinkError::Silent`] for a lost link, [`LinkError::NotReached`] for a move that fell short,
-    /// [`LinkError::Reset`] for an arm that was reset.
+    /// [`LinkError::Reset`] for an arm that was reset, [`SendError::LaserDisarmed`] in
+    /// [`LinkError::Send`] for a command that was not sent.
     pub fn or_failed(self) -> Result<Self, LinkError> {
         match self {
             Self::LinkLost { silent_for, noise } => Err(LinkError::Silent { silent_for, noise }),
@@ -95,6 +135,7 @@ impl Event {
                 found: point(found),
             }),
             Self::Reset { evidence, .. } => Err(LinkError::Reset(evidence)),
+            Self::NotSent(_) => Err(SendError::LaserDisarmed.into()),
             event => Ok(event),
         }
     }

@@ -28,6 +28,10 @@ pub(crate) struct Meter {
     heard: VecDeque<Duration>,
     lost: u64,
     latency: Option<Duration>,
+    /// The longest that it took from a command to the first status that shows it.
+    slowest: Option<Duration>,
+    /// How much later than the one before a status came, against its time.
+    jitter: Duration,
     last: Option<Status>,
     /// When a command left for an arm at rest, and nothing has moved since.
     waits_since: Option<Duration>,
@@ -43,7 +47,11 @@ impl Meter {
         if let Some(heard) = self.heard.back()
             && had_room
         {
-            self.lost += missing(now.saturating_sub(*heard));
+            let gap = now.saturating_sub(*heard);
+            self.lost += missing(gap);
+            if gap <= PERIOD + MOST_JITTER {
+                self.jitter = self.jitter.max(gap.saturating_sub(PERIOD));
+            }
         }
         self.heard.push_back(now);
         while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
@@ -54,6 +62,11 @@ impl Meter {
         {
             self.note_latency(now.saturating_sub(since));
         }
+    }
+
+    /// From a command to the first status that shows it, where that was measured.
+    pub(crate) const fn latency(&self) -> Option<Duration> {
+        self.latency
     }
 
     pub(crate) fn quality(&self, now: Duration, counts: &Counts) -> LinkQuality {
@@ -73,7 +86,18 @@ impl Meter {
         }
     }
 
+    /// By when a status surely shows what was sent: until that was seen, on a link that is as slow
+    /// as any; then as slow as it was seen, and as much slower as its statuses vary, each way.
+    pub(crate) fn answer(&self) -> Duration {
+        let Some(slowest) = self.slowest else {
+            return UNSEEN;
+        };
+        let steady = (slowest + PHASE).clamp(FASTEST, SLOWEST);
+        (steady + 2 * self.jitter).min(steady.max(UNSEEN))
+    }
+
     fn note_latency(&mut self, found: Duration) {
+        self.slowest = self.slowest.max(Some(found));
         self.latency = Some(match self.latency {
             Some(before) => (before * 7 + found) / 8,
             None => found,
@@ -90,3 +114,14 @@ fn missing(gap: Duration) -> u64 {
 /// A status comes that often (note N27).
 const PERIOD: Duration = Duration::from_millis(80);
 const WINDOW: Duration = Duration::from_secs(2);
+/// How much later another command may show than the one that was seen: the two meet other phases
+/// of the control tick and of what the arm calculates.
+const PHASE: Duration = Duration::from_millis(60);
+/// A packet each way at 9600 baud, a tick until it is taken, and one until that is told.
+const FASTEST: Duration = Duration::from_millis(140);
+/// The same over a link that is late by 0.2 s each way.
+const UNSEEN: Duration = Duration::from_millis(560);
+/// What varies more than that is a status that was lost.
+const MOST_JITTER: Duration = Duration::from_millis(200);
+/// What is later than that was put off by something else, or lost.
+const SLOWEST: Duration = Duration::from_secs(2);

@@ -23,9 +23,14 @@ pub enum SendError {
         "the arm may not be where it says; look where it stands and confirm its pose, or send the initial angles (state 9, mode 3), before it moves"
     )]
     Untrusted,
+    /// The command lights the laser, and nobody has armed it.
+    #[error(
+        "the laser is disarmed; put the goggles on, then arm it for a while (`Connection::arm_laser`) before it burns"
+    )]
+    LaserDisarmed,
     /// The command breaks a range of its table.
-    #[error("the command is not allowed")]
-    Invalid(#[source] ParseError),
+    #[error("the command is not allowed: {0}")]
+    Invalid(ParseError),
 }
 
 /// Whether a command makes the arm move: a release, a switch and a configuration do not.

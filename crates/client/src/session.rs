@@ -1,19 +1,21 @@
 //! The session engine: what to send when, and what the statuses mean.
 
+mod laser;
 mod look;
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::CourseError;
 use dobot_wire::{Command, Decoder, Dialect, Frame, Packet, Status, Statuses};
 
+use self::laser::Laser;
 use crate::belief::Belief;
-use crate::completion::{Completion, straight_target};
+use crate::completion::{Completion, Verdict};
+use crate::plan::{Plan, position};
 use crate::quality::Meter;
 use crate::send_error::moves;
 use crate::trust::Trust;
-use crate::{Event, SendError};
+use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -24,6 +26,9 @@ use crate::{Event, SendError};
 /// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
 /// will do: a command is sent only while those that wait in the arm, behind the one that it
 /// executes, take less than [`Session::with_ahead`] (0.5 s).
+///
+/// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
+/// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
 ///
 /// A session believes the pose that the arm tells, until it sees that the arm was reset (the base
 /// angle is 0 then wherever the base stands): see [`Session::is_trusted`].
@@ -44,16 +49,18 @@ use crate::{Event, SendError};
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
-    waiting: VecDeque<(CommandId, Command)>,
     next_id: u64,
     /// A status came and no command has used it yet.
     permit: bool,
     /// When the status came whose permit was used last.
     used: Option<Duration>,
+    /// When a packet left last.
+    left: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
     belief: Belief,
     trust: Trust,
+    laser: Laser,
     meter: Meter,
     /// How much may wait in the arm behind the command that it executes.
     ahead: Duration,
@@ -103,15 +110,16 @@ impl Session {
         Self {
             belief: Belief::new(dialect.as_ref()),
             trust: Trust::new(trusted),
+            laser: Laser::default(),
             meter: Meter::default(),
             ahead: AHEAD,
             now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
-            waiting: VecDeque::new(),
             next_id: 0,
             permit: false,
             used: None,
+            left: None,
             to_send: VecDeque::new(),
             completion: Completion::default(),
             status: None,
@@ -131,14 +139,14 @@ impl Session {
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
     /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
     /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose. Nothing is sent then.
+    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed. Nothing is sent
+    /// then.
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
-        self.check(&command)?;
+        let plan = self.planned(&command)?;
         let id = CommandId(self.next_id);
         self.next_id += 1;
-        self.waiting.push_back((id, command));
-        self.belief.handle_given(&command);
+        self.belief.give(id, command, plan);
         self.dispatch();
         Ok(id)
     }
@@ -149,13 +157,21 @@ impl Session {
     ///
     /// As [`Session::send`].
     pub fn check(&self, command: &Command) -> Result<(), SendError> {
+        self.planned(command).map(|_| ())
+    }
+
+    /// Where a command leads, if it would be sent; nobody knows before the first status.
+    fn planned(&self, command: &Command) -> Result<Option<Box<Plan>>, SendError> {
+        self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
         }
-        if self.is_on_the_spot(command) {
+        self.packet(command)?;
+        let plan = self.belief.plan(command);
+        if plan.as_ref().is_some_and(|it| it.is_on_the_spot()) {
             return Err(SendError::OnTheSpot);
         }
-        self.packet(command).map(|_| ())
+        Ok(plan)
     }
 
     /// Sends a command at once and ahead of all others, permit or not and trusted or not: for a stop
@@ -170,15 +186,14 @@ impl Session {
         let packet = self.emit_now(&command)?;
         self.forget_waiting();
         self.note_urgent(&command);
+        self.left = Some(self.now);
         self.to_send.push_back(packet);
         Ok(())
     }
 
     /// Forgets the commands that have not been sent yet; says which they were.
     pub fn forget_waiting(&mut self) -> Vec<CommandId> {
-        let forgotten = self.waiting.drain(..).map(|(id, _)| id).collect();
-        self.belief.plan_anew([].iter());
-        forgotten
+        self.belief.forget_waiting()
     }
 
     /// The packet of a command that the caller sends itself, at once and beside all others; the
@@ -194,22 +209,19 @@ impl Session {
     /// Takes note of a command that left beside the session.
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
-        self.belief
-            .handle_sent(self.now, None, command, Duration::ZERO);
-        let waiting = self.waiting.iter().map(|(_, command)| command);
-        self.belief.plan_anew(waiting);
+        self.note_laser(command);
+        self.belief.handle_urgent(self.now, command);
     }
 
     /// Which dialect the arm speaks is known now, or known better.
     pub fn set_dialect(&mut self, dialect: Dialect) {
         self.dialect = Some(dialect);
-        let waiting = self.waiting.iter().map(|(_, command)| command);
-        self.belief.set_dialect(dialect, waiting);
+        self.belief.set_dialect(dialect);
     }
 
     /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
-    /// status as after a connect, and no permit is left. What was under way stays believed until
-    /// statuses tell otherwise.
+    /// status as after a connect, no permit is left, and the laser is disarmed. What was under way
+    /// stays believed until statuses tell otherwise.
     pub fn handle_open(&mut self, now: Duration) {
         self.now = now;
         self.heard = now;
@@ -219,6 +231,7 @@ impl Session {
         self.to_send.clear();
         self.permit = false;
         self.lost = false;
+        self.lose_laser(Disarmed::LinkLost);
     }
 
     /// Sets the bound of [`Session::with_ahead`].
@@ -249,18 +262,21 @@ impl Session {
             }
         }
         self.note_resync();
+        self.watch_laser();
     }
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if !self.lost && now >= self.poll_wakeup() {
+        self.watch_laser();
+        if now >= self.patience_ends() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
                 noise: self.decoder.counts().skipped_bytes - self.skipped
                     + self.decoder.waiting() as u64,
             });
+            self.lose_laser(Disarmed::LinkLost);
         }
     }
 
@@ -277,12 +293,20 @@ impl Session {
     /// When [`Session::handle_time`] wants to be called next, at the latest.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
+        let laser = self.laser_wakeup().unwrap_or(Duration::MAX);
+        self.patience_ends().min(laser)
+    }
+
+    /// When the link is lost if no status comes.
+    fn patience_ends(&self) -> Duration {
         if self.lost {
             return Duration::MAX;
         }
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
-            Some(_) if self.may_be_full() => LINK_TIMEOUT + self.completion.longest_silence(),
+            Some(_) if self.may_be_full() => {
+                LINK_TIMEOUT + self.belief.under_way().longest_silence()
+            }
             Some(_) | None => LINK_TIMEOUT,
         };
         self.heard + patience
@@ -290,7 +314,7 @@ impl Session {
 
     /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
     fn may_be_full(&self) -> bool {
-        self.completion.len().max(self.belief.under_way()) >= QUEUE_STALLS_AT
+        self.belief.under_way().len() >= QUEUE_STALLS_AT
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
@@ -298,18 +322,20 @@ impl Session {
         self.heard = now;
         self.lost = false;
         self.opened = false;
+        self.see_laser(&status);
         self.status = Some(status);
         self.meter.handle_status(now, &status, had_room);
         self.events.push_back(Event::Status(status));
         if !self.note_reset(now, &status) {
             self.note_completion(now, &status);
         }
-        let waiting = self.waiting.iter().map(|(_, command)| command);
-        self.belief.handle_status(now, &status, waiting);
+        self.belief.handle_status(now, &status);
         // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
         self.permit |= self
             .used
-            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD);
+            .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
+            && self.has_line();
+        self.watch_laser();
         self.dispatch();
     }
 
@@ -320,64 +346,81 @@ impl Session {
         let Some(evidence) = self.trust.handle_status(now, status, at_rest, to_zero) else {
             return false;
         };
-        let forgotten = self.waiting.len() + self.completion.len();
-        self.waiting.clear();
+        let forgotten = self.belief.handle_reset(status);
         self.completion = Completion::default();
-        self.belief.handle_reset(status);
         self.events.push_back(Event::Reset {
             evidence,
             forgotten,
         });
+        self.lose_laser(Disarmed::Reset);
+        self.laser.forget();
         true
     }
 
     fn note_completion(&mut self, now: Duration, status: &Status) {
-        let (events, belief) = (&mut self.events, &mut self.belief);
-        self.completion.handle_status(now, status, |event| {
-            match event {
-                Event::Completed(id) => belief.handle_over(now, id),
-                Event::NotReached { command, .. } => belief.handle_not_reached(now, command),
-                _ => {}
+        self.completion.handle_status(now, status);
+        let answer = self.meter.answer();
+        while let Some(verdict) = self.completion.poll(now, answer, self.belief.under_way()) {
+            match verdict {
+                Verdict::Over(count) => {
+                    let over = (0..count).filter_map(|_| self.belief.handle_over(now)?.id);
+                    self.events.extend(over.map(Event::Completed));
+                }
+                Verdict::Pauses => self.note_pause(),
+                Verdict::Missed(reason, expected) => {
+                    let missed = self.belief.handle_missed(now).and_then(|it| it.id);
+                    self.events.extend(missed.map(|command| Event::NotReached {
+                        command,
+                        reason,
+                        expected,
+                        found: position(status),
+                    }));
+                }
             }
-            events.push_back(event);
-        });
+        }
+    }
+
+    fn note_pause(&mut self) {
+        let pausing = self.belief.under_way().first();
+        self.events.extend(pausing.and_then(|it| {
+            Some(Event::Pausing {
+                command: it.id?,
+                lasts: it.plan.pause,
+                by_default: own_pause_s(&it.command) == 0.0,
+            })
+        }));
     }
 
     fn dispatch(&mut self) {
-        if !self.permit || self.belief.behind_the_first(self.now) >= self.ahead {
+        let behind = self.belief.under_way().behind_the_first(self.now);
+        let follows = |left| self.now.saturating_sub(left) < SPACING;
+        if !self.permit || behind >= self.ahead || self.left.is_some_and(follows) {
             return;
         }
-        let Some((id, command)) = self.waiting.pop_front() else {
+        let Some(next) = self.belief.next() else {
             return;
         };
+        if self.parts_from_laser_first(&next.command) {
+            self.switch_laser_off();
+            return;
+        }
+        let Some(given) = self.belief.take_next() else {
+            return;
+        };
+        let command = given.command;
         self.permit = false;
         self.used = Some(self.heard);
+        self.left = Some(self.now);
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
-        let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
         let at_rest = self.belief.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
-        let leaves = self.leaves_limits(&command);
-        let longest = self
-            .completion
-            .handle_sent(self.heard, id, &command, &dialect, leaves);
-        self.belief
-            .handle_sent(self.now, Some(id), &command, longest);
+        self.note_laser(&command);
+        self.events.push_back(Event::Sent(given.id));
+        self.belief.handle_sent(self.now, given);
         self.to_send.push_back(packet);
-        self.events.push_back(Event::Sent(id));
-    }
-
-    /// Whether the way of a command, from where all that was sent leads, leaves the limits.
-    fn leaves_limits(&self, command: &Command) -> bool {
-        let Some(model) = self.belief.after_sent() else {
-            return false;
-        };
-        match model.course(command).and_then(|it| it.check()) {
-            Err(CourseError::Unreachable(_)) => true,
-            Ok(()) | Err(_) => false,
-        }
     }
 
     fn packet(&self, command: &Command) -> Result<Packet, SendError> {
@@ -393,19 +436,6 @@ impl Session {
         }
     }
 
-    /// Whether a straight line has no length and the arm cannot stand that.
-    fn is_on_the_spot(&self, command: &Command) -> bool {
-        let tool = self.completion.tool();
-        let before = match self.waiting.back() {
-            Some((_, waiting)) => straight_target(waiting, tool),
-            None => self.completion.end(),
-        };
-        self.dialect.is_some_and(|it| it.loses_pose_on_the_spot)
-            && straight_target(command, tool)
-                .zip(before)
-                .is_some_and(|(to, from)| to.distance(from).0 < ON_THE_SPOT_MM)
-    }
-
     fn note_resync(&mut self) {
         let counts = self.decoder.counts();
         if counts.resyncs > self.resyncs {
@@ -415,6 +445,15 @@ impl Session {
             self.resyncs = counts.resyncs;
             self.skipped = counts.skipped_bytes;
         }
+    }
+}
+
+/// The pause that a command tells itself, in seconds.
+const fn own_pause_s(command: &Command) -> f32 {
+    match command {
+        Command::MoveTo(it) => it.pause_s,
+        Command::MoveJoints(it) => it.pause_s,
+        _ => 0.0,
     }
 }
 
@@ -429,6 +468,9 @@ pub fn plausible(frame: &Frame) -> bool {
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
 /// Half of the time between two statuses: what comes sooner was held up on the way.
 const SHORTEST_PERIOD: Duration = Duration::from_millis(40);
+/// What a packet takes on the line, and the 8 ms that a stock arm wants before the next: it loses one
+/// that follows without a gap (note N26). The next status permits it again.
+const SPACING: Duration = Duration::from_millis(52);
 /// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// More than twice the time that passes between the end of a command and the next one's arrival: a
@@ -436,7 +478,5 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 const AHEAD: Duration = Duration::from_millis(500);
 /// A status that is later than that has been withheld.
 const OVERDUE: Duration = Duration::from_millis(140);
-/// A status says where the arm is to that much.
-const ON_THE_SPOT_MM: f64 = 0.001;
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

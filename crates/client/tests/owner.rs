@@ -199,3 +199,92 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
     assert!(!session.is_moving());
     assert!(session.model().expect("it told").knows_place());
 }
+
+fn burn(y_mm: f32) -> WriteVector {
+    WriteVector {
+        mode: WriteMode::Laser,
+        laser: true,
+        ..stroke(y_mm)
+    }
+}
+
+fn events(session: &mut Session) -> Vec<Event> {
+    std::iter::from_fn(|| session.poll_event()).collect()
+}
+
+#[test]
+fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_over() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    let refused = Err(SendError::LaserDisarmed);
+    assert_eq!(session.send(burn(10.0)), refused);
+    let on = JointJog {
+        axis: JointJogAxis::LaserOn,
+        speed_percent: 0.0,
+    };
+    assert_eq!(session.send(on), refused);
+    assert_eq!(packets(&mut session), 0);
+    session.send(stroke(10.0)).expect("it does not burn");
+    session.arm_laser(Duration::from_secs(1));
+    session.send(burn(10.0)).expect("it is armed");
+    session.handle_time(Duration::from_secs(1));
+    assert_eq!(session.send(burn(10.0)), refused);
+}
+
+#[test]
+fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    session.arm_laser(Duration::from_secs(1));
+    let first = session.send(stroke(5.0)).expect("it is allowed");
+    let kept = session.send(stroke(5.0)).expect("it is allowed");
+    let burning = session.send(burn(5.0)).expect("it is armed");
+    let behind = session.send(stroke(5.0)).expect("it is allowed");
+    events(&mut session);
+    session.handle_time(Duration::from_secs(1));
+    let told = events(&mut session);
+    assert!(told.contains(&Event::NotSent(burning)), "{told:?}");
+    assert!(told.contains(&Event::NotSent(behind)), "{told:?}");
+    assert!(
+        told.contains(&Event::LaserDisarmed(dobot_client::Disarmed::TimeOver)),
+        "{told:?}"
+    );
+    assert!(first < kept && session.waiting() == 1, "{told:?}");
+}
+
+#[test]
+fn the_laser_is_disarmed_by_silence_by_another_opening_of_the_port_and_by_a_reset() {
+    let armed = || {
+        let mut session = Session::new(Some(Dialect::SPECIFICATION));
+        tell(&mut session, PERIOD);
+        session.arm_laser(Duration::from_mins(10));
+        session
+    };
+    let mut silent = armed();
+    silent.handle_time(Duration::from_secs(5));
+    assert_eq!(silent.laser_armed_until(), None);
+    let mut opened = armed();
+    opened.handle_open(Duration::from_secs(1));
+    assert_eq!(opened.laser_armed_until(), None);
+    let mut reset = armed();
+    let elsewhere = Status {
+        x_mm: 0.0,
+        y_mm: 160.0 + 55.07,
+        base_deg: 90.0,
+        rotation_deg: 90.0,
+        ..STATUS
+    };
+    reset.handle_bytes(PERIOD * 2, &elsewhere.emit().to_bytes());
+    assert!(!reset.is_trusted(), "it is seen");
+    assert_eq!(reset.laser_armed_until(), None);
+}
+
+#[test]
+fn a_free_laser_needs_no_arming_and_is_not_disarmed() {
+    let mut session = Session::new(Some(Dialect::SPECIFICATION)).with_free_laser();
+    tell(&mut session, PERIOD);
+    session.send(burn(5.0)).expect("it is free");
+    session.handle_open(Duration::from_secs(1));
+    session.disarm_laser();
+    session.send(burn(5.0)).expect("it is free");
+}

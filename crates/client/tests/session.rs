@@ -5,8 +5,8 @@ use std::time::Duration;
 use dobot_arm::{Joints, Pose, Position, Tool, forward, inverse};
 use dobot_client::{CommandId, Event, SendError, Session};
 use dobot_wire::{
-    Configuration, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, Status, WriteMode,
-    WriteVector,
+    Configuration, Dialect, JointJog, JointJogAxis, MouseMove, MoveTo, MovingMode, Status,
+    WriteMode, WriteVector,
 };
 
 const PERIOD: Duration = Duration::from_millis(80);
@@ -143,6 +143,23 @@ fn permits_are_not_saved_up() {
     for y in [1.0, 2.0] {
         desk.session.send(vector(0.0, y)).expect("it is allowed");
     }
+    assert_eq!(desk.packets(), 1);
+}
+
+#[test]
+fn a_packet_that_leaves_late_in_a_period_is_not_followed_by_the_next_at_once() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    // The permit is kept, and used shortly before the next status.
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(70));
+    for y in [1.0, 2.0] {
+        desk.session.send(vector(0.0, y)).expect("it is allowed");
+    }
+    assert_eq!(desk.packets(), 1);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.packets(), 0, "10 ms later is too soon");
+    desk.status_at(200.0, 0.0, 0.0);
     assert_eq!(desk.packets(), 1);
 }
 
@@ -284,8 +301,144 @@ fn a_default_pause_is_part_of_each_target() {
     for _ in 0..37 {
         events.extend(desk.status_at(220.0, 10.0, 0.0));
     }
-    assert_eq!(events, []);
+    assert_eq!(events, [Event::Completed(CommandId(0))], "the pause is set");
     assert_eq!(completed(&desk.status_at(220.0, 15.0, 0.0)), [1]);
+}
+
+#[test]
+fn a_mouse_move_is_not_over_before_the_arm_has_moved() {
+    for dialect in [Dialect::SPECIFICATION, Dialect::FIRMWARE_1_1] {
+        let mut desk = Desk::new(Some(dialect));
+        for _ in 0..20 {
+            desk.status_at(200.0, 0.0, 0.0);
+        }
+        let by = MouseMove {
+            x: 10.0,
+            y: 0.0,
+            z: 0.0,
+            rotation_deg: 0.0,
+            suction: false,
+        };
+        desk.session.send(by).expect("it is allowed");
+        // It left late in a period, over a slow link: the sixth status is the first that shows it.
+        for _ in 0..5 {
+            assert!(
+                completed(&desk.status_at(200.0, 0.0, 0.0)).is_empty(),
+                "{dialect}"
+            );
+        }
+        assert!(
+            completed(&desk.status_at(207.0, 0.0, 0.0)).is_empty(),
+            "{dialect}"
+        );
+        assert!(
+            completed(&desk.status_at(210.0, 0.0, 0.0)).is_empty(),
+            "{dialect}"
+        );
+        assert_eq!(
+            completed(&desk.status_at(210.0, 0.0, 0.0)),
+            [0],
+            "{dialect}"
+        );
+    }
+}
+
+#[test]
+fn a_place_to_which_two_targets_lead_is_the_first_ones_when_the_arm_comes_there_first() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    let pausing = MoveTo {
+        pause_s: 0.3,
+        ..target(MovingMode::MovJ, 220.0, 10.0)
+    };
+    for there in [
+        pausing,
+        target(MovingMode::MovJ, 240.0, 0.0),
+        target(MovingMode::MovJ, 220.0, 10.0),
+    ] {
+        desk.session.send(there).expect("it is allowed");
+    }
+    let mut over = Vec::new();
+    for y_mm in [0.0, 0.0, 5.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0] {
+        over.extend(completed(&desk.status_at(200.0 + 2.0 * y_mm, y_mm, 0.0)));
+    }
+    assert_eq!(over, [0]);
+    over.extend(completed(&desk.status_at(230.0, 5.0, 0.0)));
+    for _ in 0..2 {
+        over.extend(completed(&desk.status_at(220.0, 10.0, 0.0)));
+    }
+    assert_eq!(over, [0, 1, 2]);
+}
+
+#[test]
+fn a_way_back_does_not_end_the_way_there_as_it_begins() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for y_mm in [30.0, 0.0] {
+        let there = target(MovingMode::MovL, 200.0, y_mm);
+        desk.session.send(there).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert!(completed(&desk.status_at(200.0, 0.03, 0.0)).is_empty());
+    assert!(completed(&desk.status_at(200.0, 20.0, 0.0)).is_empty());
+    assert!(completed(&desk.status_at(200.0, 25.0, 0.0)).is_empty());
+    assert_eq!(completed(&desk.status_at(200.0, 15.0, 0.0)), [0]);
+}
+
+#[test]
+fn a_pump_that_acts_in_the_middle_of_a_pause_does_not_end_it() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    let grabbing = MoveTo {
+        suction: true,
+        pause_s: 1.0,
+        ..target(MovingMode::Jump, 220.0, 10.0)
+    };
+    desk.session.send(grabbing).expect("it is allowed");
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(210.0, 5.0, 0.0);
+    let mut at = Vec::new();
+    for n in 0..20 {
+        // At half the pause the pump acts (note N47).
+        let status = Status {
+            suction: n >= 6,
+            ..status(220.0, 10.0, 0.0)
+        };
+        desk.now += PERIOD;
+        let bytes = status.emit().to_bytes();
+        desk.session.handle_bytes(desk.now, &bytes);
+        at.extend(completed(&desk.events()).iter().map(|_| n));
+    }
+    assert_eq!(
+        at,
+        [13],
+        "the first status a second after the arm was there"
+    );
+}
+
+#[test]
+fn a_long_pause_is_told_once_when_it_begins() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    let pausing = MoveTo {
+        pause_s: 8.0,
+        ..target(MovingMode::MovJ, 220.0, 10.0)
+    };
+    desk.session.send(pausing).expect("it is allowed");
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.status_at(210.0, 5.0, 0.0);
+    let mut events = desk.status_at(220.0, 10.0, 0.0);
+    assert_eq!(events, []);
+    for _ in 0..99 {
+        events.extend(desk.status_at(220.0, 10.0, 0.0));
+    }
+    let told = Event::Pausing {
+        command: CommandId(0),
+        lasts: Duration::from_secs(8),
+        by_default: false,
+    };
+    assert_eq!(events, [told]);
+    assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
 }
 
 #[test]

@@ -328,11 +328,9 @@ impl Firmware {
             ..
         } = self;
         let (frame, is_over) = (&in_force.frame, in_force.is_finished);
-        if in_force.state_before != MOUSE {
-            self.follow.forget_mouse();
-        }
-        if in_force.state_before != GESTURE {
-            self.follow.forget_hand();
+        let is_row = matches!(in_force.state, MOUSE | GESTURE);
+        if is_row && in_force.state_before != in_force.state {
+            self.follow.begin_row();
         }
         in_force.state_before = in_force.state;
         match in_force.state {

@@ -1,8 +1,8 @@
 //! Where a command leads.
 
-use dobot_arm::{Tool, Unreachable};
+use dobot_arm::{Position, Tool, Unreachable};
 
-use crate::error::LONGEST_S;
+use crate::error::{LONGEST_S, MOST_COUNTED_S};
 use crate::way::Way;
 use crate::{CourseError, JogCourse, Place};
 
@@ -55,18 +55,28 @@ impl Course {
     }
 
     /// Where the command ends. `None` where that cannot be told: of a jog and its release, of a step
-    /// from a place that is not known itself, and where a stock arm smooths what it follows (notes
-    /// N49 and N9); [`Course::place_at`] the end is the best guess then.
+    /// from a place that is not known itself, and where rounding decides when a stock arm ends a
+    /// gesture (note N49); [`Course::place_at`] the end is the best guess then.
     #[must_use]
     pub fn end(&self) -> Option<Place> {
         self.knows_end.then_some(self.to)
     }
 
-    /// Whether the way is known, not only guessed: it begins where the arm is known to stand, and
-    /// the arm does not smooth it.
+    /// Whether the way is known, not only guessed: it begins where the arm is known to stand.
     #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.is_exact
+    }
+
+    /// From where to where it goes, if that is known and its way is a straight line.
+    #[must_use]
+    pub const fn line(&self) -> Option<(Position, Position)> {
+        match self.way {
+            Way::Line(..) | Way::Stroke { .. } if self.is_exact && self.knows_end => {
+                Some((self.from.pose.position, self.to.pose.position))
+            }
+            _ => None,
+        }
     }
 
     /// Whether something moves on the way.
@@ -88,6 +98,20 @@ impl Course {
             Way::Jog(jog) => Some(jog),
             _ => None,
         }
+    }
+
+    /// Whether a stock arm can count the ticks of motion and pause: it does so in 16 bits.
+    pub(crate) fn check_counters(&self) -> Result<(), CourseError> {
+        let motion_s = self.motion_s().unwrap_or(0.0);
+        let found = if motion_s > MOST_COUNTED_S {
+            motion_s
+        } else {
+            self.pause_s
+        };
+        if found > MOST_COUNTED_S {
+            return Err(CourseError::Uncounted { found });
+        }
+        Ok(())
     }
 
     /// Whether the whole way stays within the limits of a stock arm (note N30) and takes no longer

@@ -28,16 +28,39 @@ pub enum CourseError {
         "the voice command is none of ahead, back, left, right, up and down with a number word, catch and release"
     )]
     NotUnderstood,
+    /// Voice, which this arm does not hear.
+    #[error(
+        "a stock arm hears voice on its Bluetooth port alone (note N50); send the motion or the button that the words mean"
+    )]
+    NotHeard,
     /// A straight line to where the arm stands, which makes it lose its pose.
     #[error(
         "the arm is there already, and a straight line of no length would make it lose its pose (note N34); leave it out"
     )]
     OnTheSpot,
-    /// A mouse or gesture packet that moves nothing, which makes the arm hang.
+    /// A mouse or gesture packet that may move nothing, which makes the arm hang.
     #[error(
-        "the packet moves nothing, and that would make the arm hang until it is reset (note N51); leave it out"
+        "the packet may move nothing, and that would make the arm hang until it is reset (note N51); leave it out, or go further"
     )]
     NothingToFollow,
+    /// A motion or a pause of which a stock arm cannot count the ticks.
+    #[error(
+        "it takes {found} s; a stock arm counts to {MOST_COUNTED_S} s, and goes astray or never ends behind that (note N51); make it shorter"
+    )]
+    Uncounted {
+        /// How long it would take, in seconds.
+        found: f64,
+    },
+    /// A straight line behind one that may have been cut short: it would begin with a jump.
+    #[error(
+        "a straight line was perhaps cut short, and the next one would begin with a jump as long as that (note N46); send a MOVJ before it"
+    )]
+    BehindCutLine,
+    /// A vector that a stock arm would never end.
+    #[error(
+        "the arm would never end this vector, but creep on (note N48): behind the end speed of the vector before, its ticks add up to less than none; end the vector before at another speed, or this one at rest"
+    )]
+    NeverEnds,
     /// A vector of laser mode without the laser that begins at rest, so slow that a stock arm goes
     /// 4 mm at most and calls it done.
     #[error(
@@ -66,3 +89,5 @@ impl From<PlanError> for CourseError {
 /// The longest that a motion may take, in seconds: across the whole workspace at 0.2 mm/s, which
 /// nobody is slower than on purpose.
 pub const LONGEST_S: f64 = 3600.0;
+/// How far a stock arm counts in seconds: 32767 ticks of 20 ms, less what rounding and ramps may add.
+pub(crate) const MOST_COUNTED_S: f64 = 640.0;

@@ -2,9 +2,11 @@
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Status, Voice, VoiceOrder, WriteMode, WriteVector,
+    Command, Configuration, Dialect, EndEffector, MoveJoints, MoveTo, MovingMode, Status, Voice,
+    VoiceOrder, WriteMode, WriteVector,
 };
 
+use crate::follow::Followed;
 use crate::plan::plan;
 use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 
@@ -54,8 +56,25 @@ pub struct Model {
     pub(crate) write_speed_mm_s: f64,
     /// The jog that goes on.
     pub(crate) jog: Option<JogCourse>,
-    /// Whether the last command was a mouse move or a gesture, with which the next one is averaged.
-    pub(crate) follows: bool,
+    /// The pause that begins anew as long as nothing follows, in seconds (note N47).
+    pub(crate) idle_pause_s: f64,
+    /// The mouse moves and gestures with which the next one is averaged.
+    pub(crate) followed: Followed,
+    /// What may be left of straight lines.
+    pub(crate) lines: Lines,
+}
+
+/// What a stock arm keeps of its straight lines (note N46).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Lines {
+    /// Nothing: there was none.
+    #[default]
+    None,
+    /// Nothing, if the last one was gone to its end.
+    Whole,
+    /// One may have been cut short: the next one would begin with a jump, unless a MOVJ comes before
+    /// it.
+    Cut,
 }
 
 impl Model {
@@ -82,7 +101,9 @@ impl Model {
             knows_place: true,
             write_speed_mm_s: 0.0,
             jog: None,
-            follows: false,
+            idle_pause_s: 0.0,
+            followed: Followed::default(),
+            lines: Lines::None,
         }
     }
 
@@ -100,6 +121,9 @@ impl Model {
     /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
+        if !matches!(self.lines, Lines::None) {
+            self.lines = Lines::Cut;
+        }
     }
 
     /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
@@ -107,6 +131,13 @@ impl Model {
     #[must_use]
     pub const fn knows_place(&self) -> bool {
         self.knows_place
+    }
+
+    /// How long a command that comes late may wait until it is taken, in seconds: a pause that begins
+    /// anew as long as nothing follows (note N47).
+    #[must_use]
+    pub const fn idle_pause_s(&self) -> f64 {
+        self.idle_pause_s
     }
 
     /// The jog that goes on, if one does.
@@ -125,6 +156,9 @@ impl Model {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
             .map_err(CourseError::Invalid)?;
         let course = plan(self, command)?;
+        if self.dialect.counts_ticks_in_16_bits {
+            course.check_counters()?;
+        }
         if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
             // Its end is beyond a limit; the text tells where the way leaves it.
             course.check()?;
@@ -137,12 +171,21 @@ impl Model {
     #[must_use]
     pub fn begun(&self, command: &Command) -> Self {
         let mut model = *self;
-        model.follows = matches!(command, Command::MouseMove(_) | Command::Gesture(_));
+        model.idle_pause_s = model.repeated_s(command);
+        if !matches!(command, Command::MouseMove(_) | Command::Gesture(_)) {
+            model.followed.end_row();
+        }
         match command {
             Command::MoveTo(_) | Command::MoveJoints(_) => {}
             Command::WriteVector(it) => model.laser = model.laser_during(it),
-            Command::MouseMove(it) => model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings),
-            Command::Gesture(it) => model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture),
+            Command::MouseMove(it) => {
+                model.followed.take_mouse(it);
+                model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings);
+            }
+            Command::Gesture(it) => {
+                model.followed.take_hand(it);
+                model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture);
+            }
             Command::Voice(it) => model.suction = model.suction_after(it),
             Command::JointJog(_) | Command::LinearJog(_) => model.press(command),
             Command::Configuration(it) => model.configure(it),
@@ -163,13 +206,32 @@ impl Model {
         model.jog = course.jog();
         model.write_speed_mm_s = course.end_speed_mm_s.unwrap_or(model.write_speed_mm_s);
         match command {
-            Command::MoveTo(it) => model.set_tool(it.suction, it.gripper_deg),
-            Command::MoveJoints(it) => model.set_tool(it.suction, it.gripper_deg),
+            Command::MoveTo(it) => {
+                model.note_lines(it.mode);
+                model.set_tool(it.suction, it.gripper_deg);
+            }
+            Command::MoveJoints(it) => {
+                model.note_lines(it.mode);
+                model.set_tool(it.suction, it.gripper_deg);
+            }
+            Command::Voice(_) => model.note_lines(MovingMode::MovL),
             // Behind the last vector the laser goes off, unless the dialect leaves it (note N36).
             Command::WriteVector(_) if !model.dialect.has_rapid_laser_mode => model.laser = false,
             _ => {}
         }
         model
+    }
+
+    /// The pause of a command, if it begins anew as long as nothing follows: not behind a JUMP.
+    fn repeated_s(&self, command: &Command) -> f64 {
+        match command {
+            Command::MoveTo(MoveTo { mode, .. }) | Command::MoveJoints(MoveJoints { mode, .. })
+                if *mode != MovingMode::Jump && self.dialect.repeats_pause =>
+            {
+                self.pause_s(command)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Whether the laser burns during a vector.
@@ -191,6 +253,14 @@ impl Model {
             Some(VoiceOrder::Release) => false,
             _ => self.suction,
         }
+    }
+
+    /// A line is taken to be gone to its end, and a MOVJ clears away what a line left.
+    const fn note_lines(&mut self, mode: MovingMode) {
+        self.lines = match (self.lines, mode) {
+            (Lines::None, MovingMode::MovL) | (Lines::Cut, MovingMode::MovJ) => Lines::Whole,
+            (lines, _) => lines,
+        };
     }
 
     fn set_tool(&mut self, suction: bool, gripper_deg: f32) {

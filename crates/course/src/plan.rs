@@ -1,15 +1,16 @@
 //! From a command to its course: pure, nothing has moved yet.
 
-use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, stock};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward, stock};
 use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
 use dobot_wire::{
-    Command, Configuration, Gesture, MouseMove, MovingMode, Voice, VoiceOrder, WriteMode,
-    WriteVector,
+    Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
+    WriteMode, WriteVector,
 };
 
+use crate::error::MOST_COUNTED_S;
 use crate::follow::{gestured, moused};
 use crate::lifts::Lifts;
-use crate::model::tool_named;
+use crate::model::{Lines, tool_named};
 use crate::place::position;
 use crate::way::Way;
 use crate::{Button, Course, CourseError, JogCourse, Model, Place};
@@ -24,15 +25,13 @@ pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseErr
             });
             Ok(target
                 .course(model, it.mode)?
-                .pausing(pause_s(it.pause_s, model)))
+                .pausing(model.pause_s(command)))
         }
         Command::MoveJoints(it) => {
-            let [base, rear, fore, servo] =
-                [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg].map(f64::from);
-            let target = Target::Joints(Joints::new(base, rear, fore, servo));
+            let target = Target::Joints(joints(it));
             Ok(target
                 .course(model, it.mode)?
-                .pausing(pause_s(it.pause_s, model)))
+                .pausing(model.pause_s(command)))
         }
         Command::WriteVector(it) if it.stop => Ok(still(model)),
         Command::WriteVector(it) => write(it, model),
@@ -93,6 +92,7 @@ fn line(model: &Model, to: Pose) -> Result<Way, CourseError> {
     if model.dialect.loses_pose_on_the_spot && model.knows_place && length_mm < ON_THE_SPOT_MM {
         return Err(CourseError::OnTheSpot);
     }
+    check_lines(model)?;
     let held = Pose {
         rotation: if model.dialect.turns_after_line {
             from.rotation
@@ -105,6 +105,14 @@ fn line(model: &Model, to: Pose) -> Result<Way, CourseError> {
     Ok(Way::Line(line, to.rotation))
 }
 
+/// Whether a straight line begins where the arm is.
+fn check_lines(model: &Model) -> Result<(), CourseError> {
+    if model.dialect.resumes_cut_lines && model.lines == Lines::Cut {
+        return Err(CourseError::BehindCutLine);
+    }
+    Ok(())
+}
+
 fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     let from = model.place.pose;
     let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
@@ -112,7 +120,22 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
         return Err(CourseError::OnTheSpot);
     }
     let speeds = stroke_speeds(vector, model)?;
-    let stroke = Stroke::new(from.position, by, &speeds)?;
+    let cut = cut_of(vector, speeds.acceleration_mm_s2, model);
+    let whole = Stroke::new(from.position, by, &speeds)?;
+    let share = match cut {
+        _ if model.dialect.counts_ticks_in_16_bits && whole.duration_s() > MOST_COUNTED_S => {
+            let found = whole.duration_s();
+            return Err(CourseError::Uncounted { found });
+        }
+        Some(cut) if cut.ticks() <= 0 => return Err(CourseError::NeverEnds),
+        Some(cut) => gone(&cut, by.length().0),
+        None => 1.0,
+    };
+    let stroke = if share == 1.0 {
+        whole
+    } else {
+        Stroke::new(from.position, scaled(by, share), &speeds)?
+    };
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
     let way = Way::Stroke {
         stroke,
@@ -127,11 +150,7 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
             stock_end(&course, model)
         },
         burns: model.laser_during(vector),
-        end_speed_mm_s: Some(if model.dialect.uses_start_speed {
-            stroke.end_speed()
-        } else {
-            left_mm_s(vector, speeds.acceleration_mm_s2, model)
-        }),
+        end_speed_mm_s: Some(cut.map_or(stroke.end_speed(), |it| it.end_mm_s.into())),
         ..course
     })
 }
@@ -153,19 +172,36 @@ fn stock_end(course: &Course, model: &Model) -> Place {
     place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
 }
 
-/// The speed that a stock arm keeps for the next vector: whole ticks seldom end with the one asked
-/// for (note N48).
+/// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
+/// vector (note N48).
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn left_mm_s(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> f64 {
+fn cut_of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Option<Cut> {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
-    let cut = Cut::of(
-        libm::sqrtf(x * x + y * y + z * z),
-        model.write_speed_mm_s as f32,
-        vector.end_speed_mm_s,
-        vector.max_speed_mm_s,
-        acceleration_mm_s2 as f32,
-    );
-    cut.end_mm_s.into()
+    (!model.dialect.uses_start_speed).then(|| {
+        Cut::of(
+            libm::sqrtf(x * x + y * y + z * z),
+            model.write_speed_mm_s as f32,
+            vector.end_speed_mm_s,
+            vector.max_speed_mm_s,
+            acceleration_mm_s2 as f32,
+        )
+    })
+}
+
+/// What share of a vector is gone when its ticks are over: 1, but for one that the ticks do not fit
+/// (note N48).
+fn gone(cut: &Cut, length_mm: f64) -> f64 {
+    let way_mm: f64 = cut.speeds_mm_s().map(|it| f64::from(it) * TICK_S).sum();
+    let off_mm = (way_mm - length_mm).abs();
+    if off_mm > NEARLY_MM {
+        way_mm / length_mm
+    } else {
+        1.0
+    }
+}
+
+fn scaled(by: Position, share: f64) -> Position {
+    Position::new(by.x.0 * share, by.y.0 * share, by.z.0 * share)
 }
 
 /// Speeds above the largest count as the largest (note N5).
@@ -246,6 +282,9 @@ fn gesture(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
 }
 
 fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
+    if !model.dialect.hears_voice {
+        return Err(CourseError::NotHeard);
+    }
     match VoiceOrder::parse(voice).ok_or(CourseError::NotUnderstood)? {
         VoiceOrder::Catch | VoiceOrder::Release => Ok(still(model)),
         VoiceOrder::Move { x_mm, y_mm, z_mm } => {
@@ -256,6 +295,7 @@ fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
 }
 
 fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
+    check_lines(model)?;
     let from = model.place.pose;
     let to = Pose {
         position: to,
@@ -308,13 +348,57 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Course, Co
     Ok(moving(Way::Still, to, model))
 }
 
-/// A target without a pause of its own takes the default one, where there is one (note N10).
-fn pause_s(pause_s: f32, model: &Model) -> f64 {
-    if pause_s > 0.0 || !model.dialect.uses_default_pause {
-        pause_s.into()
-    } else {
-        model.settings.default_pause_s
+impl Model {
+    /// How long the arm waits behind a command, in seconds. A target without a pause of its own
+    /// takes the default one, where there is one (note N10).
+    #[must_use]
+    pub fn pause_s(&self, command: &Command) -> f64 {
+        let own_s = match command {
+            Command::MoveTo(it) => it.pause_s,
+            Command::MoveJoints(it) => it.pause_s,
+            _ => return 0.0,
+        };
+        if own_s > 0.0 || !self.dialect.uses_default_pause {
+            own_s.into()
+        } else {
+            self.settings.default_pause_s
+        }
     }
+
+    /// The point that a command names, be it in reach or not: a target, or that far from a place that
+    /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
+    #[must_use]
+    pub fn aim(&self, command: &Command) -> Option<Position> {
+        let by = |x, y, z| {
+            let from = self.knows_place.then_some(self.place.pose.position)?;
+            Some(from + position(x, y, z))
+        };
+        match command {
+            Command::MoveTo(it) => Some(position(it.x_mm, it.y_mm, it.z_mm)),
+            Command::MoveJoints(it) => Some(forward(&joints(it), self.tool).position),
+            Command::WriteVector(it) if !it.stop => by(it.x_mm, it.y_mm, it.z_mm),
+            Command::MouseMove(it) if !self.dialect.mouse_swings => by(it.x, it.y, it.z),
+            Command::Gesture(it) if !self.dialect.scales_gesture => {
+                Some(position(it.x, it.y, it.z))
+            }
+            Command::Voice(it) => match VoiceOrder::parse(it)? {
+                VoiceOrder::Move { x_mm, y_mm, z_mm } => by(x_mm, y_mm, z_mm),
+                VoiceOrder::Catch | VoiceOrder::Release => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+fn joints(target: &MoveJoints) -> Joints {
+    let [base, rear, fore, servo] = [
+        target.base_deg,
+        target.rear_deg,
+        target.fore_deg,
+        target.servo_deg,
+    ]
+    .map(f64::from);
+    Joints::new(base, rear, fore, servo)
 }
 
 fn still(model: &Model) -> Course {
@@ -358,11 +442,45 @@ impl Course {
 
 /// A status says where the arm is to that much.
 const ON_THE_SPOT_MM: f64 = 0.001;
-/// A vector of that length or less is none (note N16).
-const NO_LENGTH_MM: f64 = 0.0001;
+/// A vector of half that length or less is none (note N16); the rest is for rounding.
+const NO_LENGTH_MM: f64 = 0.0002;
+/// A control tick of a stock arm.
+const TICK_S: f64 = 0.02;
+/// A vector whose ticks are off by less is as long as it should be: they are added in single precision.
+const NEARLY_MM: f64 = 0.02;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
 /// With less a vector takes for ever, or none of it is done.
 const CREEPS_MM_S: f64 = 0.1;
 /// Half a control tick of 20 ms.
 const HALF_A_TICK_S: f64 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use dobot_arm::Tool;
+    use dobot_wire::Dialect;
+
+    use super::*;
+
+    #[test]
+    fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
+        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
+        // mm/s take -16 ticks.
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.settings.write_acceleration_mm_s2 = 200.0;
+        model.write_speed_mm_s = -0.9;
+        let vector = Command::from(WriteVector {
+            mode: WriteMode::Writing,
+            x_mm: 0.3,
+            y_mm: 0.0,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 1.0,
+            max_speed_mm_s: 10.0,
+            stop: false,
+        });
+        assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
+    }
+}

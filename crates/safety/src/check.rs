@@ -1,6 +1,6 @@
 //! The check of a command over its whole way.
 
-use dobot_course::{Button, Course, Model, Place};
+use dobot_course::{Button, Course, Model, Place, burns};
 use dobot_wire::{Command, Configuration};
 
 use crate::body::measures;
@@ -8,7 +8,7 @@ use crate::fence::Fence;
 use crate::limits::{LASER_AREA, Limit};
 use crate::path::Path;
 use crate::walk::Walk;
-use crate::{Policy, Violation, burns};
+use crate::{Policy, Violation};
 
 impl Policy {
     /// Checks a command over its whole way from where the model says that the arm will be when it

@@ -1,30 +1,9 @@
 //! When the laser may burn.
 
-use dobot_course::{Button, Course, Model};
+use dobot_course::{Course, Model, burns};
 use dobot_wire::{Command, WriteVector};
 
 use crate::{Bounds, Policy, Violation};
-
-/// Whether a command lights the laser, in whatever form: jog axis 13, or a write vector with its laser
-/// switch on, the stop of stock arms and the writing mode included.
-///
-/// Such a command may be sent only while a person has armed the laser.
-///
-/// ```
-/// use dobot_safety::burns;
-/// use dobot_wire::{Command, JointJog, JointJogAxis};
-///
-/// let button = |axis| Command::from(JointJog { axis, speed_percent: 0.0 });
-/// assert!(burns(&button(JointJogAxis::LaserOn)));
-/// assert!(!burns(&button(JointJogAxis::LaserOff)));
-/// ```
-#[must_use]
-pub fn burns(command: &Command) -> bool {
-    match command {
-        Command::WriteVector(vector) => vector.laser,
-        _ => Button::of(command) == Some(Button::Laser(true)),
-    }
-}
 
 impl Policy {
     /// Whether the laser may burn as this command wants it, the area not looked at.

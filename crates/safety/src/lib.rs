@@ -47,7 +47,6 @@ mod walk;
 mod zone;
 
 pub use bounds::Bounds;
-pub use laser::burns;
 pub use policy::Policy;
 pub use policy_error::PolicyError;
 pub use sections::{

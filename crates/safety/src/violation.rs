@@ -92,7 +92,8 @@ impl Violation {
     }
 
     /// A command that leads nowhere.
-    pub(crate) fn of_course(error: &CourseError) -> Self {
+    #[must_use]
+    pub fn of_course(error: &CourseError) -> Self {
         match error {
             CourseError::Unreachable(unreachable) => Self::of_arm(unreachable),
             other => Self::of_words(ARM, other.to_string()),

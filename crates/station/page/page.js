@@ -1,7 +1,7 @@
 // @ts-check
 // Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
 
-/** @typedef {{client: number, name: string, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
+/** @typedef {{client: number, name: string, is_program: boolean, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
 /** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number | null, speed_percent: number, height_mm: number}} Job */
 /** @typedef {{by: string, reason: string | null, at_rest: boolean}} Stop */
 /** @typedef {{title: string, detail: string, hint?: string}} Problem */
@@ -149,9 +149,9 @@ function drawControl(lease) {
   const mine = lease !== null && lease.client === me;
   const asked = lease?.asked_by.some((it) => it.client === me) ?? false;
   write("holder", mine ? "You have control." : lease ? `${lease.name} has control.` : "Nobody has control.");
-  show("take", lease === null);
+  show("take", lease === null || lease.is_program);
   show("release", mine);
-  show("ask", lease !== null && !mine);
+  show("ask", lease !== null && !mine && !lease.is_program);
   const ask = /** @type {HTMLButtonElement} */ (part("ask"));
   ask.disabled = asked;
   write("ask", asked ? "You asked for it" : "Ask for it");

@@ -111,6 +111,7 @@ mod tests {
     use std::time::{Duration, Instant};
 
     use dobot_client::{Address, Link};
+    use dobot_course::LASER_OFF;
     use dobot_journal::Journal;
     use dobot_safety::Policy;
     use dobot_wire::{Command, Decoder, Dialect, LinearJog, LinearJogAxis};
@@ -123,7 +124,7 @@ mod tests {
     use crate::guardian::{Heart, JogKind, Told};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
-    use crate::keeper::{Keeper, LASER_OFF};
+    use crate::keeper::Keeper;
     use crate::owner::Given;
     use crate::recording::Recording;
     use crate::{Config, Finder, Folders, Found, Search};

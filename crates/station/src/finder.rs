@@ -10,14 +10,13 @@ mod search;
 use std::io;
 
 use dobot_client::{Address, Link, LinkError, Port};
+use dobot_course::LASER_OFF;
 use dobot_wire::Dialect;
 use tokio::time::Instant;
 
 use self::candidate::{Candidate, Choice, choose};
 use self::in_vain::InVain;
 use self::listening::Listening;
-
-use crate::keeper::LASER_OFF;
 
 pub use missed::{Missed, NothingFound};
 pub use reconnect::Reconnect;

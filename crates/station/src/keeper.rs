@@ -27,7 +27,6 @@ use dobot_wire::{Command, Dialect, Packet, Status};
 use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::Held;
-use self::laser::Interlock;
 use self::lease::Lease;
 use self::link::Linked;
 use self::run::Run;
@@ -35,7 +34,6 @@ use self::save::Unsaved;
 use self::stop::Stop;
 use crate::words::{ClientId, News, Notice, Refusal, Reply, Role};
 
-pub(crate) use self::halt::LASER_OFF;
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
 
@@ -55,7 +53,6 @@ pub struct Keeper {
     next_client: u64,
     lease: Option<Lease>,
     stop: Option<Stop>,
-    laser: Interlock,
     held: Option<Held>,
     halt: Option<Halt>,
     run: Option<Run>,
@@ -90,6 +87,8 @@ pub struct Keeper {
 struct Known {
     name: String,
     role: Role,
+    /// It speaks the arm's own protocol, which has no words for leases.
+    is_program: bool,
 }
 
 impl Keeper {
@@ -98,6 +97,7 @@ impl Keeper {
     pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
         let mut session = Session::new(dialect);
         session.set_ahead(seconds(policy.queue.ahead_s));
+        session.set_laser_may_stand(policy.laser.standing);
         Self {
             session,
             policy,
@@ -107,7 +107,6 @@ impl Keeper {
             next_client: 1,
             lease: None,
             stop: None,
-            laser: Interlock::default(),
             held: None,
             halt: None,
             run: None,
@@ -178,7 +177,6 @@ impl Keeper {
         self.session.handle_time(self.now);
         self.follow_session();
         self.watch_dead_man();
-        self.watch_laser();
         self.repeat_halt();
         self.repeat_unsaved();
         self.pump();
@@ -215,7 +213,7 @@ impl Keeper {
         [
             Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
             self.held.as_ref().map(Held::falls_silent),
-            self.laser.ends(),
+            self.session.laser_armed_until(),
             self.halt.as_ref().and_then(Halt::next),
             self.unsaved.as_ref().map(Unsaved::next),
             self.line_wakeup(),
@@ -297,14 +295,18 @@ impl Keeper {
     /// Forgets the commands that have not been sent.
     fn drop_waiting(&mut self, why: &str) {
         for id in self.session.forget_waiting() {
-            self.run_command_forgotten(id);
-            if self.pending.remove(&id).is_some() {
-                let command = id.0;
-                self.tell(
-                    News::CommandFailed { command },
-                    format!("command {command} was not sent: {why}"),
-                );
-            }
+            self.command_forgotten(id, why);
+        }
+    }
+
+    fn command_forgotten(&mut self, id: CommandId, why: &str) {
+        self.run_command_forgotten(id);
+        if self.pending.remove(&id).is_some() {
+            let command = id.0;
+            self.tell(
+                News::CommandFailed { command },
+                format!("command {command} was not sent: {why}"),
+            );
         }
     }
 

@@ -154,6 +154,11 @@ impl Rehearsal {
         Ok(())
     }
 
+    /// The pose is not to be trusted until a person confirms it, as when the port of a real arm is opened.
+    pub fn distrust(&mut self, reason: &str) {
+        self.keeper.distrust(reason);
+    }
+
     /// A client that may do everything.
     pub fn client(&mut self, name: &str) -> ClientId {
         let now = self.keeper_now();

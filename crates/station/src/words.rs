@@ -15,7 +15,7 @@ pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
 pub use lease::{Asking, ClientId, LeaseView};
 pub use notice::{News, Notice};
 pub use problem::Problem;
-pub use refusal::Refusal;
+pub use refusal::{Holder, Refusal};
 pub use reply::Reply;
 pub use request::{Jog, Request};
 pub use role::{Role, UnknownRole};

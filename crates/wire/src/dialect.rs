@@ -35,6 +35,8 @@ pub struct Dialect {
     /// State 9, mode 1: float 9 is the pause of targets that have none, instead of nothing
     /// (note N10).
     pub uses_default_pause: bool,
+    /// The pause behind a MOVJ or MOVL begins anew as long as nothing follows (note N47).
+    pub repeats_pause: bool,
     /// A straight line to where the arm stands makes it lose its pose, instead of doing nothing
     /// (note N34).
     pub loses_pose_on_the_spot: bool,
@@ -51,6 +53,13 @@ pub struct Dialect {
     pub has_rapid_laser_mode: bool,
     /// State 10: float 5 scales all jogs, instead of nothing (note N15).
     pub scales_jogs: bool,
+    /// Voice is heard on the port that is served; otherwise it is not, and would be lost (note N50).
+    pub hears_voice: bool,
+    /// Ticks of motion and pause are counted in 16 bits: none may last longer than 655 s (note N51).
+    pub counts_ticks_in_16_bits: bool,
+    /// A straight line that was cut short is not forgotten: the next one begins that far along
+    /// (note N46).
+    pub resumes_cut_lines: bool,
 }
 
 impl Dialect {
@@ -67,12 +76,16 @@ impl Dialect {
         mouse_swings: false,
         scales_gesture: false,
         uses_default_pause: true,
+        repeats_pause: false,
         loses_pose_on_the_spot: false,
         default_jump_height_mm: 20.0,
         jumps_by_joints: false,
         turns_after_line: false,
         has_rapid_laser_mode: false,
         scales_jogs: true,
+        hears_voice: true,
+        counts_ticks_in_16_bits: false,
+        resumes_cut_lines: false,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -87,12 +100,16 @@ impl Dialect {
         mouse_swings: true,
         scales_gesture: true,
         uses_default_pause: false,
+        repeats_pause: true,
         loses_pose_on_the_spot: true,
         default_jump_height_mm: 10.0,
         jumps_by_joints: true,
         turns_after_line: true,
         has_rapid_laser_mode: true,
         scales_jogs: false,
+        hears_voice: false,
+        counts_ticks_in_16_bits: true,
+        resumes_cut_lines: true,
     };
 
     /// All dialects that have a name.

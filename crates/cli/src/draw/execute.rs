@@ -5,11 +5,12 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_client::position;
+use dobot_course::Model;
 use dobot_draw::Plan;
-use dobot_station::{JobKind, JobPause, JobView, NewJob, Reply, Request, State, StationClient};
+use dobot_station::{JobKind, JobPause, NewJob, Reply, Request, State, StationClient};
 use tokio::io::{AsyncBufReadExt, BufReader};
 
-use crate::control::{arm_laser, first_state, take_control};
+use crate::control::{self, arm_laser, first_state, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::interrupt::interrupt;
@@ -51,12 +52,9 @@ pub(super) async fn execute(
     let see = |state: &State| {
         seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
     };
-    let mut planned_s = None;
+    let planned_s = way_s(station, plan).await.map(|it| it + plan.duration_s());
     let outcome = match submit(station, plan, title, armed_for).await {
-        Ok(job) => {
-            planned_s = job.planned_s;
-            follow::start(station, job.job, plan.burns(), see).await
-        }
+        Ok(job) => follow::start(station, job, plan.burns(), see).await,
         Err(failure) => Err(failure),
     };
     Executed {
@@ -66,18 +64,26 @@ pub(super) async fn execute(
     }
 }
 
+/// How long the way to the plan's start takes from where the arm stands, in seconds.
+async fn way_s(station: &mut StationClient, plan: &Plan) -> Option<f64> {
+    let (arm, dialect) = control::arm(station).await.ok()?;
+    let model = Model::new(dialect?, &arm.status);
+    let to_start = plan.commands().nth(plan.command_of(0) - 1)?;
+    model.course(&to_start).ok()?.duration_s()
+}
+
 async fn submit(
     station: &mut StationClient,
     plan: &Plan,
     title: &str,
     armed_for: Option<Duration>,
-) -> Result<JobView, Failure> {
+) -> Result<u64, Failure> {
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
     let job = job(plan, title);
     match station.request(Request::SubmitJob { job }).await? {
-        Reply::Job { job } => Ok(job),
+        Reply::Job { job } => Ok(job.job),
         other => Err(anyhow!("the station answers {other:?} to a new job").into()),
     }
 }

@@ -41,10 +41,11 @@ impl From<Output> for Outcome {
     }
 }
 
-/// `dobot`, for which no station runs.
+/// `dobot`, for which no station runs. Nothing that an earlier run has kept of an arm is there.
 pub(crate) fn command(arguments: &[&str]) -> Command {
+    let data = format!("no-station-{}", std::process::id());
     command_at(
-        &Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-station"),
+        &Path::new(env!("CARGO_TARGET_TMPDIR")).join(data),
         arguments,
     )
 }

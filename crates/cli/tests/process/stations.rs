@@ -236,7 +236,7 @@ fn what_the_policy_forbids_is_refused_with_the_rule_and_nothing_moves() {
     assert!(near(&seen["rear_deg"], 45.0), "{seen}");
     // An arm of one's own keeps to the same rules.
     up.dobot(&["move", "220", "0", "-90", "--to", "virtual:"])
-        .fails(1, &["refused by table", "dobot policy"]);
+        .fails(1, &["table", "dobot policy"]);
 }
 
 #[test]

@@ -32,7 +32,13 @@ impl Inhabited {
     }
 
     fn run(&self, arguments: &[&str]) {
-        let to = ["--to", &self.arm, "--dialect", "specification"];
+        let to = [
+            "--to",
+            &self.arm,
+            "--dialect",
+            "specification",
+            "--pose-confirmed",
+        ];
         dobot(&[arguments, &to[..]].concat()).succeeds();
     }
 

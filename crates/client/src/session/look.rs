@@ -27,16 +27,22 @@ impl Session {
         !self.events.is_empty()
     }
 
+    /// Whether a packet was begun that [`Session::poll_bytes`] has not given away yet.
+    #[must_use]
+    pub fn has_bytes(&self) -> bool {
+        !self.to_send.is_empty()
+    }
+
     /// Commands that wait for a permit.
     #[must_use]
     pub fn waiting(&self) -> usize {
-        self.waiting.len()
+        self.belief.waiting()
     }
 
     /// Commands sent and not seen to be over.
     #[must_use]
     pub fn under_way(&self) -> usize {
-        self.completion.len()
+        self.belief.under_way().asked_for()
     }
 
     /// What the decoder has seen.
@@ -49,7 +55,7 @@ impl Session {
     /// before the first status. Settings are those of a stock arm at power-up and what this session
     /// has sent since. An arm whose dialect nobody has told is taken for one of the document.
     #[must_use]
-    pub const fn model(&self) -> Option<&Model> {
+    pub fn model(&self) -> Option<&Model> {
         self.belief.after_given()
     }
 
@@ -97,12 +103,12 @@ impl Session {
     /// What is on its way.
     #[must_use]
     pub fn queue(&self) -> Queue {
-        let under_way = self.completion.len();
+        let under_way = self.under_way();
         let silent_for = self.now.saturating_sub(self.heard);
         Queue {
-            waiting: self.waiting.len(),
+            waiting: self.waiting(),
             under_way,
-            ahead: self.belief.ahead(self.now),
+            ahead: self.belief.under_way().ahead(self.now),
             is_full: self.may_be_full() && silent_for > OVERDUE,
         }
     }
@@ -111,7 +117,7 @@ impl Session {
     /// the session was told of. A jog counts as over: it is so as soon as something follows it.
     #[must_use]
     pub fn ahead_s(&self) -> f64 {
-        self.belief.ahead(self.now).as_secs_f64()
+        self.belief.under_way().ahead(self.now).as_secs_f64()
     }
 
     /// Within what time the arm is at rest for sure if nothing more is sent, from the last time that

@@ -16,9 +16,8 @@ pub(crate) struct Follow {
     /// Degrees per second: base, rear, fore.
     speeds: [f32; 3],
     ticks_left: i16,
-    mouse: History,
-    hand: History,
-    joints: History,
+    /// One for all three.
+    history: History,
 }
 
 /// What is followed.
@@ -41,14 +40,10 @@ impl Follow {
         self.is_planned = false;
     }
 
-    /// Another state than mouse was in force.
-    pub(crate) const fn forget_mouse(&mut self) {
-        self.mouse.count = 0;
-    }
-
-    /// Another state than gesture was in force.
-    pub(crate) const fn forget_hand(&mut self) {
-        self.hand.count = 0;
+    /// Another state was in force: a row of mouse or hand begins. What was remembered stays where it
+    /// is, and counts where a sum reaches it.
+    pub(crate) const fn begin_row(&mut self) {
+        self.history.count = 0;
     }
 
     /// A tick of following.
@@ -67,8 +62,8 @@ impl Follow {
             let servo_deg = frame.float(6);
             if (-90.0..=90.0).contains(&servo_deg) {
                 body.set_servo(servo_deg);
+                body.turn_head(servo_deg);
             }
-            body.turn_head(servo_deg);
         }
         if is_over {
             return Outcome::OVER;
@@ -116,7 +111,7 @@ impl Follow {
         let (to, period_s) = match kind {
             Kind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
             Kind::Gesture => self.gestured(sample, settings, body)?,
-            Kind::Joints => (self.joints.told(sample), JOINTS_S),
+            Kind::Joints => (self.history.told(sample), JOINTS_S),
         };
         let from = body.joints;
         let ways = [
@@ -132,28 +127,23 @@ impl Follow {
         Ok(())
     }
 
-    /// The history remembers what its units are worth.
     fn moused(
         &mut self,
         sample: [f32; 3],
         settings: &Settings,
         body: &Body,
     ) -> Result<Joints, Outcome> {
-        let [swing, longer, higher] = self.mouse.mouse_average([
-            MOUSE_DEG * sample[0],
-            MOUSE_MM * sample[1],
-            MOUSE_MM * sample[2],
-        ]);
-        let z_mm = body.pose.z_mm + higher;
+        let [swing, longer, higher] = self.history.mouse_average(sample);
+        let z_mm = body.pose.z_mm + MOUSE_MM * higher;
         let pose = Pose {
-            x_mm: reach(body.pose) + longer,
+            x_mm: reach(body.pose) + MOUSE_MM * longer,
             y_mm: 0.0,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
             rotation_deg: 0.0,
         };
         let arms = solve(pose, body)?;
         Ok(Joints {
-            base_deg: body.joints.base_deg - swing,
+            base_deg: body.joints.base_deg - MOUSE_DEG * swing,
             ..arms
         })
     }
@@ -164,7 +154,7 @@ impl Follow {
         settings: &Settings,
         body: &Body,
     ) -> Result<(Joints, f32), Outcome> {
-        let [x, y, z] = self.hand.hand_average(sample);
+        let [x, y, z] = self.history.hand_average(sample);
         let (x_mm, y_mm) = (230.0 + 0.5 * x, y);
         let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
         let [dx, dy, dz] = [

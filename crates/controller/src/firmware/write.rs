@@ -8,6 +8,7 @@ use super::body::{Body, PERIOD_S};
 use super::line::moved;
 use super::settings::Settings;
 use super::{Outcome, Progress};
+use crate::Hang;
 
 /// The vector that is being written, and the speed that the last one left.
 #[derive(Debug, Default)]
@@ -104,7 +105,8 @@ impl Write {
             self.speed -= self.speed_change;
             self.step = self.speed * PERIOD_S;
         }
-        let is_last = self.counts.iter().all(|&left| left <= 0);
+        // A sum below zero never comes to zero: such a vector creeps on for ever.
+        let left = self.counts.into_iter().fold(0, i16::wrapping_add);
         for (travelled, part) in self.travelled.iter_mut().zip(self.vector) {
             *travelled += part * self.step / self.length;
         }
@@ -112,11 +114,11 @@ impl Write {
         if Progress::of(body.advance_to(to)) == Progress::CutShort {
             return Outcome::over(false);
         }
-        if is_last {
+        if left == 0 {
             self.stored_speed = self.end_speed;
             return Outcome::OVER;
         }
-        Outcome::GOES_ON
+        Outcome::hangs_if(left < 0, Hang::NeverArrives)
     }
 }
 

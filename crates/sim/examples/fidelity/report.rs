@@ -248,6 +248,18 @@ const SHOWN: [(&str, &str); 47] = [
         "pump and gripper values that are neither 0 nor 1",
     ),
     (
+        "p44_write_below_zero",
+        "trap: a vector behind a speed below zero creeps on for ever",
+    ),
+    (
+        "p46_mouse_servo",
+        "mouse with a servo angle beyond 90 degrees",
+    ),
+    (
+        "p47_shared_history",
+        "gestures behind mouse packets, which they count",
+    ),
+    (
         "x1_movl_zero_nan",
         "trap: a line to where the arm stands loses the pose",
     ),

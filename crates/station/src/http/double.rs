@@ -106,6 +106,7 @@ fn granted(client: ClientId, request: &Request) -> Reply {
             lease: Some(LeaseView {
                 client,
                 name: "test".into(),
+                is_program: false,
                 since_s: 3.0,
                 asked_by: Vec::new(),
             }),

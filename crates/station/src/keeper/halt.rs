@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_wire::{Command, JointJog, JointJogAxis};
+use dobot_course::LASER_OFF;
+use dobot_wire::Command;
 
 use super::Keeper;
 use crate::words::News;
@@ -16,6 +17,8 @@ pub(super) struct Halt {
     rounds: u32,
     /// A status came since the last packet: the arm has room for another.
     heard: bool,
+    /// What lets go of the button that was held.
+    release: Command,
 }
 
 impl Halt {
@@ -31,8 +34,7 @@ impl Keeper {
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.now = self.now.max(now);
         let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
-        self.laser.forget();
-        self.part_from_laser();
+        self.send_urgent(LASER_OFF);
         self.at_once = true;
         self.let_go();
         self.tell(
@@ -51,25 +53,31 @@ impl Keeper {
         }
         // What was urgent before is said again in its turn.
         self.urgent.clear();
-        self.laser.forget();
-        self.part_from_laser();
+        self.send_urgent(LASER_OFF);
         self.at_once = true;
+        let release = match (&self.held, self.halt) {
+            (Some(held), _) => held.release(),
+            (None, Some(halt)) => halt.release,
+            (None, None) => self.session.release(),
+        };
         self.halt = Some(Halt {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
             heard: true,
+            release,
         });
     }
 
     /// Lets go of the button that is held.
-    pub(super) fn release_now(&mut self) {
-        self.send_urgent(self.session.release());
+    pub(super) fn release_now(&mut self, release: Command) {
+        self.send_urgent(release);
         self.halt = Some(Halt {
             next: self.now + AGAIN,
             laser_is_next: false,
             rounds: 1,
             heard: false,
+            release,
         });
     }
 
@@ -95,7 +103,7 @@ impl Keeper {
             self.send_urgent(LASER_OFF);
         } else {
             // A button of the joints and one of the axes are released each in its own way.
-            self.send_urgent(self.session.release());
+            self.send_urgent(halt.release);
         }
         let again = if halt.laser_is_next { GAP } else { AGAIN };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
@@ -103,6 +111,7 @@ impl Keeper {
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
             heard: false,
+            ..halt
         });
     }
 
@@ -115,11 +124,6 @@ impl Keeper {
         self.halt = self.halt.filter(|it| !rests || it.rounds < 2);
     }
 }
-
-pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
 const GAP: Duration = Duration::from_millis(60);

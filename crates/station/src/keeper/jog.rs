@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_client::SendError;
-use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
 use super::{Keeper, seconds};
 use crate::words::{ClientId, Jog, News, Refusal, Reply};
@@ -17,11 +17,19 @@ pub(super) struct Held {
     said: Duration,
     /// How long its client may be silent.
     patience: Duration,
+    /// When a status showed last where the arm is.
+    seen: Duration,
 }
 
 impl Held {
+    /// What lets go of it.
+    pub(super) fn release(&self) -> Command {
+        release_of(self.jog)
+    }
+
+    /// When it is let go of: its client or the arm has fallen silent.
     pub(super) fn falls_silent(&self) -> Duration {
-        self.said + self.patience
+        (self.said + self.patience).min(self.seen + BLIND)
     }
 }
 
@@ -50,9 +58,7 @@ impl Keeper {
             return Ok(Reply::Done);
         }
         if self.held.is_none() && self.session.is_moving() {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
+            return Err(self.still_moving());
         }
         self.check_way(&jog.command())?;
         self.session.send(jog.command())?;
@@ -62,15 +68,16 @@ impl Keeper {
             jog,
             said: self.now,
             patience: seconds(patience_s),
+            seen: self.now,
         });
         Ok(Reply::Done)
     }
 
     /// Lets go of the button, if one is held.
     pub(super) fn let_go(&mut self) {
-        if self.held.take().is_some() {
+        if let Some(held) = self.held.take() {
             self.drop_waiting("the button was released");
-            self.release_now();
+            self.release_now(held.release());
         }
     }
 
@@ -78,11 +85,14 @@ impl Keeper {
         if let Some(held) = &self.held
             && held.falls_silent() <= self.now
         {
-            let text = format!(
-                "{} fell silent for {:.0} ms: its button was released",
-                self.name(held.client),
-                held.patience.as_secs_f64() * 1e3,
-            );
+            let silent = held.said + held.patience <= self.now;
+            let (who, silence) = if silent {
+                (self.name(held.client), held.patience)
+            } else {
+                ("the arm".into(), BLIND)
+            };
+            let silent_ms = silence.as_secs_f64() * 1e3;
+            let text = format!("{who} fell silent for {silent_ms:.0} ms: the button was released");
             self.let_go();
             self.tell(News::DeadMan, text);
         }
@@ -90,10 +100,11 @@ impl Keeper {
 
     /// With each status: where the arm would come to before it could be stopped has to be allowed.
     pub(super) fn watch_jog(&mut self) {
-        let (Some(held), Some(model)) = (&self.held, self.session.seen_model()) else {
+        let (Some(held), Some(model)) = (&mut self.held, self.session.seen_model()) else {
             return;
         };
-        let within_s = held.patience.as_secs_f64().min(REACTION_S) + LINE_S;
+        held.seen = self.now;
+        let within_s = held.patience.min(BLIND).as_secs_f64() + LINE_S;
         if let Err(violation) = self.policy.check_jog(&model, &held.jog.command(), within_s) {
             let client = held.client;
             self.let_go();
@@ -131,6 +142,21 @@ impl Keeper {
     }
 }
 
+/// What lets go of a button: a release of its own kind (note N44).
+fn release_of(jog: Jog) -> Command {
+    let speed_percent = 0.0;
+    match jog {
+        Jog::Joint(_) => Command::from(JointJog {
+            axis: JointJogAxis::Released,
+            speed_percent,
+        }),
+        Jog::Linear(_) => Command::from(LinearJog {
+            axis: LinearJogAxis::Released,
+            speed_percent,
+        }),
+    }
+}
+
 const fn released(jog: Jog) -> bool {
     match jog {
         Jog::Joint(it) => matches!(it.axis, JointJogAxis::Released),
@@ -146,7 +172,7 @@ fn moves(jog: Jog) -> bool {
     }
 }
 
-/// From one status to the next, by when this is looked at again.
-const REACTION_S: f64 = 0.08;
+/// The longest from one status to the next, by when this is looked at again: one may get lost.
+const BLIND: Duration = Duration::from_millis(200);
 /// A status and a packet on the line, and a bit.
 const LINE_S: f64 = 0.12;

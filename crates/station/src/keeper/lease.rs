@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{Keeper, Known};
-use crate::words::{Asking, ClientId, LeaseView, News, Refusal, Reply, Role};
+use crate::words::{Asking, ClientId, Holder, LeaseView, News, Refusal, Reply, Role};
 
 /// Who has control.
 #[derive(Clone, Debug)]
@@ -25,6 +25,7 @@ impl Keeper {
             Known {
                 name: name.collect(),
                 role,
+                is_program: false,
             },
         );
         self.changed = true;
@@ -53,17 +54,51 @@ impl Keeper {
         if self.has_lease(client) {
             return Ok(());
         }
-        let holder = self.lease.as_ref().map(|it| self.name(it.client));
+        let holder = self.lease.as_ref().map(|it| Holder {
+            name: self.name(it.client),
+            is_program: self.is_program(it.client),
+        });
         Err(Refusal::NoLease { holder })
     }
 
     pub(super) fn take_lease(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        if self.holder_cannot_answer() && self.is_admin(client) && !self.is_program(client) {
+            let why = format!(
+                "{} took it from a program on the raw port",
+                self.name(client)
+            );
+            self.end_lease(&why);
+        }
         if self.lease.is_some() {
             self.check_lease(client)?;
         } else {
             self.give_lease(client);
         }
         Ok(self.lease_reply())
+    }
+
+    /// Whether a raw program has control: nobody can ask it for that.
+    fn holder_cannot_answer(&self) -> bool {
+        let lease = self.lease.as_ref();
+        lease.is_some_and(|it| self.is_program(it.client))
+    }
+
+    pub(super) fn is_program(&self, client: ClientId) -> bool {
+        self.clients.get(&client).is_some_and(|it| it.is_program)
+    }
+
+    fn is_admin(&self, client: ClientId) -> bool {
+        let known = self.clients.get(&client);
+        known.is_some_and(|it| it.role == Role::Admin)
+    }
+
+    /// Whether a client may arm the laser: one that has control, or an administrator for a raw program
+    /// that has it, whose protocol has no words for that.
+    pub(super) fn check_arms_laser(&self, client: ClientId) -> Result<(), Refusal> {
+        if self.holder_cannot_answer() && self.is_admin(client) {
+            return Ok(());
+        }
+        self.check_lease(client)
     }
 
     pub(super) fn release_lease(&mut self, client: ClientId) -> Result<Reply, Refusal> {
@@ -110,6 +145,7 @@ impl Keeper {
         self.lease.as_ref().map(|it| LeaseView {
             client: it.client,
             name: self.name(it.client),
+            is_program: self.is_program(it.client),
             since_s: it.since.as_secs_f64(),
             asked_by: it
                 .asked_by

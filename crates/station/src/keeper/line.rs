@@ -7,18 +7,21 @@ use dobot_wire::Packet;
 use super::Keeper;
 
 impl Keeper {
-    /// The packet to send now, if there is one. What is urgent goes first; but nothing goes while
-    /// the packet before is still on the line, for a stock arm may lose both. Only the first packet
-    /// of a stop does not wait: it is said again anyway.
+    /// The packet to send now, if there is one. What is urgent goes before all that waits, but behind
+    /// a command that counts as sent already: what the arm averages depends on the order (note N49).
+    /// Nothing goes while the packet before is still on the line, for a stock arm may lose both. Only
+    /// the first packet of a stop waits for neither: it is said again anyway.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        if self.now < self.line_free && !std::mem::take(&mut self.at_once) {
+        let at_once = std::mem::take(&mut self.at_once);
+        if self.now < self.line_free && !at_once {
             return None;
         }
-        let packet = self
-            .urgent
-            .pop_front()
-            .or_else(|| self.session.poll_bytes())?;
-        self.at_once = false;
+        let packet = if at_once || !self.session.has_bytes() {
+            let urgent = self.urgent.pop_front();
+            urgent.or_else(|| self.session.poll_bytes())?
+        } else {
+            self.session.poll_bytes()?
+        };
         self.line_free = self.now.max(self.line_free) + PACKET_AND_GAP;
         Some(packet)
     }

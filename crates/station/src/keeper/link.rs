@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_client::Event;
+use dobot_client::{CommandId, Event};
+use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
 use super::Keeper;
@@ -54,6 +55,7 @@ impl Keeper {
         self.changed = true;
         if lost {
             self.lose_link();
+            self.disarm_laser("the link to the arm was lost");
         }
     }
 
@@ -85,8 +87,16 @@ impl Keeper {
                 Event::NotReached { command, .. } => {
                     self.command_over(command, Some(failure(event)));
                 }
+                Event::Pausing {
+                    command,
+                    lasts,
+                    by_default,
+                } => self.tell_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+                Event::NotSent(id) => self.laser_not_lit(id),
+                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
+                Event::LaserOff => self.laser_switched_off(),
                 _ => {}
             }
         }
@@ -102,8 +112,7 @@ impl Keeper {
             // Whatever was before: a crash, another program, a cable that was out.
             self.link.greeted = true;
             // What was said last may have got lost with the link.
-            self.laser.forget();
-            self.part_from_laser();
+            self.send_urgent(LASER_OFF);
         }
         self.statuses.push_back(status);
         self.still = if self.last == Some(status) {
@@ -117,6 +126,20 @@ impl Keeper {
         self.watch_stop();
         self.watch_run();
         self.watch_detection(&status);
+    }
+
+    /// An arm that stands still without a word looks dead.
+    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
+        let (command, lasts_s) = (command.0, lasts.as_secs_f64());
+        let whose = if by_default {
+            "its default pause (state 9, mode 1)".to_owned()
+        } else {
+            format!("the pause of command {command}")
+        };
+        self.tell(
+            News::Pausing { command, lasts_s },
+            format!("the arm waits {lasts_s} s here: {whose}"),
+        );
     }
 
     fn fall_silent(&mut self, event: Event) {
@@ -136,13 +159,12 @@ impl Keeper {
         self.part_from_laser();
         self.held = None;
         self.drop_waiting("the link to the arm was lost");
-        self.interrupt_run("the link to the arm was lost");
+        let text = match &self.link.problem {
+            Some(problem) => format!("the link to the arm was lost: {problem}"),
+            None => "the link to the arm was lost".to_owned(),
+        };
+        self.interrupt_run(&text);
         self.end_detection("the link to the arm was lost");
-        let text = self
-            .link
-            .problem
-            .clone()
-            .unwrap_or_else(|| "the link to the arm was lost".into());
         self.tell(News::LinkLost, text);
     }
 

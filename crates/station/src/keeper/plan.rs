@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
-use dobot_course::{Model, Place};
+use dobot_course::{Model, Place, burns};
 use dobot_journal::HeightChange;
-use dobot_safety::{Policy, burns};
+use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 use self::height::Height;

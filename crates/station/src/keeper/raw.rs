@@ -29,6 +29,9 @@ impl Keeper {
     }
 
     fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        if let Some(known) = self.clients.get_mut(&client) {
+            known.is_program = true;
+        }
         if self.lease.is_none() {
             self.give_lease(client);
         }

@@ -2,7 +2,11 @@
 
 use std::time::Duration;
 
-use dobot_wire::{Command, Dialect};
+use dobot_arm::Pose;
+use dobot_client::SendError;
+use dobot_course::{CourseError, Model};
+use dobot_safety::Violation;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
 
 use super::Keeper;
 use crate::words::{ClientId, LinkPhase, News, Refusal, Reply, Request};
@@ -97,6 +101,9 @@ impl Keeper {
             return self.jog(client, jog, self.policy.jog.dead_man_s);
         }
         self.check_may_move(client)?;
+        // Whoever sends another command does not hold his button any more.
+        self.let_go();
+        let command = &self.understood(command)?;
         let waiting = self.session.waiting();
         if waiting >= MOST_WAITING {
             return Err(Refusal::TooMany {
@@ -104,10 +111,9 @@ impl Keeper {
                 most: MOST_WAITING,
             });
         }
-        self.check_laser(command)?;
+        self.check_place(command)?;
         self.check_way(command)?;
         let id = self.session.send(*command)?;
-        self.note_laser(command);
         self.halt = None;
         self.pending.insert(id, client);
         Ok(Reply::Accepted {
@@ -116,8 +122,55 @@ impl Keeper {
         })
     }
 
+    /// A command as this arm understands it: what is said to one that does not hear voice is carried
+    /// out as the motion or the button that the words mean (note N50).
+    fn understood(&self, command: &Command) -> Result<Command, Refusal> {
+        let Command::Voice(voice) = command else {
+            return Ok(*command);
+        };
+        let Some(dialect) = self.session.dialect() else {
+            let field = "voice";
+            return Err(Refusal::Send(SendError::Undecided { field }));
+        };
+        if dialect.hears_voice {
+            // From the first byte of a text on, a motion under way would rest and lose its place.
+            return self.check_rest().map(|()| *command);
+        }
+        let (Some(order), Some(model)) = (VoiceOrder::parse(voice), self.session.model()) else {
+            let error = CourseError::NotUnderstood;
+            return Err(Refusal::Policy(Box::new(Violation::of_course(&error))));
+        };
+        Ok(spoken(order, model))
+    }
+
+    /// Whether the arm rests.
+    fn check_rest(&self) -> Result<(), Refusal> {
+        if !self.is_at_rest() || self.session.is_moving() || self.session.waiting() > 0 {
+            return Err(self.still_moving());
+        }
+        Ok(())
+    }
+
+    /// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
+    /// elsewhere, until the arm was seen at rest.
+    fn check_place(&self, command: &Command) -> Result<(), Refusal> {
+        match self.session.model() {
+            Some(model) if !model.knows_place() && leads_somewhere(command) => {
+                Err(self.still_moving())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn still_moving(&self) -> Refusal {
+        Refusal::StillMoving {
+            within_s: self.rests_within().as_secs_f64(),
+        }
+    }
+
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_link()?;
+        // Nothing moves until it is confirmed, so nobody has to have control for that.
         if !self.session.is_trusted() {
             self.session.confirm_pose();
             let text = format!("{} confirmed where the arm stands", self.name(client));
@@ -160,6 +213,52 @@ fn held_button(command: &Command) -> Option<crate::words::Jog> {
         Command::JointJog(it) if it.axis.moves() => Some(Jog::Joint(*it)),
         Command::LinearJog(it) if it.axis.moves() => Some(Jog::Linear(*it)),
         _ => None,
+    }
+}
+
+/// Whether the way of a command begins where the arm is.
+const fn leads_somewhere(command: &Command) -> bool {
+    match command {
+        Command::WriteVector(it) => !it.stop,
+        Command::MoveTo(_)
+        | Command::MoveJoints(_)
+        | Command::MouseMove(_)
+        | Command::Gesture(_)
+        | Command::Voice(_) => true,
+        _ => false,
+    }
+}
+
+/// What an order means, as a command that every arm hears: a straight line at the speed that is set
+/// for lines, with pump and gripper as they are, or the pump's button.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a packet carries single precision"
+)]
+fn spoken(order: VoiceOrder, model: &Model) -> Command {
+    let button = |axis| {
+        Command::from(JointJog {
+            axis,
+            speed_percent: 0.0,
+        })
+    };
+    match order {
+        VoiceOrder::Catch => button(JointJogAxis::SuctionOn),
+        VoiceOrder::Release => button(JointJogAxis::SuctionOff),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
+            let Pose { position, rotation } = model.place.pose;
+            MoveTo {
+                x_mm: position.x.0 as f32 + x_mm,
+                y_mm: position.y.0 as f32 + y_mm,
+                z_mm: position.z.0 as f32 + z_mm,
+                rotation_deg: rotation.0 as f32,
+                suction: model.suction,
+                mode: MovingMode::MovL,
+                gripper_deg: model.gripper_deg as f32,
+                pause_s: 0.0,
+            }
+            .into()
+        }
     }
 }
 

@@ -17,6 +17,10 @@ pub struct LeaseView {
     pub client: ClientId,
     /// What the holder calls itself.
     pub name: String,
+    /// Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
+    /// control from it.
+    #[serde(default)]
+    pub is_program: bool,
     /// Since when, in seconds since the station started.
     pub since_s: f64,
     /// Who asks for control.

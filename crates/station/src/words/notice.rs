@@ -47,6 +47,13 @@ pub enum News {
         /// Its number.
         command: u64,
     },
+    /// The arm stands where a command leads, and pauses there for five seconds or longer.
+    Pausing {
+        /// The number of the command.
+        command: u64,
+        /// How long, in seconds.
+        lasts_s: f64,
+    },
     /// Something that a client asked for was refused.
     Refused {
         /// Who asked.
@@ -76,6 +83,8 @@ pub enum News {
     LaserArmed,
     /// The laser was switched off and stays so.
     LaserDisarmed,
+    /// The laser was switched off, because it would have burned on the spot, or did; it stays armed.
+    LaserOff,
     /// A held button was let go because its client fell silent.
     DeadMan,
     /// A job changed.

@@ -18,10 +18,10 @@ pub enum Refusal {
         found: Role,
     },
     /// The client does not have control.
-    #[error("{}", match holder { Some(name) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
+    #[error("{}", match holder { Some(Holder { name, .. }) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
     NoLease {
         /// Who has it.
-        holder: Option<String>,
+        holder: Option<Holder>,
     },
     /// Nobody of that number asked for control.
     #[error("client {0} does not ask for control")]
@@ -120,6 +120,15 @@ pub enum Refusal {
     Ending,
 }
 
+/// Who has control.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Holder {
+    /// What it calls itself.
+    pub name: String,
+    /// Whether it is a program on the raw port, which cannot be asked.
+    pub is_program: bool,
+}
+
 impl Refusal {
     /// The kind of refusal: the last part of the problem type's address.
     #[must_use]
@@ -157,6 +166,9 @@ impl Refusal {
         Some(match self {
             Self::Role { needed, .. } => format!("use a token with the role {needed}"),
             Self::NoLease { holder: None } => "take the lease".into(),
+            Self::NoLease {
+                holder: Some(Holder { is_program: true, .. }),
+            } => "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`".into(),
             Self::NoLease { .. } => "ask the holder for the lease: `dobot lease ask`".into(),
             Self::Stopped { .. } => {
                 "look at the arm; when it may move again, `dobot stop --reset`".into()
@@ -190,7 +202,10 @@ impl Refusal {
 
 impl From<SendError> for Refusal {
     fn from(error: SendError) -> Self {
-        Self::Send(error)
+        match error {
+            SendError::LaserDisarmed => Self::LaserDisarmed,
+            error => Self::Send(error),
+        }
     }
 }
 

@@ -32,7 +32,8 @@ pub enum Request {
     },
     /// Let the arm move again after a stop: a person has looked at it.
     ResetStop,
-    /// Take control, if nobody has it; said again it renews the lease.
+    /// Take control, if nobody has it; said again it renews the lease. From a program on the raw port,
+    /// which cannot be asked, an administrator takes it so too.
     TakeLease,
     /// Give control back.
     ReleaseLease,
@@ -45,7 +46,8 @@ pub enum Request {
     },
     /// Take control from whoever has it.
     SeizeLease,
-    /// Let the laser be switched on for a while: a person has put the goggles on.
+    /// Let the laser be switched on for a while: a person has put the goggles on. For a program on the raw
+    /// port that has control an administrator says so.
     ArmLaser {
         /// For how long, in seconds.
         #[schemars(range(min = 1.0, max = 3600.0))]
@@ -53,7 +55,7 @@ pub enum Request {
     },
     /// Switch the laser off and keep it off.
     DisarmLaser,
-    /// The arm stands where its statuses say: a person has looked.
+    /// The arm stands where its statuses say: a person has looked. This takes no lease.
     ConfirmPose,
     /// Say which dialect the arm speaks.
     SetDialect {

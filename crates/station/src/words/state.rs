@@ -116,6 +116,7 @@ pub struct StopView {
 pub struct LaserView {
     /// For how long it may still be switched on, in seconds; 0 when it is disarmed.
     pub armed_for_s: f64,
-    /// Whether the arm has been told to burn, as far as the station knows.
+    /// Whether the laser of the arm may be on, as its dialect has it: from when it was sent what burns
+    /// until that is over, or what switches the laser off had time to act.
     pub on: bool,
 }

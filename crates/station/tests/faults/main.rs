@@ -3,7 +3,7 @@
 #[path = "../../examples/reliability/cases/mod.rs"]
 mod cases;
 
-use cases::{cables, clients, disks, floods, guardians, kills, lines, stops};
+use cases::{cables, clients, disks, floods, guardians, kills, lines, stands, stops};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -91,5 +91,14 @@ fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
     for it in stops::run(30) {
         right(&it.wrong);
         assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
+    }
+}
+
+#[test]
+fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
+    for it in stands::run(12) {
+        right(&it.wrong);
+        assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
+        assert!(it.stood_s.most() <= stands::MOST_S, "{}", it.stood_s);
     }
 }

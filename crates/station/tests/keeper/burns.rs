@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_controller::Personality;
 use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
-use dobot_station::{ClientId, JobKind, NewJob, Rehearsal, Request};
+use dobot_station::{ClientId, JobKind, NewJob, News, Rehearsal, Request};
 
 use crate::drawing::rehearsal;
 use crate::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
@@ -99,6 +99,9 @@ fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
         let (mut it, _, job) = armed(personality);
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
+        // Nothing came between two of its vectors that switches the laser off.
+        let off = it.notices().iter().any(|it| it.news == News::LaserOff);
+        assert!(!off, "{personality}");
     }
 }
 

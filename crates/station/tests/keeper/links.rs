@@ -5,10 +5,10 @@ use std::time::Duration;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};
-use dobot_station::{LinkPhase, Rehearsal, Request};
+use dobot_station::{ClientId, JobPhase, LinkPhase, News, Refusal, Rehearsal, Request};
 use proptest::prelude::*;
 
-use crate::drawing::{drawn_mm, rehearsal, spiral, wanted_mm};
+use crate::drawing::{burnt_spiral, drawn_mm, rehearsal, spiral, wanted_mm};
 
 fn paused(it: &Rehearsal, job: u64) -> bool {
     it.job(job).unwrap().state.to_string().starts_with("paused")
@@ -105,4 +105,61 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
         "{found_mm} mm, wanted {wanted_mm} mm"
     );
     assert!(it.keeper().state().link.damaged_bytes > 0);
+}
+
+/// A job that burns when something happens to the arm, and what became of it.
+fn burning_until(fault: &str) -> (Rehearsal, ClientId, u64) {
+    let mut it = faulty(fault);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(20)).unwrap();
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+    (it, anna, job)
+}
+
+fn assert_armed_anew(it: &mut Rehearsal, anna: ClientId, job: u64, what: &str) {
+    assert_eq!(it.keeper().state().laser.armed_for_s, 0.0, "{what}");
+    let disarmed = |it: &&dobot_station::Notice| it.news == News::LaserDisarmed;
+    assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
+    let latest = it.now() + Duration::from_secs(20);
+    let up = |it: &Rehearsal| it.keeper().state().link.phase == LinkPhase::Up && paused(it, job);
+    assert!(it.run_until(latest, up), "{what}");
+    it.run_for(Duration::from_secs(3));
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    assert_eq!(it.start(anna, job), Err(Refusal::LaserDisarmed), "{what}");
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+}
+
+#[test]
+fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_again() {
+    for fault in [
+        "reset@8s",
+        "power@8s..11s",
+        "withhold@8s..11s",
+        "close@8s..10s",
+    ] {
+        let (mut it, anna, job) = burning_until(fault);
+        let disarmed = |it: &Rehearsal| it.keeper().state().laser.armed_for_s == 0.0;
+        let latest = it.now() + Duration::from_secs(14);
+        assert!(it.run_until(latest, disarmed), "{fault}");
+        assert!(
+            !it.keeper()
+                .job()
+                .is_some_and(|it| it.phase == JobPhase::Running)
+        );
+        assert_armed_anew(&mut it, anna, job, fault);
+    }
+}
+
+#[test]
+fn a_cable_that_is_pulled_disarms_the_laser() {
+    let (mut it, anna, job) = burning_until("backlash=base:0");
+    it.run_for(Duration::from_secs(7));
+    it.unplug();
+    assert_eq!(it.keeper().state().laser.armed_for_s, 0.0);
+    it.run_for(Duration::from_millis(300));
+    it.plug();
+    assert_armed_anew(&mut it, anna, job, "cable");
 }

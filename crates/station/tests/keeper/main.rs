@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod arrivals;
 mod burns;
 mod commands;
 mod crashes;
@@ -15,5 +16,8 @@ mod links;
 mod pauses;
 mod people;
 mod stalls;
+mod stands;
 mod stops;
 mod strokes;
+mod traps;
+mod voices;

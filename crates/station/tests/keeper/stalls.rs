@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_controller::Personality;
 use dobot_station::{JobPhase, Jog, Rehearsal, Request};
-use dobot_wire::{Command, JointJog, JointJogAxis, Packet};
+use dobot_wire::{Command, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use crate::burns::armed;
 use crate::drawing::rehearsal;
@@ -30,8 +30,8 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
-        let jog = Jog::Joint(JointJog {
-            axis: JointJogAxis::BasePlus,
+        let jog = Jog::Linear(LinearJog {
+            axis: LinearJogAxis::YPlus,
             speed_percent: 30.0,
         });
         for _ in 0..8 {
@@ -43,8 +43,7 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         it.run_for(Duration::from_secs(3));
         let said = sent(&it, before, personality);
         assert!(is_laser_off(&said[0]), "{personality}: {said:?}");
-        let release =
-            |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+        let release = |it: &Command| matches!(it, Command::LinearJog(it) if it.axis == LinearJogAxis::Released);
         assert!(said.iter().any(release), "{personality}: {said:?}");
         assert!(
             said.iter().all(|it| release(it) || is_laser_off(it)),

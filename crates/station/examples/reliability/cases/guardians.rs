@@ -229,7 +229,7 @@ fn begin(scene: &mut Scene, doing: Doing, chance: &mut Chance) -> Result<(), Wro
 
 /// Holds a button where there is room for that.
 fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
-    let command = target([215.0, 0.0, 30.0]).into();
+    let command = target([225.0, 0.0, 30.0]).into();
     scene.it.ask(scene.anna, Request::Command { command })?;
     let latest = scene.it.now() + Duration::from_secs(20);
     scene.it.run_for(Duration::from_millis(500));

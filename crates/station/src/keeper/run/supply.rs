@@ -101,10 +101,8 @@ impl Keeper {
     }
 
     fn give(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.check_laser(command)?;
         self.check_way(command)?;
         let id = self.session.send(*command)?;
-        self.note_laser(command);
         let run = self.run.as_mut().expect("the command is of the run");
         let (index, left) = (run.next, run.after(run.left(), command));
         run.given.push_back(Given { id, index, left });

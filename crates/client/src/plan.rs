@@ -1,0 +1,112 @@
+//! The one prediction of where a command leads.
+
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_course::{Course, CourseError, Model};
+use dobot_wire::{Command, Status};
+
+/// Where a command leads from what was believed when it was given: told once, and kept with it.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan {
+    pub(crate) course: Result<Course, CourseError>,
+    /// What is to be believed when it is over.
+    pub(crate) after: Model,
+    /// Where it should end, in reach or not; `None` where nobody can tell.
+    pub(crate) aim: Option<Position>,
+    /// How long the arm waits behind it.
+    pub(crate) pause: Duration,
+}
+
+impl Plan {
+    pub(crate) fn new(model: &Model, command: &Command) -> Box<Self> {
+        let course = model.course(command);
+        let after = if let Ok(course) = &course {
+            model.after(command, course)
+        } else {
+            // It is refused, skipped or cut short: where the arm is then is seen when it rests.
+            let mut after = model.begun(command);
+            after.lose_place();
+            after
+        };
+        let aim = match &course {
+            Ok(course) => course.end().map(|it| it.pose.position),
+            Err(_) => model.aim(command),
+        };
+        Box::new(Self {
+            course,
+            after,
+            aim,
+            pause: seconds(model.pause_s(command)),
+        })
+    }
+
+    /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
+    pub(crate) fn motion(&self) -> Duration {
+        match &self.course {
+            Ok(course) => course.motion_s().map_or(Duration::ZERO, seconds),
+            Err(_) => UNFORESEEN,
+        }
+    }
+
+    /// Whether nothing moves by it, and it is over at once.
+    pub(crate) fn is_still(&self) -> bool {
+        self.course.is_ok_and(|it| it.duration_s() == Some(0.0))
+    }
+
+    /// Whether it goes on until told otherwise.
+    pub(crate) fn is_endless(&self) -> bool {
+        self.course.is_ok_and(|it| it.motion_s().is_none())
+    }
+
+    /// Whether it is a straight line of no length, by which the arm would lose its pose.
+    pub(crate) fn is_on_the_spot(&self) -> bool {
+        self.course == Err(CourseError::OnTheSpot)
+    }
+
+    /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
+    pub(crate) fn leaves_limits(&self) -> bool {
+        let way = self.course.and_then(|it| it.check());
+        matches!(way, Err(CourseError::Unreachable(_)))
+    }
+
+    /// Whether an arm with this status stands where it ends.
+    pub(crate) fn is_near(&self, status: &Status) -> bool {
+        self.aim
+            .is_some_and(|aim| aim.distance(position(status)).0 <= ARRIVED_MM)
+    }
+
+    /// The same, with the tool turned as it should be then.
+    pub(crate) fn ends_at(&self, status: &Status) -> bool {
+        let end = self.course.ok().and_then(|it| it.end());
+        let turned =
+            |rotation_deg: f64| (rotation_deg - f64::from(status.rotation_deg)).abs() <= TURNED_DEG;
+        self.is_near(status) && end.is_none_or(|it| turned(it.pose.rotation.0))
+    }
+
+    /// Whether a status looks as after it, in all that a status tells and that is foreseen.
+    pub(crate) fn shows(&self, status: &Status) -> bool {
+        let gripper_deg = f64::from(status.gripper_deg);
+        self.after.suction == status.suction
+            && (self.after.gripper_deg - gripper_deg).abs() <= TURNED_DEG
+            && (self.aim.is_none() || self.ends_at(status))
+    }
+}
+
+/// Where the tool is by a status.
+#[must_use]
+pub fn position(status: &Status) -> Position {
+    Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
+}
+
+pub(crate) fn seconds(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or(FOR_EVER)
+}
+
+/// As near as this counts as arrived: a status agrees with the target to 0.01 mm on a stock arm.
+pub(crate) const ARRIVED_MM: f64 = 0.05;
+const TURNED_DEG: f64 = 0.05;
+/// By then a command is over whose way cannot be foreseen: 700 mm at a quarter of the stock speed.
+const UNFORESEEN: Duration = Duration::from_mins(1);
+/// Many of them added up still are a duration.
+const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);
