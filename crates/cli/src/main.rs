@@ -11,6 +11,8 @@ mod detect;
 mod draw;
 mod failure;
 mod follow;
+#[cfg(unix)]
+mod guardian;
 mod interrupt;
 mod jobs;
 mod jog;
@@ -23,6 +25,8 @@ mod policy;
 mod ports;
 mod reach;
 mod replay;
+#[cfg(unix)]
+mod service;
 mod set;
 mod simulate;
 mod status;
@@ -72,8 +76,13 @@ enum Verb {
     Confirm(confirm::Args),
     Detect(detect::Args),
     Token(token::Args),
+    #[cfg(unix)]
+    Service(service::Args),
     Completions(completions::Args),
     Man(man::Args),
+    #[cfg(unix)]
+    #[command(hide = true)]
+    Guardian(guardian::Args),
 }
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
@@ -110,8 +119,12 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Confirm(args) => wait_for(confirm::run(args)),
         Verb::Detect(args) => wait_for(detect::run(args)),
         Verb::Token(args) => token::run(args),
+        #[cfg(unix)]
+        Verb::Service(args) => service::run(args),
         Verb::Completions(args) => completions::run(&args),
         Verb::Man(args) => man::run(&args),
+        #[cfg(unix)]
+        Verb::Guardian(args) => guardian::run(&args),
     }
 }
 
@@ -119,6 +132,12 @@ fn run(cli: Cli) -> Result<(), Failure> {
 fn default_verb() -> Verb {
     let cli = Cli::parse_from(["dobot", "up"]);
     cli.verb.expect("it is given")
+}
+
+/// Whether a command line would be understood.
+#[cfg(unix)]
+fn check(words: impl IntoIterator<Item = String>) -> Result<(), clap::Error> {
+    Cli::try_parse_from(words).map(drop)
 }
 
 /// Runs a verb that waits for ports and for time.

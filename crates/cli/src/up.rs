@@ -6,14 +6,15 @@ use std::io::{ErrorKind, IsTerminal};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_client::Address;
 use dobot_controller::Personality;
 use dobot_sim::Speed;
 use dobot_station::{
-    Config, DEFAULT_HTTP, DEFAULT_RAW, News, Notice, RawPortError, Remote, Role, ServeError,
-    StartError, Station, TlsFiles,
+    Approach, Config, DEFAULT_HTTP, DEFAULT_RAW, Folders, News, Notice, RawPortError, Remote, Role,
+    ServeError, Sign, StartError, Station, Supervisor, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -90,28 +91,44 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
     let config = args.config()?;
-    check_alone(&config).await?;
     let data = config.folders.data().display().to_string();
-    if config.arm.is_none() {
-        eprintln!("looking for an arm");
-    }
     let station = tokio::select! {
-        station = Station::start(config) => station.map_err(no_start)?,
+        station = start(config) => station?,
         () = &mut interrupt => return Ok(()),
     };
     let notices = station.handle().notices();
     let welcome = welcome(&station, args.personality, data);
     output::line(&welcome.text(std::io::stdout().is_terminal()))?;
+    let supervisor = Supervisor::of_environment();
+    supervisor.tell(Sign::Ready);
     tokio::select! {
         () = tell(notices) => {}
         () = &mut interrupt => {}
     }
+    supervisor.tell(Sign::Stopping);
     eprintln!("ending: the laser goes off, and the arm comes to rest");
     tokio::select! {
-        () = station.end() => {}
-        () = crate::interrupt::interrupt() => {}
+        ended = station.end() => Ok(ended?),
+        () = crate::interrupt::interrupt() => Ok(()),
     }
-    Ok(())
+}
+
+/// Starts the station, if there is no other one. A station that lives answers at once; the arm waits
+/// no longer than that for its laser to be switched off.
+async fn start(config: Config) -> Result<Station, Failure> {
+    let folders = config.folders.clone();
+    let mut alone = std::pin::pin!(check_alone(&folders));
+    let known = tokio::time::timeout(AT_ONCE, &mut alone).await;
+    let is_known = known.is_ok();
+    known.unwrap_or(Ok(()))?;
+    if config.arm.is_none() {
+        eprintln!("looking for an arm");
+    }
+    let approach = Approach::new(config).await.map_err(no_start)?;
+    if !is_known {
+        alone.await?;
+    }
+    Station::begin(approach).await.map_err(no_start)
 }
 
 impl Args {
@@ -128,6 +145,8 @@ impl Args {
             pty: self.pty.clone(),
             tls: self.tls(),
             names: self.names.clone(),
+            guardian: std::env::current_exe().ok(),
+            is_service: true,
             without_token: (!self.token_required).then_some(Role::Admin),
             ..Config::new(folders(self.data.clone())?)
         })
@@ -148,8 +167,8 @@ impl Args {
 }
 
 /// Two stations would quarrel about the arm.
-async fn check_alone(config: &Config) -> Result<(), Failure> {
-    let Some(other) = running(&config.folders)? else {
+async fn check_alone(folders: &Folders) -> Result<(), Failure> {
+    let Some(other) = running(folders)? else {
         return Ok(());
     };
     // One that was killed could not take back that it runs.
@@ -212,6 +231,9 @@ fn no_start(error: StartError) -> Failure {
 fn is_taken(error: &std::io::Error) -> bool {
     error.kind() == ErrorKind::AddrInUse
 }
+
+/// So soon a station of this machine answers that lives.
+const AT_ONCE: Duration = Duration::from_millis(300);
 
 /// Where raw packets are served, if they are.
 #[derive(Clone, Copy, Debug)]

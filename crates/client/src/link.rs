@@ -1,5 +1,7 @@
 //! The way that bytes travel to an arm and back.
 
+#[cfg(unix)]
+use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::pin::Pin;
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
@@ -18,6 +20,9 @@ pub struct Link {
     way: Way,
     /// Bytes on their way out, so that a cancelled wait tears no packet apart.
     outgoing: Vec<u8>,
+    /// The port once more, for those who have to reach the arm when this link cannot.
+    #[cfg(unix)]
+    port: Option<OwnedFd>,
 }
 
 /// What bytes travel over.
@@ -45,11 +50,31 @@ impl Link {
     ///
     /// Outside of a tokio runtime.
     pub async fn open(address: &Address) -> Result<Self, OpenError> {
-        Ok(match address {
-            Address::Virtual => return Err(OpenError::Virtual),
-            Address::Serial { path, baud } => Self::over_stream(open::serial(path, *baud)?),
-            Address::Tcp { host, port } => Self::over_stream(open::tcp(host, *port).await?),
-        })
+        match address {
+            Address::Virtual => Err(OpenError::Virtual),
+            Address::Serial { path, baud } => Self::over_serial(path, *baud),
+            Address::Tcp { host, port } => Self::over_tcp(host, *port).await,
+        }
+    }
+
+    #[cfg(unix)]
+    fn over_serial(path: &str, baud: u32) -> Result<Self, OpenError> {
+        let (stream, port) = open::serial(path, baud)?;
+        Ok(Self::over_stream(stream).with_port(port.into()))
+    }
+
+    #[cfg(not(unix))]
+    fn over_serial(path: &str, baud: u32) -> Result<Self, OpenError> {
+        Ok(Self::over_stream(open::serial(path, baud)?))
+    }
+
+    async fn over_tcp(host: &str, port: u16) -> Result<Self, OpenError> {
+        let stream = open::tcp(host, port).await?;
+        #[cfg(unix)]
+        if let Ok(again) = stream.as_fd().try_clone_to_owned() {
+            return Ok(Self::over_stream(stream).with_port(again));
+        }
+        Ok(Self::over_stream(stream))
     }
 
     /// A link over anything that carries bytes both ways.
@@ -69,7 +94,26 @@ impl Link {
         Self {
             way,
             outgoing: Vec::new(),
+            #[cfg(unix)]
+            port: None,
         }
+    }
+
+    /// The same, with the port that its bytes go through: see [`Link::port`].
+    #[cfg(unix)]
+    #[must_use]
+    pub fn with_port(mut self, port: OwnedFd) -> Self {
+        self.port = Some(port);
+        self
+    }
+
+    /// The serial port or the TCP connection as another process can have it, to say the last words
+    /// to an arm whose program is gone; none for an arm in this process. Whoever writes to it while
+    /// the link is in use tears packets apart.
+    #[cfg(unix)]
+    #[must_use]
+    pub fn port(&self) -> Option<BorrowedFd<'_>> {
+        self.port.as_ref().map(AsFd::as_fd)
     }
 
     /// The time since the link was opened, by its own clock.

@@ -98,13 +98,27 @@ impl OpenError {
 /// opening does not reset the arm again. Other systems leave DTR as it is.
 ///
 /// What was received before is thrown away: it is no permit, and tells where the arm once was.
+///
+/// The port comes twice: as a stream, and as a file that another process can be given.
+#[cfg(unix)]
+pub(crate) fn serial(path: &str, baud: u32) -> Result<(SerialStream, std::fs::File), OpenError> {
+    let port = keep_dtr_up(path)?;
+    Ok((stream(path, baud)?, port))
+}
+
+/// Opens a serial port, 8N1, for this program alone. DTR is left as it is.
+///
+/// What was received before is thrown away: it is no permit, and tells where the arm once was.
+#[cfg(not(unix))]
 pub(crate) fn serial(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
-    let kept_open = keep_dtr_up(path)?;
+    stream(path, baud)
+}
+
+fn stream(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
     let stream = tokio_serial::new(path, baud)
         .preserve_dtr_on_open()
         .open_native_async()
         .map_err(|error| serial_error(path, error.into()))?;
-    drop(kept_open);
     stream
         .clear(ClearBuffer::Input)
         .map_err(|error| serial_error(path, error.into()))?;
@@ -152,11 +166,6 @@ fn keep_dtr_up(path: &str) -> Result<std::fs::File, OpenError> {
         Ok(()) => Ok(file),
         Err(error) => Err(serial_error(path, error.into())),
     }
-}
-
-#[cfg(not(unix))]
-fn keep_dtr_up(_path: &str) -> Result<(), OpenError> {
-    Ok(())
 }
 
 fn serial_error(path: &str, source: io::Error) -> OpenError {

@@ -48,6 +48,13 @@ pub struct Config {
     /// Certificate and key of the page and the API. When absent, they are served without TLS on
     /// loopback, and with a certificate that the station makes for itself elsewhere.
     pub tls: Option<TlsFiles>,
+    /// The program that guards the arm when it is started as `PROGRAM guardian --note FILE`: it
+    /// switches the laser off and lets go of buttons when the station is killed or stands still. No
+    /// guardian when absent, and on systems that are no Unix.
+    pub guardian: Option<PathBuf>,
+    /// Whether the system that keeps services running is told that the thread that has the arm is at
+    /// work, where it wants to know (systemd's `WatchdogSec`).
+    pub is_service: bool,
     /// Names that the station goes by on the network, besides its addresses.
     pub names: Vec<String>,
     /// What those on this machine may do who come without a token; nothing when absent.
@@ -84,6 +91,8 @@ impl Config {
             raw: Some(DEFAULT_RAW),
             pty: None,
             tls: None,
+            guardian: None,
+            is_service: false,
             names: Vec::new(),
             without_token: Some(Role::Admin),
         }

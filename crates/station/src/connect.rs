@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use dobot_client::{Address, Link};
 use dobot_sim::Connector;
+use tokio::runtime::Handle;
 use tokio::sync::{Mutex, mpsc};
 use tokio::time::{Instant, sleep_until};
 
@@ -25,13 +26,25 @@ pub(crate) enum Connecting {
     Up(Found),
     /// Not yet, and why.
     Waiting(String),
+    /// It is being looked for already.
+    Begun(mpsc::Receiver<Self>),
+}
+
+impl Connecting {
+    /// Where the arm is, if it is there.
+    pub(crate) fn address(&self) -> Option<Address> {
+        match self {
+            Self::Up(found) => Some(found.address.clone()),
+            Self::Waiting(_) | Self::Begun(_) => None,
+        }
+    }
 }
 
 impl Source {
     /// Looks for the arm until it is there, in a task of its own that ends with its receiver.
-    pub(crate) fn connect(&self) -> mpsc::Receiver<Connecting> {
+    pub(crate) fn connect(&self, runtime: &Handle) -> mpsc::Receiver<Connecting> {
         let (tell, news) = mpsc::channel(4);
-        tokio::spawn(connect(self.clone(), tell));
+        runtime.spawn(connect(self.clone(), tell));
         news
     }
 

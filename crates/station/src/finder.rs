@@ -10,6 +10,8 @@ mod search;
 use std::io;
 
 use dobot_client::{Address, Link, LinkError, Port};
+use dobot_course::LASER_OFF;
+use dobot_wire::Dialect;
 use tokio::time::Instant;
 
 use self::candidate::{Candidate, Choice, choose};
@@ -24,7 +26,8 @@ pub use search::{Search, WhereFound};
 ///
 /// A port is opened and listened to for five seconds (a stock arm starts anew when its port is
 /// opened, and says nothing for two); the arm is where a valid status comes from, one whose position
-/// agrees with its angles. Nothing is ever written to a port by the finder.
+/// agrees with its angles. Nothing is written to a port by the finder but laser off: to an arm that
+/// was found, and at once where a person has named the port or the arm was found before.
 ///
 /// Which ports are tried: those that the [`Search`] names, and no others; or else
 ///
@@ -152,7 +155,7 @@ impl Finder {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
         });
-        let missed = match listen(&candidate.address).await {
+        let missed = match listen(candidate).await {
             Ok(found) => return Ok(found),
             Err(missed) => missed,
         };
@@ -167,9 +170,14 @@ impl Finder {
     }
 }
 
-/// Opens a port and listens until an arm is heard.
-async fn listen(address: &Address) -> Result<Found, Missed> {
+/// Opens a port and listens until an arm is heard. Where it is known to be an arm, its laser is
+/// switched off before it says anything; where it shows to be one, in that moment.
+async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
+    let address = &candidate.address;
     let mut link = Link::open(address).await?;
+    if candidate.sure {
+        darken(&mut link).await;
+    }
     let mut listening = Listening::new();
     let mut some = Vec::new();
     while link.now() < Listening::UNTIL {
@@ -179,6 +187,7 @@ async fn listen(address: &Address) -> Result<Found, Missed> {
             Err(_) => false,
         };
         if listening.handle_bytes(&some) {
+            darken(&mut link).await;
             return Ok(Found {
                 address: address.clone(),
                 link,
@@ -191,6 +200,13 @@ async fn listen(address: &Address) -> Result<Found, Missed> {
         some.clear();
     }
     Err(listening.missed())
+}
+
+/// Laser off: whatever the arm was told before, and whoever told it.
+pub(crate) async fn darken(link: &mut Link) {
+    link.send(&LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes());
+    // A link that is broken says so to whoever listens next.
+    let _ = link.flush().await;
 }
 
 #[cfg(test)]

@@ -70,6 +70,12 @@ impl Folders {
         self.data.join("arms.toml")
     }
 
+    /// What the guardian of the arm did while the station could not.
+    #[must_use]
+    pub fn guardian(&self) -> PathBuf {
+        self.data.join("guardian.txt")
+    }
+
     /// The station's own certificate and its key, a folder.
     #[must_use]
     pub fn tls(&self) -> PathBuf {

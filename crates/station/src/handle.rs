@@ -140,6 +140,8 @@ pub(crate) enum Message {
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
     /// A client behaves badly, in one line: those who watch are to know.
     Trouble(String),
+    /// Something that the arm depends on failed, in one line: end, and say so.
+    Failed(String),
     /// End: laser off, and no more.
     End,
 }

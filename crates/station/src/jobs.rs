@@ -2,6 +2,7 @@
 
 mod check;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use dobot_arm::{Joints, Tool};
@@ -46,12 +47,12 @@ enum Order {
 }
 
 impl Jobs {
-    /// The jobs of a journal.
-    pub(crate) fn new(journal: Journal, policy: Arc<Policy>) -> Self {
+    /// The jobs of a journal. The owner of the arm is told when they cannot be written any more.
+    pub(crate) fn new(journal: Journal, policy: Arc<Policy>, owner: mpsc::Sender<Message>) -> Self {
         let journal = Arc::new(journal);
         let (orders, waiting) = mpsc::unbounded_channel();
         let writer = journal.clone();
-        std::thread::spawn(move || write_all(&writer, waiting));
+        std::thread::spawn(move || watch(&owner, || write_all(&writer, waiting)));
         Self {
             journal,
             policy,
@@ -331,6 +332,15 @@ pub(crate) fn recovery_model(job: &Job) -> Model {
     Model::standing(job.dialect, Place::at_joints(somewhere, Tool::SuctionCup))
 }
 
+/// Writes the journal; a panic there is the end of the station.
+fn watch(owner: &mpsc::Sender<Message>, writing: impl FnOnce()) {
+    if catch_unwind(AssertUnwindSafe(writing)).is_err() {
+        let text = "the thread that writes the journal panicked".to_owned();
+        // An owner that has ended needs no journal.
+        let _ = owner.blocking_send(Message::Failed(text));
+    }
+}
+
 /// Writes in a thread of its own: the disk takes its time.
 fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     while let Some(order) = orders.blocking_recv() {
@@ -444,3 +454,18 @@ const fn to_journal(kind: JobKind) -> dobot_journal::JobKind {
 
 /// So many jobs that are over are kept.
 const HISTORY: usize = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn a_panic_where_the_journal_is_written_ends_the_station() {
+        let (owner, mut told) = mpsc::channel(1);
+        std::thread::spawn(move || watch(&owner, || panic!("the disk is made of cheese")));
+        let Some(Message::Failed(text)) = told.recv().await else {
+            panic!("it is told as a failure");
+        };
+        assert_eq!(text, "the thread that writes the journal panicked");
+    }
+}

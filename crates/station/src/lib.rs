@@ -38,6 +38,7 @@
 //! # Ok::<(), dobot_station::Refusal>(())
 //! ```
 
+mod approach;
 mod arm_thread;
 mod arms;
 mod bridge;
@@ -48,6 +49,7 @@ mod connect;
 mod double;
 mod finder;
 mod folders;
+mod guardian;
 mod handle;
 mod http;
 mod jobs;
@@ -62,14 +64,19 @@ mod running;
 #[cfg(test)]
 mod sample;
 mod start;
+mod supervisor;
 #[cfg(unix)]
 mod virtual_port;
 mod words;
 
+pub use approach::Approach;
 pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 pub use folders::Folders;
+#[cfg(unix)]
+pub use guardian::guard;
+pub use guardian::{Beat, Guardian, JogKind, Silence, Told};
 pub use handle::{Client, Handle, Snapshot};
 pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use keeper::{Begun, Effect, JobPlan, Keeper};
@@ -81,7 +88,8 @@ pub use remote::{
     TrustError, fetch, fingerprint,
 };
 pub use running::{Running, RunningError};
-pub use start::{StartError, Station};
+pub use start::{Failed, StartError, Station};
+pub use supervisor::{Sign, Supervisor};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;
 pub use words::*;

@@ -5,13 +5,15 @@ use std::time::Duration;
 
 use dobot_client::Link;
 use dobot_course::Model;
-use dobot_wire::Packet;
+use dobot_wire::{Dialect, Packet};
+use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::Instant;
 
 use crate::Found;
 use crate::arms::Arms;
 use crate::connect::{Connecting, Source};
+use crate::guardian::{Heart, take_note};
 use crate::handle::{Ends, Message};
 use crate::jobs::{Jobs, Written, recovery_model};
 use crate::keeper::{Effect, Keeper};
@@ -41,7 +43,24 @@ pub(crate) struct Owner {
     waiting: HashMap<ClientId, Asked>,
     /// For tasks that tell the owner something.
     own: mpsc::Sender<Message>,
+    heart: Heart,
     ending: Option<Instant>,
+    /// What failed that the arm depends on.
+    failure: Option<String>,
+}
+
+/// What an owner is given.
+#[derive(Debug)]
+pub(crate) struct Given {
+    pub(crate) keeper: Keeper,
+    pub(crate) ends: Ends,
+    pub(crate) source: Source,
+    pub(crate) arms: Arms,
+    pub(crate) jobs: Jobs,
+    pub(crate) recording: Recording,
+    /// For tasks that tell the owner something.
+    pub(crate) own: mpsc::Sender<Message>,
+    pub(crate) heart: Heart,
 }
 
 /// Where an answer goes.
@@ -57,33 +76,27 @@ enum Happening {
 }
 
 impl Owner {
-    pub(crate) fn new(
-        keeper: Keeper,
-        ends: Ends,
-        source: Source,
-        arms: Arms,
-        jobs: Jobs,
-        recording: Recording,
-        own: mpsc::Sender<Message>,
-    ) -> Self {
+    pub(crate) fn new(given: Given) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
-            keeper,
+            keeper: given.keeper,
             started: Instant::now(),
-            ends,
-            source,
-            arms,
+            ends: given.ends,
+            source: given.source,
+            arms: given.arms,
             link: None,
             address: None,
             connecting: None,
             incoming: Vec::new(),
-            jobs,
+            jobs: given.jobs,
             written,
             to_journal,
-            recording,
+            recording: given.recording,
             waiting: HashMap::new(),
-            own,
+            own: given.own,
+            heart: given.heart,
             ending: None,
+            failure: None,
         }
     }
 
@@ -111,21 +124,31 @@ impl Owner {
     }
 
     /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
-    /// moment to come to its end.
-    pub(crate) async fn run(mut self, found: Option<Found>) {
-        match found {
-            Some(found) => self.take_up(found),
-            None => self.connect(),
+    /// moment to come to its end. It begins with what is known of the arm already.
+    ///
+    /// # Errors
+    ///
+    /// What failed that the arm depends on, in one line.
+    pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
+        self.follow(first);
+        if self.link.is_none() && self.connecting.is_none() {
+            self.connect();
         }
         loop {
             self.carry_out();
             if self.is_over() {
                 break;
             }
-            match self.happening().await {
+            let happening = self.happening().await;
+            // What came meanwhile may be old: the arm comes first.
+            self.beat();
+            match happening {
                 Happening::Message(Some(message)) => self.handle(message),
                 Happening::Message(None) => self.end(),
                 Happening::Link(outcome) => self.hear(outcome),
+                Happening::Connecting(None) => {
+                    self.fail("the task that looks for the arm panicked".into());
+                }
                 Happening::Connecting(news) => self.follow(news),
                 Happening::Written(Some(written)) => self.note(written),
                 Happening::Written(None) | Happening::Time => {}
@@ -136,7 +159,29 @@ impl Owner {
                 self.keeper.handle_trouble(now, trouble);
             }
         }
-        self.part().await;
+        self.part().await
+    }
+
+    /// Tells what the guardian did while this loop stood still.
+    fn remember_guardian(&mut self) {
+        for line in take_note(self.heart.note()) {
+            let now = self.now();
+            self.keeper.handle_trouble(now, line);
+        }
+    }
+
+    /// Lets the guardian know that this loop goes round. One that stood still for longer than the
+    /// guardian has patience acts as after a fault.
+    fn beat(&mut self) {
+        if let Some(silent) = self.heart.beat() {
+            let now = self.now();
+            self.keeper.handle_stall(now, silent);
+            self.remember_guardian();
+        }
+        if let Some(trouble) = self.heart.poll_trouble() {
+            let now = self.now();
+            self.keeper.handle_trouble(now, trouble);
+        }
     }
 
     fn now(&self) -> Duration {
@@ -158,7 +203,8 @@ impl Owner {
 
     fn wakeup(&self) -> Instant {
         let wanted = self.started.checked_add(self.keeper.poll_wakeup());
-        let latest = Instant::now() + LOOK_AT_LEAST;
+        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
+        let latest = Instant::now() + within.min(LOOK_AT_LEAST);
         wanted.map_or(latest, |it| it.min(latest))
     }
 
@@ -187,8 +233,11 @@ impl Owner {
 
     /// Packets leave before anything else is done, answers and recording included.
     fn send(&mut self) {
+        self.beat();
         while let Some(packet) = self.keeper.poll_bytes() {
             let bytes = packet.to_bytes();
+            let dialect = self.keeper.dialect().unwrap_or(Dialect::SPECIFICATION);
+            self.heart.tell(&packet, &dialect);
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
@@ -250,8 +299,16 @@ impl Owner {
             }
             Message::Jobs(reply) => self.jobs.clone().list(self.keeper.job(), reply),
             Message::Trouble(text) => self.keeper.handle_trouble(now, text),
+            Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
         }
+    }
+
+    /// Something that the arm depends on is no more: the station ends.
+    fn fail(&mut self, text: String) {
+        self.connecting = None;
+        self.failure = Some(text);
+        self.end();
     }
 
     fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
@@ -313,6 +370,7 @@ impl Owner {
             Err(error) => error.to_string(),
         };
         self.link = None;
+        self.heart.part();
         let problem = format!("{problem}; the station looks for the arm again");
         self.keeper
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
@@ -325,6 +383,7 @@ impl Owner {
             .link(now, &found.address, self.keeper.dialect());
         let address = found.address.to_string();
         self.connecting = None;
+        self.heart.take_up(&found.link);
         self.link = Some(found.link);
         if let Some(dialect) = self.arms.dialect(&address) {
             self.keeper.handle_known_dialect(dialect);
@@ -354,7 +413,7 @@ impl Owner {
     /// Looks for the arm, in a task of its own.
     fn connect(&mut self) {
         if self.ending.is_none() {
-            self.connecting = Some(self.source.connect());
+            self.connecting = Some(self.source.connect(&Handle::current()));
         }
     }
 
@@ -366,7 +425,8 @@ impl Owner {
                 self.keeper
                     .handle_link_down(now, LinkPhase::Searching, Some(problem));
             }
-            None => self.connect(),
+            Some(Connecting::Begun(news)) => self.connecting = Some(news),
+            None => {}
         }
     }
 
@@ -396,15 +456,17 @@ impl Owner {
         })
     }
 
-    async fn part(mut self) {
+    async fn part(mut self) -> Result<(), String> {
         self.carry_out();
         if let Some(link) = &mut self.link {
             // A link that is broken takes nothing any more.
             let _ = link.flush().await;
         }
+        self.heart.part();
         let at_rest = self.keeper.is_at_rest() || self.link.is_none();
         self.jobs.end(at_rest).await;
         self.recording.end();
+        self.failure.map_or(Ok(()), Err)
     }
 }
 

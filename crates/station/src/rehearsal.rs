@@ -306,6 +306,21 @@ impl Rehearsal {
         &self.arm
     }
 
+    /// The station stands still for a while; the arm goes on, and what it says waits.
+    pub fn stall(&mut self, silent: Duration) {
+        self.now += silent;
+        self.arm.handle_time(self.now);
+        let now = self.keeper_now();
+        self.keeper.handle_stall(now, silent);
+        self.settle();
+    }
+
+    /// The station is killed, and nobody starts it again: what is left is the arm.
+    #[must_use]
+    pub fn into_arm(self) -> VirtualArm {
+        self.arm
+    }
+
     /// The arm, to do something to it.
     pub const fn arm_mut(&mut self) -> &mut VirtualArm {
         &mut self.arm

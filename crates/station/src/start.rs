@@ -5,34 +5,32 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use dobot_client::Address;
-use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{Journal, JournalError};
 use dobot_safety::{Policy, PolicyError};
-use dobot_sim::{Line, Server, VirtualArm};
-use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
 
 #[cfg(unix)]
 use crate::VirtualPort;
-use crate::arm_thread::ArmThread;
+use crate::approach::Approach;
+use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
-use crate::connect::Source;
+use crate::connect::{Connecting, Source};
+use crate::guardian::{Heart, LastWords, take_note};
 use crate::handle::Rules;
 use crate::http;
 use crate::jobs::Jobs;
 use crate::keeper::Keeper;
-use crate::owner::Owner;
+use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
 use crate::{
-    Config, Finder, Found, Handle, ProgramNews, RawPort, RawPortError, Search, ServeError, Served,
-    Web,
+    Config, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Supervisor, Web,
 };
 
 /// A station that runs.
 #[derive(Debug)]
 pub struct Station {
     handle: Handle,
-    owner: ArmThread,
+    owner: ArmAtWork,
     http: Served,
     arm: Option<Address>,
     raw: Option<SocketAddr>,
@@ -95,7 +93,7 @@ pub enum StartError {
 }
 
 impl Station {
-    /// Starts a station: its journal, its recording, its arm, its page and API, its raw port.
+    /// Starts a station: its arm, its journal, its recording, its page and API, its raw port.
     ///
     /// # Errors
     ///
@@ -105,6 +103,24 @@ impl Station {
     ///
     /// Outside of a tokio runtime.
     pub async fn start(config: Config) -> Result<Self, StartError> {
+        Self::begin(Box::pin(Approach::new(config)).await?).await
+    }
+
+    /// Starts a station whose arm has been told to switch its laser off already.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`]; nothing is left running then.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn begin(approach: Approach) -> Result<Self, StartError> {
+        Box::pin(Self::open(approach)).await
+    }
+
+    async fn open(approach: Approach) -> Result<Self, StartError> {
+        let config = approach.config;
         make_folder(config.folders.data())?;
         let policy = read_policy(config.policy.as_deref())?;
         let arms = Arms::read(&config.folders.arms())?;
@@ -114,43 +130,47 @@ impl Station {
             None => None,
         };
         let journal = Journal::open(&config.folders.journal())?;
-        let mut notes = Vec::new();
-        let mut tasks = Vec::new();
-        let (source, found) = source(&config, &mut tasks, &mut notes).await;
+        let mut notes = approach.notes;
+        let source = approach.source;
+        let arm = source.is_virtual().then_some(Address::Virtual);
         let keeper = keeper(&config, &policy, &source);
         let (handle, ends) = Handle::new(keeper.state(), Rules::of(&policy));
-        let jobs = Jobs::new(journal, Arc::new(policy));
-        let recording = recording(&config, &source, &mut notes);
-        let arm = found.as_ref().map(|it| it.address.clone());
-        let is_virtual = source.is_virtual();
         let own = handle.messages.clone();
-        let mut owner = Owner::new(keeper, ends, source, arms, jobs, recording, own);
+        let mut owner = Owner::new(Given {
+            keeper,
+            ends,
+            arms,
+            jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
+            recording: recording(&config, &source, &mut notes),
+            source,
+            own,
+            heart: heart(&config, approach.words),
+        });
         notes.extend(owner.recover().err());
+        for line in take_note(&config.folders.guardian()) {
+            handle.tell_trouble(line.clone());
+            notes.push(line);
+        }
         let virtual_port = open_pty(&config)?;
-        let owner = ArmThread::start(owner, found).map_err(StartError::Thread)?;
+        let arm = arm.or_else(|| approach.first.as_ref().and_then(Connecting::address));
+        let owner = approach.thread.give(owner, approach.first);
         let raw = raw.map(|port| serve_raw(port, &handle, &owner));
         let pty = virtual_port.map(|port| serve_pty(port, &handle, &owner));
-        let web = Web {
-            address: config.http,
-            tls: config.tls.clone(),
-            names: config.names.clone(),
-            without_token: config.without_token,
-            folders: config.folders.clone(),
-        };
-        match http::serve(&web, handle.clone()).await {
+        match http::serve(&web(&config), handle.clone()).await {
             Ok(http) => Ok(Self {
                 handle,
                 owner,
                 http,
-                arm: arm.or_else(|| is_virtual.then_some(Address::Virtual)),
+                arm,
                 raw,
                 pty,
                 notes,
-                tasks,
+                tasks: approach.tasks,
             }),
             Err(error) => {
                 handle.end().await;
-                owner.ended().await;
+                // Why it does not start is what counts.
+                let _ = owner.ended().await;
                 Err(error.into())
             }
         }
@@ -200,14 +220,34 @@ impl Station {
 
     /// Ends the station: laser off first, then what is under way comes to its end, then the journal
     /// and the recording are closed.
-    pub async fn end(self) {
+    ///
+    /// # Errors
+    ///
+    /// [`Failed`] where something that the arm depends on had failed.
+    pub async fn end(self) -> Result<(), Failed> {
         self.handle.end().await;
-        self.owner.ended().await;
+        let outcome = self.owner.ended().await;
         // The file that says where it runs is found to be stale by those who try to connect.
         let _ = self.http.end().await;
         for task in self.tasks {
             task.abort();
         }
+        outcome.map_err(Failed)
+    }
+}
+
+/// Something that the arm depends on failed; the laser was switched off and the button let go.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}: the laser was switched off and the button let go")]
+pub struct Failed(String);
+
+fn web(config: &Config) -> Web {
+    Web {
+        address: config.http,
+        tls: config.tls.clone(),
+        names: config.names.clone(),
+        without_token: config.without_token,
+        folders: config.folders.clone(),
     }
 }
 
@@ -229,7 +269,7 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     }
 }
 
-fn serve_raw(port: RawPort, handle: &Handle, thread: &ArmThread) -> SocketAddr {
+fn serve_raw(port: RawPort, handle: &Handle, thread: &ArmAtWork) -> SocketAddr {
     let (address, handle) = (port.address(), handle.clone());
     thread.spawn(async move {
         port.serve(&handle, |news| tell(&handle, &news)).await;
@@ -242,48 +282,6 @@ fn tell(handle: &Handle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
         handle.tell_trouble(trouble);
     }
-}
-
-/// Where the arm comes from, and the arm itself where it was looked for and found. Without one there
-/// is a virtual arm.
-async fn source(
-    config: &Config,
-    tasks: &mut Vec<JoinHandle<()>>,
-    notes: &mut Vec<String>,
-) -> (Source, Option<Found>) {
-    let named = match &config.arm {
-        Some(Address::Virtual) => return (virtual_arm(config, tasks), None),
-        Some(address) => vec![address.clone()],
-        None => Vec::new(),
-    };
-    let search = named.is_empty();
-    let mut finder = Finder::new(Search {
-        named,
-        ..Search::default()
-    });
-    if !search {
-        return (Source::Port(Arc::new(Mutex::new(finder))), None);
-    }
-    match finder.find(|_| ()).await {
-        Ok(found) => (Source::Port(Arc::new(Mutex::new(finder))), Some(found)),
-        Err(nothing) => {
-            notes.push(nothing.to_string());
-            (virtual_arm(config, tasks), None)
-        }
-    }
-}
-
-/// A virtual arm that lives as long as the station.
-fn virtual_arm(config: &Config, tasks: &mut Vec<JoinHandle<()>>) -> Source {
-    let controller = Controller::power_up(PowerUp::new(config.personality));
-    let arm = VirtualArm::new(controller, Line::STOCK);
-    let mut server = Server::new(arm).at_speed(config.speed);
-    let connector = server.connector();
-    tasks.push(tokio::spawn(async move {
-        // In this process there is no port that could not be served any more.
-        let _ = server.run(|_| ()).await;
-    }));
-    Source::Virtual(connector)
 }
 
 fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
@@ -299,6 +297,14 @@ fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recor
     Recording::new(recorder, personality)
 }
 
+fn heart(config: &Config, words: Arc<LastWords>) -> Heart {
+    let heart = Heart::new(config.guardian.clone(), config.folders.guardian(), words);
+    if config.is_service {
+        return heart.supervised(Supervisor::of_environment());
+    }
+    heart
+}
+
 /// A virtual serial port for programs that speak nothing else.
 #[cfg(unix)]
 fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
@@ -310,7 +316,7 @@ fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
 }
 
 #[cfg(unix)]
-fn serve_pty(port: VirtualPort, handle: &Handle, thread: &ArmThread) -> PathBuf {
+fn serve_pty(port: VirtualPort, handle: &Handle, thread: &ArmAtWork) -> PathBuf {
     let (path, handle) = (port.path().to_owned(), handle.clone());
     thread.spawn(async move {
         let served = port.serve(&handle, |news| tell(&handle, &news)).await;

@@ -48,6 +48,12 @@ impl Going {
         address.expect("an address comes first").to_owned()
     }
 
+    /// Its number.
+    #[cfg(unix)]
+    pub(crate) fn pid(&self) -> Pid {
+        Pid::from_child(&self.child)
+    }
+
     /// As Ctrl-C does; the exit code.
     #[cfg(unix)]
     pub(crate) fn interrupt(mut self) -> Option<i32> {

@@ -81,7 +81,7 @@ fn copy(mut from: TcpStream, mut to: TcpStream, mut look: impl FnMut(&[u8])) {
 }
 
 /// A spiral to be burnt: no two of its points are near each other.
-fn spiral() -> NewJob {
+pub(crate) fn spiral() -> NewJob {
     let mut commands: Vec<Command> = vec![
         Configuration::EndEffector {
             tool: EndEffector::Laser,
@@ -140,7 +140,7 @@ fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
     .into()
 }
 
-fn burns(command: &Command) -> bool {
+pub(crate) fn burns(command: &Command) -> bool {
     matches!(command, Command::WriteVector(it) if it.laser)
 }
 

@@ -6,12 +6,16 @@ mod decoding;
 mod drawing;
 mod going;
 #[cfg(unix)]
+mod guarding;
+#[cfg(unix)]
 mod killing;
 #[cfg(unix)]
 mod links;
 mod policy;
 mod program;
 mod recordings;
+#[cfg(unix)]
+mod services;
 mod simulating;
 #[cfg(unix)]
 mod stations;

@@ -86,7 +86,7 @@ pub(crate) fn serve() -> bool {
         println!("{}", station.raw().expect("it was asked for"));
         let over = tokio::task::spawn_blocking(|| std::io::stdin().read_to_end(&mut Vec::new()));
         let _ = over.await;
-        station.end().await;
+        station.end().await.expect("nothing failed");
     });
     true
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write};
 
-use crate::cases::{cables, clients, disks, floods, fuzz, kills, lines, stands, stops};
+use crate::cases::{cables, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops};
 
 /// The document, and what should not be.
 #[derive(Debug, Default)]
@@ -18,6 +18,7 @@ impl Report {
     pub(crate) fn all(&mut self, fewer: u64) {
         self.line(HEAD);
         self.kills(1_000 / fewer);
+        self.guardians(100_u64.div_ceil(fewer));
         self.cables(200 / fewer);
         self.lines(200 / fewer);
         self.clients(400 / fewer);
@@ -51,6 +52,41 @@ impl Report {
         );
         self.row("light", &it.off_after_s);
         self.wrong(it.wrong);
+    }
+
+    fn guardians(&mut self, times: u64) {
+        let all = guardians::run(times);
+        let sum: usize = all.iter().map(|it| it.times).sum();
+        self.line(GUARDIANS);
+        self.line(&format!("{sum} stations in all.\n"));
+        self.table(
+            ["the station is", "while the arm does"],
+            &[
+                "first packet, s",
+                "arm at rest, s",
+                "way, mm",
+                "way of the joint, degrees",
+                "end of the light, s",
+                "light on a spot, s",
+                "**motion that nobody asked for**",
+                "**light in the end**",
+            ],
+        );
+        for it in all {
+            let most = [
+                &it.packet_s,
+                &it.rest_s,
+                &it.went_mm,
+                &it.went_deg,
+                &it.lit_s,
+                &it.stood_s,
+            ];
+            let most = most.map(|it| format!("{:.2}", it.most())).join(" | ");
+            let cells = format!("{} | {most} | {} | {}", it.doing, it.unasked, it.burnt);
+            self.row(it.fate, cells);
+            self.wrong(it.wrong);
+        }
+        self.line(GUARDIANS_END);
     }
 
     fn cables(&mut self, pulls: u64) {
@@ -269,9 +305,24 @@ const KILLS: &str = "
 ## The station is killed
 
 At random moments, up to three times in a job, while it is paused too; it is started again up to five seconds later, and
-a person confirms the pose and goes on. Until then nobody can switch the laser off: the arm ends what it has got, half a
-second and a vector at the most, and the light stays on until the station is there again.
+a person confirms the pose and goes on. Here without a guardian: until the new station is there nobody switches the laser
+off. The arm ends what it has got, half a second and a vector at the most, and the light stays on.
 ";
+
+const GUARDIANS: &str = "
+## The station is gone, and its guardian is there
+
+The station is killed, stands still (SIGSTOP, swap, a debugger), or panics, at a random moment of a jog of 20 to 100 % of
+the speed, of a job that burns, of a way to a point; nobody starts it again. Its guardian, a process of its own with the
+arm's port, speaks at once when the station ends without a goodbye, and otherwise after 0.3 s without a heartbeat. What is
+told is the most of all times: from the last heartbeat to the first packet, and from the end of the station to the arm's
+rest and the end of the light, with the way from there. A light on a spot is one that is on while the arm stands.
+";
+
+const GUARDIANS_END: &str = "
+A jog runs down with its acceleration, from full speed in half a second to a second. What the arm has got before it
+does: a vector and half a second of vectors, burning what they were to burn, or the way to the point. Laser off waits
+behind that in the arm, for the protocol has no stop.";
 
 const CABLES: &str = "
 ## The cable is pulled

@@ -24,6 +24,8 @@ pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<
                 dialect: None,
                 policy,
                 folders: Folders::of_person().ok_or("this person has no home folder")?,
+                // This program cannot be one.
+                guardian: None,
             };
             StationClient::open(arm, "example").await?
         }

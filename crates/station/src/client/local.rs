@@ -1,5 +1,6 @@
 //! A client of rules that are kept in this process, for an arm at an address.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use dobot_client::{Address, Link, OpenError};
@@ -9,13 +10,15 @@ use dobot_wire::Dialect;
 use tokio::sync::Mutex;
 use tokio::sync::broadcast::{self, error::RecvError};
 
-use crate::arm_thread::ArmThread;
+use crate::arm_thread::{ArmAtWork, ArmThread};
 use crate::arms::{Arms, ArmsError};
-use crate::connect::Source;
+use crate::connect::{Connecting, Source};
+use crate::finder::darken;
+use crate::guardian::{Heart, LastWords, take_note, wait_for_guardian};
 use crate::handle::Rules;
 use crate::jobs::Jobs;
 use crate::keeper::Keeper;
-use crate::owner::Owner;
+use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
 use crate::{
     Client, ClientId, Finder, Folders, Found, Handle, Heard, JobView, Notice, Refusal, RemoteError,
@@ -35,6 +38,8 @@ pub struct LocalArm {
     /// Where this person's station keeps what it has to remember: the jobs of this arm get a folder
     /// of their own in it.
     pub folders: Folders,
+    /// The program that guards the arm, as in [`Config`](crate::Config::guardian).
+    pub guardian: Option<PathBuf>,
 }
 
 /// Why an arm cannot be used from this process.
@@ -74,13 +79,17 @@ pub(super) struct Local {
     client: Client,
     states: broadcast::Receiver<Arc<Snapshot>>,
     notices: broadcast::Receiver<Arc<Notice>>,
-    owner: ArmThread,
+    owner: ArmAtWork,
 }
 
 impl Local {
-    /// The port first: an arm that cannot be reached is told before anything is kept of it.
+    /// The port first, and laser off: an arm is dark before anything is kept of it that could fail.
     pub(super) async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
-        let link = Link::open(&arm.address).await?;
+        for folders in [&arm.folders, &arm.folders.of_arm(&arm.address)] {
+            wait_for_guardian(&folders.guardian()).await;
+        }
+        let mut link = Link::open(&arm.address).await?;
+        darken(&mut link).await;
         let found = Found {
             address: arm.address.clone(),
             link,
@@ -136,11 +145,12 @@ impl Local {
 
     pub(super) async fn end(self) {
         self.client.handle().end().await;
-        self.owner.ended().await;
+        // Whoever used the arm was told that it was gone.
+        let _ = self.owner.ended().await;
     }
 }
 
-fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmThread), OpenArmError> {
+fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmAtWork), OpenArmError> {
     let folders = arm.folders.of_arm(&arm.address);
     std::fs::create_dir_all(folders.data()).map_err(|source| OpenArmError::Folder {
         folder: folders.data().display().to_string(),
@@ -150,20 +160,28 @@ fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmThread), OpenArmErr
     let journal = Journal::open(&folders.journal())?;
     let keeper = Keeper::new(arm.policy.clone(), arm.dialect);
     let (handle, ends) = Handle::new(keeper.state(), Rules::of(&arm.policy));
-    let jobs = Jobs::new(journal, Arc::new(arm.policy.clone()));
     let (recorder, trouble) = recording::start(&arm.folders);
     let finder = Finder::new(Search {
         named: vec![arm.address.clone()],
         ..Search::default()
     });
-    let source = Source::Port(Arc::new(Mutex::new(finder)));
     let own = handle.messages.clone();
-    let recording = Recording::new(recorder, None);
-    let mut owner = Owner::new(keeper, ends, source, arms, jobs, recording, own);
-    let troubles = trouble.into_iter().chain(owner.recover().err());
+    let words = Arc::new(LastWords::default());
+    let mut owner = Owner::new(Given {
+        keeper,
+        ends,
+        source: Source::Port(Arc::new(Mutex::new(finder))),
+        arms,
+        jobs: Jobs::new(journal, Arc::new(arm.policy.clone()), own.clone()),
+        recording: Recording::new(recorder, None),
+        own,
+        heart: Heart::new(arm.guardian.clone(), folders.guardian(), words.clone()),
+    });
+    let left = take_note(&folders.guardian());
+    let troubles = trouble.into_iter().chain(owner.recover().err()).chain(left);
     for text in troubles {
         handle.tell_trouble(text);
     }
-    let owner = ArmThread::start(owner, Some(found)).map_err(OpenArmError::Thread)?;
-    Ok((handle, owner))
+    let thread = ArmThread::start(words).map_err(OpenArmError::Thread)?;
+    Ok((handle, thread.give(owner, Some(Connecting::Up(found)))))
 }

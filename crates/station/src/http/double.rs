@@ -87,6 +87,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<Telling>, ask
                 let _ = reply.send(Ok(vec![job(7)]));
             }
             Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
+            Message::Failed(text) => panic!("{text}"),
             Message::End => break,
         }
     }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use dobot_course::LASER_OFF;
 
 use super::Keeper;
+use crate::words::News;
 
 /// An arm that is being brought to rest: laser off, button released, and so again.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,21 @@ impl Halt {
 }
 
 impl Keeper {
+    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
+    /// as after a fault. Its guardian may have said it, too.
+    pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
+        self.now = self.now.max(now);
+        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        self.send_urgent(LASER_OFF);
+        self.at_once = true;
+        self.let_go();
+        self.tell(
+            News::Trouble,
+            format!("{why}: the laser was switched off and the button let go"),
+        );
+        self.disarm_laser(&why);
+    }
+
     /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
     /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn halt_now(&mut self) {

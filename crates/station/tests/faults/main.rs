@@ -3,7 +3,7 @@
 #[path = "../../examples/reliability/cases/mod.rs"]
 mod cases;
 
-use cases::{cables, clients, disks, floods, fuzz, kills, lines, stands, stops};
+use cases::{cables, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -45,6 +45,27 @@ fn an_arm_whose_client_vanishes_is_stopped() {
         assert!(it.packet_s.most() <= 0.21, "{}: {}", it.how, it.packet_s);
         assert!(it.over_s.most() < 2.5, "{}: {}", it.how, it.over_s);
         assert_eq!(it.not_free, 0, "{}", it.how);
+    }
+}
+
+#[test]
+fn a_guardian_brings_every_motion_to_rest_and_darkens_every_light_when_the_station_is_no_more() {
+    for it in guardians::run(4) {
+        right(&it.wrong);
+        assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
+        assert!(it.packet_s.most() <= 0.4, "{} {}", it.fate, it.doing);
+        // What is under way goes to its end; a button runs down from its speed within 1.2 s.
+        if it.doing != guardians::Doing::Moving && it.doing != guardians::Doing::Burning {
+            let rest_s = it.rest_s.most();
+            assert!(rest_s <= 0.4 + 1.2, "{} {}: {rest_s} s", it.fate, it.doing);
+        }
+        assert!(
+            it.stood_s.most() <= 0.5,
+            "{} {}: {}",
+            it.fate,
+            it.doing,
+            it.stood_s
+        );
     }
 }
 

@@ -35,7 +35,7 @@ fn laser_job(personality: Personality) -> NewJob {
     }
 }
 
-fn armed(personality: Personality) -> (Rehearsal, ClientId, u64) {
+pub(crate) fn armed(personality: Personality) -> (Rehearsal, ClientId, u64) {
     let mut it = rehearsal(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();

@@ -17,6 +17,7 @@ mod links;
 mod pauses;
 mod people;
 mod releases;
+mod stalls;
 mod stands;
 mod stops;
 mod strokes;

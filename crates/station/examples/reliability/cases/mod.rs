@@ -12,6 +12,7 @@ pub(crate) mod floods;
     reason = "tests ask less of it than the example of its name"
 )]
 pub(crate) mod fuzz;
+pub(crate) mod guardians;
 pub(crate) mod jobs;
 pub(crate) mod kills;
 pub(crate) mod lines;

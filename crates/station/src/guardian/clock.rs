@@ -1,0 +1,34 @@
+//! A clock that goes on while the computer sleeps.
+
+use std::time::Duration;
+
+/// A clock that goes on while the computer sleeps, where the system has one: Linux. Elsewhere it
+/// stands meanwhile, and a sleep is noticed by its other traces.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clock {
+    #[cfg(not(target_os = "linux"))]
+    started: std::time::Instant,
+}
+
+impl Clock {
+    pub(crate) fn new() -> Self {
+        Self {
+            #[cfg(not(target_os = "linux"))]
+            started: std::time::Instant::now(),
+        }
+    }
+
+    /// The time since a moment that does not change.
+    #[cfg(target_os = "linux")]
+    #[expect(clippy::unused_self, reason = "other systems need where it began")]
+    pub(crate) fn now(self) -> Duration {
+        let time = rustix::time::clock_gettime(rustix::time::ClockId::Boottime);
+        Duration::try_from(time).expect("no computer was started before its clock began")
+    }
+
+    /// The time since a moment that does not change.
+    #[cfg(not(target_os = "linux"))]
+    pub(crate) fn now(self) -> Duration {
+        self.started.elapsed()
+    }
+}

@@ -1,0 +1,166 @@
+//! The station's heart: it beats for the guardian, and knows when it stood still.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_client::Link;
+use dobot_wire::{Dialect, Packet};
+
+#[cfg(unix)]
+use super::child::Child;
+use super::clock::Clock;
+use super::{Beat, Guardian, LastWords, Told};
+use crate::{Sign, Supervisor};
+
+/// The heart of the thread that has the arm: as long as its loop goes round, it beats.
+#[derive(Debug)]
+pub(crate) struct Heart {
+    /// The program that is a guardian when it is told so; none without one.
+    program: Option<PathBuf>,
+    note: PathBuf,
+    clock: Clock,
+    /// When it beat last, while there is an arm.
+    last: Option<Duration>,
+    told: Told,
+    words: Arc<LastWords>,
+    #[cfg(unix)]
+    guardian: Option<Child>,
+    trouble: Option<String>,
+    /// The system that keeps the station running.
+    supervisor: Supervisor,
+    /// When that was told last that this loop goes round.
+    fed: Duration,
+}
+
+impl Heart {
+    /// A heart that beats for a guardian, if there is a program that is one.
+    pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, words: Arc<LastWords>) -> Self {
+        Self {
+            program,
+            note,
+            clock: Clock::new(),
+            last: None,
+            told: Told::default(),
+            words,
+            #[cfg(unix)]
+            guardian: None,
+            trouble: None,
+            supervisor: Supervisor::default(),
+            fed: Duration::ZERO,
+        }
+    }
+
+    /// The same, beating for the system that keeps the station running, too.
+    pub(crate) fn supervised(mut self, supervisor: Supervisor) -> Self {
+        self.supervisor = supervisor;
+        self
+    }
+
+    /// Takes the link to an arm: from now on there is something to guard.
+    pub(crate) fn take_up(&mut self, link: &Link) {
+        self.part();
+        if let Err(error) = self.guard(link) {
+            self.trouble = Some(format!(
+                "there is no guardian: {error}; if this station is killed, nobody switches the laser off"
+            ));
+        }
+    }
+
+    /// The link is gone, or the station ends as it should.
+    pub(crate) fn part(&mut self) {
+        self.last = None;
+        #[cfg(unix)]
+        {
+            self.words.set_port(None);
+            if let Some(mut guardian) = self.guardian.take() {
+                // One that is gone needs no goodbye.
+                let _ = guardian.say(Beat::Goodbye);
+            }
+        }
+    }
+
+    /// Beats, if it is time to; says how long it stood still, if it did.
+    pub(crate) fn beat(&mut self) -> Option<Duration> {
+        let now = self.clock.now();
+        if let Some(period) = self.supervisor.period()
+            && now >= self.fed + period
+        {
+            self.fed = now;
+            self.supervisor.tell(Sign::Alive);
+        }
+        let silent = now.saturating_sub(self.last?);
+        if silent >= PERIOD {
+            self.say();
+        }
+        (silent >= Guardian::PATIENCE).then_some(silent)
+    }
+
+    /// Takes what the arm is told next: the guardian knows it before the arm does.
+    pub(crate) fn tell(&mut self, packet: &Packet, dialect: &Dialect) {
+        let told = self.told.after(packet, dialect);
+        if told != self.told {
+            self.told = told;
+            self.words.note(told);
+            if self.last.is_some() {
+                self.say();
+            }
+        }
+    }
+
+    /// How soon it has to beat again, if it has to.
+    pub(crate) fn due_in(&self) -> Option<Duration> {
+        let guardian = self.last.map(|it| it + PERIOD);
+        let supervisor = self.supervisor.period().map(|it| self.fed + it);
+        let next = guardian.into_iter().chain(supervisor).min()?;
+        Some(next.saturating_sub(self.clock.now()))
+    }
+
+    /// Where the guardian leaves what it did.
+    pub(crate) fn note(&self) -> &Path {
+        &self.note
+    }
+
+    /// What people should know of it.
+    pub(crate) const fn poll_trouble(&mut self) -> Option<String> {
+        self.trouble.take()
+    }
+
+    #[cfg(unix)]
+    fn guard(&mut self, link: &Link) -> std::io::Result<()> {
+        let Some(port) = link.port() else {
+            // An arm in this process ends with it.
+            return Ok(());
+        };
+        self.words.set_port(Some(port.try_clone_to_owned()?));
+        self.last = Some(self.clock.now());
+        if let Some(program) = &self.program {
+            let port = port.try_clone_to_owned()?;
+            self.guardian = Some(Child::start(program, &self.note, port)?);
+            self.say();
+        }
+        Ok(())
+    }
+
+    #[cfg(not(unix))]
+    fn guard(&mut self, _link: &Link) -> std::io::Result<()> {
+        Ok(())
+    }
+
+    fn say(&mut self) {
+        self.last = Some(self.clock.now());
+        #[cfg(unix)]
+        if let Some(guardian) = &mut self.guardian
+            && let Err(error) = guardian.say(Beat::Lives(self.told))
+        {
+            self.guardian = None;
+            self.trouble = Some(format!(
+                "the guardian is gone: {error}; until the arm is connected again, or the station started anew, nobody \
+                 switches the laser off if this station is killed"
+            ));
+        }
+    }
+}
+
+/// From one beat to the next, at the most.
+pub(crate) const PERIOD: Duration = Duration::from_millis(80);

@@ -1,0 +1,90 @@
+//! What the guardian leaves to be read: a file in the data folder.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, Read, Write};
+use std::path::Path;
+use std::time::Duration;
+
+use tokio::time::Instant;
+
+/// The guardian's end of the file: locked for as long as the guardian has the port.
+#[derive(Debug)]
+pub(super) struct Note(Option<File>);
+
+impl Note {
+    /// Opens and locks it. A guardian without it does its work all the same.
+    pub(super) fn open(path: &Path) -> Self {
+        let mut options = OpenOptions::new();
+        options.append(true).create(true);
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        let file = options.open(path).ok();
+        // Where another one has it, that one has the port, too.
+        Self(file.inspect(|it| drop(it.try_lock())))
+    }
+
+    /// Adds a line with the time of day.
+    pub(super) fn write(&mut self, text: &str) {
+        let line = format!("{:.0}: {text}\n", jiff::Timestamp::now());
+        if let Some(file) = &mut self.0 {
+            // It was said on standard error, too.
+            let _ = file.write_all(line.as_bytes());
+        }
+    }
+}
+
+/// Reads what guardians have left, a line each, and empties the file.
+pub(crate) fn take_note(path: &Path) -> Vec<String> {
+    let taken = || -> io::Result<String> {
+        let mut file = OpenOptions::new().read(true).write(true).open(path)?;
+        let mut text = String::new();
+        file.read_to_string(&mut text)?;
+        if !text.is_empty() {
+            file.set_len(0)?;
+        }
+        Ok(text)
+    };
+    // Mostly there is none.
+    let text = taken().unwrap_or_default();
+    text.lines().map(str::to_owned).collect()
+}
+
+/// Waits until the guardian of a station before has let go of the port: it needs it for a moment.
+pub(crate) async fn wait_for_guardian(path: &Path) {
+    let latest = Instant::now() + LONGEST;
+    while let Ok(file) = File::open(path) {
+        if file.try_lock_shared().is_ok() || Instant::now() >= latest {
+            return;
+        }
+        tokio::time::sleep(SOON).await;
+    }
+}
+
+/// Longer than a guardian speaks.
+const LONGEST: Duration = Duration::from_secs(6);
+const SOON: Duration = Duration::from_millis(20);
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn what_a_guardian_leaves_is_read_once_and_its_lock_is_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("guardian.txt");
+        wait_for_guardian(&path).await;
+        assert_eq!(take_note(&path), Vec::<String>::new());
+        let mut note = Note::open(&path);
+        note.write("the station ended");
+        note.write("and again");
+        let locked = tokio::time::timeout(Duration::from_millis(1), wait_for_guardian(&path));
+        assert!(locked.await.is_err());
+        drop(note);
+        wait_for_guardian(&path).await;
+        let lines = take_note(&path);
+        assert!(lines[0].ends_with("Z: the station ended"), "{lines:?}");
+        assert_eq!(lines.len(), 2);
+        assert_eq!(take_note(&path), Vec::<String>::new());
+    }
+}

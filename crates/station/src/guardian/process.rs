@@ -1,0 +1,198 @@
+//! The guardian as a process: its standard input is the heartbeat, its standard output the arm's port.
+
+use std::io::{self, Write};
+use std::os::fd::AsFd;
+use std::path::Path;
+use std::time::Duration;
+
+use rustix::event::{PollFd, PollFlags, poll};
+use rustix::io::Errno;
+
+use super::clock::Clock;
+use super::note::Note;
+use super::port::{Taken, timespec, write_some, write_within};
+use super::{Beat, Guardian, JogKind, Silence, Told};
+
+/// Watches over a station until that says goodbye, or until all is said that had to be said.
+///
+/// # Errors
+///
+/// What the system says of standard input.
+pub fn guard(note: &Path) -> io::Result<()> {
+    let (beats, port) = (io::stdin(), io::stdout());
+    let clock = Clock::new();
+    let mut guard = Guard {
+        guardian: Guardian::new(clock.now()),
+        clock,
+        line: Vec::new(),
+        told: None,
+        ended: false,
+        note: Note::open(note),
+    };
+    while !guard.guardian.is_over() {
+        let ready = guard.wait(&beats, &port)?;
+        guard.step(ready, &beats, &port)?;
+    }
+    write_within(&port, &guard.line, PATIENCE);
+    Ok(())
+}
+
+struct Guard {
+    guardian: Guardian,
+    clock: Clock,
+    /// What is left of the packet that is on its way.
+    line: Vec<u8>,
+    /// What people were told of last.
+    told: Option<Silence>,
+    /// The heartbeat is closed.
+    ended: bool,
+    note: Note,
+}
+
+/// What can be done without waiting.
+#[derive(Clone, Copy, Debug)]
+struct Ready {
+    beats: bool,
+    port: bool,
+}
+
+impl Guard {
+    /// Waits for what is wanted next: a beat, a port that takes or tells something, or time.
+    fn wait(&self, beats: &impl AsFd, port: &impl AsFd) -> io::Result<Ready> {
+        let mut wanted = PollFlags::empty();
+        if self.guardian.silence().is_some() {
+            wanted |= PollFlags::IN;
+        }
+        if !self.line.is_empty() {
+            wanted |= PollFlags::OUT;
+        }
+        // A port that is gone would be ready all the time.
+        let (has_port, has_beats) = (!wanted.is_empty(), !self.ended);
+        let mut waited = Vec::with_capacity(2);
+        waited.extend(has_beats.then(|| PollFd::new(beats, PollFlags::IN)));
+        waited.extend(has_port.then(|| PollFd::new(port, wanted)));
+        let within = self.guardian.poll_wakeup().saturating_sub(self.clock.now());
+        match poll(&mut waited, Some(&timespec(within))) {
+            Ok(_) | Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        let mut ready = waited.iter().map(|it| !it.revents().is_empty());
+        Ok(Ready {
+            beats: has_beats && ready.next() == Some(true),
+            port: has_port && ready.next() == Some(true),
+        })
+    }
+
+    /// Beats first: however late this process is, a station that lives is not spoken for.
+    fn step(&mut self, ready: Ready, beats: &impl AsFd, port: &impl AsFd) -> io::Result<()> {
+        if ready.beats {
+            self.hear(beats)?;
+        }
+        self.guardian.handle_time(self.clock.now());
+        self.tell();
+        let mut gone = ready.port && self.follow(port);
+        if let Some(packet) = self.guardian.poll_bytes()
+            && self.line.is_empty()
+        {
+            self.line.extend_from_slice(&packet.to_bytes());
+        }
+        if !self.line.is_empty() {
+            match write_some(port, &self.line) {
+                Taken::Some(written) => drop(self.line.drain(..written)),
+                Taken::Later => {}
+                Taken::Gone => gone = true,
+            }
+        }
+        if gone {
+            // There is nobody to speak to any more.
+            self.line.clear();
+            self.guardian.handle_beat(self.clock.now(), Beat::Goodbye);
+        }
+        Ok(())
+    }
+
+    fn hear(&mut self, beats: &impl AsFd) -> io::Result<()> {
+        let mut bytes = [0; 256];
+        let read = match rustix::io::read(beats, &mut bytes) {
+            Err(Errno::AGAIN | Errno::INTR) => return Ok(()),
+            read => read?,
+        };
+        let now = self.clock.now();
+        if read == 0 {
+            self.ended = true;
+            self.guardian.handle_end(now);
+        }
+        for beat in bytes[..read].iter().filter_map(|it| Beat::from_byte(*it)) {
+            self.guardian.handle_beat(now, beat);
+        }
+        Ok(())
+    }
+
+    /// Listens to the arm while the guardian speaks; says whether the port is gone.
+    fn follow(&mut self, port: &impl AsFd) -> bool {
+        if self.guardian.silence().is_none() {
+            return false;
+        }
+        let mut bytes = [0; 4096];
+        match rustix::io::read(port, &mut bytes) {
+            Ok(1..) => self.guardian.handle_heard(self.clock.now()),
+            Err(Errno::AGAIN | Errno::INTR) => {}
+            Ok(0) | Err(_) => return true,
+        }
+        false
+    }
+
+    /// Says what it does where people look: on standard error, and in the note for the next start.
+    fn tell(&mut self) {
+        let silence = self.guardian.silence();
+        if silence == self.told {
+            return;
+        }
+        self.told = silence;
+        let Some(silence) = silence else {
+            return;
+        };
+        let silent = self.clock.now().saturating_sub(self.guardian.beat());
+        let text = text(silence, silent, self.guardian.told());
+        // Standard error may be gone with the station.
+        let _ = writeln!(io::stderr(), "guardian: {text}");
+        self.note.write(&text);
+    }
+}
+
+fn text(silence: Silence, silent: Duration, told: Told) -> String {
+    let why = match silence {
+        Silence::Ended => "the station ended without a goodbye".to_owned(),
+        Silence::Stalled => format!("the station was silent for {:.2} s", silent.as_secs_f64()),
+    };
+    let button = match told.jog {
+        None => "",
+        Some(JogKind::Joint) => ", and let go of the joint jog's button",
+        Some(JogKind::Linear) => ", and let go of the linear jog's button",
+    };
+    format!("{why}: the guardian switched the laser off{button}")
+}
+
+/// So long a port may take for what is left of the last packet.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_it_did_is_told_in_one_line() {
+        let told = Told {
+            jog: Some(JogKind::Linear),
+            burns: true,
+        };
+        assert_eq!(
+            text(Silence::Stalled, Duration::from_millis(312), told),
+            "the station was silent for 0.31 s: the guardian switched the laser off, and let go of the linear jog's button"
+        );
+        assert_eq!(
+            text(Silence::Ended, Duration::ZERO, Told::default()),
+            "the station ended without a goodbye: the guardian switched the laser off"
+        );
+    }
+}
