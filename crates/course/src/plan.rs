@@ -121,21 +121,14 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     }
     let speeds = stroke_speeds(vector, model)?;
     let cut = cut_of(vector, speeds.acceleration_mm_s2, model);
-    let whole = Stroke::new(from.position, by, &speeds)?;
-    let share = match cut {
-        _ if model.dialect.counts_ticks_in_16_bits && whole.duration_s() > MOST_COUNTED_S => {
-            let found = whole.duration_s();
-            return Err(CourseError::Uncounted { found });
-        }
-        Some(cut) if cut.ticks() <= 0 => return Err(CourseError::NeverEnds),
-        Some(cut) => gone(&cut, by.length().0),
-        None => 1.0,
-    };
-    let stroke = if share == 1.0 {
-        whole
-    } else {
-        Stroke::new(from.position, scaled(by, share), &speeds)?
-    };
+    let stroke = Stroke::new(from.position, by, &speeds)?;
+    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
+        let found = stroke.duration_s();
+        return Err(CourseError::Uncounted { found });
+    }
+    if cut.is_some_and(|it| it.ticks() <= 0) {
+        return Err(CourseError::NeverEnds);
+    }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
     let way = Way::Stroke {
         stroke,
@@ -186,22 +179,6 @@ fn cut_of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Optio
             acceleration_mm_s2 as f32,
         )
     })
-}
-
-/// What share of a vector is gone when its ticks are over: 1, but for one that the ticks do not fit
-/// (note N48).
-fn gone(cut: &Cut, length_mm: f64) -> f64 {
-    let way_mm: f64 = cut.speeds_mm_s().map(|it| f64::from(it) * TICK_S).sum();
-    let off_mm = (way_mm - length_mm).abs();
-    if off_mm > NEARLY_MM {
-        way_mm / length_mm
-    } else {
-        1.0
-    }
-}
-
-fn scaled(by: Position, share: f64) -> Position {
-    Position::new(by.x.0 * share, by.y.0 * share, by.z.0 * share)
 }
 
 /// Speeds above the largest count as the largest (note N5).
@@ -444,10 +421,6 @@ impl Course {
 const ON_THE_SPOT_MM: f64 = 0.001;
 /// A vector of half that length or less is none (note N16); the rest is for rounding.
 const NO_LENGTH_MM: f64 = 0.0002;
-/// A control tick of a stock arm.
-const TICK_S: f64 = 0.02;
-/// A vector whose ticks are off by less is as long as it should be: they are added in single precision.
-const NEARLY_MM: f64 = 0.02;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
 /// With less a vector takes for ever, or none of it is done.

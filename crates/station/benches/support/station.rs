@@ -81,7 +81,9 @@ pub(crate) fn serve() -> bool {
     // As the program's.
     let runtime = tokio::runtime::Runtime::new().expect("threads");
     runtime.block_on(async {
-        let station = Station::start(config).await.expect("nothing is in its way");
+        let station = Box::pin(Station::start(config))
+            .await
+            .expect("nothing is in its way");
         println!("{}", station.url());
         println!("{}", station.raw().expect("it was asked for"));
         let over = tokio::task::spawn_blocking(|| std::io::stdin().read_to_end(&mut Vec::new()));

@@ -292,29 +292,3 @@ fn a_vector_that_would_creep_on_for_ever_is_refused() {
         is_well(&mut it, anna, "creeping");
     }
 }
-
-#[test]
-fn vectors_whose_ticks_do_not_fit_are_foreseen_where_they_end() {
-    // 3 mm at 40 mm/s between vectors in full motion: 2.4 mm and the correction of a step (note N48).
-    let (mut it, anna) = stock();
-    say(&mut it, anna, By::Raw, vector([0.0, 30.0, 0.0], 40.0, 40.0)).unwrap();
-    for _ in 0..4 {
-        say(&mut it, anna, By::Raw, vector([0.0, 3.0, 0.0], 40.0, 40.0)).unwrap();
-        it.run_for(Duration::from_millis(80));
-    }
-    say(&mut it, anna, By::Raw, vector([0.0, 30.0, 0.0], 0.0, 40.0)).unwrap();
-    let foreseen = it
-        .keeper()
-        .session()
-        .model()
-        .unwrap()
-        .place
-        .pose
-        .position
-        .y
-        .0;
-    it.run_for(Duration::from_secs(5));
-    let told = f64::from(it.keeper().state().arm.unwrap().status.y_mm);
-    let off = (told - foreseen).abs();
-    assert!(off < 0.05, "told {told}, foreseen {foreseen}");
-}
