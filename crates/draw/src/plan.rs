@@ -339,7 +339,7 @@ mod tests {
         let [least, most] = plan.summary().burn_share.unwrap();
         assert!(least > 0.99999 && most < 1.00001, "{least} {most}");
         assert_eq!(plan.summary().strokes, 2);
-        assert_eq!(plan.commands().last(), Some(LASER_OFF.into()));
+        assert_eq!(plan.commands().last(), Some(commands::LASER_OFF.into()));
     }
 
     #[test]
