@@ -62,6 +62,16 @@ impl Belief {
         self.plan_anew();
     }
 
+    /// The arm turns out to serve its Bluetooth port.
+    pub(crate) fn note_bluetooth(&mut self) {
+        let models = self.over.iter_mut().chain(self.under_way.models());
+        if models.fold(false, |new, it| {
+            !std::mem::replace(&mut it.is_bluetooth, true) || new
+        }) {
+            self.plan_anew();
+        }
+    }
+
     /// What is believed when all that was sent is over.
     pub(crate) fn after_sent(&self) -> Option<&Model> {
         let last = self.under_way.last().map(|it| &it.plan.after);

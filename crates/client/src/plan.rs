@@ -59,11 +59,6 @@ impl Plan {
         self.course.is_ok_and(|it| it.motion_s().is_none())
     }
 
-    /// Whether it is a straight line of no length, by which the arm would lose its pose.
-    pub(crate) fn is_on_the_spot(&self) -> bool {
-        self.course == Err(CourseError::OnTheSpot)
-    }
-
     /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
     pub(crate) fn leaves_limits(&self) -> bool {
         let way = self.course.and_then(|it| it.check());

@@ -1,5 +1,6 @@
 //! Why a command is not sent.
 
+use dobot_course::CourseError;
 use dobot_wire::{Command, ParseError, VoiceOrder};
 
 /// Why a command is not sent.
@@ -28,6 +29,9 @@ pub enum SendError {
         "the laser is disarmed; put the goggles on, then arm it for a while (`Connection::arm_laser`) before it burns"
     )]
     LaserDisarmed,
+    /// A stock arm would not come out of it: it would hang, or go on for ever (notes N48 and N51).
+    #[error("{0}")]
+    Trap(CourseError),
     /// The command breaks a range of its table.
     #[error("the command is not allowed: {0}")]
     Invalid(ParseError),

@@ -6,7 +6,7 @@ mod look;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::Button;
+use dobot_course::{Button, CourseError};
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;
@@ -53,6 +53,8 @@ use crate::{Disarmed, Event, SendError};
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
+    /// When bytes came last.
+    bytes_came: Duration,
     scheme: Scheme,
     next_id: u64,
     /// A status came and no command has used it yet.
@@ -120,6 +122,7 @@ impl Session {
             now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
+            bytes_came: Duration::ZERO,
             scheme: Scheme::default(),
             next_id: 0,
             permit: false,
@@ -175,10 +178,16 @@ impl Session {
         }
         self.packet(command)?;
         let plan = self.belief.plan(command);
-        if plan.as_ref().is_some_and(|it| it.is_on_the_spot()) {
-            return Err(SendError::OnTheSpot);
+        match plan.as_ref().map(|it| it.course) {
+            Some(Err(CourseError::OnTheSpot)) => Err(SendError::OnTheSpot),
+            Some(Err(
+                trap @ (CourseError::NeverEnds
+                | CourseError::NothingToFollow
+                | CourseError::BehindCutLine
+                | CourseError::Uncounted { .. }),
+            )) => Err(SendError::Trap(trap)),
+            _ => Ok(plan),
         }
-        Ok(plan)
     }
 
     /// Sends a command at once and ahead of all others, permit or not and trusted or not: for a stop
@@ -263,6 +272,13 @@ impl Session {
     /// Takes bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.now = now;
+        if !bytes.is_empty() {
+            // Whose sender was reset in the middle of a status may not be taken for a whole one.
+            if now.saturating_sub(self.bytes_came) >= DEAF {
+                self.decoder.give_up_waiting();
+            }
+            self.bytes_came = now;
+        }
         // The frames borrow the decoder, so they are set aside: a read holds a few at the most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
         for frame in frames {
@@ -359,14 +375,19 @@ impl Session {
             self.note_completion(now, status);
         }
         self.belief.handle_status(now, status);
+        if self.is_bluetooth() {
+            self.belief.note_bluetooth();
+        }
     }
 
     /// Whether the status shows a reset; then everything that was told is forgotten.
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
-        let Some(evidence) = self
-            .trust
-            .handle_status(now, status, self.belief.comes_to_zero())
-        else {
+        let Some(evidence) = self.trust.handle_status(
+            now,
+            status,
+            self.belief.comes_to_zero(),
+            self.belief.is_at_rest(),
+        ) else {
             return false;
         };
         let forgotten = self.belief.handle_reset(status);

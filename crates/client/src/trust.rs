@@ -105,12 +105,14 @@ impl Trust {
     /// full queue, and a command under way may turn the base to just 0: it counts as a reset all the
     /// same, for nothing in the statuses tells the two apart. Only while the port was closed the arm may
     /// have gone on with what it had: `to_zero` tells whether that leads to a base of 0. Of a real arm
-    /// the opening itself costs the trust.
+    /// the opening itself costs the trust. `at_rest` tells whether nothing is under way: then an arm that
+    /// tells the same as before stands as before.
     pub(crate) fn handle_status(
         &mut self,
         now: Duration,
         status: &Status,
         to_zero: bool,
+        at_rest: bool,
     ) -> Option<ResetEvidence> {
         let went_on = std::mem::take(&mut self.opened) && to_zero;
         let (heard, before) = self.last.replace((now, *status))?;
@@ -128,7 +130,8 @@ impl Trust {
         let deaf = silent_for >= DEAF;
         let jumped = !jumps && jumped(&before, status, silent_for);
         let base_is_zero = status.base_deg == 0.0;
-        let begun_anew = !went_on && tells_otherwise(&before, status);
+        // A joint that turned since the last status may have turned alone, and from 0.
+        let begun_anew = !went_on && (!at_rest || tells_otherwise(&before, status));
         if !(jumped || deaf && base_is_zero && begun_anew) {
             return None;
         }

@@ -45,6 +45,8 @@ pub struct Model {
     pub settings: Settings,
     /// How the arm understands commands.
     pub dialect: Dialect,
+    /// Whether it serves its Bluetooth port, on which every arm hears voice (note N38).
+    pub is_bluetooth: bool,
     /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
     pub(crate) knows_place: bool,
     /// The end speed of the last write vector in mm/s, with which the next one starts where the
@@ -94,6 +96,7 @@ impl Model {
             gripper_deg: 0.0,
             settings: Settings::stock(&dialect),
             dialect,
+            is_bluetooth: false,
             knows_place: true,
             write_speed_mm_s: 0.0,
             jog: None,

@@ -259,7 +259,7 @@ fn gesture(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
 }
 
 fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
-    if !model.dialect.hears_voice {
+    if !model.dialect.hears_voice && !model.is_bluetooth {
         return Err(CourseError::NotHeard);
     }
     match VoiceOrder::parse(voice).ok_or(CourseError::NotUnderstood)? {

@@ -81,6 +81,8 @@ async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
     assert!(!arm.arm().controller().laser(), "{personality}: it is off");
     let burnt = arm.arm().samples().iter().any(|it| it.laser);
     assert!(burnt, "{personality}: it burnt");
+    // A long silence at a base of 0 costs the trust.
+    connection.session_mut().confirm_pose();
     connection.send(vector(-5.0, 0.0, false)).unwrap();
     while connection.session().under_way() + connection.session().waiting() > 0 {
         connection.next_event().await.unwrap();
@@ -144,6 +146,7 @@ async fn a_burn_that_ends_at_a_limit_does_not_leave_the_laser_on() {
 async fn an_arm_that_is_not_in_this_process_burns_only_while_its_laser_is_armed() {
     let (ours, _theirs) = tokio::io::duplex(4096);
     let mut connection = Connection::over_stream(ours, Some(Personality::Firmware11.dialect()));
+    connection.session_mut().confirm_pose();
     let refused = connection.send(vector(10.0, 0.0, true)).unwrap_err();
     assert_eq!(refused, SendError::LaserDisarmed);
     assert!(refused.to_string().contains("arm_laser"), "{refused}");

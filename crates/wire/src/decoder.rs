@@ -72,6 +72,14 @@ impl<D> Decoder<D> {
 }
 
 impl<D: Direction> Decoder<D> {
+    /// Gives up what waits for the rest of its packet: its sender has been silent for so long that the
+    /// rest will not come. Bytes that come later belong to others; they might complete it to what
+    /// looks like a packet.
+    pub fn give_up_waiting(&mut self) {
+        let len = core::mem::take(&mut self.filled);
+        self.count_skipped(len);
+    }
+
     /// Takes bytes, of any number, and gives the packets that they complete.
     ///
     /// The iterator must be run to its end: bytes that it has not reached when it is dropped are

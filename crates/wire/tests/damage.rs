@@ -181,7 +181,7 @@ fn takes_no_command_out_of_the_pieces_of_two() {
 fn refuses_statuses_whose_floats_are_out_of_range() {
     let good = status_of([0.0, 45.0, 45.0, 0.0], true, 0.0).emit();
     for (n, value) in [
-        (1, 1001.0),
+        (1, 2001.0),
         (4, f32::NAN),
         (5, 191.0),
         (9, 0.5),

@@ -48,9 +48,9 @@ fn every_bundled_drawing_of_each_kind_is_drawn_within_tolerance_of_the_true_posi
                 "{file}: {report}"
             );
             assert_eq!(report["measured_from"], "the arm's true position");
-            // The plan is what happens: two statuses pass until the end is seen.
+            // The plan is what happens: the tool is set before, and statuses pass until the end is seen.
             let late_s = number(&report, "time_s") - number(&report, "planned_s");
-            assert!(late_s.abs() < 1.0, "{file}: {report}");
+            assert!((-0.5..2.0).contains(&late_s), "{file}: {report}");
         }
     }
     let known = ["csv", "dxf", "gcode", "jpg", "json", "plt", "svg"];
@@ -65,7 +65,9 @@ fn a_dry_run_takes_as_long_as_the_run_itself() {
         let estimated = dobot(&[&arguments[..], &["--dry-run"]].concat()).succeeds();
         let made = dobot(&arguments).succeeds();
         let [estimated, made] = [&estimated, &made].map(|it| report(&it.stdout));
-        assert_eq!(estimated["estimated_s"], made["time_s"], "{dialect}");
+        // Their statuses may come at other moments.
+        let apart_s = number(&estimated, "estimated_s") - number(&made, "time_s");
+        assert!(apart_s.abs() < 0.17, "{dialect}: {apart_s}");
         assert_eq!(estimated["time_s"], Value::Null);
     }
 }

@@ -332,7 +332,7 @@ impl Trial {
         let command = self.dice.command(kind, self.is_stock());
         let id = match self.connection.send(command) {
             Ok(id) => id,
-            Err(SendError::OnTheSpot) => return,
+            Err(SendError::OnTheSpot | SendError::Trap(_)) => return,
             Err(error) => panic!("{command:?}: {error}"),
         };
         self.sent += 1;

@@ -248,7 +248,8 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
             it.ask(anna, Request::Jog { jog: first }).unwrap();
             // A press uses the permit of the last status up, and the next one waits for another.
             for jog in [joint(JointJogAxis::SuctionOff), never] {
-                it.ask(anna, Request::Jog { jog }).unwrap();
+                // A switch lets go of the button; what runs down still may refuse the next one.
+                let _ = it.ask(anna, Request::Jog { jog });
             }
             it.ask(anna, Request::Release).unwrap();
             let what = format!("{personality}: {never:?}");
