@@ -64,10 +64,12 @@ impl Belief {
 
     /// The arm turns out to serve its Bluetooth port.
     pub(crate) fn note_bluetooth(&mut self) {
-        let models = self.over.iter_mut().chain(self.under_way.models());
-        if models.fold(false, |new, it| {
-            !std::mem::replace(&mut it.is_bluetooth, true) || new
-        }) {
+        let mut is_news = false;
+        for model in self.over.iter_mut().chain(self.under_way.models()) {
+            is_news |= !model.is_bluetooth;
+            model.is_bluetooth = true;
+        }
+        if is_news {
             self.plan_anew();
         }
     }

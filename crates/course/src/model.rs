@@ -30,6 +30,10 @@ use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 /// # Ok::<(), dobot_course::CourseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "two switches of the arm, and two things that are known or not"
+)]
 pub struct Model {
     /// Where the arm is.
     pub place: Place,

@@ -150,7 +150,7 @@ async fn an_arm_that_is_not_in_this_process_burns_only_while_its_laser_is_armed(
     let refused = connection.send(vector(10.0, 0.0, true)).unwrap_err();
     assert_eq!(refused, SendError::LaserDisarmed);
     assert!(refused.to_string().contains("arm_laser"), "{refused}");
-    connection.arm_laser(Duration::from_secs(60));
+    connection.arm_laser(Duration::from_mins(1));
     connection.send(vector(10.0, 0.0, true)).unwrap();
     connection.session_mut().disarm_laser();
     let refused = LinkError::from(connection.send(vector(10.0, 0.0, true)).unwrap_err());
