@@ -153,6 +153,9 @@ step_api() {
     sleep 0.1
   done
   [[ -n $address ]] || fail "the station does not start: $(cat "$folder/log")"
+  # The library through a station; `examples` runs the same without one.
+  cargo run --locked -p dobot-station --example move_and_jog -- "$address"
+  cargo run --locked -p dobot-station --example draw -- examples/drawings/square.svg "$address"
   EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
   kill -INT "$station"
   wait "$station"

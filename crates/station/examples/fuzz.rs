@@ -1,5 +1,5 @@
-//! `cargo run --release -p dobot-station --example fuzz -- --requests 1000000`: anything that anybody may ask, until the arm is lost.
-//!
+//! `cargo run -p dobot-station --example fuzz -- --requests 20000`: anything that anybody may ask, until the arm is lost. A million take
+//! some minutes (`--release`).
 //! It prints the figures as the table of docs/reliability.md (`examples/reliability/fuzz.md`).
 
 #[path = "reliability/cases/mod.rs"]
