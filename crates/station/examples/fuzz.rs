@@ -1,5 +1,6 @@
-//! `cargo run -p dobot-station --example fuzz -- --requests 20000`: anything that anybody may ask, until the arm is lost. A million take
-//! some minutes (`--release`).
+//! `cargo run -p dobot-station --example fuzz -- --requests 20000`
+//!
+//! Asks the whole station anything, until the arm is lost. A million take some minutes (`--release`).
 //! It prints the figures as the table of docs/reliability.md (`examples/reliability/fuzz.md`).
 
 #[path = "reliability/cases/mod.rs"]
