@@ -19,7 +19,7 @@ use tokio_tungstenite::tungstenite::{self, Message};
 use tokio_tungstenite::{WebSocketStream, client_async};
 
 use self::stream::{Bytes, open, soon};
-use crate::{ClientId, News, Notice, Problem, Reply, Request, Role, State};
+use crate::{ClientId, Notice, Problem, Reply, Request, Role, State};
 
 pub use self::address::{StationAddress, StationAddressError, Trust, fingerprint};
 pub use self::fetch::fetch;
@@ -182,40 +182,6 @@ impl Remote {
                 Said::Answer(None, Err(problem)) => return Err(RemoteError::Refused(problem)),
                 // The answer to a question that somebody gave up.
                 Said::Answer(..) | Said::Hello(_) => {}
-            }
-        }
-    }
-
-    /// The next state.
-    ///
-    /// # Errors
-    ///
-    /// [`RemoteError`] where the connection is lost.
-    pub async fn state(&mut self) -> Result<State, RemoteError> {
-        loop {
-            if let Heard::State(state) = self.next().await? {
-                return Ok(*state);
-            }
-        }
-    }
-
-    /// Waits until a command that was [accepted](Reply::Accepted) is over.
-    ///
-    /// # Errors
-    ///
-    /// [`RemoteError::Failed`] where the arm is not where it leads, and others where the
-    /// connection is lost.
-    pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
-        loop {
-            let Heard::Notice(notice) = self.next().await? else {
-                continue;
-            };
-            match notice.news {
-                News::CommandDone { command: done } if done == command => return Ok(()),
-                News::CommandFailed { command: failed } if failed == command => {
-                    return Err(RemoteError::Failed(notice.text));
-                }
-                _ => {}
             }
         }
     }

@@ -5,7 +5,8 @@
 use std::sync::Arc;
 
 use dobot_station::{
-    ConnectError, Heard, Remote, RemoteError, Reply, Request, StationAddress, Trust, fetch,
+    ConnectError, Heard, Remote, RemoteError, Reply, Request, StationAddress, StationClient, Trust,
+    fetch,
 };
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
@@ -58,10 +59,10 @@ async fn listen() -> (TcpListener, StationAddress) {
 }
 
 /// A client and the hand-made station that it is connected with.
-async fn pair() -> (Remote, Fake) {
+async fn pair() -> (StationClient, Fake) {
     let (listener, address) = listen().await;
     let serve = async { Fake::welcome(listener.accept().await.unwrap().0).await.0 };
-    let (remote, fake) = tokio::join!(Remote::connect(&address, "test"), serve);
+    let (remote, fake) = tokio::join!(StationClient::connect(&address, "test"), serve);
     (remote.unwrap(), fake)
 }
 

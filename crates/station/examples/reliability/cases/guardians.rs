@@ -331,6 +331,11 @@ impl After {
     }
 }
 
+/// How far each part went.
+fn parts<const N: usize>(from: [f64; N], to: [f64; N]) -> Vec<f64> {
+    from.iter().zip(to).map(|(a, b)| b - a).collect()
+}
+
 /// Motion that no button asked for, in words.
 fn unasked(doing: Doing, from: &Joints, to: &Joints) -> Option<String> {
     let joints = |it: &Joints| [it.base.0, it.rear.0, it.fore.0, it.servo.0];
@@ -338,37 +343,17 @@ fn unasked(doing: Doing, from: &Joints, to: &Joints) -> Option<String> {
         let place = place(it);
         [place.x.0, place.y.0, place.z.0]
     };
-    let (asked, sign, parts, most): (usize, f64, Vec<f64>, f64) = match doing {
-        Doing::Joint(axis) => {
-            let number = axis as usize - 1;
-            let parts = joints(from)
-                .iter()
-                .zip(joints(to))
-                .map(|(a, b)| b - a)
-                .collect();
-            (number / 2, sign(number), parts, 0.05)
-        }
+    let turned = || parts(joints(from), joints(to));
+    let (number, parts, most): (usize, Vec<f64>, f64) = match doing {
+        Doing::Joint(axis) => (axis as usize - 1, turned(), 0.05),
         // The servo turns as in a joint jog.
         Doing::Linear(axis @ (LinearJogAxis::ServoPlus | LinearJogAxis::ServoMinus)) => {
-            let number = axis as usize - 1;
-            let parts = joints(from)
-                .iter()
-                .zip(joints(to))
-                .map(|(a, b)| b - a)
-                .collect();
-            (number / 2, sign(number), parts, 0.05)
+            (axis as usize - 1, turned(), 0.05)
         }
-        Doing::Linear(axis) => {
-            let number = axis as usize - 1;
-            let parts = point(from)
-                .iter()
-                .zip(point(to))
-                .map(|(a, b)| b - a)
-                .collect();
-            (number / 2, sign(number), parts, 0.3)
-        }
+        Doing::Linear(axis) => (axis as usize - 1, parts(point(from), point(to)), 0.3),
         Doing::Burning | Doing::Moving => return None,
     };
+    let (asked, sign) = (number / 2, sign(number));
     let wrong = parts.iter().enumerate().any(|(at, part)| {
         let back = at == asked && part * sign < -most;
         back || (at != asked && part.abs() > most)
