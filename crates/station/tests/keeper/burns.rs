@@ -6,7 +6,7 @@ use dobot_controller::Personality;
 use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
 use dobot_station::{ClientId, JobKind, NewJob, News, Rehearsal, Request};
 
-use crate::drawing::rehearsal;
+use crate::drawing::{longest_stand_s, rehearsal};
 use crate::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
 
 const LINES: [f64; 3] = [-10.0, 0.0, 10.0];
@@ -65,22 +65,6 @@ fn burned(it: &Rehearsal) -> Vec<Stroke> {
     strokes
 }
 
-/// How long the laser was on at the most while the arm stood, in seconds.
-fn longest_hole_s(it: &Rehearsal) -> f64 {
-    let mut longest_s: f64 = 0.0;
-    let mut stood_s = 0.0;
-    for pair in it.arm().samples().windows(2) {
-        let stands = pair[1].position.distance(pair[0].position).0 < 0.005;
-        stood_s = if stands && pair[1].laser {
-            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
-        } else {
-            0.0
-        };
-        longest_s = longest_s.max(stood_s);
-    }
-    longest_s
-}
-
 fn assert_burned_once(it: &Rehearsal, what: &str) {
     let (wanted, burned) = (wanted(), burned(it));
     let off_mm = deviation(&wanted, &burned).largest_mm();
@@ -119,7 +103,7 @@ fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice()
         }
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
-        let hole_s = longest_hole_s(&it);
+        let hole_s = longest_stand_s(&it, 0.005);
         assert!(hole_s < 0.3, "{personality}: {hole_s} s");
     }
 }

@@ -9,7 +9,7 @@ use dobot_station::{ClientId, News, Rehearsal, Request};
 use dobot_wire::{Command, Packet};
 
 use crate::commands::vector;
-use crate::drawing::rehearsal;
+use crate::drawing::{longest_stand_s, rehearsal};
 
 /// What the laser may stand at the most.
 const MOST_S: f64 = 0.3;
@@ -20,22 +20,6 @@ fn armed(it: &mut Rehearsal) -> ClientId {
     it.ask(anna, Request::TakeLease).unwrap();
     it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
     anna
-}
-
-/// How long the laser was on at the most while the arm stood, in seconds: of the arm, not as told.
-fn longest_stand_s(it: &Rehearsal) -> f64 {
-    let mut longest_s: f64 = 0.0;
-    let mut stood_s = 0.0;
-    for pair in it.arm().samples().windows(2) {
-        let stands = pair[1].position.distance(pair[0].position).0 < 0.001;
-        stood_s = if stands && pair[1].laser {
-            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
-        } else {
-            0.0
-        };
-        longest_s = longest_s.max(stood_s);
-    }
-    longest_s
 }
 
 fn burns(it: &Rehearsal) -> bool {
@@ -66,7 +50,7 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
         assert!(!it.keeper().state().laser.on, "{personality}");
         assert!(it.keeper().state().laser.armed_for_s > 0.0, "{personality}");
         rest(&mut it, anna);
-        let stood_s = longest_stand_s(&it);
+        let stood_s = longest_stand_s(&it, 0.001);
         assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
     }
 }
@@ -91,7 +75,7 @@ fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
         let packet = vector([0.0, 0.0, 5.0], false).emit(&personality.dialect());
         it.send_raw(program, &packet).unwrap();
         it.run_for(Duration::from_secs(3));
-        let stood_s = longest_stand_s(&it);
+        let stood_s = longest_stand_s(&it, 0.001);
         assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
     }
 }
