@@ -58,7 +58,7 @@ pub enum CourseError {
     BehindCutLine,
     /// A vector that a stock arm would never end.
     #[error(
-        "the arm would never end this vector, but creep on (note N48): behind the end speed of the vector before, its ticks add up to less than none; end the vector before at another speed, or this one at rest"
+        "the arm might never end this vector, but creep on (note N48): behind the end speed that the vector before left, or that others may have left, its ticks add up to less than none; send a longer vector, or use writing mode"
     )]
     NeverEnds,
     /// A vector of laser mode without the laser that begins at rest, so slow that a stock arm goes

@@ -56,6 +56,9 @@ pub struct Model {
     /// The end speed of the last write vector in mm/s, with which the next one starts where the
     /// dialect does not use its start speed (note N5).
     pub(crate) write_speed_mm_s: f64,
+    /// Whether that is known: not of an arm that others may have used before, nor behind a vector that
+    /// may have been cut short (note N48).
+    pub(crate) knows_write_speed: bool,
     /// The jog that goes on, or whose speed the arm keeps.
     pub(crate) jog: Option<JogCourse>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
@@ -81,10 +84,11 @@ pub(crate) enum Lines {
 
 impl Model {
     /// An arm that tells a status and has been configured by nobody: stock settings, and the suction
-    /// cup unless the status is that of a laser.
+    /// cup unless the status is that of a laser. What others told it before is not known.
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
         let mut model = Self::standing(dialect, Place::of_status(status));
+        model.knows_write_speed = false;
         model.seen(status);
         model
     }
@@ -103,6 +107,7 @@ impl Model {
             is_bluetooth: false,
             knows_place: true,
             write_speed_mm_s: 0.0,
+            knows_write_speed: true,
             jog: None,
             idle_pause_s: 0.0,
             followed: Followed::default(),
@@ -124,6 +129,7 @@ impl Model {
     /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
+        self.knows_write_speed = false;
         if !matches!(self.lines, Lines::None) {
             self.lines = Lines::Cut;
         }

@@ -120,13 +120,14 @@ fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
         return Err(CourseError::OnTheSpot);
     }
     let speeds = stroke_speeds(vector, model)?;
-    let cut = cut_of(vector, speeds.acceleration_mm_s2, model);
+    let stored_mm_s = model.write_speed_mm_s;
+    let cut = cut_of(vector, stored_mm_s, speeds.acceleration_mm_s2, model);
     let stroke = Stroke::new(from.position, by, &speeds)?;
     if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
         let found = stroke.duration_s();
         return Err(CourseError::Uncounted { found });
     }
-    if cut.is_some_and(|it| it.ticks() <= 0) {
+    if never_ends(vector, speeds.acceleration_mm_s2, model) {
         return Err(CourseError::NeverEnds);
     }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
@@ -165,15 +166,31 @@ fn stock_end(course: &Course, model: &Model) -> Place {
     place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
 }
 
+/// Whether the arm would creep on for ever: with the end speed that the vector before left or, where
+/// nobody knows that, with one that it may well have left.
+fn never_ends(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> bool {
+    let creeps = |stored_mm_s| {
+        let cut = cut_of(vector, stored_mm_s, acceleration_mm_s2, model);
+        cut.is_some_and(|it| it.ticks() <= 0)
+    };
+    let creeps_unknown = || LEFT_BY_OTHERS_MM_S.into_iter().any(creeps);
+    creeps(model.write_speed_mm_s) || !model.knows_write_speed && creeps_unknown()
+}
+
 /// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
 /// vector (note N48).
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn cut_of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Option<Cut> {
+fn cut_of(
+    vector: &WriteVector,
+    stored_mm_s: f64,
+    acceleration_mm_s2: f64,
+    model: &Model,
+) -> Option<Cut> {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
     (!model.dialect.uses_start_speed).then(|| {
         Cut::of(
             libm::sqrtf(x * x + y * y + z * z),
-            model.write_speed_mm_s as f32,
+            stored_mm_s as f32,
             vector.end_speed_mm_s,
             vector.max_speed_mm_s,
             acceleration_mm_s2 as f32,
@@ -425,6 +442,8 @@ const NO_LENGTH_MM: f64 = 0.0002;
 const RAPID_FACTOR: f64 = 100.0;
 /// With less a vector takes for ever, or none of it is done.
 const CREEPS_MM_S: f64 = 0.1;
+/// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
+const LEFT_BY_OTHERS_MM_S: [f64; 4] = [-0.01, -0.1, -1.0, -3.0];
 /// Half a control tick of 20 ms.
 const HALF_A_TICK_S: f64 = 0.01;
 
@@ -434,6 +453,30 @@ mod tests {
     use dobot_wire::Dialect;
 
     use super::*;
+
+    #[test]
+    fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
+        // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
+        // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.write_speed_mm_s = 0.8;
+        let rapid = Command::from(WriteVector {
+            mode: WriteMode::Laser,
+            x_mm: 0.0,
+            y_mm: -1.4,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 34.0,
+            end_speed_mm_s: 40.0,
+            max_speed_mm_s: 150.0,
+            stop: false,
+        });
+        assert!(model.course(&rapid).is_ok());
+        model.lose_place();
+        model.knows_place = true;
+        assert_eq!(model.course(&rapid), Err(CourseError::NeverEnds));
+    }
 
     #[test]
     fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
