@@ -4,11 +4,11 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_course::{Button, Model, Settings};
-use dobot_wire::{Command, Dialect, Status};
+use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, MovingMode, Status};
 
-use crate::CommandId;
 use crate::plan::Plan;
 use crate::under_way::{Sent, UnderWay};
+use crate::{CommandId, SendError};
 
 /// The arm as it is believed to be, and the commands that it and the session have.
 #[derive(Clone, Debug)]
@@ -33,6 +33,13 @@ pub(crate) struct Given {
     pub(crate) command: Command,
     /// None before the first status.
     plan: Option<Box<Plan>>,
+}
+
+impl Given {
+    /// Why it must not be sent by now.
+    pub(crate) fn trap(&self) -> Option<SendError> {
+        self.plan.as_ref().and_then(|it| it.trap())
+    }
 }
 
 impl Belief {
@@ -153,11 +160,37 @@ impl Belief {
         self.waiting.front()
     }
 
-    /// Forgets the first waiting command of a kind, and those behind it; says which they were.
+    /// Whether the next command is a straight line that could have no length, for nobody knows yet where
+    /// the arm comes to rest (note N34).
+    pub(crate) fn waits_for_place(&self) -> bool {
+        let unknown = self.after_sent().is_some_and(|it| !it.knows_place());
+        let is_line = |it: &Given| {
+            matches!(
+                it.command,
+                Command::MoveTo(MoveTo {
+                    mode: MovingMode::MovL,
+                    ..
+                }) | Command::MoveJoints(MoveJoints {
+                    mode: MovingMode::MovL,
+                    ..
+                })
+            )
+        };
+        let is_next = self.next().is_some_and(is_line);
+        self.dialect.loses_pose_on_the_spot && unknown && is_next && !self.jogs
+    }
+
+    /// Forgets the first waiting command of a kind, and those behind it but for the release of a button;
+    /// says which they were.
     pub(crate) fn forget_from_first(&mut self, kind: impl Fn(&Command) -> bool) -> Vec<CommandId> {
         let first = self.waiting.iter().position(|it| kind(&it.command));
-        let kept = first.unwrap_or(self.waiting.len());
-        self.waiting.drain(kept..).map(|it| it.id).collect()
+        let from_first = self.waiting.split_off(first.unwrap_or(self.waiting.len()));
+        let (releases, others): (Vec<_>, Vec<_>) = from_first
+            .into_iter()
+            .partition(|it| Button::of(&it.command) == Some(Button::Released));
+        self.waiting.extend(releases);
+        self.plan_anew();
+        others.into_iter().map(|it| it.id).collect()
     }
 
     /// Whether the laser may be on: it is, or something under way has it on.

@@ -46,9 +46,15 @@ pub enum Event {
         /// How many commands are forgotten.
         forgotten: usize,
     },
-    /// A command that burns, or waited behind one that does, was forgotten: the laser's time was over
-    /// before it could be sent.
-    NotSent(CommandId),
+    /// A command that was taken is forgotten before it could be sent: it burns and the laser's time is
+    /// over, or what was before it ended elsewhere and it would be a trap by now; or it waited behind
+    /// such a one.
+    NotSent {
+        /// The command.
+        command: CommandId,
+        /// Why it, or the one that it waited behind, would be refused now.
+        reason: SendError,
+    },
     /// The laser's time is over, or its arm was reset or lost: what burns is refused until it is armed
     /// anew.
     LaserDisarmed(Disarmed),
@@ -119,8 +125,8 @@ impl Event {
     /// # Errors
     ///
     /// [`LinkError::Silent`] for a lost link, [`LinkError::NotReached`] for a move that fell short,
-    /// [`LinkError::Reset`] for an arm that was reset, [`SendError::LaserDisarmed`] in
-    /// [`LinkError::Send`] for a command that was not sent.
+    /// [`LinkError::Reset`] for an arm that was reset, [`LinkError::Send`] for a command that was not
+    /// sent.
     pub fn or_failed(self) -> Result<Self, LinkError> {
         match self {
             Self::LinkLost { silent_for, noise } => Err(LinkError::Silent { silent_for, noise }),
@@ -135,7 +141,7 @@ impl Event {
                 found: point(found),
             }),
             Self::Reset { evidence, .. } => Err(LinkError::Reset(evidence)),
-            Self::NotSent(_) => Err(SendError::LaserDisarmed.into()),
+            Self::NotSent { reason, .. } => Err(reason.into()),
             event => Ok(event),
         }
     }

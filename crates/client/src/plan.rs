@@ -6,6 +6,8 @@ use dobot_arm::Position;
 use dobot_course::{Course, CourseError, Model};
 use dobot_wire::{Command, Status};
 
+use crate::SendError;
+
 /// Where a command leads from what was believed when it was given: told once, and kept with it.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
@@ -46,6 +48,20 @@ impl Plan {
         match &self.course {
             Ok(course) => course.motion_s().map_or(Duration::ZERO, seconds),
             Err(_) => UNFORESEEN,
+        }
+    }
+
+    /// Why it must not be sent, if a stock arm would not come out of it.
+    pub(crate) const fn trap(&self) -> Option<SendError> {
+        match self.course {
+            Err(CourseError::OnTheSpot) => Some(SendError::OnTheSpot),
+            Err(
+                trap @ (CourseError::NeverEnds
+                | CourseError::NothingToFollow
+                | CourseError::BehindCutLine
+                | CourseError::Uncounted { .. }),
+            ) => Some(SendError::Trap(trap)),
+            _ => None,
         }
     }
 

@@ -4,7 +4,7 @@ use dobot_course::CourseError;
 use dobot_wire::{Command, ParseError, VoiceOrder};
 
 /// Why a command is not sent.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SendError {
     /// The arm's dialect is not known and the command means different things in them (note N1).

@@ -6,7 +6,7 @@ mod look;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{Button, CourseError};
+use dobot_course::Button;
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;
@@ -178,15 +178,9 @@ impl Session {
         }
         self.packet(command)?;
         let plan = self.belief.plan(command);
-        match plan.as_ref().map(|it| it.course) {
-            Some(Err(CourseError::OnTheSpot)) => Err(SendError::OnTheSpot),
-            Some(Err(
-                trap @ (CourseError::NeverEnds
-                | CourseError::NothingToFollow
-                | CourseError::BehindCutLine
-                | CourseError::Uncounted { .. }),
-            )) => Err(SendError::Trap(trap)),
-            _ => Ok(plan),
+        match plan.as_ref().and_then(|it| it.trap()) {
+            Some(trap) => Err(trap),
+            None => Ok(plan),
         }
     }
 
@@ -444,11 +438,20 @@ impl Session {
         let Some(next) = self.belief.next() else {
             return;
         };
-        if self.would_hide_a_reset() || self.waits_for_the_port(&next.command) {
+        let waits = self.would_hide_a_reset()
+            || self.waits_for_the_port(&next.command)
+            || self.belief.waits_for_place();
+        if waits {
             return;
         }
         if self.parts_from_laser_first(&next.command) {
             self.switch_laser_off();
+            return;
+        }
+        if let Some(reason) = next.trap() {
+            for command in self.belief.forget_from_first(|_| true) {
+                self.events.push_back(Event::NotSent { command, reason });
+            }
             return;
         }
         let Some(mut given) = self.belief.take_next() else {

@@ -243,8 +243,12 @@ fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
     events(&mut session);
     session.handle_time(Duration::from_secs(1));
     let told = events(&mut session);
-    assert!(told.contains(&Event::NotSent(burning)), "{told:?}");
-    assert!(told.contains(&Event::NotSent(behind)), "{told:?}");
+    let not_sent = |command| Event::NotSent {
+        command,
+        reason: SendError::LaserDisarmed,
+    };
+    assert!(told.contains(&not_sent(burning)), "{told:?}");
+    assert!(told.contains(&not_sent(behind)), "{told:?}");
     assert!(
         told.contains(&Event::LaserDisarmed(dobot_client::Disarmed::TimeOver)),
         "{told:?}"

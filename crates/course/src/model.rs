@@ -269,9 +269,11 @@ impl Model {
         }
     }
 
-    /// A line is taken to be gone to its end, and a MOVJ clears away what a line left.
-    const fn note_lines(&mut self, mode: MovingMode) {
+    /// A line is taken to be gone to its end, and a MOVJ clears away what a line left. At a limit the
+    /// arm is refused the tick in which it would notice that the line is gone.
+    fn note_lines(&mut self, mode: MovingMode) {
         self.lines = match (self.lines, mode) {
+            (_, MovingMode::MovL) if self.place.is_at_limit() => Lines::Cut,
             (Lines::None, MovingMode::MovL) | (Lines::Cut, MovingMode::MovJ) => Lines::Whole,
             (lines, _) => lines,
         };

@@ -60,7 +60,29 @@ impl Place {
     pub fn check(&self) -> Result<(), Unreachable> {
         Limits::STOCK.check_at(&self.joints, self.pose.position)
     }
+
+    /// Whether the arm may be here, and the rounding of a stock arm could bring it out.
+    pub(crate) fn is_at_limit(&self) -> bool {
+        let beside = |[rear, fore]: [f64; 2]| {
+            let Joints { base, servo, .. } = self.joints;
+            let joints = Joints {
+                base: base + Degrees(rear * ROUNDING),
+                rear: self.joints.rear + Degrees(rear * ROUNDING),
+                fore: self.joints.fore + Degrees(fore * ROUNDING),
+                servo: servo + Degrees(rear * ROUNDING),
+            };
+            let Position { x, y, z } = self.pose.position;
+            let farther = 1.0 + fore * ROUNDING;
+            let position = Position::new(x.0 * farther, y.0 * farther, z.0 + rear * ROUNDING);
+            Limits::STOCK.check_at(&joints, position)
+        };
+        let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        signs.into_iter().any(|it| beside(it).is_err())
+    }
 }
+
+/// More than single precision loses of an angle or a place, in degrees, mm and parts.
+const ROUNDING: f64 = 1e-3;
 
 /// A position by the numbers of a packet.
 pub(crate) fn position(x_mm: f32, y_mm: f32, z_mm: f32) -> Position {

@@ -248,6 +248,35 @@ fn a_line_without_length_is_refused_for_an_arm_that_would_lose_its_pose() {
 }
 
 #[test]
+fn a_line_behind_one_that_ends_at_a_limit_is_refused_for_an_arm_that_would_jump() {
+    // The rear arm at -5 degrees exactly: rounding makes the last tick one beyond the limit, and what
+    // the line has gone is kept for the next one (note N46).
+    let to_limit = MoveJoints {
+        base_deg: 10.0,
+        rear_deg: -5.0,
+        fore_deg: 35.0,
+        servo_deg: 0.0,
+        suction: false,
+        mode: MovingMode::MovL,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    };
+    let back = to(MovingMode::MovL, 220.0, 0.0, 20.0);
+    let there = after(&model(STOCK), to_limit);
+    assert_eq!(refusal(&there, back), CourseError::BehindCutLine);
+    let beside = after(
+        &model(STOCK),
+        MoveJoints {
+            rear_deg: -4.9,
+            ..to_limit
+        },
+    );
+    assert!(course(&beside, back).moves());
+    let cleared = after(&there, to(MovingMode::MovJ, 220.0, 10.0, 20.0));
+    assert!(course(&cleared, back).moves());
+}
+
+#[test]
 fn a_value_beyond_its_table_is_refused_with_the_table() {
     for command in [
         Command::from(to(MovingMode::MovJ, f32::NAN, 0.0, 0.0)),

@@ -135,8 +135,9 @@ impl Session {
     /// The laser is disarmed for a reason that the session sees itself.
     pub(super) fn lose_laser(&mut self, why: Disarmed) {
         let was_armed = self.laser.armed_until.is_some() && !self.is_laser_free();
-        for id in self.disarm_laser() {
-            self.events.push_back(Event::NotSent(id));
+        for command in self.disarm_laser() {
+            let reason = SendError::LaserDisarmed;
+            self.events.push_back(Event::NotSent { command, reason });
         }
         if was_armed {
             self.events.push_back(Event::LaserDisarmed(why));

@@ -3,7 +3,6 @@
 
 use std::time::Duration;
 
-use dobot_client::CommandId;
 use dobot_course::LASER_OFF;
 
 use super::{Keeper, seconds};
@@ -48,7 +47,7 @@ impl Keeper {
     pub(super) fn disarm_laser(&mut self, why: &str) {
         let was_armed = self.session.laser_armed_until().is_some();
         for id in self.session.disarm_laser() {
-            self.laser_not_lit(id);
+            self.command_forgotten(id, &Refusal::LaserDisarmed.to_string());
         }
         if was_armed || self.session.is_laser_on() {
             self.laser_disarmed(why);
@@ -63,11 +62,6 @@ impl Keeper {
             News::LaserDisarmed,
             format!("the laser is off and disarmed: {why}"),
         );
-    }
-
-    /// A command that burns, or waited behind one, was forgotten with the arming.
-    pub(super) fn laser_not_lit(&mut self, id: CommandId) {
-        self.command_forgotten(id, &Refusal::LaserDisarmed.to_string());
     }
 
     /// The session has switched the laser off.

@@ -7,7 +7,7 @@ use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
 use super::Keeper;
-use crate::words::{LinkPhase, News};
+use crate::words::{LinkPhase, News, Refusal};
 
 /// The way to the arm.
 #[derive(Debug)]
@@ -98,7 +98,9 @@ impl Keeper {
                 } => self.tell_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
-                Event::NotSent(id) => self.laser_not_lit(id),
+                Event::NotSent { command, reason } => {
+                    self.command_forgotten(command, &Refusal::from(reason).to_string());
+                }
                 Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
                 Event::LaserOff => self.laser_switched_off(),
                 _ => {}

@@ -1,0 +1,82 @@
+//! Silence, noise and the reset of an arm by its port.
+
+use std::time::Duration;
+
+use dobot_client::{Event, Session};
+use dobot_wire::Dialect;
+
+use crate::desk::{Desk, vector};
+
+#[test]
+fn a_second_of_silence_is_a_lost_link() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(999));
+    assert_eq!(desk.events(), []);
+    desk.session.handle_time(desk.now + Duration::from_secs(1));
+    assert_eq!(
+        desk.events(),
+        [Event::LinkLost {
+            silent_for: Duration::from_secs(1),
+            noise: 0
+        }]
+    );
+    desk.session.handle_time(desk.now + Duration::from_secs(9));
+    assert_eq!(desk.events(), [], "it is told once");
+}
+
+#[test]
+fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
+    let mut session = Session::trusted(None);
+    session.handle_time(Duration::from_millis(4900));
+    assert_eq!(session.poll_event(), None);
+    session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);
+    session.handle_time(Duration::from_secs(5));
+    assert_eq!(
+        session.poll_event(),
+        Some(Event::LinkLost {
+            silent_for: Duration::from_secs(5),
+            noise: 30
+        })
+    );
+}
+
+#[test]
+fn a_full_queue_is_not_a_lost_link() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 10.0, 0.0);
+    for n in 1..=5_u8 {
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 10.0, 0.0);
+    }
+    assert_eq!(desk.session.under_way(), 5);
+    desk.session.handle_time(desk.now + Duration::from_secs(20));
+    assert_eq!(desk.events(), []);
+    desk.session
+        .handle_time(desk.now + Duration::from_secs(1000));
+    assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+#[test]
+fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 1..=5_u8 {
+        // Every second one ends with the base at 0, as after a reset.
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!((desk.session.under_way(), desk.session.waiting()), (4, 1));
+}
+
+#[test]
+fn noise_between_statuses_is_told_and_costs_none() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);
+    let events = desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(events, [Event::Resynced { skipped: 5 }]);
+}

@@ -1,0 +1,103 @@
+//! What a stock arm would not come out of.
+
+use std::time::Duration;
+
+use dobot_client::{CommandId, Event, SendError, Session};
+use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode, WriteMode, WriteVector};
+
+use crate::desk::{Desk, target, vector};
+
+#[test]
+fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    desk.status_at(200.0, 0.0, 0.0);
+    let here = target(MovingMode::MovL, 200.0, 0.0);
+    assert_eq!(desk.session.send(here), Err(SendError::OnTheSpot));
+    let there = target(MovingMode::MovL, 220.0, 0.0);
+    desk.session.send(there).expect("it leads elsewhere");
+    assert_eq!(desk.session.send(there), Err(SendError::OnTheSpot));
+    desk.session
+        .send(here)
+        .expect("by then the arm is elsewhere");
+
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .send(here)
+        .expect("it does no harm to an arm of the document");
+}
+
+/// A jog of the joints from the base, or the release of all buttons.
+fn jog(axis: JointJogAxis) -> JointJog {
+    JointJog {
+        axis,
+        speed_percent: 50.0,
+    }
+}
+
+/// A button is pressed and let go, and a straight line to where the arm stood waits behind that.
+fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
+    for _ in 0..2 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    for axis in [JointJogAxis::BasePlus, JointJogAxis::Released] {
+        desk.session.send(jog(axis)).expect("it is allowed");
+    }
+    let line = target(MovingMode::MovL, 200.0, 0.0);
+    desk.session.send(line).expect("it may lead elsewhere")
+}
+
+#[test]
+fn a_line_behind_a_jog_that_moved_nothing_is_not_sent() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    let line = line_behind_a_jog(&mut desk);
+    let told: Vec<Event> = (0..100)
+        .flat_map(|_| desk.status_at(200.0, 0.0, 0.0))
+        .collect();
+    let not_sent = Event::NotSent {
+        command: line,
+        reason: SendError::OnTheSpot,
+    };
+    assert!(told.contains(&not_sent), "{told:?}");
+    assert_eq!(desk.packets(), 2, "the button and its release");
+}
+
+#[test]
+fn a_line_behind_a_jog_is_sent_when_the_arm_rests_elsewhere() {
+    let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
+    line_behind_a_jog(&mut desk);
+    for n in 0..20 {
+        desk.status_at(200.0, f64::from(n), 0.0);
+    }
+    assert_eq!((desk.packets(), desk.session.waiting()), (2, 1));
+    for _ in 0..9 {
+        desk.status_at(200.0, 20.0, 0.0);
+    }
+    assert_eq!((desk.packets(), desk.session.waiting()), (1, 0));
+}
+
+#[test]
+fn a_release_behind_a_command_that_is_not_sent_is_sent_all_the_same() {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.session = Session::trusted(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    let lasting = Duration::from_secs(1);
+    desk.session.arm_laser(lasting);
+    desk.session
+        .send(jog(JointJogAxis::BasePlus))
+        .expect("it is allowed");
+    let burning = WriteVector {
+        mode: WriteMode::Laser,
+        laser: true,
+        ..vector(0.0, 5.0)
+    };
+    desk.session.send(burning).expect("it is armed");
+    desk.session
+        .send(jog(JointJogAxis::Released))
+        .expect("it is allowed");
+    desk.session.disarm_laser();
+    for _ in 0..9 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!((desk.packets(), desk.session.waiting()), (2, 0));
+}
