@@ -3,6 +3,7 @@
 use dobot_arm::{Position, Tool, Unreachable};
 
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
+use crate::vector::Left;
 use crate::way::Way;
 use crate::{CourseError, JogCourse, Place};
 
@@ -20,8 +21,8 @@ pub struct Course {
     pub(crate) is_exact: bool,
     /// Whether it ends where it says.
     pub(crate) knows_end: bool,
-    /// With what speed a vector ends, in mm/s.
-    pub(crate) end_speed_mm_s: Option<f64>,
+    /// What a vector leaves for the next one.
+    pub(crate) left: Option<Left>,
 }
 
 impl Course {

@@ -46,6 +46,7 @@ mod plan;
 mod settings;
 mod status;
 mod stretch;
+mod vector;
 mod way;
 
 pub use button::{Button, JogAxis};

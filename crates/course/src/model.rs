@@ -8,6 +8,7 @@ use dobot_wire::{
 
 use crate::follow::Followed;
 use crate::plan::plan;
+use crate::vector::Left;
 use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
@@ -53,12 +54,8 @@ pub struct Model {
     pub is_bluetooth: bool,
     /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
     pub(crate) knows_place: bool,
-    /// The end speed of the last write vector in mm/s, with which the next one starts where the
-    /// dialect does not use its start speed (note N5).
-    pub(crate) write_speed_mm_s: f64,
-    /// Whether that is known: not of an arm that others may have used before, nor behind a vector that
-    /// may have been cut short (note N48).
-    pub(crate) knows_write_speed: bool,
+    /// What the last vector left.
+    pub(crate) left: Left,
     /// The jog that goes on, or whose speed the arm keeps.
     pub(crate) jog: Option<JogCourse>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
@@ -88,7 +85,7 @@ impl Model {
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
         let mut model = Self::standing(dialect, Place::of_status(status));
-        model.knows_write_speed = false;
+        model.left = model.left.perhaps();
         model.seen(status);
         model
     }
@@ -106,8 +103,7 @@ impl Model {
             dialect,
             is_bluetooth: false,
             knows_place: true,
-            write_speed_mm_s: 0.0,
-            knows_write_speed: true,
+            left: Left::NOTHING,
             jog: None,
             idle_pause_s: 0.0,
             followed: Followed::default(),
@@ -129,7 +125,7 @@ impl Model {
     /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
-        self.knows_write_speed = false;
+        self.left = self.left.perhaps();
         if !matches!(self.lines, Lines::None) {
             self.lines = Lines::Cut;
         }
@@ -218,7 +214,7 @@ impl Model {
             Some(Button::Held { .. } | Button::Released) => course.jog(),
             _ => self.jog.filter(|_| self.dialect.keeps_jog_speed),
         };
-        model.write_speed_mm_s = course.end_speed_mm_s.unwrap_or(model.write_speed_mm_s);
+        model.left = course.left.unwrap_or(model.left);
         match command {
             Command::MoveTo(it) => {
                 model.note_lines(it.mode);

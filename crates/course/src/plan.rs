@@ -1,17 +1,16 @@
 //! From a command to its course: pure, nothing has moved yet.
 
-use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward, stock};
-use dobot_motion::{Cut, JointMove, Jump, LineMove, Stroke, StrokeSpeeds};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward};
+use dobot_motion::{JointMove, Jump, LineMove};
 use dobot_wire::{
     Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
-    WriteMode, WriteVector,
 };
 
-use crate::error::MOST_COUNTED_S;
 use crate::follow::{gestured, moused};
 use crate::lifts::Lifts;
 use crate::model::{Lines, tool_named};
 use crate::place::position;
+use crate::vector::vector;
 use crate::way::Way;
 use crate::{Button, Course, CourseError, JogCourse, Model, Place};
 
@@ -34,7 +33,7 @@ pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseErr
                 .pausing(model.pause_s(command)))
         }
         Command::WriteVector(it) if it.stop => Ok(still(model)),
-        Command::WriteVector(it) => write(it, model),
+        Command::WriteVector(it) => vector(it, model),
         Command::MouseMove(it) => mouse(it, model),
         Command::Gesture(it) => gesture(it, model),
         Command::Voice(it) => spoken(it, model),
@@ -111,141 +110,6 @@ fn check_lines(model: &Model) -> Result<(), CourseError> {
         return Err(CourseError::BehindCutLine);
     }
     Ok(())
-}
-
-fn write(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
-    let from = model.place.pose;
-    let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
-    if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
-        return Err(CourseError::OnTheSpot);
-    }
-    let speeds = stroke_speeds(vector, model)?;
-    let stored_mm_s = model.write_speed_mm_s;
-    let cut = cut_of(vector, stored_mm_s, speeds.acceleration_mm_s2, model);
-    let stroke = Stroke::new(from.position, by, &speeds)?;
-    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
-        let found = stroke.duration_s();
-        return Err(CourseError::Uncounted { found });
-    }
-    if never_ends(vector, speeds.acceleration_mm_s2, model) {
-        return Err(CourseError::NeverEnds);
-    }
-    let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
-    let way = Way::Stroke {
-        stroke,
-        rotation: from.rotation,
-        held_z: is_flat.then_some(from.position.z),
-    };
-    let course = relative(way, model)?;
-    Ok(Course {
-        to: if model.dialect.uses_start_speed {
-            course.to
-        } else {
-            stock_end(&course, model)
-        },
-        burns: model.laser_during(vector),
-        end_speed_mm_s: Some(cut.map_or(stroke.end_speed(), |it| it.end_mm_s.into())),
-        ..course
-    })
-}
-
-/// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
-/// rounding could bring it out: there it is where the way leads.
-#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn stock_end(course: &Course, model: &Model) -> Place {
-    let [from, to] = [course.from, course.to].map(|it| it.pose.position);
-    let way = to - from;
-    let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
-    let from = [from.x, from.y, from.z].map(|it| it.0);
-    let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
-    let pose = Pose {
-        position: Position::new(x, y, z),
-        ..course.to.pose
-    };
-    let place = Place::at_pose(pose, model.tool).ok();
-    place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
-}
-
-/// Whether the arm would creep on for ever: with the end speed that the vector before left or, where
-/// nobody knows that, with one that it may well have left.
-fn never_ends(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> bool {
-    let creeps = |stored_mm_s| {
-        let cut = cut_of(vector, stored_mm_s, acceleration_mm_s2, model);
-        cut.is_some_and(|it| it.ticks() <= 0)
-    };
-    let creeps_unknown = || LEFT_BY_OTHERS_MM_S.into_iter().any(creeps);
-    creeps(model.write_speed_mm_s) || !model.knows_write_speed && creeps_unknown()
-}
-
-/// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
-/// vector (note N48).
-#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn cut_of(
-    vector: &WriteVector,
-    stored_mm_s: f64,
-    acceleration_mm_s2: f64,
-    model: &Model,
-) -> Option<Cut> {
-    let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
-    (!model.dialect.uses_start_speed).then(|| {
-        Cut::of(
-            libm::sqrtf(x * x + y * y + z * z),
-            stored_mm_s as f32,
-            vector.end_speed_mm_s,
-            vector.max_speed_mm_s,
-            acceleration_mm_s2 as f32,
-        )
-    })
-}
-
-/// Speeds above the largest count as the largest (note N5).
-fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, CourseError> {
-    let max_mm_s = f64::from(vector.max_speed_mm_s);
-    let start_mm_s = if model.dialect.uses_start_speed {
-        vector.start_speed_mm_s.into()
-    } else {
-        // It may have kept a little less than nothing, where a short vector was braked.
-        model.write_speed_mm_s.max(0.0)
-    };
-    let speeds = StrokeSpeeds {
-        start_mm_s: f64::min(start_mm_s, max_mm_s),
-        end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
-        max_mm_s,
-        acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
-    };
-    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
-    if model.dialect.has_rapid_laser_mode && is_rapid {
-        rapid(&speeds)
-    } else {
-        Ok(speeds)
-    }
-}
-
-/// Without the laser, laser mode accelerates a hundredfold (note N48).
-fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
-    let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
-    let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
-    if speeds.max_mm_s >= least_mm_s {
-        return Ok(StrokeSpeeds {
-            acceleration_mm_s2,
-            ..*speeds
-        });
-    }
-    // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
-    // fast as it begins it goes on; at rest it stays.
-    let begin_mm_s = speeds.start_mm_s;
-    if begin_mm_s < CREEPS_MM_S {
-        return Err(CourseError::SlowRapid {
-            found: speeds.max_mm_s,
-            least: least_mm_s,
-        });
-    }
-    Ok(StrokeSpeeds {
-        end_mm_s: begin_mm_s,
-        max_mm_s: begin_mm_s,
-        acceleration_mm_s2,
-        ..*speeds
-    })
 }
 
 /// By a mouse increment: that much of Y, X and Z by the document (note N9).
@@ -400,7 +264,7 @@ fn still(model: &Model) -> Course {
 }
 
 /// A way by so much from wherever the arm is.
-fn relative(way: Way, model: &Model) -> Result<Course, CourseError> {
+pub(crate) fn relative(way: Way, model: &Model) -> Result<Course, CourseError> {
     let to = way
         .place_at(f64::MAX, model.tool)
         .unwrap_or(Ok(model.place));
@@ -424,7 +288,7 @@ pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Course {
         burns: model.laser && way != Way::Still,
         is_exact: model.knows_place,
         knows_end: model.knows_place,
-        end_speed_mm_s: None,
+        left: None,
     }
 }
 
@@ -436,67 +300,3 @@ impl Course {
 
 /// A status says where the arm is to that much.
 const ON_THE_SPOT_MM: f64 = 0.001;
-/// A vector of half that length or less is none (note N16); the rest is for rounding.
-const NO_LENGTH_MM: f64 = 0.0002;
-/// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
-const RAPID_FACTOR: f64 = 100.0;
-/// With less a vector takes for ever, or none of it is done.
-const CREEPS_MM_S: f64 = 0.1;
-/// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
-const LEFT_BY_OTHERS_MM_S: [f64; 4] = [-0.01, -0.1, -1.0, -3.0];
-/// Half a control tick of 20 ms.
-const HALF_A_TICK_S: f64 = 0.01;
-
-#[cfg(test)]
-mod tests {
-    use dobot_arm::Tool;
-    use dobot_wire::Dialect;
-
-    use super::*;
-
-    #[test]
-    fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
-        // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
-        // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
-        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
-        model.write_speed_mm_s = 0.8;
-        let rapid = Command::from(WriteVector {
-            mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: -1.4,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 34.0,
-            end_speed_mm_s: 40.0,
-            max_speed_mm_s: 150.0,
-            stop: false,
-        });
-        assert!(model.course(&rapid).is_ok());
-        model.lose_place();
-        model.knows_place = true;
-        assert_eq!(model.course(&rapid), Err(CourseError::NeverEnds));
-    }
-
-    #[test]
-    fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
-        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
-        // mm/s take -16 ticks.
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
-        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
-        model.settings.write_acceleration_mm_s2 = 200.0;
-        model.write_speed_mm_s = -0.9;
-        let vector = Command::from(WriteVector {
-            mode: WriteMode::Writing,
-            x_mm: 0.3,
-            y_mm: 0.0,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 1.0,
-            max_speed_mm_s: 10.0,
-            stop: false,
-        });
-        assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
-    }
-}

@@ -114,6 +114,13 @@ impl Cut {
         rises.chain(keeps).chain(falls)
     }
 
+    /// How long the vector becomes, in mm: as long as it should where it [is true](Self::is_true), and
+    /// less than nothing where it goes back.
+    #[must_use]
+    pub fn length_mm(&self) -> f32 {
+        self.speeds_mm_s().map(|it| it * TICK_S).sum()
+    }
+
     /// Whether the vector becomes as long as it should. Where more than one step of speed is left
     /// to spread, the controller spreads one step and is off the way.
     #[must_use]
@@ -176,7 +183,7 @@ mod tests {
         assert_eq!(cut.counts, [16, 0, 16]);
         assert!((cut.correction_mm_s - 0.625).abs() < 1e-4);
         assert!((cut.end_mm_s - 0.625).abs() < 1e-4);
-        let way_mm: f32 = cut.speeds_mm_s().map(|it| it * TICK_S).sum();
+        let way_mm = cut.length_mm();
         assert!((way_mm - 10.0).abs() < 1e-4, "{way_mm}");
         assert!(cut.is_true());
     }
@@ -186,6 +193,8 @@ mod tests {
         // 3 mm at 40 mm/s: three ticks of 0.8 mm leave 0.6 mm, which is 10 mm/s for each.
         let cut = Cut::of(3.0, 40.0, 40.0, 40.0, 100.0);
         assert_eq!(cut.counts, [0, 3, 0]);
+        // One step of 2 mm/s is spread of them: 42 mm/s for 60 ms.
+        assert!((cut.length_mm() - 2.52).abs() < 1e-4);
         assert!(!cut.is_true());
     }
 }

@@ -1,0 +1,260 @@
+//! The course of a writing or laser vector (state 4).
+
+use dobot_arm::{Position, stock};
+use dobot_motion::{Cut, Stroke, StrokeSpeeds};
+use dobot_wire::{WriteMode, WriteVector};
+
+use crate::error::MOST_COUNTED_S;
+use crate::place::position;
+use crate::plan::relative;
+use crate::way::Way;
+use crate::{Course, CourseError, Model, Place};
+use dobot_arm::Pose;
+
+/// Plans a vector from where the arm is.
+pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
+    let from = model.place.pose;
+    let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
+    if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
+        return Err(CourseError::OnTheSpot);
+    }
+    let speeds = stroke_speeds(vector, model)?;
+    let cut = Cuts::of(vector, speeds.acceleration_mm_s2, model);
+    let by = cut.as_ref().map_or(by, |it| it.as_cut(by));
+    let stroke = Stroke::new(from.position, by, &speeds)?;
+    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
+        let found = stroke.duration_s();
+        return Err(CourseError::Uncounted { found });
+    }
+    if cut.as_ref().is_some_and(Cuts::may_never_end) {
+        return Err(CourseError::NeverEnds);
+    }
+    let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
+    let way = Way::Stroke {
+        stroke,
+        rotation: from.rotation,
+        held_z: is_flat.then_some(from.position.z),
+    };
+    let course = relative(way, model)?;
+    Ok(Course {
+        to: if model.dialect.uses_start_speed {
+            course.to
+        } else {
+            stock_end(&course, model)
+        },
+        burns: model.laser_during(vector),
+        left: cut.map(|it| it.left()),
+        ..course
+    })
+}
+
+/// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
+/// rounding could bring it out: there it is where the way leads.
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+fn stock_end(course: &Course, model: &Model) -> Place {
+    let [from, to] = [course.from, course.to].map(|it| it.pose.position);
+    let way = to - from;
+    let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
+    let from = [from.x, from.y, from.z].map(|it| it.0);
+    let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
+    let pose = Pose {
+        position: Position::new(x, y, z),
+        ..course.to.pose
+    };
+    let place = Place::at_pose(pose, model.tool).ok();
+    place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
+}
+
+/// The end speed of the last vector in mm/s, with which the next one starts where the dialect does not
+/// use its start speed (notes N5 and N48); where it does, nobody cares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Left {
+    pub(crate) believed_mm_s: f32,
+    /// What it may be instead where nobody knows: of an arm that others used before, or behind a vector
+    /// that may have been cut short.
+    perhaps_mm_s: Option<[f32; 3]>,
+}
+
+impl Left {
+    /// At power-up.
+    pub(crate) const NOTHING: Self = Self::known(0.0);
+
+    const fn known(believed_mm_s: f32) -> Self {
+        Self {
+            believed_mm_s,
+            perhaps_mm_s: None,
+        }
+    }
+
+    /// The same, where nobody knows whether it is so.
+    pub(crate) const fn perhaps(self) -> Self {
+        Self {
+            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
+            ..self
+        }
+    }
+}
+
+/// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
+/// vector (note N48).
+struct Cuts {
+    believed: Cut,
+    /// What they may be instead.
+    perhaps: Option<[Cut; 3]>,
+}
+
+impl Cuts {
+    #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+    fn of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Option<Self> {
+        let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
+        let cut = |left_mm_s| {
+            Cut::of(
+                libm::sqrtf(x * x + y * y + z * z),
+                left_mm_s,
+                vector.end_speed_mm_s,
+                vector.max_speed_mm_s,
+                acceleration_mm_s2 as f32,
+            )
+        };
+        (!model.dialect.uses_start_speed).then(|| Self {
+            believed: cut(model.left.believed_mm_s),
+            perhaps: model.left.perhaps_mm_s.map(|it| it.map(cut)),
+        })
+    }
+
+    /// The vector as it becomes where its ticks are known and do not add up to its length.
+    fn as_cut(&self, by: Position) -> Position {
+        if self.perhaps.is_some() || self.believed.is_true() {
+            return by;
+        }
+        by * (f64::from(self.believed.length_mm()) / by.length().0)
+    }
+
+    /// Whether the arm would creep on for ever.
+    fn may_never_end(&self) -> bool {
+        let perhaps = self.perhaps.iter().flatten();
+        perhaps.chain([&self.believed]).any(|it| it.ticks() <= 0)
+    }
+
+    fn left(&self) -> Left {
+        Left {
+            believed_mm_s: self.believed.end_mm_s,
+            perhaps_mm_s: self.perhaps.map(|it| it.map(|cut| cut.end_mm_s)),
+        }
+    }
+}
+
+/// Speeds above the largest count as the largest (note N5).
+fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, CourseError> {
+    let max_mm_s = f64::from(vector.max_speed_mm_s);
+    let start_mm_s = if model.dialect.uses_start_speed {
+        vector.start_speed_mm_s.into()
+    } else {
+        // It may have kept a little less than nothing, where a short vector was braked.
+        f64::from(model.left.believed_mm_s).max(0.0)
+    };
+    let speeds = StrokeSpeeds {
+        start_mm_s: f64::min(start_mm_s, max_mm_s),
+        end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
+        max_mm_s,
+        acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
+    };
+    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
+    if model.dialect.has_rapid_laser_mode && is_rapid {
+        rapid(&speeds)
+    } else {
+        Ok(speeds)
+    }
+}
+
+/// Without the laser, laser mode accelerates a hundredfold (note N48).
+fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
+    let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
+    let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
+    if speeds.max_mm_s >= least_mm_s {
+        return Ok(StrokeSpeeds {
+            acceleration_mm_s2,
+            ..*speeds
+        });
+    }
+    // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
+    // fast as it begins it goes on; at rest it stays.
+    let begin_mm_s = speeds.start_mm_s;
+    if begin_mm_s < CREEPS_MM_S {
+        return Err(CourseError::SlowRapid {
+            found: speeds.max_mm_s,
+            least: least_mm_s,
+        });
+    }
+    Ok(StrokeSpeeds {
+        end_mm_s: begin_mm_s,
+        max_mm_s: begin_mm_s,
+        acceleration_mm_s2,
+        ..*speeds
+    })
+}
+
+/// A vector of half that length or less is none (note N16); the rest is for rounding.
+const NO_LENGTH_MM: f64 = 0.0002;
+/// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
+const RAPID_FACTOR: f64 = 100.0;
+/// With less a vector takes for ever, or none of it is done.
+const CREEPS_MM_S: f64 = 0.1;
+/// Half a control tick of 20 ms.
+const HALF_A_TICK_S: f64 = 0.01;
+/// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
+const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
+
+#[cfg(test)]
+mod tests {
+    use dobot_arm::{Joints, Tool};
+    use dobot_wire::{Command, Dialect};
+
+    use super::*;
+
+    #[test]
+    fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
+        // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
+        // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = Left::known(0.8);
+        let rapid = Command::from(WriteVector {
+            mode: WriteMode::Laser,
+            x_mm: 0.0,
+            y_mm: -1.4,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 34.0,
+            end_speed_mm_s: 40.0,
+            max_speed_mm_s: 150.0,
+            stop: false,
+        });
+        assert!(model.course(&rapid).is_ok());
+        model.lose_place();
+        model.knows_place = true;
+        assert_eq!(model.course(&rapid), Err(CourseError::NeverEnds));
+    }
+
+    #[test]
+    fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
+        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
+        // mm/s take -16 ticks.
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.settings.write_acceleration_mm_s2 = 200.0;
+        model.left = Left::known(-0.9);
+        let vector = Command::from(WriteVector {
+            mode: WriteMode::Writing,
+            x_mm: 0.3,
+            y_mm: 0.0,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 1.0,
+            max_speed_mm_s: 10.0,
+            stop: false,
+        });
+        assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
+    }
+}
