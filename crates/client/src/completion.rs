@@ -303,7 +303,7 @@ impl Look<'_> {
     fn timed_out(&self, first: &First) -> Option<Verdict> {
         let waited = self.now.saturating_sub(first.since);
         let expected = self.sent.plan.aim?;
-        (waited > self.under_way.longest_silence() + PATIENCE)
+        (waited > self.under_way.longest_silence().saturating_add(PATIENCE))
             .then_some(Verdict::Missed(NotReached::TimedOut, expected))
     }
 }

@@ -329,7 +329,7 @@ impl Session {
         let patience = match self.status {
             _ if self.opened => FIRST_STATUS,
             Some(_) if self.may_be_full() && !self.is_bluetooth() => {
-                LINK_TIMEOUT + self.belief.under_way().longest_silence()
+                LINK_TIMEOUT.saturating_add(self.belief.under_way().longest_silence())
             }
             Some(_) | None => LINK_TIMEOUT,
         };

@@ -211,8 +211,14 @@ impl UnderWay {
     /// How long they take at the most on an arm that somebody else has made slow, before it has room
     /// for another: a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
-        let longest = |it: &Sent| it.plan.motion() * SLOWER + it.plan.pause + it.waits;
-        self.all.iter().map(longest).sum()
+        let mut longest = Duration::ZERO;
+        for it in &self.all {
+            let motion = it.plan.motion().saturating_mul(SLOWER);
+            for part in [motion, it.plan.pause, it.waits] {
+                longest = longest.saturating_add(part);
+            }
+        }
+        longest
     }
 }
 

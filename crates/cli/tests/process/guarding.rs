@@ -278,6 +278,38 @@ fn an_arm_that_is_used_without_a_station_is_let_go_too_when_the_verb_is_killed()
     bench.check_words(at, JOINT_RELEASE);
 }
 
+/// The processes that a process has started, as Linux lists them.
+#[cfg(target_os = "linux")]
+fn children(of: rustix::process::Pid) -> Vec<rustix::process::Pid> {
+    let parent = of.as_raw_nonzero().to_string();
+    let all = std::fs::read_dir("/proc").expect("it is Linux");
+    let child = |entry: std::fs::DirEntry| {
+        let number = entry.file_name().to_str()?.parse().ok()?;
+        // NUMBER (NAME) STATE PARENT ...
+        let stat = std::fs::read_to_string(entry.path().join("stat")).ok()?;
+        let (_, behind) = stat.rsplit_once(')')?;
+        let is_child = behind.split_whitespace().nth(1) == Some(&parent);
+        is_child.then(|| rustix::process::Pid::from_raw(number))?
+    };
+    all.flatten().filter_map(child).collect()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_guardian_that_is_killed_is_replaced_and_the_next_one_lets_go() {
+    let bench = Bench::new();
+    let (mut station, mut errors) = bench.station();
+    let guardians = children(station.pid());
+    assert_eq!(guardians.len(), 1, "{guardians:?}");
+    rustix::process::kill_process(guardians[0], rustix::process::Signal::KILL)
+        .expect("it is there");
+    line_with("another one takes its place", &mut errors);
+    let _holder = bench.jog("base+");
+    let at = Instant::now();
+    station.kill();
+    bench.check_words(at, JOINT_RELEASE);
+}
+
 /// The station of an arm that burns.
 fn burning(bench: &Bench) -> (Going, Going) {
     let (station, _errors) = bench.station();

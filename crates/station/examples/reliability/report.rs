@@ -95,6 +95,7 @@ impl Report {
             ["the job is", "pulls"],
             &[
                 "paused, with the reason",
+                "looked reset",
                 "**lost**",
                 "**repeated**",
                 "dark after the cable is back, at the most",
@@ -102,9 +103,10 @@ impl Report {
         );
         for it in cables::run(pulls) {
             let cells = format!(
-                "{} | {} | {} | {} | {:.2} s",
+                "{} | {} | {} | {} | {} | {:.2} s",
                 it.pulls,
                 it.paused,
+                it.looks_reset,
                 it.lost,
                 it.repeated,
                 it.dark_s.most()
@@ -241,6 +243,7 @@ impl Report {
                 "programs",
                 "**for more than 0.3 s**",
                 "switched off by the station",
+                "jobs displaced, and told",
                 "stood, s: least",
                 "middle",
                 "99 %",
@@ -250,8 +253,8 @@ impl Report {
         for it in stands::run(programs) {
             let link = if it.link.is_empty() { "good" } else { it.link };
             let cells = format!(
-                "`{link}` | {} | {} | {} | {}",
-                it.programs, it.late, it.switched_off, it.stood_s
+                "`{link}` | {} | {} | {} | {} | {}",
+                it.programs, it.late, it.switched_off, it.displaced, it.stood_s
             );
             self.row(it.sender, cells);
             self.wrong(it.wrong);
@@ -328,6 +331,9 @@ const CABLES: &str = "
 ## The cable is pulled
 
 For up to six seconds, in each phase of a job. What is on the line in that moment arrives here.
+Where the base stands at exactly 0 afterwards, as behind a reset, and the joints are elsewhere, the arm may have been reset
+or have gone on: it is not trusted, what it had got is taken for lost, and the person who confirms its pose is told; these
+count apart.
 ";
 
 const LINES: &str = "
@@ -378,7 +384,8 @@ const STANDS: &str = "
 Vectors that burn and others, at random, with and without time between them, as requests of a client, as packets of a
 raw program, and as jobs that are paused and gone on with. A stock arm leaves its laser on behind what burns (note N36):
 the station switches it off. The time is the longest in a program for which the laser was on and the arm stood.
-`drop=1%:from` loses every third status, `withhold` all of them for a while; commands that a bad line loses may cost
+`delay` lets packets come in a heap, of which a stock arm may lose one while it calculates (note N39): the job fails then,
+and says that it is displaced. `drop=1%:from` loses every third status, `withhold` all of them for a while; commands that a bad line loses may cost
 more, for nobody sees whether the laser is on.
 ";
 

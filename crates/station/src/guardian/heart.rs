@@ -26,6 +26,9 @@ pub(crate) struct Heart {
     words: Arc<LastWords>,
     #[cfg(unix)]
     guardian: Option<Child>,
+    /// When another one took the place of one that was gone.
+    #[cfg(unix)]
+    replaced: Option<Duration>,
     trouble: Option<String>,
     /// The system that keeps the station running.
     supervisor: Supervisor,
@@ -45,6 +48,8 @@ impl Heart {
             words,
             #[cfg(unix)]
             guardian: None,
+            #[cfg(unix)]
+            replaced: None,
             trouble: None,
             supervisor: Supervisor::default(),
             fed: Duration::ZERO,
@@ -134,12 +139,40 @@ impl Heart {
         };
         self.words.set_port(Some(port.try_clone_to_owned()?));
         self.last = Some(self.clock.now());
-        if let Some(program) = &self.program {
-            let port = port.try_clone_to_owned()?;
+        self.start()
+    }
+
+    /// Starts the guardian of the port, if there is a program that is one.
+    #[cfg(unix)]
+    fn start(&mut self) -> std::io::Result<()> {
+        if let (Some(program), Some(port)) = (&self.program, self.words.port()?) {
             self.guardian = Some(Child::start(program, &self.note, port)?);
             self.say();
         }
         Ok(())
+    }
+
+    /// The guardian is gone while the station lives: another one takes its place, unless that one had
+    /// just done so.
+    #[cfg(unix)]
+    fn replace(&mut self, gone: &std::io::Error) {
+        self.guardian = None;
+        let now = self.clock.now();
+        let before = self.replaced.replace(now);
+        let lately = before.is_some_and(|it| now.saturating_sub(it) < LATELY);
+        let started = if lately { Ok(()) } else { self.start() };
+        self.trouble = Some(match started {
+            Ok(()) if self.guardian.is_some() => {
+                format!("the guardian was gone: {gone}; another one takes its place")
+            }
+            started => {
+                let why = started.err().map_or(String::new(), |it| format!(" ({it})"));
+                format!(
+                    "the guardian is gone: {gone}{why}; until the arm is connected again, or the station started anew, \
+                     nobody switches the laser off if this station is killed"
+                )
+            }
+        });
     }
 
     #[cfg(not(unix))]
@@ -153,14 +186,13 @@ impl Heart {
         if let Some(guardian) = &mut self.guardian
             && let Err(error) = guardian.say(Beat::Lives(self.told))
         {
-            self.guardian = None;
-            self.trouble = Some(format!(
-                "the guardian is gone: {error}; until the arm is connected again, or the station started anew, nobody \
-                 switches the laser off if this station is killed"
-            ));
+            self.replace(&error);
         }
     }
 }
 
 /// From one beat to the next, at the most.
 pub(crate) const PERIOD: Duration = Duration::from_millis(80);
+/// A guardian that is gone again so soon is not replaced once more.
+#[cfg(unix)]
+const LATELY: Duration = Duration::from_secs(10);

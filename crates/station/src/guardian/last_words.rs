@@ -33,6 +33,20 @@ impl LastWords {
         self.lock().port = port;
     }
 
+    /// The same port once more; none while there is no link.
+    ///
+    /// # Errors
+    ///
+    /// What the system says.
+    #[cfg(unix)]
+    pub(crate) fn port(&self) -> std::io::Result<Option<OwnedFd>> {
+        self.lock()
+            .port
+            .as_ref()
+            .map(OwnedFd::try_clone)
+            .transpose()
+    }
+
     /// Says them, without anything that may have panicked; the guardian says them again.
     #[cfg(unix)]
     pub(crate) fn say(&self) {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_controller::Personality;
 use dobot_journal::JobState;
-use dobot_station::Request;
+use dobot_station::{News, Request};
 
 use super::chance::Chance;
 use super::jobs::Sort;
@@ -63,6 +63,9 @@ pub(crate) struct Cables {
     pub pulls: usize,
     /// The job was paused afterwards, with the reason.
     pub paused: usize,
+    /// The arm could as well have been reset meanwhile: what was under way is taken for lost, and a person
+    /// is asked to look.
+    pub looks_reset: usize,
     /// Commands that the arm was never given.
     pub lost: usize,
     /// Commands that it was given again.
@@ -83,6 +86,7 @@ fn of(during: During, pulls: u64) -> Cables {
         during,
         pulls: 0,
         paused: 0,
+        looks_reset: 0,
         lost: 0,
         repeated: 0,
         dark_s: Spread::default(),
@@ -120,6 +124,10 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));
     scene.finish(job)?;
+    if scene.it.notices().iter().any(|it| it.news == News::Reset) {
+        figures.looks_reset += 1;
+        return Ok(());
+    }
     let given = scene.given(&drawing);
     figures.lost += given.lost;
     figures.repeated += given.repeated;
