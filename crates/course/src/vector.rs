@@ -26,7 +26,8 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
         let found = stroke.duration_s();
         return Err(CourseError::Uncounted { found });
     }
-    if cut.as_ref().is_some_and(Cuts::may_never_end) {
+    let rapid = is_rapid(vector, model);
+    if cut.as_ref().is_some_and(|it| it.may_never_end(rapid)) {
         return Err(CourseError::NeverEnds);
     }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
@@ -130,9 +131,10 @@ impl Cuts {
         by * (f64::from(self.believed.length_mm()) / by.length().0)
     }
 
-    /// Whether the arm would creep on for ever.
-    fn may_never_end(&self) -> bool {
-        let perhaps = self.perhaps.iter().flatten();
+    /// Whether the arm would creep on for ever. What others may have left counts only where that is
+    /// likely: with a rapid vector, of which a tick is worth a hundred times more speed.
+    fn may_never_end(&self, rapid: bool) -> bool {
+        let perhaps = self.perhaps.iter().flatten().filter(|_| rapid);
         perhaps.chain([&self.believed]).any(|it| it.ticks() <= 0)
     }
 
@@ -159,12 +161,17 @@ fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, Co
         max_mm_s,
         acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
     };
-    let is_rapid = vector.mode == WriteMode::Laser && !vector.laser;
-    if model.dialect.has_rapid_laser_mode && is_rapid {
+    if is_rapid(vector, model) {
         rapid(&speeds)
     } else {
         Ok(speeds)
     }
+}
+
+/// Whether it is a vector of laser mode without the laser, which a stock arm accelerates a hundredfold
+/// (note N48).
+fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
+    model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser && !vector.laser
 }
 
 /// Without the laser, laser mode accelerates a hundredfold (note N48).

@@ -254,3 +254,10 @@ proptest! {
         draw_and_kill(PERSONALITIES[usize::from(twin)], &steps);
     }
 }
+
+#[test]
+fn a_drawing_that_is_slowed_down_and_paused_while_it_does_that_comes_to_rest_soon() {
+    // The last vector before the rest would have begun at 0.004 mm/s, and gone on so for 400 s.
+    let slower = (2486, 15.419_662_467_478_036, 0.0, true);
+    draw_and_kill(Personality::Firmware11, &[slower]);
+}

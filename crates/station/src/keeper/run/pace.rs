@@ -184,7 +184,10 @@ fn slow_down(vectors: &mut [WriteVector], begin_mm_s: f32) {
         vector.start_speed_mm_s = speed;
         vector.end_speed_mm_s = vector.end_speed_mm_s.min(end);
         speed = vector.end_speed_mm_s;
-        vector.max_speed_mm_s = vector.start_speed_mm_s.max(speed);
+        let fastest = vector.start_speed_mm_s.max(speed);
+        if fastest > CREEPS_MM_S {
+            vector.max_speed_mm_s = fastest;
+        }
     }
 }
 
@@ -198,6 +201,8 @@ const fn single(value: f64) -> f32 {
     value as f32
 }
 
+/// So slow a vector would take minutes; it goes as fast as it may instead, from rest to rest.
+const CREEPS_MM_S: f32 = 1.0;
 /// What a stock arm keeps where it rests is less.
 const MOVES_MM_S: f32 = 4.0;
 /// Speeds that differ by less are the same.
