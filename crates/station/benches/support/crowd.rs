@@ -10,7 +10,8 @@ use tokio::net::TcpStream;
 use tokio::sync::watch;
 use tokio::task::JoinSet;
 use tokio_tungstenite::tungstenite::Message;
-use tokio_tungstenite::{WebSocketStream, client_async};
+use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
+use tokio_tungstenite::{WebSocketStream, client_async_with_config};
 
 /// Clients that watch, all in one thread of their own.
 #[derive(Debug)]
@@ -46,7 +47,9 @@ impl Crowd {
                 for _ in 0..size {
                     let stream = TcpStream::connect(&station).await.expect("it listens");
                     stream.set_nodelay(true).expect("it is TCP");
-                    let (socket, _) = client_async(&url, stream).await.expect("a WebSocket");
+                    let lean = WebSocketConfig::default().read_buffer_size(4 * 1024);
+                    let connected = client_async_with_config(&url, stream, Some(lean)).await;
+                    let (socket, _) = connected.expect("a WebSocket");
                     clients.spawn(look(socket, until.clone()));
                     arrived.fetch_add(1, Ordering::Relaxed);
                 }
