@@ -220,17 +220,21 @@ impl Controller {
         self.tick += 1;
         self.next_tick += TICK;
         self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
-        let (waiting, way_deg, is_at_rest) = match &mut self.program {
+        let (waiting, way_deg, repeats, is_at_rest) = match &mut self.program {
             Program::Specification(it) => {
                 it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg(), it.is_at_rest())
+                (it.waiting(), it.take_way_deg(), false, it.is_at_rest())
             }
             Program::Firmware(it) => {
                 it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg(), it.is_at_rest())
+                let repeats = it.take_repeats();
+                (it.waiting(), it.take_way_deg(), repeats, it.is_at_rest())
             }
         };
-        if way_deg == [0.0; 3] {
+        if repeats {
+            self.ticks_at_rest = 0;
+            self.steppers.repeat();
+        } else if way_deg == [0.0; 3] {
             let ticks = self.ticks_at_rest.saturating_add(1);
             self.ticks_at_rest = if is_at_rest { ticks } else { 0 };
         } else {

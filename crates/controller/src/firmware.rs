@@ -34,7 +34,7 @@ use self::outcome::{Outcome, Progress};
 use self::printer::Printer;
 use self::receiver::{Found, Receiver, VOICE_HEADER};
 use self::settings::Settings;
-use self::spoken::{Spoken, Words};
+use self::spoken::{Spoken, UnderWay, Words};
 use self::target::Travel;
 use self::write::Write;
 use crate::log::Log;
@@ -198,6 +198,11 @@ impl Firmware {
         core::mem::replace(&mut self.body.way_deg, [0.0; 3])
     }
 
+    /// Whether the motors go on as in the tick before, although the pose stands still (note N50).
+    pub(crate) const fn take_repeats(&mut self) -> bool {
+        core::mem::replace(&mut self.body.repeats, false)
+    }
+
     pub(crate) const fn hands(&self) -> Hands {
         self.body.hands
     }
@@ -232,6 +237,9 @@ impl Firmware {
         }
         while let Some(found) = self.receiver.look() {
             self.take(&found, log);
+        }
+        if let Some(header) = self.receiver.begun() {
+            self.interrupt(header);
         }
     }
 
@@ -312,6 +320,7 @@ impl Firmware {
         self.in_force.is_told = false;
         self.in_force.is_new = true;
         self.travel.clear();
+        self.jog.clear();
         self.write.clear();
         self.follow.clear();
         self.spoken.clear();
@@ -342,9 +351,15 @@ impl Firmware {
                 .tick(jog::Kind::Joint, frame, self.port, settings, body),
             3 => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
             4 => self.write.tick(frame, is_over, settings, body),
-            VOICE => self
-                .spoken
-                .tick(is_over, travel.has_line(), settings, line, body),
+            VOICE => {
+                let under_way = UnderWay {
+                    line: travel.has_line(),
+                    other_way: travel.has_other_way(),
+                    text: self.receiver.begun() == Some(VOICE_HEADER),
+                    fetched: in_force.is_new,
+                };
+                self.spoken.tick(is_over, &under_way, settings, line, body)
+            }
             6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
             LINEAR_JOG => self
                 .jog

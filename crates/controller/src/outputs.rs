@@ -52,6 +52,8 @@ pub(crate) struct Steppers {
     /// What was too little for a pulse so far.
     residues: [f32; 3],
     pending: [i32; 3],
+    /// The pulses of the tick before.
+    last: [i32; 3],
     sent: [i64; 3],
 }
 
@@ -72,9 +74,15 @@ impl Steppers {
         }
     }
 
+    /// Takes the pulses of the last tick once more (note N50).
+    pub(crate) const fn repeat(&mut self) {
+        self.pending = self.last;
+    }
+
     /// Sends the pulses of the tick before.
     pub(crate) fn exchange(&mut self) -> [i32; 3] {
         let pulses = core::mem::take(&mut self.pending);
+        self.last = pulses;
         for (sent, pulses) in self.sent.iter_mut().zip(pulses) {
             *sent += i64::from(pulses);
         }

@@ -21,7 +21,7 @@ const TOLERANCE: Tolerance = Tolerance {
 #[test]
 fn the_twin_does_what_the_stock_controller_was_recorded_to_do() {
     let names = names();
-    assert!(names.len() >= 49, "recordings are missing: {names:?}");
+    assert!(names.len() >= 61, "recordings are missing: {names:?}");
     let mut failures = String::new();
     for name in &names {
         if let Some(difference) = twin(name).first_difference(&recording(name), &TOLERANCE) {

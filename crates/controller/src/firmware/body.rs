@@ -17,6 +17,8 @@ pub(crate) struct Body {
     pub(crate) hands: Hands,
     /// How far the joints went in this tick, in degrees: base, rear, fore.
     pub(crate) way_deg: [f32; 3],
+    /// Whether nothing was said of that in this tick: the motors repeat their last pulses.
+    pub(crate) repeats: bool,
     /// Whether the soft limits are off, after the first refusal and until the arm is inside again.
     forgiven: bool,
     /// Whether there was a first refusal.
@@ -45,6 +47,7 @@ impl Body {
                 laser: false,
             },
             way_deg: [0.0; 3],
+            repeats: false,
             forgiven: false,
             forgave: false,
             settled: None,

@@ -186,18 +186,16 @@ impl History {
     /// Each of the samples before counts together with the new one, which counts once more: in degrees
     /// of the base, mm of reach and mm of height.
     fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
-        let worth = |[swing, longer, higher]: [f32; 3]| {
-            [MOUSE_DEG * swing, MOUSE_MM * longer, MOUSE_MM * higher]
-        };
-        let new = worth(sample);
-        let mut sums = new;
-        for &old in &self.samples[..self.len()] {
-            for (sum, (new, old)) in sums.iter_mut().zip(new.into_iter().zip(worth(old))) {
+        let mut sums = sample;
+        for old in &self.samples[..self.len()] {
+            for (sum, (new, old)) in sums.iter_mut().zip(sample.into_iter().zip(old)) {
                 *sum += new + old;
             }
         }
         self.store(sample);
-        sums.map(|sum| sum / f32::from(self.count))
+        let count = f32::from(self.count);
+        let weights = [MOUSE_DEG, MOUSE_MM, MOUSE_MM];
+        core::array::from_fn(|axis| weights[axis] * sums[axis] / count)
     }
 
     /// Half of it the new sample, half of it those before.

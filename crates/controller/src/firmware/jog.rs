@@ -15,6 +15,10 @@ pub(crate) struct Jog {
     speed: f32,
     /// The last axis that was held.
     axis: i16,
+    /// The acceleration of the last tick in which one was: a run-down keeps it.
+    acceleration: f32,
+    /// Whether a limit has refused the run-down: that is over then, though it runs on.
+    is_refused: bool,
 }
 
 /// Which of the two states.
@@ -30,6 +34,10 @@ impl Jog {
         self.speed == 0.0
     }
 
+    pub(crate) const fn clear(&mut self) {
+        self.is_refused = false;
+    }
+
     /// A tick of a jog. It is finished in every tick, so that what waits replaces it.
     pub(crate) fn tick(
         &mut self,
@@ -40,11 +48,11 @@ impl Jog {
         body: &mut Body,
     ) -> Outcome {
         let outcome = match short(frame.float(2)) {
-            0 => self.release(kind, settings, body),
-            9 => press(body, |body| body.grab(true, body.gripper_deg)),
-            10 => press(body, |body| body.grab(false, body.gripper_deg)),
-            13 => press(body, |body| body.hands.laser = true),
-            14 => press(body, |body| body.hands.laser = false),
+            0 => self.release(kind, body),
+            9 => return press(body, |body| body.grab(true, body.gripper_deg)),
+            10 => return press(body, |body| body.grab(false, body.gripper_deg)),
+            13 => return press(body, |body| body.hands.laser = true),
+            14 => return press(body, |body| body.hands.laser = false),
             axis @ (1..=8 | 11 | 12) => {
                 let axis = if kind == Kind::Joint && port == Port::Bluetooth {
                     exchanged(axis)
@@ -70,8 +78,9 @@ impl Jog {
     ) -> Outcome {
         self.axis = axis;
         let ramp = ramp(kind, axis, settings);
-        let max = ramp.speed * percent / 100.0;
-        let change = ramp.acceleration * PERIOD_S;
+        let max = ramp.speed * (percent / 100.0);
+        self.acceleration = ramp.acceleration;
+        let change = self.acceleration * PERIOD_S;
         if axis % 2 == 1 {
             self.speed = if self.speed < max {
                 self.speed + change
@@ -89,11 +98,11 @@ impl Jog {
     }
 
     /// Runs the speed down; only then the command is over.
-    fn release(&mut self, kind: Kind, settings: &Settings, body: &mut Body) -> Outcome {
+    fn release(&mut self, kind: Kind, body: &mut Body) -> Outcome {
         if self.speed == 0.0 {
             return Outcome::OVER;
         }
-        let change = ramp(kind, self.axis, settings).acceleration * PERIOD_S;
+        let change = self.acceleration * PERIOD_S;
         let is_plus = self.axis % 2 == 1;
         let runs = if is_plus {
             self.speed > 0.0
@@ -105,10 +114,12 @@ impl Jog {
             return Outcome::over(self.advance(kind, body));
         }
         self.speed += if is_plus { -change } else { change };
-        if self.advance(kind, body) {
-            Outcome::GOES_ON
+        let advanced = self.advance(kind, body);
+        self.is_refused |= !advanced;
+        if self.is_refused {
+            Outcome::over(advanced)
         } else {
-            Outcome::over(false)
+            Outcome::GOES_ON
         }
     }
 

@@ -32,10 +32,11 @@ impl JointWay {
     pub(crate) fn plan(body: &Body, to: Joints, ramps: &[Ramp; 4]) -> Self {
         let (from, to) = (angles(body.joints), angles(to));
         let ways: [f32; 4] = core::array::from_fn(|axis| to[axis] - from[axis]);
-        // Not a maximum: what is no number displaces what is one.
-        let total_s = (0..4).fold(0.0, |longest, axis| {
-            let alone = time_alone(ways[axis].abs(), ramps[axis]);
-            if longest > alone { longest } else { alone }
+        let alone = |axis: usize| time_alone(ways[axis].abs(), ramps[axis]);
+        // The base first; what is no number displaces nothing.
+        let total_s = (1..4).fold(alone(0), |longest, axis| {
+            let alone = alone(axis);
+            if alone > longest { alone } else { longest }
         });
         Self {
             axes: core::array::from_fn(|axis| {
@@ -107,9 +108,9 @@ fn time_alone(
     }: Ramp,
 ) -> f32 {
     if distance > speed * speed / acceleration {
-        distance / speed + speed / acceleration
+        2.0 * (speed / acceleration) + (distance - speed * speed / acceleration) / speed
     } else {
-        2.0 * libm::sqrtf(distance * acceleration) / acceleration
+        2.0 * (libm::sqrtf(acceleration * distance) / acceleration)
     }
 }
 

@@ -89,6 +89,11 @@ impl Receiver {
         Some(self.take_packet(header))
     }
 
+    /// The header of a packet of which a byte more has arrived, and not all.
+    pub(crate) fn begun(&self) -> Option<u8> {
+        self.header.filter(|_| !self.ring.is_empty())
+    }
+
     /// Discards bytes up to a header.
     fn hunt(&mut self) -> Option<u8> {
         while let Some(byte) = self.ring.pop_front() {

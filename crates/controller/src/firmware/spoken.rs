@@ -22,6 +22,19 @@ enum Order {
     Release,
 }
 
+/// What else goes on while an order is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnderWay {
+    /// A straight line of a target.
+    pub(crate) line: bool,
+    /// A MOVJ or a JUMP.
+    pub(crate) other_way: bool,
+    /// A text of which the rest is still to come.
+    pub(crate) text: bool,
+    /// This is the first tick of a command from the queue.
+    pub(crate) fetched: bool,
+}
+
 /// What was found in a text.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Words {
@@ -45,11 +58,12 @@ impl Spoken {
         words.order.is_some()
     }
 
-    /// A tick of an order. A straight line that is under way already is gone to its end.
+    /// A tick of an order. A straight line that is under way already is gone to its end; one that was
+    /// ordered itself is ended by what acts at once.
     pub(crate) fn tick(
         &mut self,
         is_over: bool,
-        has_line: bool,
+        under_way: &UnderWay,
         settings: &Settings,
         line: &mut Line,
         body: &mut Body,
@@ -58,18 +72,26 @@ impl Spoken {
             return Outcome::OVER;
         }
         let Some(order) = self.order else {
-            return Outcome::hangs(Hang::NothingSaid);
+            body.repeats = under_way.text;
+            return Outcome::hangs_if(!under_way.text, Hang::NothingSaid);
         };
+        if under_way.other_way {
+            // It counts as planned already, and there is no line to go.
+            return Outcome::OVER;
+        }
         match order {
-            _ if has_line || self.is_planned => {}
+            _ if under_way.line => {}
             Order::Catch => {
+                body.repeats = !under_way.fetched;
                 body.grab(true, CLOSED_DEG);
                 return Outcome::OVER;
             }
             Order::Release => {
+                body.repeats = !under_way.fetched;
                 body.grab(false, 0.0);
                 return Outcome::OVER;
             }
+            Order::Move(_) if self.is_planned => {}
             Order::Move([dx, dy, dz]) => {
                 let from = body.pose;
                 let to = [from.x_mm + dx, from.y_mm + dy, from.z_mm + dz];

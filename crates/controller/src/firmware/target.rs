@@ -69,6 +69,14 @@ impl Travel {
         matches!((&self.way, &self.pause), (Some(Way::Line(_)), None))
     }
 
+    /// Whether another way to a target is.
+    pub(crate) const fn has_other_way(&self) -> bool {
+        matches!(
+            (&self.way, &self.pause),
+            (Some(Way::Joints(_) | Way::Jump(_)), None)
+        )
+    }
+
     /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
     pub(crate) fn tick(
         &mut self,

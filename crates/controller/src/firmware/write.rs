@@ -58,8 +58,8 @@ impl Write {
             }
             self.go(body)
         };
-        if is_laser {
-            body.hands.laser = frame.float(7) == 1.0;
+        if is_laser && let Some(lit) = lit(frame) {
+            body.hands.laser = lit;
         }
         outcome
     }
@@ -70,9 +70,14 @@ impl Write {
         if mode == WRITING || mode == LASER {
             self.vector = [-f(3), f(4), if mode == LASER { 0.0 } else { f(5) }];
             self.length = libm::sqrtf(f(3) * f(3) + f(4) * f(4) + f(5) * f(5));
-            let is_rapid = mode == LASER && f(7) != 1.0;
-            let factor = if is_rapid { RAPID_FACTOR } else { 1.0 };
-            self.acceleration = factor * settings.write_acceleration;
+            let factor = match lit(frame) {
+                _ if mode == WRITING => Some(1.0),
+                Some(lit) => Some(if lit { 1.0 } else { RAPID_FACTOR }),
+                None => None,
+            };
+            if let Some(factor) = factor {
+                self.acceleration = factor * settings.write_acceleration;
+            }
         }
         self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
         self.travelled = [0.0; 3];
@@ -119,6 +124,15 @@ impl Write {
             return Outcome::OVER;
         }
         Outcome::hangs_if(left < 0, Hang::NeverArrives)
+    }
+}
+
+/// Whether a packet wants the laser lit; where it says neither all stays as it was.
+fn lit(frame: &Frame) -> Option<bool> {
+    match frame.float(7) {
+        1.0 => Some(true),
+        0.0 => Some(false),
+        _ => None,
     }
 }
 

@@ -234,7 +234,9 @@ fn a_seventh_spoken_order_locks_the_queue_for_ever() {
     };
     // One is obeyed while the others come; it lasts longer than all of them.
     let slowly = Twin::power_up(Port::Bluetooth)
-        .send(&[9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 0.5, 200.0, 0.0, 10.0]);
+        .send(&[9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 0.5, 200.0, 0.0, 10.0])
+        // Fetched while a text begins to arrive, the setting would be taken for voice.
+        .wait_ms(100);
     let obeyed = (0..7).fold(slowly, |twin, _| speak(twin));
     let locked = speak(obeyed).wait_ms(200_000);
     assert_eq!(locked.controller.counters().begun, 2, "the setting and one");

@@ -154,7 +154,7 @@ const TABLE_HEAD: &str = "\
 ";
 
 /// What each recording shows.
-const SHOWN: [(&str, &str); 49] = [
+const SHOWN: [(&str, &str); 61] = [
     (
         "p01_boot_status",
         "switched on and left alone: when statuses come",
@@ -248,12 +248,54 @@ const SHOWN: [(&str, &str); 49] = [
         "pump and gripper values that are neither 0 nor 1",
     ),
     (
+        "p39_release_other_kind",
+        "a jog that is released by the other state",
+    ),
+    (
+        "p40_config_during_jog",
+        "settings between a button and its release",
+    ),
+    (
+        "p41_jog_percent",
+        "percents that come to whole ticks, or just not",
+    ),
+    (
+        "p42_movj_whole_ticks",
+        "a move whose time is whole ticks but for rounding",
+    ),
+    ("p43_jump_whole_ticks", "the same with a jump"),
+    (
         "p44_write_below_zero",
         "trap: a vector behind a speed below zero creeps on for ever",
     ),
     (
+        "p45_laser_neither",
+        "laser mode that says neither on nor off",
+    ),
+    (
+        "p46_mouse_servo",
+        "mouse packets with a servo angle out of range",
+    ),
+    (
         "p47_shared_history",
         "gestures behind mouse packets, which they count",
+    ),
+    ("p48_voice_stops_line", "catch, said during a line, ends it"),
+    (
+        "p49_voice_in_movj",
+        "voice during a move: the motors repeat their last pulses",
+    ),
+    (
+        "p50_buttons_servos",
+        "buttons and what they do to the servo outputs",
+    ),
+    (
+        "p51_limit_in_run_down",
+        "a run-down that meets a limit is over, and runs on",
+    ),
+    (
+        "x10_movj_after_nan",
+        "trap: a move when two of four angles are lost",
     ),
     (
         "x1_movl_zero_nan",
