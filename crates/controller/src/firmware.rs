@@ -353,12 +353,11 @@ impl Firmware {
             4 => self.write.tick(frame, is_over, settings, body),
             VOICE => {
                 let under_way = UnderWay {
-                    line: travel.has_line(),
-                    other_way: travel.has_other_way(),
+                    way: travel.going(),
                     text: self.receiver.begun() == Some(VOICE_HEADER),
                     fetched: in_force.is_new,
                 };
-                self.spoken.tick(is_over, &under_way, settings, line, body)
+                self.spoken.tick(is_over, under_way, settings, line, body)
             }
             6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
             LINEAR_JOG => self

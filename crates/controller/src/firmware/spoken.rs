@@ -3,6 +3,7 @@
 use super::follow::CLOSED_DEG;
 use super::line::Line;
 use super::settings::Settings;
+use super::target::Going;
 use super::{Body, Outcome, Printer, Progress};
 use crate::Hang;
 
@@ -25,10 +26,8 @@ enum Order {
 /// What else goes on while an order is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnderWay {
-    /// A straight line of a target.
-    pub(crate) line: bool,
-    /// A MOVJ or a JUMP.
-    pub(crate) other_way: bool,
+    /// The way to a target.
+    pub(crate) way: Option<Going>,
     /// A text of which the rest is still to come.
     pub(crate) text: bool,
     /// This is the first tick of a command from the queue.
@@ -63,7 +62,7 @@ impl Spoken {
     pub(crate) fn tick(
         &mut self,
         is_over: bool,
-        under_way: &UnderWay,
+        under_way: UnderWay,
         settings: &Settings,
         line: &mut Line,
         body: &mut Body,
@@ -75,12 +74,12 @@ impl Spoken {
             body.repeats = under_way.text;
             return Outcome::hangs_if(!under_way.text, Hang::NothingSaid);
         };
-        if under_way.other_way {
+        if under_way.way == Some(Going::ByJoints) {
             // It counts as planned already, and there is no line to go.
             return Outcome::OVER;
         }
         match order {
-            _ if under_way.line => {}
+            _ if under_way.way == Some(Going::Line) => {}
             Order::Catch => {
                 body.repeats = !under_way.fetched;
                 body.grab(true, CLOSED_DEG);

@@ -57,6 +57,15 @@ pub(crate) enum Kind {
     Joints,
 }
 
+/// How a way goes that is under way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Going {
+    /// Straight.
+    Line,
+    /// Joint by joint: a MOVJ or a JUMP.
+    ByJoints,
+}
+
 impl Travel {
     /// Forgets what was going on: another command is in force.
     pub(crate) fn clear(&mut self) {
@@ -64,17 +73,13 @@ impl Travel {
         self.pause = None;
     }
 
-    /// Whether a straight line is under way.
-    pub(crate) const fn has_line(&self) -> bool {
-        matches!((&self.way, &self.pause), (Some(Way::Line(_)), None))
-    }
-
-    /// Whether another way to a target is.
-    pub(crate) const fn has_other_way(&self) -> bool {
-        matches!(
-            (&self.way, &self.pause),
-            (Some(Way::Joints(_) | Way::Jump(_)), None)
-        )
+    /// The way that is under way.
+    pub(crate) const fn going(&self) -> Option<Going> {
+        match (&self.way, &self.pause) {
+            (Some(Way::Line(_)), None) => Some(Going::Line),
+            (Some(Way::Joints(_) | Way::Jump(_)), None) => Some(Going::ByJoints),
+            _ => None,
+        }
     }
 
     /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
