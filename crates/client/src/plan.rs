@@ -59,6 +59,7 @@ impl Plan {
                 trap @ (CourseError::NeverEnds
                 | CourseError::NothingToFollow
                 | CourseError::BehindCutLine
+                | CourseError::LeavesBackwards { .. }
                 | CourseError::Uncounted { .. }),
             ) => Some(SendError::Trap(trap)),
             _ => None,

@@ -61,6 +61,16 @@ pub enum CourseError {
         "the arm might never end this vector, but creep on (note N48): behind the end speed that the vector before left, or that others may have left, its ticks add up to less than none; send a longer vector, or use writing mode"
     )]
     NeverEnds,
+    /// A vector behind which the next one would begin backwards.
+    #[error(
+        "behind this vector the next one would first go back {back_mm:.1} mm (note N48): its ticks end at {left_mm_s:.0} mm/s; use writing mode, or another length"
+    )]
+    LeavesBackwards {
+        /// The speed that it leaves for the next vector, in mm/s: less than nothing.
+        left_mm_s: f32,
+        /// How far back that one would go at least, in mm.
+        back_mm: f32,
+    },
     /// A vector of laser mode without the laser that begins at rest, so slow that a stock arm goes
     /// 4 mm at most and calls it done.
     #[error(

@@ -12,6 +12,7 @@ use crate::{Course, CourseError, Model, Place};
 use dobot_arm::Pose;
 
 /// Plans a vector from where the arm is.
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
 pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
     let from = model.place.pose;
     let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
@@ -30,6 +31,9 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
     if cut.as_ref().is_some_and(|it| it.may_never_end(rapid)) {
         return Err(CourseError::NeverEnds);
     }
+    if let Some(cut) = &cut {
+        cut.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
+    }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
     let way = Way::Stroke {
         stroke,
@@ -37,7 +41,10 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
         held_z: is_flat.then_some(from.position.z),
     };
     let course = relative(way, model)?;
+    let length_mm = by.length().0;
     Ok(Course {
+        knows_end: course.knows_end
+            && (model.left.is_known() || cut.as_ref().is_none_or(|it| it.is_sure(length_mm))),
         to: if model.dialect.uses_start_speed {
             course.to
         } else {
@@ -87,6 +94,18 @@ impl Left {
         }
     }
 
+    /// Whether it is that, near enough.
+    fn is_known(self) -> bool {
+        let mut perhaps = self.perhaps_mm_s.iter().flatten();
+        perhaps.all(|it| (it - self.believed_mm_s).abs() <= KNOWN_MM_S)
+    }
+
+    /// Whether what begins with it and gets no faster might creep.
+    fn may_creep(self) -> bool {
+        let mut perhaps = self.perhaps_mm_s.iter().flatten();
+        perhaps.any(|it| f64::from(*it) < CREEPS_MM_S)
+    }
+
     /// The same, where nobody knows whether it is so.
     pub(crate) const fn perhaps(self) -> Self {
         Self {
@@ -131,11 +150,28 @@ impl Cuts {
         by * (f64::from(self.believed.length_mm()) / by.length().0)
     }
 
+    /// Whether it becomes that long with all that may be left.
+    fn is_sure(&self, length_mm: f64) -> bool {
+        let mut perhaps = self.perhaps.iter().flatten().chain([&self.believed]);
+        perhaps.all(|it| (f64::from(it.length_mm()) - length_mm).abs() <= SURE_MM)
+    }
+
     /// Whether the arm would creep on for ever. What others may have left counts only where that is
     /// likely: with a rapid vector, of which a tick is worth a hundred times more speed.
     fn may_never_end(&self, rapid: bool) -> bool {
         let perhaps = self.perhaps.iter().flatten().filter(|_| rapid);
         perhaps.chain([&self.believed]).any(|it| it.ticks() <= 0)
+    }
+
+    /// Whether a vector of writing mode behind it goes its way: begun at less than nothing it first goes
+    /// back, until it has accelerated to something.
+    fn check_left(&self, acceleration_mm_s2: f32) -> Result<(), CourseError> {
+        let left_mm_s = self.believed.end_mm_s;
+        let back_mm = left_mm_s * left_mm_s / (2.0 * acceleration_mm_s2);
+        if left_mm_s < 0.0 && back_mm > BACK_MM {
+            return Err(CourseError::LeavesBackwards { left_mm_s, back_mm });
+        }
+        Ok(())
     }
 
     fn left(&self) -> Left {
@@ -162,7 +198,7 @@ fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, Co
         acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
     };
     if is_rapid(vector, model) {
-        rapid(&speeds)
+        rapid(&speeds, model.left.may_creep())
     } else {
         Ok(speeds)
     }
@@ -175,7 +211,7 @@ fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
 }
 
 /// Without the laser, laser mode accelerates a hundredfold (note N48).
-fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
+fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, CourseError> {
     let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
     let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
     if speeds.max_mm_s >= least_mm_s {
@@ -185,9 +221,9 @@ fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
         });
     }
     // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
-    // fast as it begins it goes on; at rest it stays.
+    // fast as it begins it goes on; at rest it stays, and perhaps where nobody knows how it begins.
     let begin_mm_s = speeds.start_mm_s;
-    if begin_mm_s < CREEPS_MM_S {
+    if begin_mm_s < CREEPS_MM_S || may_creep {
         return Err(CourseError::SlowRapid {
             found: speeds.max_mm_s,
             least: least_mm_s,
@@ -203,12 +239,18 @@ fn rapid(speeds: &StrokeSpeeds) -> Result<StrokeSpeeds, CourseError> {
 
 /// A vector of half that length or less is none (note N16); the rest is for rounding.
 const NO_LENGTH_MM: f64 = 0.0002;
+/// So far a vector may go back before it goes on: less than a tick's way at 40 mm/s.
+const BACK_MM: f32 = 0.5;
+/// An end that may be so much off is known.
+const SURE_MM: f64 = 0.05;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
 /// With less a vector takes for ever, or none of it is done.
 const CREEPS_MM_S: f64 = 0.1;
 /// Half a control tick of 20 ms.
 const HALF_A_TICK_S: f64 = 0.01;
+/// What may have been left is known as well as that, in mm/s.
+const KNOWN_MM_S: f32 = 0.05;
 /// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
 const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
 
@@ -241,6 +283,74 @@ mod tests {
         model.lose_place();
         model.knows_place = true;
         assert_eq!(model.course(&rapid), Err(CourseError::NeverEnds));
+    }
+
+    #[test]
+    fn where_nobody_knows_how_it_begins_a_slow_rapid_vector_is_refused_and_the_end_of_a_short_one_is_not_known()
+     {
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = Left::known(40.0);
+        // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
+        let mut vector = WriteVector {
+            mode: WriteMode::Laser,
+            x_mm: 0.0,
+            y_mm: -3.1,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 10.0,
+            max_speed_mm_s: 10.0,
+            stop: false,
+        };
+        assert!(model.course(&vector.into()).is_ok());
+        model.left = model.left.perhaps();
+        let refused = model.course(&vector.into());
+        assert!(
+            matches!(refused, Err(CourseError::SlowRapid { .. })),
+            "{refused:?}"
+        );
+        // At 145 mm/s2 a tick is worth 2.9 mm/s, and 1 mm/s is not half of that: no tick accelerates, and behind
+        // a little less than rest the arm goes back.
+        model.settings.write_acceleration_mm_s2 = 145.0;
+        vector.mode = WriteMode::Writing;
+        (vector.y_mm, vector.max_speed_mm_s, vector.end_speed_mm_s) = (-0.4, 1.0, 0.0);
+        let course = model.course(&vector.into()).expect("it may be sent");
+        assert_eq!(course.end(), None);
+        model.left = Left::known(0.5);
+        let course = model.course(&vector.into()).expect("it may be sent");
+        assert!(course.end().is_some());
+    }
+
+    #[test]
+    fn a_vector_behind_which_the_next_one_would_go_far_back_is_refused() {
+        // Laser mode without the laser: one tick slower is 200 mm/s less. Begun at 57.5 mm/s, 26.76 mm take 25
+        // ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2 are 99 mm.
+        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = Left::known(57.5);
+        let rapid = WriteVector {
+            mode: WriteMode::Laser,
+            x_mm: 0.0,
+            y_mm: 26.764,
+            z_mm: 0.0,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: 150.0,
+            stop: false,
+        };
+        let course = model.course(&rapid.into());
+        let Err(CourseError::LeavesBackwards { left_mm_s, back_mm }) = course else {
+            panic!("{course:?}");
+        };
+        assert!((left_mm_s + 141.0).abs() < 1.0, "{left_mm_s}");
+        assert!((back_mm - 99.0).abs() < 1.5, "{back_mm}");
+        let written = WriteVector {
+            mode: WriteMode::Writing,
+            ..rapid
+        };
+        assert!(model.course(&written.into()).is_ok());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_client::{CommandId, Event, SendError, Session};
+use dobot_client::{CommandId, Event, SendError};
 use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode, WriteMode, WriteVector};
 
 use crate::desk::{Desk, target, vector};
@@ -27,7 +27,7 @@ fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
         .expect("it does no harm to an arm of the document");
 }
 
-/// A jog of the joints from the base, or the release of all buttons.
+/// A button of the joints at half its speed, or the release of all.
 fn jog(axis: JointJogAxis) -> JointJog {
     JointJog {
         axis,
@@ -79,7 +79,6 @@ fn a_line_behind_a_jog_is_sent_when_the_arm_rests_elsewhere() {
 #[test]
 fn a_release_behind_a_command_that_is_not_sent_is_sent_all_the_same() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
-    desk.session = Session::trusted(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     let lasting = Duration::from_secs(1);
     desk.session.arm_laser(lasting);
