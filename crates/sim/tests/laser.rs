@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod light;
+
 use std::time::Duration;
 
 use dobot_client::{Connection, LinkError, SendError};
@@ -9,8 +11,12 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, RECORDING_PERIOD, VirtualArm};
 use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector};
 
+use self::light::longest_stand_s;
+
 /// What the laser may stand at the most, in seconds.
 const MOST_S: f64 = 0.3;
+/// An arm that goes less than that from one sample to the next stands.
+const STILL_MM: f64 = 0.001;
 
 fn arm(personality: Personality) -> (InProcess, Connection) {
     let power_up = PowerUp::new(personality);
@@ -55,21 +61,6 @@ fn target(x_mm: f32, y_mm: f32) -> Command {
     .into()
 }
 
-fn longest_stand_s(arm: &InProcess) -> f64 {
-    let mut longest_s: f64 = 0.0;
-    let mut stood_s = 0.0;
-    for pair in arm.arm().samples().windows(2) {
-        let stands = pair[1].position.distance(pair[0].position).0 < 0.001;
-        stood_s = if stands && pair[1].laser {
-            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
-        } else {
-            0.0
-        };
-        longest_s = longest_s.max(stood_s);
-    }
-    longest_s
-}
-
 /// Sends commands one after the other, waits, and lets the arm move, so that the rest is recorded.
 async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
     let (arm, mut connection) = arm(personality);
@@ -87,7 +78,7 @@ async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
     while connection.session().under_way() + connection.session().waiting() > 0 {
         connection.next_event().await.unwrap();
     }
-    longest_stand_s(&arm)
+    longest_stand_s(arm.arm().samples(), STILL_MM)
 }
 
 #[tokio::test]
@@ -136,7 +127,7 @@ async fn a_burn_that_ends_at_a_limit_does_not_leave_the_laser_on() {
         connection.pass(Duration::from_secs(12)).await.unwrap();
         connection.send(vector(-5.0, 0.0, false)).unwrap();
         connection.pass(Duration::from_secs(3)).await.unwrap();
-        let stood_s = longest_stand_s(&arm);
+        let stood_s = longest_stand_s(arm.arm().samples(), STILL_MM);
         println!("{length_mm} mm: {stood_s:.3} s");
         assert!(stood_s <= MOST_S, "{length_mm} mm: {stood_s} s");
     }
