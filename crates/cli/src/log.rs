@@ -199,7 +199,7 @@ impl<'a> Printer<'a> {
         let topic: &str = &moment.topic;
         let place = Place {
             text: format!("{at_s:10.3}  {topic}"),
-            field: ("at_s", json!(at_s)),
+            fields: vec![("at_s", json!(at_s))],
         };
         for content in contents {
             decode::show(&place, &content, self.args.json)?;

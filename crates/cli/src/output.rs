@@ -95,6 +95,8 @@ fn field(name: &str, value: &Value) -> String {
             .as_f64()
             .map_or_else(|| number.to_string(), |wide| narrow(wide).to_string()),
         Value::String(text) => text.clone(),
+        // JSON has no such number.
+        Value::Null => "NaN".to_owned(),
         other => other.to_string(),
     };
     format!("{} {value}{unit}", name.replace('_', " "))

@@ -187,7 +187,7 @@ fn meaning(packet: Option<[u8; 42]>, dialect: Option<Dialect>) -> String {
     };
     let packet = Packet::from_bytes(&bytes).expect("the decoder gives nothing else");
     let readings = decode::readings(&packet, dialect);
-    let reading = readings.iter().find_map(|(_, it)| it.as_ref().ok());
+    let reading = readings.iter().find_map(|it| it.command.as_ref().ok());
     reading.map_or_else(
         || format!("what is no command: {bytes:02x?}"),
         |command| format!("{}  {}", decode::kind(command), output::fields(command)),

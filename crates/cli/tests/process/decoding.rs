@@ -84,7 +84,224 @@ fn statuses_are_told_from_commands() {
 fn what_holds_no_packet_is_an_error() {
     dobot(&["decode", "a5 00 5a"]).fails(1, &["no packet in 3 bytes", "42 bytes"]);
     dobot(&["decode", "a5 0"]).fails(1, &["3 hex digits"]);
-    dobot(&["decode", "hello"]).fails(1, &["hex digit 1 is `h`"]);
+    dobot(&["decode", "hello"]).fails(1, &["line 1: `hello` is not hex digits", "xxd"]);
     dobot(&["decode", "no-such-file.bin"]).fails(1, &["there is no file no-such-file.bin"]);
     dobot_reading(&["decode", "-"], b"").fails(1, &["no bytes"]);
+}
+
+/// A packet as hex digits.
+fn packet(floats: [f32; 10]) -> String {
+    let body = floats.iter().flat_map(|float| float.to_le_bytes());
+    let bytes: Vec<u8> = [0xA5].into_iter().chain(body).chain([0x5A]).collect();
+    hex(&bytes)
+}
+
+/// A command with floats 3 and 4 of state 10, as the vendor's client sends it: float 5 is 0.
+fn sliders() -> String {
+    packet([10.0, 0.0, 58.0, 38.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+}
+
+#[test]
+fn both_directions_in_one_file_are_told_apart_packet_by_packet() {
+    let status = packet([215.07, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    let bad = packet([263.66, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    let digits = [status.clone(), bad, hex(&target(0.0)), status].join("\n");
+    let outcome = dobot_reading(&["decode", "-"], digits.as_bytes()).succeeds();
+    let lines: Vec<&str> = outcome.stdout.lines().collect();
+    let expected = [
+        "     0  status  x 215.07 mm",
+        "    42  damaged status",
+        "    84  move_to",
+        "   126  status",
+    ];
+    assert_eq!(lines.len(), 4, "{outcome:?}");
+    for (line, expected) in lines.iter().zip(expected) {
+        assert!(line.starts_with(expected), "{line}");
+    }
+}
+
+#[test]
+fn a_status_of_an_arm_that_has_lost_its_pose_is_shown() {
+    let nan = f32::NAN;
+    let lost = packet([nan, nan, nan, nan, 0.0, nan, nan, 0.0, 0.0, 0.0]);
+    let text = dobot(&["decode", "--from", "arm", &lost]).succeeds();
+    for part in [
+        "status whose pose is lost (NaN)",
+        "x NaN mm",
+        "base 0°",
+        "suction off",
+    ] {
+        assert!(text.stdout.contains(part), "{part}: {text:?}");
+    }
+    let json = dobot(&["decode", "--from", "arm", &lost, "--json"]).succeeds();
+    let json: Value = serde_json::from_str(&json.stdout).expect("it is JSON");
+    assert_eq!(json["pose_lost"], true);
+    assert_eq!(json["status"]["x_mm"], Value::Null);
+}
+
+#[test]
+fn what_a_stock_arm_takes_against_the_tables_is_said() {
+    let stock = dobot(&["decode", &sliders(), "--dialect", "firmware-1.1"]).succeeds();
+    let expected = "not allowed: float 5 (teaching speed) is 0; Table 3.9 allows above 0 to 100 (percent); \
+                    a stock arm takes it";
+    assert!(stock.stdout.contains(expected), "{stock:?}");
+    let other = dobot(&["decode", &sliders(), "--dialect", "specification"]).succeeds();
+    assert!(!other.stdout.contains("takes it"), "{other:?}");
+    let hangs = packet([11.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let hangs = dobot(&["decode", &hangs, "--dialect", "firmware-1.1"]).succeeds();
+    assert!(
+        hangs.stdout.contains("not allowed") && !hangs.stdout.contains("takes it"),
+        "{hangs:?}"
+    );
+}
+
+/// A sample in the tests' folder.
+fn sample(name: &str) -> String {
+    format!(
+        "{}/tests/process/samples/decode/{name}",
+        env!("CARGO_MANIFEST_DIR")
+    )
+}
+
+/// The samples hold the same command and the same status of a real arm, as the tools print them; three
+/// of them behind 96 zeros.
+#[test]
+fn what_the_usual_tools_print_is_read() {
+    for (name, format, zeros) in [
+        ("packets.bin", None, 0),
+        ("xxd.txt", Some("xxd"), 0),
+        ("xxd-p.txt", None, 0),
+        ("xxd-i.txt", Some("a list of numbers"), 0),
+        ("hexdump-C.txt", Some("hexdump -C"), 96),
+        ("od.txt", Some("od -t x1"), 96),
+        ("od-A-x.txt", Some("od -t x1"), 96),
+        ("od-A-d-z.txt", Some("od -t x1"), 0),
+        ("od-An.txt", None, 0),
+        ("python.txt", Some("Python bytes"), 0),
+        ("list.txt", Some("a list of numbers"), 0),
+    ] {
+        let outcome = dobot(&["decode", &sample(name), "--json"]).succeeds();
+        let lines: Vec<Value> = json_lines(&outcome.stdout);
+        let packets: Vec<_> = lines
+            .iter()
+            .filter(|it| it["skipped_bytes"].is_null())
+            .collect();
+        assert_eq!(packets.len(), 2, "{name}: {outcome:?}");
+        assert_eq!(packets[0]["offset"], zeros, "{name}");
+        assert_eq!(packets[0]["command"]["y_mm"], -50.0, "{name}");
+        assert_eq!(packets[1]["offset"], zeros + 42, "{name}");
+        assert_eq!(packets[1]["status"]["base_deg"], -33.0, "{name}");
+        match format {
+            None => assert_eq!(outcome.stderr, "", "{name}"),
+            Some(format) => assert!(outcome.stderr.contains(format), "{name}: {outcome:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_directions_and_times_of_socat_are_kept() {
+    let outcome = dobot(&["decode", &sample("socat.txt")]).succeeds();
+    let lines: Vec<&str> = outcome.stdout.lines().collect();
+    assert_eq!(lines.len(), 2, "{outcome:?}");
+    assert!(
+        lines[0].starts_with("2026/11/22 11:57:59.000792546  >  move_to"),
+        "{outcome:?}"
+    );
+    assert!(
+        lines[1].starts_with("2026/11/22 11:58:00.000097146  <  status"),
+        "{outcome:?}"
+    );
+    let json = json_lines(
+        &dobot(&["decode", &sample("socat.txt"), "--json"])
+            .succeeds()
+            .stdout,
+    );
+    assert_eq!(json[0]["direction"], ">");
+    assert_eq!(json[1]["at"], "2026/11/22 11:58:00.000097146");
+    // With -v there is text behind the digits.
+    let verbose = dobot(&["decode", &sample("socat-v.txt")]).succeeds();
+    assert_eq!(verbose.stdout.lines().count(), 2, "{verbose:?}");
+}
+
+#[test]
+fn a_format_that_nobody_knows_is_told_with_those_that_were_tried() {
+    let words = b"0000000 00a5 4000 0040\n0000010\n";
+    dobot_reading(&["decode", "-"], words)
+        .fails(1, &["line 1: `00a5`", "hexdump -C", "od -t x1", "socat -x"]);
+    let noise = [0xFE, 0x00, 0xFD];
+    dobot_reading(&["decode", "-"], &noise).fails(1, &["no packet in 3 bytes, read as binary"]);
+}
+
+fn json_lines(text: &str) -> Vec<Value> {
+    let lines = text.lines();
+    lines
+        .map(|line| serde_json::from_str(line).expect("each line is JSON"))
+        .collect()
+}
+
+/// Captured by tcpdump while two programs talked: the status in two pieces, 20 ms apart.
+#[test]
+fn both_ways_of_a_captured_connection_are_told_with_their_times() {
+    for name in ["ethernet.pcap", "sll.pcap", "sll2-ipv6.pcap"] {
+        let outcome = dobot(&["decode", &sample(name), "--json"]).succeeds();
+        let lines = json_lines(&outcome.stdout);
+        let kinds: Vec<_> = lines.iter().map(|it| it["command"].is_object()).collect();
+        assert_eq!(kinds, [false, true, false, false], "{name}: {outcome:?}");
+        assert!(lines[0]["status"].is_object(), "{name}: {outcome:?}");
+        assert_eq!(lines[0]["sender"], lines[1]["receiver"], "{name}");
+        let at_s: Vec<f64> = lines.iter().filter_map(|it| it["at_s"].as_f64()).collect();
+        // The second status is there with its second piece.
+        for [first, second] in [[0, 2], [2, 3]] {
+            let between_s = at_s[second] - at_s[first];
+            assert!((0.1..0.13).contains(&between_s), "{name}: {at_s:?}");
+        }
+        assert!(
+            outcome
+                .stderr
+                .contains("times are seconds since 2026-11-22T12:1"),
+            "{name}: {outcome:?}"
+        );
+    }
+}
+
+/// A connection made by hand: one command comes in the wrong order and partly twice, the sequence
+/// numbers begin anew, and 10 bytes of the statuses are lost.
+#[test]
+fn a_captured_connection_is_put_in_order_and_its_gaps_are_told() {
+    for name in ["awkward.pcapng", "raw.pcap", "null-big-endian.pcap"] {
+        let outcome = dobot(&["decode", &sample(name)]).succeeds();
+        let client = "10.0.0.2:40000 > 10.0.0.9:5555";
+        let arm = "10.0.0.9:5555 > 10.0.0.2:40000";
+        let expected = [
+            ("0.100000", arm, "status"),
+            ("0.210000", client, "move_to"),
+            ("0.300000", client, "move_to"),
+            ("0.300000", client, "move_to"),
+            ("0.400000", arm, "10 bytes are missing here"),
+            ("0.400000", arm, "skipped 32 bytes"),
+            ("0.400000", arm, "status"),
+            ("0.500000", arm, "status"),
+        ];
+        let lines: Vec<&str> = outcome.stdout.lines().collect();
+        assert_eq!(lines.len(), expected.len(), "{name}: {outcome:?}");
+        for (line, (at, way, what)) in lines.iter().zip(expected) {
+            assert!(
+                line.trim_start()
+                    .starts_with(&format!("{at}  {way}  {what}")),
+                "{name}: {line}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_capture_that_is_cut_short_is_read_as_far_as_it_goes() {
+    let bytes = std::fs::read(sample("raw.pcap")).expect("the sample is there");
+    let outcome = dobot_reading(&["decode", "-"], &bytes[..bytes.len() - 70]).succeeds();
+    assert!(outcome.stdout.contains("move_to"), "{outcome:?}");
+    assert!(
+        outcome.stderr.contains("the pcap file is damaged: byte "),
+        "{outcome:?}"
+    );
+    dobot_reading(&["decode", "-"], &bytes[..10]).fails(1, &["the pcap file is damaged", "header"]);
 }

@@ -1,0 +1,453 @@
+//! What each stretch of bytes is: packet by packet, whoever sent it.
+
+use dobot_client::plausible;
+use dobot_wire::{Command, Decoder, Dialect, Frame, PACKET_LEN, Packet, Status};
+
+use super::From;
+use super::content::{Content, Oddity, readings};
+use super::rounded::rounded;
+
+/// What a stretch of bytes is.
+#[derive(Debug)]
+pub(super) struct Piece {
+    /// Where it begins.
+    pub(super) offset: usize,
+    /// How many bytes it is.
+    pub(super) len: usize,
+    pub(super) content: Content,
+}
+
+/// Says what bytes are. They begin with a packet if they are `in_step`; otherwise perhaps in the
+/// middle of one.
+///
+/// A packet that makes sense is taken wherever it is found, and stands for itself: what is beside it
+/// does not matter. One that makes none is taken only where the packet before ended, and only if none
+/// that makes more sense begins inside of it.
+pub(super) fn pieces(
+    bytes: &[u8],
+    from: From,
+    dialect: Option<Dialect>,
+    in_step: bool,
+) -> Vec<Piece> {
+    let found = find(bytes, from, in_step);
+    let prevailing = prevailing(&found);
+    let mut pieces = Vec::new();
+    let mut end = 0;
+    for Found {
+        offset,
+        window,
+        view,
+    } in &found
+    {
+        skip(&mut pieces, end, *offset);
+        pieces.push(Piece {
+            offset: *offset,
+            len: PACKET_LEN,
+            content: content(
+                window,
+                view.sender(window, prevailing),
+                view.trust(),
+                dialect,
+            ),
+        });
+        end = offset + PACKET_LEN;
+    }
+    skip(&mut pieces, end, bytes.len());
+    pieces
+}
+
+/// How much a window of 42 bytes looks like a packet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Trust {
+    /// Not at all.
+    No,
+    /// It begins and ends like one.
+    Delimited,
+    /// Its numbers have a size that somebody sends.
+    Believable,
+    /// A command that is allowed, or a status whose position agrees with its angles.
+    Sure,
+}
+
+/// Who sends packets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sender {
+    Client,
+    Arm,
+}
+
+/// How a window looks as a packet of either sender.
+#[derive(Clone, Copy, Debug)]
+struct View {
+    client: Trust,
+    arm: Trust,
+}
+
+impl View {
+    fn of(window: &[u8; PACKET_LEN], from: From) -> Self {
+        let unless = |it: From, trust: fn(&[u8; PACKET_LEN]) -> Trust| {
+            if from == it { Trust::No } else { trust(window) }
+        };
+        Self {
+            client: unless(From::Arm, as_command),
+            arm: unless(From::Client, as_status),
+        }
+    }
+
+    fn trust(self) -> Trust {
+        self.client.max(self.arm)
+    }
+
+    /// Whose packet it is. One that makes no sense is most likely a packet of who sent all the
+    /// others, if that was one.
+    fn sender(self, window: &[u8; PACKET_LEN], prevailing: Option<Sender>) -> Sender {
+        if self.client != self.arm {
+            return if self.client > self.arm {
+                Sender::Client
+            } else {
+                Sender::Arm
+            };
+        }
+        if self.arm == Trust::Sure {
+            return Sender::Arm;
+        }
+        prevailing.unwrap_or_else(|| {
+            let has_state = Frame::from_bytes(window).is_none_or(|it| is_near_a_state(&it));
+            if has_state {
+                Sender::Client
+            } else {
+                Sender::Arm
+            }
+        })
+    }
+}
+
+/// A window that is taken for a packet.
+struct Found<'a> {
+    offset: usize,
+    window: &'a [u8; PACKET_LEN],
+    view: View,
+}
+
+fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
+    let view_at = |offset: usize| {
+        let window = bytes.get(offset..)?.first_chunk()?;
+        Some((window, View::of(window, from)))
+    };
+    let mut found = Vec::new();
+    let mut offset = 0;
+    while let Some((window, view)) = view_at(offset) {
+        let trust = view.trust();
+        let least = if in_step {
+            Trust::Delimited
+        } else {
+            Trust::Believable
+        };
+        let is_better = |inside| view_at(inside).is_some_and(|(_, it)| it.trust() > trust);
+        in_step = trust >= least
+            && (trust == Trust::Sure || !(offset + 1..offset + PACKET_LEN).any(is_better));
+        if in_step {
+            found.push(Found {
+                offset,
+                window,
+                view,
+            });
+        }
+        offset += if in_step { PACKET_LEN } else { 1 };
+    }
+    found
+}
+
+/// Who sent all packets that make sense, if that was one.
+fn prevailing(found: &[Found]) -> Option<Sender> {
+    let views = || {
+        found
+            .iter()
+            .map(|it| it.view)
+            .filter(|it| it.trust() >= Trust::Believable)
+    };
+    let by_client = views().any(|it| it.client > it.arm);
+    let by_arm = views().any(|it| it.client <= it.arm);
+    match (by_client, by_arm) {
+        (true, false) => Some(Sender::Client),
+        (false, true) => Some(Sender::Arm),
+        _ => None,
+    }
+}
+
+/// Notes the bytes between two packets.
+fn skip(pieces: &mut Vec<Piece>, from: usize, to: usize) {
+    if from < to {
+        pieces.push(Piece {
+            offset: from,
+            len: to - from,
+            content: Content::Skipped((to - from) as u64),
+        });
+    }
+}
+
+fn content(
+    window: &[u8; PACKET_LEN],
+    sender: Sender,
+    trust: Trust,
+    dialect: Option<Dialect>,
+) -> Content {
+    let frame = Frame::from_bytes(window);
+    match (sender, frame, Packet::from_bytes(window)) {
+        (Sender::Arm, Some(frame), _) => status(&frame, trust),
+        (_, _, Some(packet)) => Content::Command(readings(&packet, dialect)),
+        (_, _, None) => Content::Skipped(PACKET_LEN as u64),
+    }
+}
+
+fn status(frame: &Frame, trust: Trust) -> Content {
+    if is_status(&frame.to_bytes(), plausible)
+        && let Ok(status) = Status::parse(frame)
+    {
+        return Content::Status(status);
+    }
+    let oddity = match rounded(frame) {
+        _ if is_pose_lost(frame) => Oddity::PoseLost,
+        Some(off_mm) if trust >= Trust::Believable => Oddity::Rounded { off_mm },
+        _ => Oddity::Damaged,
+    };
+    Content::OddStatus(told(frame), oddity)
+}
+
+/// A status as it was told, whatever it is worth.
+fn told(frame: &Frame) -> Status {
+    let [
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg,
+        base_deg,
+        rear_deg,
+        fore_deg,
+        servo_deg,
+        grab,
+        gripper_deg,
+    ] = *frame.floats();
+    Status {
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg,
+        base_deg,
+        rear_deg,
+        fore_deg,
+        servo_deg,
+        suction: grab == 1.0,
+        gripper_deg,
+    }
+}
+
+fn as_status(window: &[u8; PACKET_LEN]) -> Trust {
+    let Some(frame) = Frame::from_bytes(window) else {
+        return Trust::No;
+    };
+    if frame.floats() == Frame::ZERO.floats() {
+        return Trust::Delimited; // It agrees with the first message over Bluetooth (note N38), and says nothing.
+    }
+    if is_status(window, plausible) {
+        return Trust::Sure;
+    }
+    let is_rounded = is_status(window, |frame| rounded(frame).is_some());
+    if is_rounded || is_pose_lost(&frame) && frame.float(1).is_nan() {
+        Trust::Believable
+    } else {
+        Trust::Delimited
+    }
+}
+
+fn as_command(window: &[u8; PACKET_LEN]) -> Trust {
+    let Some(packet) = Packet::from_bytes(window) else {
+        return Trust::No;
+    };
+    // A byte of noise brings a decoder out of step: then it trusts only what is believable (N24).
+    let mut out_of_step = Decoder::commands();
+    out_of_step.feed(&[0]).for_each(drop);
+    if out_of_step.feed(window).count() > 0 {
+        let is_allowed = |dialect: &Dialect| Command::parse(&packet, dialect).is_ok();
+        return if Dialect::ALL.iter().any(is_allowed) {
+            Trust::Sure
+        } else {
+            Trust::Believable
+        };
+    }
+    if Decoder::commands().feed(window).count() > 0 {
+        Trust::Delimited
+    } else {
+        Trust::No
+    }
+}
+
+/// Whether a client that looks this closely trusts a window (note N22).
+fn is_status(window: &[u8; PACKET_LEN], plausible: fn(&Frame) -> bool) -> bool {
+    Decoder::statuses(plausible).feed(window).count() > 0
+}
+
+/// Whether it is a status of an arm whose pose is no number any more (note N34).
+fn is_pose_lost(frame: &Frame) -> bool {
+    let lost = |n: &usize| frame.float(*n).is_nan();
+    let rest = (1..=8)
+        .filter(lost)
+        .fold(*frame, |rest, n| rest.with(n, 0.0));
+    (1..=8).any(|n| lost(&n)) && is_status(&rest.to_bytes(), |_| true)
+}
+
+/// Whether float 1 may be meant for a state: X of a status is hardly ever a small whole number.
+fn is_near_a_state(frame: &Frame) -> bool {
+    let state = frame.float(1);
+    (0.0..=20.0).contains(&state) && state.fract() == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A packet of ten floats.
+    fn packet(floats: [f32; 10]) -> Vec<u8> {
+        let body = floats.iter().flat_map(|float| float.to_le_bytes());
+        [0xA5].into_iter().chain(body).chain([0x5A]).collect()
+    }
+
+    /// What is found: `c` a command, `r` one that is refused, `s` a status, `d` a damaged one, `n` one
+    /// whose pose is lost, `~` a rounded one, `-` bytes that belong to no packet.
+    fn kinds(bytes: &[u8], from: From) -> String {
+        let kind = |piece: Piece| match piece.content {
+            Content::Status(_) => 's',
+            Content::OddStatus(_, Oddity::PoseLost) => 'n',
+            Content::OddStatus(_, Oddity::Rounded { .. }) => '~',
+            Content::OddStatus(_, Oddity::Damaged) => 'd',
+            Content::Command(readings) if readings.iter().any(|it| it.command.is_ok()) => 'c',
+            Content::Command(_) => 'r',
+            Content::Skipped(_) | Content::Gap(_) => '-',
+        };
+        pieces(bytes, from, None, true)
+            .into_iter()
+            .map(kind)
+            .collect()
+    }
+
+    fn joined(packets: &[[f32; 10]]) -> Vec<u8> {
+        packets.iter().flat_map(|floats| packet(*floats)).collect()
+    }
+
+    #[test]
+    fn one_bad_status_does_not_make_commands_of_the_others() {
+        let mut bytes = joined(&[STATUS; 75]);
+        bytes[40 * 42 + 3] ^= 0x40;
+        let expected = format!("{}d{}", "s".repeat(40), "s".repeat(34));
+        assert_eq!(kinds(&bytes, From::Auto), expected);
+        assert_eq!(kinds(&bytes, From::Arm), expected);
+    }
+
+    #[test]
+    fn each_packet_of_a_file_with_both_directions_is_what_it_is() {
+        let bytes = joined(&[STATUS, MOVE, STATUS, BAD_MOVE, STATUS, STATUS]);
+        assert_eq!(kinds(&bytes, From::Auto), "scsrss");
+        let noisy = [&bytes[..84], &[0xA5, 0x17, 0x00], &bytes[84..]].concat();
+        assert_eq!(kinds(&noisy, From::Auto), "sc-srss");
+    }
+
+    #[test]
+    fn statuses_with_rounded_values_are_statuses() {
+        // The real one with one decimal, and with none.
+        let one = [190.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
+        let none = [191.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
+        assert_eq!(
+            kinds(&joined(&[one, none, STATUS, MOVE]), From::Auto),
+            "~~sc"
+        );
+        assert_eq!(kinds(&joined(&[one, none]), From::Arm), "~~");
+        // An X of 11 mm instead of 191 is no state 11 among them.
+        let damaged = [11.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
+        assert_eq!(kinds(&joined(&[none, damaged]), From::Auto), "~d");
+        let off = [200.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
+        assert_eq!(kinds(&joined(&[one, off]), From::Auto), "~d");
+    }
+
+    #[test]
+    fn a_status_without_a_pose_is_a_status() {
+        let nan = f32::NAN;
+        let lost = [nan, nan, nan, -33.0, -33.0, nan, nan, 0.0, 1.0, 0.0];
+        for from in [From::Auto, From::Arm] {
+            assert_eq!(kinds(&joined(&[lost]), from), "n");
+            assert_eq!(kinds(&joined(&[STATUS, lost, lost]), from), "snn");
+            let joined_late = [&[0x17, 0x5A][..], &joined(&[lost, lost])].concat();
+            assert_eq!(kinds(&joined_late, from), "-nn");
+        }
+    }
+
+    #[test]
+    fn a_packet_that_makes_no_sense_is_one_of_who_sent_the_others() {
+        let nonsense = [1.5, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        assert_eq!(kinds(&joined(&[MOVE, nonsense]), From::Auto), "cr");
+        assert_eq!(kinds(&joined(&[STATUS, nonsense]), From::Auto), "sd");
+        assert_eq!(kinds(&joined(&[nonsense]), From::Client), "r");
+        // State 0 alone.
+        assert_eq!(kinds(&joined(&[[0.0; 10]]), From::Auto), "r");
+    }
+
+    #[test]
+    fn a_packet_that_was_cut_short_does_not_swallow_the_next() {
+        let cut = &packet(MOVE)[..30];
+        let bytes = [cut, &joined(&[STATUS, MOVE])].concat();
+        assert_eq!(kinds(&bytes, From::Auto), "-sc");
+        assert_eq!(kinds(&bytes, From::Client), "-c");
+    }
+
+    #[test]
+    fn a_stream_joined_in_the_middle_is_found_again() {
+        let bytes = joined(&[STATUS, STATUS, MOVE]);
+        for cut in 1..42 {
+            assert_eq!(kinds(&bytes[cut..], From::Auto), "-sc", "cut {cut}");
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn every_byte_is_in_exactly_one_piece(
+            bytes in proptest::collection::vec(
+                proptest::prop_oneof![
+                    proptest::prelude::any::<u8>(),
+                    proptest::prelude::Just(0xA5),
+                    proptest::prelude::Just(0x5A),
+                    proptest::prelude::Just(0),
+                ],
+                0..300,
+            ),
+            good in 0..3_usize,
+            in_step: bool,
+        ) {
+            let bytes = [joined(&[MOVE, STATUS][..good.min(2)]), bytes].concat();
+            for from in [From::Auto, From::Arm, From::Client] {
+                let mut end = 0;
+                for piece in pieces(&bytes, from, None, in_step) {
+                    proptest::prop_assert_eq!(piece.offset, end);
+                    proptest::prop_assert!(piece.len > 0);
+                    end += piece.len;
+                }
+                proptest::prop_assert_eq!(end, bytes.len());
+            }
+        }
+    }
+
+    /// Sent by a real arm.
+    const STATUS: [f32; 10] = [
+        190.938_37,
+        -123.997_19,
+        53.420_32,
+        -33.0,
+        -33.0,
+        14.0,
+        29.0,
+        0.0,
+        1.0,
+        0.0,
+    ];
+    const MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 0.0, 0.0, 0.0];
+    /// With a moving mode that nobody knows.
+    const BAD_MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 7.0, 0.0, 0.0];
+}

@@ -1,0 +1,88 @@
+//! Statuses with rounded values, as text logs hold them.
+
+use dobot_arm::{Joints, Tool, forward};
+use dobot_wire::Frame;
+
+/// How far the position of a status is off its angles, in millimetres, if that comes of rounding alone:
+/// no further than the decimals of its angles and of its position explain.
+pub(super) fn rounded(frame: &Frame) -> Option<f64> {
+    let float = |n| f64::from(frame.float(n));
+    let step = |numbers: [usize; 4]| {
+        let decimals = numbers.map(|n| decimals(float(n)));
+        let most = decimals
+            .into_iter()
+            .try_fold(0, |most, it| Some(it?.max(most)));
+        most.map_or(0.0, |most| 0.1_f64.powi(most))
+    };
+    let (told_step, angle_step) = (step([1, 2, 3, 4]), step([5, 6, 7, 8]));
+    let [base, rear, fore, servo] = [5, 6, 7, 8].map(float);
+    let turned = (float(4) - base - servo).abs();
+    let off_mm = [Tool::SuctionCup, Tool::Laser]
+        .map(|tool| forward(&Joints::new(base, rear, fore, servo), tool).position)
+        .map(|it| [float(1) - it.x.0, float(2) - it.y.0, float(3) - it.z.0])
+        .map(|off| {
+            off.into_iter()
+                .fold(0.0, |most: f64, it| most.max(it.abs()))
+        })
+        .into_iter()
+        .fold(f64::INFINITY, f64::min);
+    let fits = off_mm <= EXACT + 0.5 * told_step + MM_PER_STEP * angle_step
+        && turned <= EXACT + 0.5 * told_step + angle_step;
+    fits.then_some(off_mm)
+}
+
+/// The decimals that a value has, up to three; `None` if it has more, as a calculated one does.
+fn decimals(value: f64) -> Option<i32> {
+    (0..=3).find(|decimals| {
+        let shifted = value * 10_f64.powi(*decimals);
+        (shifted - shifted.round()).abs() <= shifted.abs() * SINGLE_PRECISION
+    })
+}
+
+/// How exactly a status agrees that is not rounded (note N22): millimetres or degrees.
+const EXACT: f64 = 0.01;
+
+/// How far half a degree in the base, the rear arm and the forearm moves the tool at most: 2.8 mm at
+/// the longest reach, 1.2 and 1.4 mm.
+const MM_PER_STEP: f64 = 5.4;
+
+/// A value that came as a single-precision number is that exact.
+const SINGLE_PRECISION: f64 = 1e-7;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_decimals_of_a_single_precision_number_are_counted() {
+        let cases = [
+            (0.0_f32, Some(0)),
+            (-33.0, Some(0)),
+            (190.9, Some(1)),
+            (0.25, Some(2)),
+            (190.938, Some(3)),
+        ];
+        for (value, expected) in cases {
+            assert_eq!(decimals(f64::from(value)), expected, "{value}");
+        }
+        assert_eq!(decimals(f64::from(190.938_37_f32)), None);
+        assert_eq!(decimals(f64::NAN), None);
+    }
+
+    #[test]
+    fn a_position_may_be_off_by_what_its_decimals_explain_and_no_more() {
+        // A real arm at base -33, rear 14, fore 29 degrees, its position with one decimal.
+        let status = |x: f32, base: f32| {
+            let frame = Frame::ZERO
+                .with(1, x)
+                .with(2, -124.0)
+                .with(3, 53.4)
+                .with(4, -33.0);
+            frame.with(5, base).with(6, 14.1).with(7, 29.0)
+        };
+        let off = rounded(&status(190.9, -33.0)).expect("it is rounded");
+        assert!(off < 0.3, "{off}");
+        assert_eq!(rounded(&status(192.9, -33.0)), None);
+        assert_eq!(rounded(&status(190.9, -33.052_7)), None);
+    }
+}

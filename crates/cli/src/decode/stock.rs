@@ -1,0 +1,109 @@
+//! What a stock arm takes though the tables do not allow it.
+
+use dobot_wire::{Command, Dialect, Frame, Packet, ParseError};
+
+/// Whether a stock arm carries out a packet that is not allowed: it checks nothing (note N34), and only
+/// some of what it is told makes it hang or lose its pose (note N51).
+pub(super) fn takes(packet: &Packet) -> bool {
+    let Packet::Frame(mut frame) = *packet else {
+        return false;
+    };
+    if frame.float(1) == SMOOTH_JOINTS {
+        return true;
+    }
+    frame = frame.with(1, frame.float(1).trunc());
+    // Each turn repairs one float, so that what is wrong behind it is seen too.
+    for _ in 0..10 {
+        match Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1) {
+            Ok(_) => return true,
+            Err(error) => match repaired(&frame, &error) {
+                Some(better) => frame = better,
+                None => return false,
+            },
+        }
+    }
+    false
+}
+
+/// The frame with an allowed value where a stock arm does not mind the one that was found.
+fn repaired(frame: &Frame, error: &ParseError) -> Option<Frame> {
+    let ParseError::OutOfRange {
+        float, name, found, ..
+    } = *error
+    else {
+        return None;
+    };
+    if !found.is_finite() {
+        return None;
+    }
+    let is_teaching = frame.float(1) == 9.0 && frame.float(2) == 0.0;
+    let allowed = match name {
+        // A switch that is neither 0 nor 1 leaves everything as it is; neither is anything else of these
+        // looked at.
+        "isGrab" | "isLaser" | "stop" | "GripperValue" | "StartVel" | "default pause time" => 0.0,
+        "mode" if frame.float(1) == 10.0 => 0.0,
+        "teaching speed" | "StarVel" => 50.0,
+        "playback speed" | "playback acceleration" if found > 100.0 => 100.0,
+        "PauseTime" if found < 0.0 => 0.0,
+        // An axis that may not jog stands still.
+        _ if is_teaching && found == 0.0 && float > 2 => 1.0,
+        // Codes lose their fraction.
+        "mode" | "end effector" | "MovingMode" | "Axis" if found.fract() != 0.0 => found.trunc(),
+        _ => return None,
+    };
+    Some(frame.with(float, allowed))
+}
+
+/// State 15 (note N25).
+const SMOOTH_JOINTS: f32 = 15.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn takes_floats(floats: [f32; 10]) -> bool {
+        let frame = (1..)
+            .zip(floats)
+            .fold(Frame::ZERO, |frame, (n, it)| frame.with(n, it));
+        takes(&frame.into())
+    }
+
+    #[test]
+    fn what_old_programs_send_is_taken() {
+        for floats in [
+            // The vendor's sliders.
+            [10.0, 0.0, 100.0, 58.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            // Its demo for a microcontroller.
+            [9.0, 0.0, 50.0, 100.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            // A gripper that opens too far, with a pump that is half on.
+            [3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 0.5, 0.0, 130.0, 0.0],
+            // A jog at 130 percent, and one at none.
+            [2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0, 0.0, 0.0],
+            [2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            // Codes with a fraction (note N6), and state 15 (note N25).
+            [2.5, 1.5, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0, 0.0, 0.0],
+            [15.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        ] {
+            assert!(takes_floats(floats), "{floats:?}");
+        }
+    }
+
+    #[test]
+    fn what_makes_it_hang_or_lose_its_pose_is_not_taken() {
+        for floats in [
+            // States, axes and moving modes that do not exist (note N51).
+            [11.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.0; 10],
+            [5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [2.0, 15.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0, 0.0, 0.0],
+            [3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
+            // A percentage of 0 (note N15), a vector without length (note N16), an endless pause.
+            [10.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
+            [3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0, 700.0],
+            [3.0, 0.0, f32::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0, 0.0],
+        ] {
+            assert!(!takes_floats(floats), "{floats:?}");
+        }
+    }
+}

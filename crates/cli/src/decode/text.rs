@@ -1,0 +1,176 @@
+//! Bytes that are written down as text.
+
+mod digits;
+mod dump;
+mod list;
+mod python;
+mod socat;
+
+use super::input::Input;
+
+/// Reads bytes from a text, whatever way they are written.
+///
+/// # Errors
+///
+/// Where the text is in none of the formats, and what is wrong there.
+pub(super) fn read(text: &str) -> anyhow::Result<Input> {
+    if let Some(input) = socat::read(text) {
+        return input;
+    }
+    let formats = [python::read, dump::read, list::read];
+    let found = formats.into_iter().find_map(|read| read(text));
+    let Bytes { format, bytes } = found.unwrap_or_else(|| digits::read(text))?;
+    Ok(Input::plain(format, bytes))
+}
+
+/// Bytes, and the format in which they were written.
+#[derive(Debug, PartialEq)]
+struct Bytes {
+    format: &'static str,
+    bytes: Vec<u8>,
+}
+
+/// Whether a text is what programs have around bytes: names, brackets and signs.
+fn is_code(text: &str) -> bool {
+    let is_sign = |it: char| it.is_whitespace() || "()[]{},;:+=>*".contains(it);
+    text.split(is_sign).all(|word| {
+        word.chars()
+            .all(|it| it.is_alphanumeric() || "_.".contains(it))
+    })
+}
+
+/// Two hex digits, or one.
+fn hex_byte(digits: &str) -> Option<u8> {
+    let is_hex = digits.len() <= 2 && digits.bytes().all(|it| it.is_ascii_hexdigit());
+    is_hex
+        .then(|| u8::from_str_radix(digits, 16).ok())
+        .flatten()
+}
+
+/// Hex digits, two for each byte.
+fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
+    let (pairs, rest) = digits.as_bytes().as_chunks::<2>();
+    let byte = |pair: &[u8; 2]| hex_byte(std::str::from_utf8(pair).ok()?);
+    rest.is_empty()
+        .then(|| pairs.iter().map(byte).collect())
+        .flatten()
+}
+
+pub(super) const HEX_DIGITS: &str = "hex digits";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is read from a text in one direction.
+    fn bytes(text: &str) -> Result<Vec<u8>, String> {
+        let input = read(text).map_err(|error| error.to_string())?;
+        let [stream] = &input.streams[..] else {
+            return Err(format!("{} streams", input.streams.len()));
+        };
+        Ok(stream.parts[0].bytes.clone())
+    }
+
+    #[test]
+    fn digits_may_be_written_in_any_usual_way() {
+        for text in [
+            "a500ff41",
+            "A5 00 ff41",
+            "a5:00:ff:41",
+            "A5,00,FF,41",
+            "A5-00-FF-41",
+            "a5, 00, ff, 41",
+            "0xa5, 0x00, 0xff, 0x41",
+            "0xa5 0x0 0xff 0x41",
+            r"\xa5\x00\xffA".replace('A', r"\x41").as_str(),
+            "a500\r\nff41\r\n",
+            "# sent\na5 00 # half\n\nff 41\n",
+            "// c\n0xa5,0x00,\n0xff,0x41,\n",
+            "[165, 0, 255, 65]",
+            "165,0,255,65",
+            "bytes([165, 0, 0xff, 65])",
+            "{ 0xa5, 0x00, 0xff, 0x41 };",
+            "unsigned char a_bin[] = {\n  0xa5, 0x00, 0xff,\n  0x41\n};\nunsigned int a_bin_len = 4;\n",
+            r"b'\xa5\x00\xffA'",
+            r#"b"\xa5\x00\xffA""#,
+            r"bytearray(b'\xa5\x00\xffA')",
+            "sent = b'\\xa5\\x00'\nsent += b'\\xff' + b'A'\n",
+            "[b'\\xa5\\x00', b'\\xffA']",
+        ] {
+            assert_eq!(bytes(text), Ok(vec![0xA5, 0, 0xFF, 0x41]), "{text}");
+        }
+    }
+
+    #[test]
+    fn python_escapes_are_all_read() {
+        assert_eq!(
+            bytes(r#"b'\t\n\r\\\'\"\0\a \101'"#),
+            Ok(b"\t\n\r\\'\"\0\x07 A".to_vec())
+        );
+    }
+
+    #[test]
+    fn a_line_that_is_missing_in_a_dump_is_told() {
+        let od = "0000000 a5 00\n0000004 ff 41\n0000006\n";
+        let hex = "000010 a5 00\n000020 ff 41\n";
+        for (text, expected) in [
+            (od, "line 2: offset 0x4; 0x2 follows"),
+            (hex, "line 2: offset "),
+        ] {
+            let error = bytes(text).expect_err(text);
+            assert!(error.contains(expected), "{text}: {error}");
+        }
+        assert_eq!(bytes("00a500 ff"), Ok(vec![0, 0xA5, 0, 0xFF]));
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        for (text, expected) in [
+            (
+                "hello",
+                "line 1: `hello` is not hex digits; allowed are 0 to 9 and a to f, two for each byte",
+            ),
+            ("a5 00\nff zz", "line 2: `zz`"),
+            ("a5 0", "there are 3 hex digits; a byte takes two"),
+            ("a5:0:ff0", "line 1: `ff0`"),
+            (
+                "[165, 300]",
+                "`300` is not a byte; allowed are 0 to 255 and 0x00 to 0xff",
+            ),
+            (r"b'\xa5\xz0'", "line 1: `\\xz0` "),
+            ("b'\\xa5", "line 1: the bytes literal has no end"),
+            ("x = 1\ny = b'\u{e9}'", "line 2: `\u{e9}`"),
+            (
+                "00000000: a500 ff41  ..\n00000010: a500  ..",
+                "line 2: offset 0x10; 0x4 follows from the lines before",
+            ),
+            ("00000000: a5zz  ..\n", "line 1: `a5zz`"),
+        ] {
+            let error = bytes(text).expect_err(text);
+            assert!(error.contains(expected), "{text}: {error}");
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn no_text_makes_it_panic(text in "(?s).{0,200}") {
+            let _ = read(&text);
+        }
+
+        #[test]
+        fn no_text_that_looks_like_bytes_makes_it_panic(
+            text in r"([0-9a-f]{1,8}|0x|\\x|b'|'|\[|\]|\{|\}|[:,> <|*#\\\n]|length=|from=|to=|é){0,60}",
+        ) {
+            let _ = read(&text);
+        }
+
+        #[test]
+        fn hex_digits_are_the_bytes(expected: Vec<u8>, upper: bool, separator in " |:|,|-| 0x|") {
+            let byte = |it: &u8| if upper { format!("{it:02X}") } else { format!("{it:02x}") };
+            let prefix = if separator == " 0x" { "0x" } else { "" };
+            let text: Vec<_> = expected.iter().map(byte).collect();
+            proptest::prop_assume!(!text.is_empty());
+            proptest::prop_assert_eq!(bytes(&(prefix.to_owned() + &text.join(&separator))), Ok(expected));
+        }
+    }
+}

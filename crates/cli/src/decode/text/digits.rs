@@ -1,0 +1,81 @@
+//! Hex digits, with whatever stands between them.
+
+use anyhow::{anyhow, bail};
+
+use super::{Bytes, HEX_DIGITS, hex_byte, hex_bytes};
+
+/// Reads hex digits: in one row, or with blanks, `:`, `,`, `;`, `-`, `0x` or `\x` between the bytes.
+/// `#` and `//` begin a comment.
+pub(super) fn read(text: &str) -> anyhow::Result<Bytes> {
+    let text: Vec<_> = text
+        .lines()
+        .map(|line| without_comment(line).replace("\\x", " 0x"))
+        .collect();
+    let is_separated = text
+        .iter()
+        .any(|line| line.contains(SEPARATORS) || line.contains("0x"));
+    let bytes = if is_separated {
+        each(&text)?
+    } else {
+        row(&text)?
+    };
+    Ok(Bytes {
+        format: HEX_DIGITS,
+        bytes,
+    })
+}
+
+/// Bytes with something between them.
+fn each(lines: &[String]) -> anyhow::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    for (number, word) in words(lines) {
+        let prefixed = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
+        let read = match prefixed {
+            Some(digits) => hex_byte(digits).map(|byte| vec![byte]),
+            None if word.len() == 1 => hex_byte(word).map(|byte| vec![byte]),
+            None => hex_bytes(word),
+        };
+        bytes.extend(read.ok_or_else(|| no_digits(number, word))?);
+    }
+    Ok(bytes)
+}
+
+/// Digits in one row, with blanks wherever one likes.
+fn row(lines: &[String]) -> anyhow::Result<Vec<u8>> {
+    let mut row = String::new();
+    for (number, word) in words(lines) {
+        if !word.bytes().all(|it| it.is_ascii_hexdigit()) {
+            return Err(no_digits(number, word));
+        }
+        row.push_str(word);
+    }
+    let Some(bytes) = hex_bytes(&row) else {
+        bail!("there are {} hex digits; a byte takes two", row.len());
+    };
+    Ok(bytes)
+}
+
+fn words(lines: &[String]) -> impl Iterator<Item = (usize, &str)> {
+    let is_between = |it: char| it.is_whitespace() || SEPARATORS.contains(&it);
+    let words = move |(number, line)| {
+        let words = str::split(line, is_between).filter(|word| !word.is_empty());
+        words.map(move |word| (number, word))
+    };
+    (1..).zip(lines.iter().map(String::as_str)).flat_map(words)
+}
+
+fn no_digits(number: usize, word: &str) -> anyhow::Error {
+    anyhow!(
+        "line {number}: `{word}` is not hex digits; allowed are 0 to 9 and a to f, two for each byte"
+    )
+}
+
+fn without_comment(line: &str) -> &str {
+    let end = [line.find('#'), line.find("//")]
+        .into_iter()
+        .flatten()
+        .min();
+    &line[..end.unwrap_or(line.len())]
+}
+
+const SEPARATORS: [char; 4] = [':', ',', ';', '-'];
