@@ -161,6 +161,13 @@ pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure>
     }
 }
 
+/// The same, but no longer than a motion that runs down takes.
+pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure> {
+    let until = station.now() + PATIENCE;
+    while arm(station).await?.0.moving && station.now() < until {}
+    Ok(())
+}
+
 /// Waits until nothing is under way any more, or no arm is there to do anything: three states in a
 /// row say so, for between two commands it looks like that, too.
 pub(crate) async fn idle(station: &mut StationClient) -> Result<(), Failure> {

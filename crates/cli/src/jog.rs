@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use dobot_station::{Jog, RemoteError, Request, StationClient};
+use dobot_station::{Jog, Request, StationClient};
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
 
 use crate::connect::To;
@@ -88,8 +88,10 @@ impl Args {
 }
 
 /// Holds a button by saying so again and again, until its time is over or Ctrl-C.
-async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), RemoteError> {
+async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
+    // A press waits for the arm to run down; its time is that of the motion.
+    control::rest_soon(station).await?;
     request_at_rest(station, Request::Jog { jog }).await?;
     let until = station.now() + time;
     while station.now() < until {

@@ -52,7 +52,7 @@ impl Station {
         self.address()?.ok_or_else(|| {
             Failure::new(
                 anyhow!("no station runs on this machine"),
-                "`dobot up` starts one; `--station URL` names one elsewhere",
+                "`dobot up` starts one; one with `--data FOLDER` is found with DOBOT_DATA=FOLDER, and any one with `--station URL`",
             )
         })
     }

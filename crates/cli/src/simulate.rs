@@ -21,6 +21,7 @@ Examples:
   dobot simulate square.script --plot square.svg                 path, joints and speeds as a picture
   dobot simulate square.script --personality firmware-1.1 --trace square.csv
   echo 'credit 3 0 240 0 0 0 0 2 0 0' | dobot simulate - --trace -
+  dobot simulate square.script --strict                          fails if a packet was refused
 
 A line of a script is one packet, `T f1 f2 ... f10`: T is when its first byte starts, in milliseconds,
 or `credit` for when the next status has arrived; the ten floats are those of the protocol. Besides
@@ -40,6 +41,9 @@ pub(crate) struct Args {
     /// Draw path, joints and speeds, to a file that ends in .svg
     #[arg(long, value_name = "OUT.svg", value_parser = plot_file)]
     plot: Option<PathBuf>,
+    /// Fail where the controller refused a packet or hung, or a line was still to be sent: for CI
+    #[arg(long)]
+    strict: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
@@ -68,6 +72,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     for warning in warnings(lines, &simulation) {
         eprintln!("{warning}");
+    }
+    let (refused, unsent) = (simulation.refused.len(), simulation.unsent);
+    if args.strict && refused + unsent > 0 {
+        return Err(Failure::new(
+            anyhow!(
+                "{refused} packets were refused, and {unsent} lines were not sent; --strict allows none"
+            ),
+            "a line that is to be refused belongs in a script of its own; `!end MS` gives the rest more time",
+        ));
     }
     Ok(())
 }

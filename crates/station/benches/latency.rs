@@ -89,7 +89,8 @@ mod measure {
             std::thread::sleep(pause);
             beside = bridge.as_mut().map(|it| it.way.time(&command));
         }
-        std::thread::sleep(Duration::from_millis(15));
+        // A status permits one command: the next one comes more than a period after this.
+        std::thread::sleep(Duration::from_millis(40));
         (time, beside)
     }
 

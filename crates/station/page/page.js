@@ -25,15 +25,17 @@
 const RECONNECT_MS = 1000;
 const JOG_MS = 50;
 const OLD_MS = 2000;
+const TOLD_MS = 12000;
 /** @type {Record<string, string>} */
 const LINK = { searching: "no arm yet", listening: "listening", up: "arm is there", lost: "arm is lost" };
 
 /** @type {WebSocket | undefined} */ let socket;
 /** @type {State | undefined} */ let state;
 /** @type {number | undefined} */ let me;
+/** When the message about a problem goes. @type {number | undefined} */ let told;
 let heardAt = 0;
 let asked = 0;
-/** What waits for an answer. @type {Map<number, () => void>} */
+/** What waits for an answer; a problem is one, too. @type {Map<number, (problem?: Problem) => void>} */
 const waiting = new Map();
 
 // --- The parts of the page -------------------------------------------------
@@ -217,6 +219,7 @@ function hindrance(state) {
   if (socket?.readyState !== WebSocket.OPEN) return "There is no connection to the station.";
   if (state.link.phase !== "up") return "There is no arm to move.";
   if (state.stop) return "The arm is stopped.";
+  if (!state.trust.trusted) return "The pose is not confirmed.";
   if (state.lease?.client !== me) return "Take control first.";
   if (state.job?.phase === "running") return "A job has the arm.";
   return "";
@@ -225,7 +228,8 @@ function hindrance(state) {
 /** @param {State} state */
 function drawJog(state) {
   const why = hindrance(state);
-  write("jog-why", why || "Hold a button, or Enter on it. Letting go stops.");
+  write("jog-why", why || refused || "Hold a button, or Enter on it. Letting go stops.");
+  part("jog-why").dataset.tone = !why && refused ? "bad" : "off";
   for (const button of jogButtons()) button.disabled = why !== "";
   if (why) letGo();
 }
@@ -255,6 +259,15 @@ function tell(problem) {
   write("problem-detail", `${sentence(problem.detail)}.`);
   write("problem-hint", problem.hint ? `${sentence(problem.hint)}.` : "");
   show("problem", true);
+  clearTimeout(told);
+  told = setTimeout(forget, TOLD_MS);
+}
+
+/** Takes the message away, unless somebody is at it. */
+function forget() {
+  const message = part("problem");
+  if (message.matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
+  else message.hidden = true;
 }
 
 /** @param {string} text */
@@ -264,7 +277,10 @@ function sentence(text) {
 
 // --- Talking to the station ------------------------------------------------
 
-/** Asks for something; what is refused is shown. @param {object} request @param {() => void} [answered] */
+/**
+ * Asks for something. A refusal is told to all of the page, unless whoever asked takes it.
+ * @param {object} request @param {(problem?: Problem) => void} [answered] whether it keeps the problem to itself is what it returns
+ */
 function ask(request, answered) {
   if (socket?.readyState !== WebSocket.OPEN) {
     tell({ title: "there is no connection", detail: "the station is not reached at the moment", hint: "the page tries again by itself" });
@@ -323,11 +339,10 @@ function hear(message) {
   } else if (message.notice) {
     addNotice(message.notice);
   }
-  if (message.problem) tell(message.problem);
-  if (message.id !== undefined) {
-    waiting.get(message.id)?.();
-    waiting.delete(message.id);
-  }
+  const answered = message.id === undefined ? undefined : waiting.get(message.id);
+  if (message.id !== undefined) waiting.delete(message.id);
+  const taken = answered?.(message.problem);
+  if (message.problem && !taken) tell(message.problem);
 }
 
 /** What happened before this page was there. */
@@ -371,19 +386,39 @@ function watchAge() {
 // --- Jogging: nothing moves unless a button is held -------------------------
 
 /** @type {{button: HTMLButtonElement, timer: number} | undefined} */ let held;
+/** Why the last press came to nothing, until the next one. */
+let refused = "";
 
 /** @param {HTMLButtonElement} button */
 function hold(button) {
   if (held?.button === button || button.disabled) return;
   letGo();
+  refused = "";
+  const frame = button.closest("#pad-joint") ? "joint" : "linear";
+  const axis = button.dataset.axis;
   const press = () => {
-    const frame = button.closest("#pad-joint") ? "joint" : "linear";
     const speed_percent = Number(/** @type {HTMLInputElement} */ (part("speed")).value);
-    ask({ type: "jog", jog: { frame, axis: button.dataset.axis, speed_percent } });
+    ask({ type: "jog", jog: { frame, axis, speed_percent } }, answered);
   };
-  held = { button, timer: setInterval(press, JOG_MS) };
+  const mine = { button, timer: setInterval(press, JOG_MS) };
+  // A refusal ends the press: it is told beside the button, and a new press is needed.
+  const answered = (/** @type {Problem | undefined} */ problem) => {
+    if (!problem) return false;
+    if (held === mine) {
+      letGo();
+      refused = `${button.firstChild?.textContent}: ${problem.detail}.`;
+      if (state) drawJog(state);
+    }
+    return true;
+  };
+  held = mine;
   button.classList.add("is-held");
   press();
+}
+
+/** Lets go of this button; another one that is held meanwhile stays so. @param {HTMLButtonElement} button */
+function letGoOf(button) {
+  if (held?.button === button) letGo();
 }
 
 function letGo() {
@@ -477,11 +512,12 @@ function listenToJog() {
       button.setPointerCapture(event.pointerId);
       hold(button);
     });
-    for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) button.addEventListener(end, letGo);
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur", "keyup"]) {
+      button.addEventListener(end, () => letGoOf(button));
+    }
     button.addEventListener("keydown", (event) => {
       if (event.key === "Enter" && !event.repeat) hold(button);
     });
-    button.addEventListener("keyup", letGo);
     button.addEventListener("contextmenu", (event) => event.preventDefault());
   }
   window.addEventListener("blur", letGo);

@@ -3,10 +3,11 @@
 mod patience;
 mod web;
 
-use dobot_wire::{Commands, Decoder, PACKET_LEN};
+use dobot_wire::{Commands, Decoder, PACKET_LEN, Packet};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::{Notify, mpsc};
 use tokio::time::{Instant, sleep_until};
 
 use self::patience::Patience;
@@ -17,9 +18,10 @@ use crate::{Client, Traffic};
 /// Carries packets of a program to the owner of the arm, and statuses to the program, until either
 /// of them leaves.
 ///
-/// Nothing piles up here. What the program sends is read no faster than the owner takes it, and no
-/// faster than an arm's line carries it once it is refused or noise; statuses that the program does
-/// not read in time are lost to it, and it goes on with the newest.
+/// Little piles up here. What the program sends is passed on no faster than the owner takes it, and no
+/// faster than an arm's line carries it once it is refused or noise; so much of it is read ahead that
+/// the end of a program is seen at once, and what still had to wait is forgotten. Statuses that the
+/// program does not read in time are lost to it, and it goes on with the newest.
 pub(crate) async fn bridge(
     reader: impl AsyncRead + Unpin,
     writer: impl AsyncWrite + Unpin,
@@ -46,7 +48,6 @@ pub(crate) async fn bridge(
 /// The way from the program to the owner.
 struct Inward {
     decoder: Decoder<Commands>,
-    patience: Patience,
     opened: Instant,
     refused: u64,
     web: bool,
@@ -56,46 +57,86 @@ impl Inward {
     fn new() -> Self {
         Self {
             decoder: Decoder::commands(),
-            patience: Patience::default(),
             opened: Instant::now(),
             refused: 0,
             web: false,
         }
     }
 
-    /// Runs until the program leaves, or the owner does.
-    async fn run(&mut self, mut reader: impl AsyncRead + Unpin, client: &Client) {
-        let mut bytes = [0; READ_LEN];
-        let mut first = true;
-        while let Ok(len @ 1..) = reader.read(&mut bytes).await {
-            self.web |= first && is_web(&bytes[..len]);
-            if self.web || self.take(&bytes[..len], client).await.is_err() {
-                break;
-            }
-            first = false;
+    /// Runs until the program leaves, or the owner does. What it sent is read ahead, so that its end is
+    /// seen behind what waits: then what would have to wait is forgotten.
+    async fn run(&mut self, reader: impl AsyncRead + Unpin, client: &Client) {
+        let (ahead, packets) = mpsc::channel(AHEAD);
+        let left = Notify::new();
+        let (opened, refused) = (self.opened, &mut self.refused);
+        let reading = async {
+            read(reader, &mut self.decoder, &mut self.web, opened, ahead).await;
+            left.notify_one();
+            std::future::pending::<()>().await;
+        };
+        tokio::select! {
+            () = serve(packets, client, opened, refused, &left) => {}
+            () = reading => {}
         }
     }
+}
 
-    /// Passes on the packets that these bytes complete.
-    async fn take(&mut self, bytes: &[u8], client: &Client) -> Result<(), Refusal> {
-        let before = self.decoder.counts().skipped_bytes;
-        for packet in self.decoder.feed(bytes) {
-            match client.raw(packet).await {
-                Ok(()) => {}
-                Err(Refusal::Ending) => return Err(Refusal::Ending),
-                // The owner tells of it: the arm's protocol has no words for it.
-                Err(_) => {
-                    self.refused += 1;
-                    self.patience
-                        .handle_bytes(self.opened.elapsed(), PACKET_LEN as u64);
-                    sleep_until(self.opened + self.patience.poll_wakeup()).await;
-                }
+/// Reads packets ahead until the program leaves, or shows to be a web browser.
+async fn read(
+    mut reader: impl AsyncRead + Unpin,
+    decoder: &mut Decoder<Commands>,
+    web: &mut bool,
+    opened: Instant,
+    ahead: mpsc::Sender<Packet>,
+) {
+    let mut bytes = [0; READ_LEN];
+    let mut patience = Patience::default();
+    let mut first = true;
+    while let Ok(len @ 1..) = reader.read(&mut bytes).await {
+        *web |= first && is_web(&bytes[..len]);
+        if *web {
+            return;
+        }
+        first = false;
+        let before = decoder.counts().skipped_bytes;
+        for packet in decoder.feed(&bytes[..len]) {
+            if ahead.send(packet).await.is_err() {
+                return;
             }
         }
-        let noise = self.decoder.counts().skipped_bytes - before;
-        self.patience.handle_bytes(self.opened.elapsed(), noise);
-        sleep_until(self.opened + self.patience.poll_wakeup()).await;
-        Ok(())
+        let noise = decoder.counts().skipped_bytes - before;
+        patience.handle_bytes(opened.elapsed(), noise);
+        sleep_until(opened + patience.poll_wakeup()).await;
+    }
+}
+
+/// Passes on what was read, refused packets no faster than an arm's line carries them, until the program
+/// has `left` and the rest would have to wait.
+async fn serve(
+    mut packets: mpsc::Receiver<Packet>,
+    client: &Client,
+    opened: Instant,
+    refused: &mut u64,
+    left: &Notify,
+) {
+    let mut patience = Patience::default();
+    while let Some(packet) = packets.recv().await {
+        match client.raw(packet).await {
+            Ok(()) => continue,
+            Err(Refusal::Ending) => return,
+            // The owner tells of it: the arm's protocol has no words for it.
+            Err(_) => *refused += 1,
+        }
+        patience.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
+        let wakeup = opened + patience.poll_wakeup();
+        if wakeup <= Instant::now() {
+            continue;
+        }
+        tokio::select! {
+            biased;
+            () = left.notified() => return,
+            () = sleep_until(wakeup) => {}
+        }
     }
 }
 
@@ -141,6 +182,8 @@ impl Outward {
     }
 }
 
+/// So many packets are read ahead: a megabyte, half an hour of an arm's line.
+const AHEAD: usize = 25_000;
 /// What the kernel of a computer keeps for a serial port.
 const READ_LEN: usize = 4096;
 

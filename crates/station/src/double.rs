@@ -72,11 +72,15 @@ impl Double {
         packet.to_bytes()
     }
 
-    /// The next packet, which is granted, unless its program has left.
-    pub(crate) async fn grant_unless_left(&mut self) -> Option<[u8; PACKET_LEN]> {
+    /// The next packet, which is answered like that, unless its program has left.
+    pub(crate) async fn answer_unless_left(
+        &mut self,
+        answer: Result<(), Refusal>,
+    ) -> Option<[u8; PACKET_LEN]> {
         match self.next().await {
             Message::Raw { packet, reply, .. } => {
-                let _ = reply.send(Ok(()));
+                // The program may have left meanwhile.
+                let _ = reply.send(answer);
                 Some(packet.to_bytes())
             }
             Message::Left(_) => None,

@@ -19,6 +19,15 @@ pub struct Folders {
     runtime: PathBuf,
 }
 
+/// Makes a folder that is for this person's eyes only, and those above it. One that is there stays as it is.
+pub(crate) fn make_private(folder: &Path) -> std::io::Result<()> {
+    let mut make = std::fs::DirBuilder::new();
+    make.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut make, 0o700);
+    make.create(folder)
+}
+
 impl Folders {
     /// Everything in one folder.
     pub fn at(folder: impl Into<PathBuf>) -> Self {
@@ -38,6 +47,16 @@ impl Folders {
             data: data.to_owned(),
             runtime: folders.runtime_dir().unwrap_or(data).to_owned(),
         })
+    }
+
+    /// Makes the folder that outlives the station, for this person's eyes only; one that is there stays
+    /// as it is.
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    pub fn make_data(&self) -> std::io::Result<()> {
+        make_private(&self.data)
     }
 
     /// The folder that outlives the station.
@@ -94,5 +113,25 @@ impl Folders {
     #[must_use]
     pub fn running(&self) -> PathBuf {
         self.runtime.join("station.toml")
+    }
+}
+
+#[cfg(all(test, unix))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::*;
+
+    #[test]
+    fn a_new_folder_is_for_its_owner_alone_and_one_that_is_there_stays_as_it_is() {
+        let mode = |folder: &Path| folder.metadata().unwrap().permissions().mode() & 0o777;
+        let above = tempfile::tempdir().unwrap();
+        std::fs::set_permissions(above.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
+        let folder = above.path().join("data");
+        make_private(&folder).unwrap();
+        assert_eq!(mode(&folder), 0o700);
+        make_private(above.path()).unwrap();
+        assert_eq!(mode(above.path()), 0o755);
     }
 }

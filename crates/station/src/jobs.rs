@@ -14,7 +14,7 @@ use tokio::sync::{mpsc, oneshot};
 use self::check::check_new;
 use crate::handle::Message;
 use crate::keeper::{Begun, Effect, JobPlan};
-use crate::words::{ClientId, JobKind, JobPause, JobPhase, JobView, NewJob, Refusal, Reply};
+use crate::words::{ClientId, JobKind, JobPause, JobPhase, JobView, NewJob, Refusal, Reply, plain};
 
 /// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
 /// that owns the arm.
@@ -242,10 +242,11 @@ pub(crate) fn view(job: &Job) -> JobView {
 pub(crate) fn submit(
     journal: &Journal,
     policy: &Policy,
-    job: NewJob,
+    mut job: NewJob,
     model: Model,
     now_ms: i64,
 ) -> Result<JobId, Refusal> {
+    job.title = plain(&job.title, usize::MAX);
     check_new(&job)?;
     let dialect = model.dialect;
     let plan = JobPlan::new(policy, model, job.commands, &[], job.lift_mm, 0)?;

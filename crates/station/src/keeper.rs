@@ -1,5 +1,6 @@
 //! The keeper of the arm: every rule for people and arm, as an engine.
 
+mod amend;
 mod detecting;
 mod halt;
 mod jog;
@@ -89,6 +90,8 @@ struct Known {
     role: Role,
     /// It speaks the arm's own protocol, which has no words for leases.
     is_program: bool,
+    /// What was changed last of what it sent.
+    amended: Option<String>,
 }
 
 impl Keeper {
@@ -178,6 +181,7 @@ impl Keeper {
         self.session.handle_time(self.now);
         self.follow_session();
         self.watch_dead_man();
+        self.watch_press();
         self.repeat_halt();
         self.repeat_unsaved();
         self.pump();
@@ -213,7 +217,7 @@ impl Keeper {
     pub fn poll_wakeup(&self) -> Duration {
         [
             Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
-            self.held.as_ref().map(Held::falls_silent),
+            self.held.as_ref().and_then(Held::falls_silent),
             self.session.laser_armed_until(),
             self.halt.as_ref().and_then(Halt::next),
             self.unsaved.as_ref().map(Unsaved::next),

@@ -6,6 +6,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::folders::make_private;
+
 /// What a running station says of itself to programs of the same person on the same machine: the
 /// contents of `station.toml`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,7 +58,7 @@ impl Running {
         let text = toml::to_string(self).expect("a table of texts and a number is TOML");
         let written = || {
             if let Some(folder) = file.parent() {
-                fs::create_dir_all(folder)?;
+                make_private(folder)?;
             }
             // A file that is there keeps its permissions, so it goes first.
             remove(file)?;

@@ -23,7 +23,8 @@ use crate::keeper::Keeper;
 use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
 use crate::{
-    Config, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Supervisor, Web,
+    Config, Folders, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Supervisor,
+    Web,
 };
 
 /// A station that runs.
@@ -121,7 +122,7 @@ impl Station {
 
     async fn open(approach: Approach) -> Result<Self, StartError> {
         let config = approach.config;
-        make_folder(config.folders.data())?;
+        make_folder(&config.folders)?;
         let policy = read_policy(config.policy.as_deref())?;
         let arms = Arms::read(&config.folders.arms())?;
         // The raw port first: where another station has it, nothing of its journal is touched.
@@ -251,9 +252,9 @@ fn web(config: &Config) -> Web {
     }
 }
 
-fn make_folder(folder: &Path) -> Result<(), StartError> {
-    std::fs::create_dir_all(folder).map_err(|source| StartError::Folder {
-        folder: folder.display().to_string(),
+fn make_folder(folders: &Folders) -> Result<(), StartError> {
+    folders.make_data().map_err(|source| StartError::Folder {
+        folder: folders.data().display().to_string(),
         source,
     })
 }

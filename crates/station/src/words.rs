@@ -10,6 +10,7 @@ mod reply;
 mod request;
 mod role;
 mod state;
+mod text;
 
 pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
 pub use lease::{Asking, ClientId, LeaseView};
@@ -20,3 +21,4 @@ pub use reply::Reply;
 pub use request::{Jog, Request};
 pub use role::{Role, UnknownRole};
 pub use state::{ArmView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView};
+pub(crate) use text::{is_plain, plain};

@@ -1,7 +1,7 @@
 //! How long drawings took and how long they were to take: kept, so that a person can see how far
 //! estimates are to be trusted.
 
-use std::fs::{self, OpenOptions};
+use std::fs::OpenOptions;
 use std::io::Write;
 
 use anyhow::Context;
@@ -38,7 +38,8 @@ pub(super) fn keep(title: &str, times: Times) -> Result<(), Failure> {
     let mut text = serde_json::to_string(&line)?;
     text.push('\n');
     let folder = folders(None)?;
-    fs::create_dir_all(folder.data())
+    folder
+        .make_data()
         .with_context(|| format!("cannot create {}", folder.data().display()))?;
     let file = folder.data().join("estimates.jsonl");
     let mut open = OpenOptions::new();

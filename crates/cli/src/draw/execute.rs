@@ -7,7 +7,9 @@ use anyhow::anyhow;
 use dobot_client::position;
 use dobot_course::Model;
 use dobot_draw::Plan;
-use dobot_station::{JobKind, JobPause, NewJob, Reply, Request, State, StationClient};
+use dobot_station::{
+    JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State, StationClient,
+};
 use tokio::io::{AsyncBufReadExt, BufReader};
 
 use crate::control::{self, arm_laser, first_state, take_control};
@@ -54,13 +56,31 @@ pub(super) async fn execute(
     };
     let planned_s = way_s(station, plan).await.map(|it| it + plan.duration_s());
     let outcome = match submit(station, plan, title, armed_for).await {
-        Ok(job) => follow::start(station, job, plan.burns(), see).await,
+        Ok(job) => {
+            let outcome = follow::start(station, job, plan.burns(), see).await;
+            if outcome.is_err() {
+                forget_unbegun(station, job).await;
+            }
+            outcome
+        }
         Err(failure) => Err(failure),
     };
     Executed {
         outcome,
         planned_s,
         seen,
+    }
+}
+
+/// Cancels a job that was refused before it began: the next try makes one of its own.
+async fn forget_unbegun(station: &mut StationClient, job: u64) {
+    let Ok(jobs) = station.jobs().await else {
+        return;
+    };
+    let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
+    if jobs.iter().any(is_unbegun) {
+        // Why the drawing was refused is what counts.
+        let _ = station.request(Request::CancelJob { job }).await;
     }
 }
 

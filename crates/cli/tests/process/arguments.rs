@@ -107,7 +107,9 @@ fn more_arms_than_ports_are_refused() {
 
 #[test]
 fn a_virtual_arm_stands_in_its_power_up_pose() {
-    let status = json(&dobot(&["status", "--json"]).succeeds().stdout);
+    let outcome = dobot(&["status", "--json"]).succeeds();
+    assert!(outcome.stderr.contains("a virtual arm of this process"));
+    let status = json(&outcome.stdout);
     assert!(near(&status["rear_deg"], 45.0) && near(&status["fore_deg"], 45.0));
     // 135 sin 45 + 160 cos 45 + 55.07
     assert!(near(&status["x_mm"], 263.666_5), "{status}");

@@ -127,3 +127,16 @@ fn what_cannot_be_read_or_run_is_an_error() {
         assert_eq!(outcome.code, Some(2), "{outcome:?}");
     }
 }
+
+#[test]
+fn a_script_whose_packets_are_refused_fails_where_that_is_asked_for() {
+    let refused = b"credit 3 0 500 0 0 0 0 1 0 0";
+    dobot_reading(&["simulate", "-"], refused).succeeds();
+    let ended = dobot_reading(&["simulate", "-", "--strict"], refused);
+    ended.fails(
+        1,
+        &["1 packets were refused, and 0 lines were not sent", "hint"],
+    );
+    let good = b"credit 3 0 240 0 0 0 0 2 0 0";
+    dobot_reading(&["simulate", "-", "--strict"], good).succeeds();
+}

@@ -196,6 +196,19 @@ fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
 }
 
 #[test]
+fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
+    let up = Up::new(&["--speed", "5"]);
+    up.dobot(&["stop", "--reason", "smoke"]).succeeds();
+    let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
+    up.dobot(&draw).fails(1, &["smoke"]);
+    let jobs = up.json(&["jobs"]);
+    let jobs = jobs.as_array().expect("a list");
+    assert!(jobs.iter().all(|it| it["phase"] == "stopped"), "{jobs:?}");
+    up.dobot(&["stop", "--reset"]).succeeds();
+    up.dobot(&draw).succeeds();
+}
+
+#[test]
 fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&["--speed", "5"]);
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];

@@ -88,7 +88,7 @@ async fn statuses_come_while_a_packet_waits_for_the_owner() {
 }
 
 #[tokio::test]
-async fn nothing_more_is_read_while_the_owner_has_not_answered() {
+async fn what_is_read_ahead_while_the_owner_has_not_answered_has_an_end() {
     let mut it = bridged(420).await;
     let flood = tokio::spawn(async move {
         let mut sent = 0_u64;
@@ -98,15 +98,52 @@ async fn nothing_more_is_read_while_the_owner_has_not_answered() {
         sent
     });
     let (_, _, unanswered) = it.owner.asked().await;
-    for _ in 0..1000 {
+    for _ in 0..100_000 {
         tokio::task::yield_now().await;
     }
     assert!(it.owner.idle(), "one packet at a time");
     it.bridge.abort();
     drop(unanswered);
-    // One read of 4096 bytes at the most, and what the stream holds.
+    // Those ahead, one read of 4096 bytes at the most, and what the stream holds.
     let sent = flood.await.expect("it runs");
-    assert!(sent <= 4096 / 42 + 11, "{sent} packets were taken");
+    assert!(
+        sent <= AHEAD as u64 + 4096 / 42 + 11,
+        "{sent} packets were taken"
+    );
+    assert!(sent >= AHEAD as u64, "{sent} packets were taken");
+}
+
+#[tokio::test(start_paused = true)]
+async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
+    let mut it = bridged(1 << 20).await;
+    for _ in 0..3000 {
+        it.program.write_all(&packet(1)).await.expect("it is open");
+    }
+    drop(it.program);
+    let gone = Instant::now();
+    let answers = tokio::spawn(async move {
+        let mut refused = 0;
+        while it.owner.answer_unless_left(refusal()).await.is_some() {
+            refused += 1;
+        }
+        refused
+    });
+    let traffic = it.bridge.await.expect("it runs");
+    assert!(gone.elapsed().is_zero(), "{:?}", gone.elapsed());
+    let refused = answers.await.expect("it runs");
+    assert_eq!(traffic.refused, refused);
+    assert!((1..30).contains(&refused), "{refused}");
+}
+
+#[tokio::test]
+async fn what_a_program_sent_before_it_left_is_passed_on_if_it_need_not_wait() {
+    let mut it = bridged(4096).await;
+    it.program.write_all(&packet(1)).await.expect("it is open");
+    it.program.write_all(&packet(2)).await.expect("it is open");
+    drop(it.program);
+    assert_eq!(it.owner.grant().await, packet(1));
+    assert_eq!(it.owner.grant().await, packet(2));
+    it.owner.left().await;
 }
 
 #[tokio::test(start_paused = true)]
@@ -197,7 +234,7 @@ fn through(bytes: Vec<u8>, cut: usize) -> (Vec<[u8; 42]>, Traffic) {
             }
         });
         let mut packets = Vec::new();
-        while let Some(packet) = it.owner.grant_unless_left().await {
+        while let Some(packet) = it.owner.answer_unless_left(Ok(())).await {
             packets.push(packet);
         }
         sending.await.expect("it runs");

@@ -152,7 +152,7 @@ impl Local {
 
 fn start(arm: &LocalArm, found: Found) -> Result<(Handle, ArmAtWork), OpenArmError> {
     let folders = arm.folders.of_arm(&arm.address);
-    std::fs::create_dir_all(folders.data()).map_err(|source| OpenArmError::Folder {
+    folders.make_data().map_err(|source| OpenArmError::Folder {
         folder: folders.data().display().to_string(),
         source,
     })?;

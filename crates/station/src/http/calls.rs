@@ -18,7 +18,7 @@ use super::bodies::{
 use super::kinds::{self, INVALID, Kind, METHOD, NO_LEASE, NOT_REACHED, UNKNOWN_PATH};
 use super::visits::LASTS;
 use crate::Client;
-use crate::words::{JobView, NewJob, News, Notice, Problem, Refusal, Reply, Request};
+use crate::words::{JobView, NewJob, News, Notice, Problem, Refusal, Reply, Request, is_plain};
 
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
@@ -111,7 +111,7 @@ fn called(wish: Wish, visitor: &Visitor) -> Result<String, Problem> {
 }
 
 pub(super) fn is_name(name: &str) -> bool {
-    (1..=60).contains(&name.chars().count()) && !name.chars().any(char::is_control)
+    (1..=60).contains(&name.chars().count()) && name.chars().all(is_plain)
 }
 
 pub(super) async fn state(State(app): State<Arc<App>>) -> Response {

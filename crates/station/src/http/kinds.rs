@@ -84,6 +84,8 @@ kinds! {
         "Somebody stopped the arm, and it stays so until a person has looked at it and resets the stop with `DELETE /api/v1/stop`.";
     STILL_MOVING = 409 "still-moving" "the arm still moves"
         "The arm has not come to rest yet after a stop. The detail says how long that takes at the most.";
+    LET_GO = 409 "let-go" "the button was let go"
+        "The station let go of a button that its client still says: the client fell silent for a while, or the arm was stopped. Release the button, then press it again.";
     LASER_DISARMED = 409 "laser-disarmed" "the laser is disarmed"
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
     JOB_RUNNING = 409 "job-running" "a job has the arm"
@@ -162,6 +164,7 @@ mod tests {
                 reason: None,
             },
             Refusal::StillMoving { within_s: 1.0 },
+            Refusal::LetGo(String::new()),
             Refusal::NoLink(String::new()),
             Refusal::LaserDisarmed,
             Refusal::OutOfRange {

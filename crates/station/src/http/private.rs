@@ -4,11 +4,13 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
+use crate::folders::make_private;
+
 /// Writes a file whole or not at all, for its owner's eyes only; its folder is made where it is
 /// missing.
 pub(super) fn write(file: &Path, text: &str) -> io::Result<()> {
     if let Some(folder) = file.parent() {
-        fs::create_dir_all(folder)?;
+        make_private(folder)?;
     }
     let new = file.with_extension(format!("new-{}", std::process::id()));
     let written = write_new(&new, text).and_then(|()| fs::rename(&new, file));

@@ -2,7 +2,7 @@
 
 use dobot_wire::Command;
 
-use crate::words::{NewJob, Refusal};
+use crate::words::{NewJob, Refusal, is_plain};
 
 /// Looks at title, lift and pauses of a new job.
 pub(super) fn check_new(job: &NewJob) -> Result<(), Refusal> {
@@ -45,7 +45,7 @@ fn check_message(message: &str) -> Result<(), Refusal> {
             "the message of a pause has {found} characters; allowed are 1 to {MESSAGE_LEN}"
         )));
     }
-    if message.chars().any(char::is_control) {
+    if !message.chars().all(is_plain) {
         return Err(Refusal::Malformed(format!(
             "the message of a pause is {message:?}; allowed is one line without control characters"
         )));

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_course::LASER_OFF;
 
 use super::Keeper;
-use crate::words::News;
+use crate::words::{News, Refusal};
 
 /// An arm that is being brought to rest: laser off, button released, and so again.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ impl Keeper {
         let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
         self.send_urgent(LASER_OFF);
         self.at_once = true;
-        self.let_go();
+        self.withdraw(Refusal::LetGo(why.clone()));
         self.tell(
             News::Trouble,
             format!("{why}: the laser was switched off and the button let go"),

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{Keeper, Known};
-use crate::words::{Asking, ClientId, Holder, LeaseView, News, Refusal, Reply, Role};
+use crate::words::{Asking, ClientId, Holder, LeaseView, News, Refusal, Reply, Role, plain};
 
 /// Who has control.
 #[derive(Clone, Debug)]
@@ -19,13 +19,13 @@ impl Keeper {
         self.handle_time(now);
         let client = ClientId(self.next_client);
         self.next_client += 1;
-        let name = name.chars().filter(|it| !it.is_control()).take(NAME_LEN);
         self.clients.insert(
             client,
             Known {
-                name: name.collect(),
+                name: plain(name, NAME_LEN),
                 role,
                 is_program: false,
+                amended: None,
             },
         );
         self.changed = true;

@@ -166,7 +166,7 @@ impl Keeper {
         self.part_from_laser();
         // Statuses may be lost on a line that still carries packets.
         self.release_urgently();
-        self.held = None;
+        self.bar(Refusal::LetGo("the link to the arm was lost".into()));
         self.drop_waiting("the link to the arm was lost");
         let text = match &self.link.problem {
             Some(problem) => format!("the link to the arm was lost: {problem}"),
@@ -178,7 +178,7 @@ impl Keeper {
     }
 
     fn notice_reset(&mut self, evidence: &str) {
-        self.held = None;
+        self.bar(Refusal::LetGo("the arm was reset".into()));
         self.part_from_laser();
         // The session has forgotten what was under way, too.
         for id in self.under_way() {

@@ -5,6 +5,7 @@ use std::time::Duration;
 use dobot_wire::{Command, Packet};
 
 use super::Keeper;
+use super::amend::amended;
 use crate::words::{ClientId, Jog, News, Refusal};
 
 impl Keeper {
@@ -36,6 +37,7 @@ impl Keeper {
             self.give_lease(client);
         }
         self.check_lease(client)?;
+        let packet = &self.amended(client, packet);
         let command = self.session.parse(packet)?;
         let patience_s = self.policy.jog.raw_dead_man_s;
         match command {
@@ -50,8 +52,30 @@ impl Keeper {
         .map(|_| ())
     }
 
+    /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
+    /// for all that follow and are changed alike.
+    fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
+        let known = self.session.model().zip(self.session.dialect());
+        let changed = known
+            .and_then(|(model, dialect)| amended(packet, &model.settings, dialect, &self.policy));
+        let Some((sent, what)) = changed else {
+            return *packet;
+        };
+        let text = format!("{}: {what}", self.name(client));
+        if let Some(known) = self.clients.get_mut(&client)
+            && known.amended.as_ref() != Some(&text)
+        {
+            known.amended = Some(text.clone());
+            self.tell(News::Amended { client }, text);
+        }
+        sent
+    }
+
     /// Tells all who watch that something was refused.
     pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        if self.is_told(client, refusal) {
+            return;
+        }
         let text = format!("refused to {}: {refusal}", self.name(client));
         let kind = refusal.kind().to_owned();
         self.tell(News::Refused { client, kind }, text);

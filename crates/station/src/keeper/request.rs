@@ -9,7 +9,7 @@ use dobot_safety::Violation;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
 
 use super::Keeper;
-use crate::words::{ClientId, Jog, LinkPhase, News, Refusal, Reply, Request};
+use crate::words::{ClientId, Jog, LinkPhase, News, Refusal, Reply, Request, plain};
 
 impl Keeper {
     /// Takes a request. `None` when the answer takes its time: [`Keeper::poll_answer`] has it then.
@@ -64,7 +64,9 @@ impl Keeper {
                 self.let_go();
                 Ok(Reply::Done)
             }
-            Request::Stop { reason } => Ok(self.stop(client, reason.map(|it| shortened(&it)))),
+            Request::Stop { reason } => {
+                Ok(self.stop(client, reason.map(|it| plain(&it, REASON_LEN))))
+            }
             Request::ResetStop => self.reset_stop(client),
             Request::TakeLease => self.take_lease(client),
             Request::ReleaseLease => self.release_lease(client),
@@ -268,11 +270,6 @@ fn spoken(order: VoiceOrder, model: &Model) -> Command {
             .into()
         }
     }
-}
-
-fn shortened(reason: &str) -> String {
-    let printable = reason.chars().filter(|it| !it.is_control());
-    printable.take(REASON_LEN).collect()
 }
 
 /// A client that has so much waiting had better send a job.

@@ -24,8 +24,8 @@ impl Keeper {
         let rests_within = self.rests_within();
         self.halt_now();
         self.disarm_laser("the arm was stopped");
-        self.held = None;
         let why = format!("the arm was stopped by {by}");
+        self.bar(Refusal::LetGo(why.clone()));
         self.drop_waiting(&why);
         self.interrupt_run(&why);
         self.end_detection(&why);

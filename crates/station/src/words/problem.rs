@@ -69,6 +69,7 @@ const fn title_and_status(refusal: &Refusal) -> (&'static str, u16) {
         Refusal::NotAsking(_) => ("nobody asks for control", 409),
         Refusal::Stopped { .. } => ("the arm is stopped", 409),
         Refusal::StillMoving { .. } => ("the arm still moves", 409),
+        Refusal::LetGo(_) => ("the button was let go", 409),
         Refusal::NoLink(_) => ("there is no arm", 503),
         Refusal::Send(_) => ("the command is not sent", 422),
         Refusal::Policy(_) => ("the policy does not allow this", 422),

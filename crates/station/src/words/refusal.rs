@@ -40,6 +40,9 @@ pub enum Refusal {
         /// How long that takes at the most.
         within_s: f64,
     },
+    /// The station let go of a button that is still pressed.
+    #[error("the button was let go: {0}")]
+    LetGo(String),
     /// There is no arm to talk to.
     #[error("there is no link to an arm: {0}")]
     NoLink(String),
@@ -139,6 +142,7 @@ impl Refusal {
             Self::NotAsking(_) => "not-asking",
             Self::Stopped { .. } => "stopped",
             Self::StillMoving { .. } => "still-moving",
+            Self::LetGo(_) => "let-go",
             Self::NoLink(_) => "no-link",
             Self::Send(_) => "command",
             Self::Policy(_) => "policy",
@@ -174,6 +178,7 @@ impl Refusal {
                 "look at the arm; when it may move again, `dobot stop --reset`".into()
             }
             Self::StillMoving { .. } => "wait until it rests".into(),
+            Self::LetGo(_) => "let go of the button, then press it again".into(),
             Self::NoLink(_) => "`dobot watch` shows what the station waits for".into(),
             Self::Send(error) => return send_hint(error),
             Self::Policy(_) => "`dobot policy` shows the rules".into(),

@@ -24,6 +24,7 @@ fn a_cable_may_be_pulled_in_every_phase_of_a_job() {
     for it in cables::run(18) {
         right(&it.wrong);
         assert_eq!((it.lost, it.repeated), (0, 0), "{}", it.during);
+        assert_eq!(it.looks_reset, 0, "{}", it.during);
     }
 }
 
@@ -99,6 +100,7 @@ fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
     for it in stands::run(12) {
         right(&it.wrong);
         assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
+        assert_eq!(it.displaced, 0, "{} {}", it.sender, it.link);
         assert!(it.stood_s.most() <= stands::MOST_S, "{}", it.stood_s);
     }
 }

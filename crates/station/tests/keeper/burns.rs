@@ -6,7 +6,8 @@ use dobot_controller::Personality;
 use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
 use dobot_station::{ClientId, JobKind, NewJob, News, Rehearsal, Request};
 
-use crate::drawing::{longest_stand_s, rehearsal};
+use crate::drawing::rehearsal;
+use crate::light::longest_stand_s;
 use crate::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
 
 const LINES: [f64; 3] = [-10.0, 0.0, 10.0];
@@ -103,7 +104,7 @@ fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice()
         }
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
-        let hole_s = longest_stand_s(&it, 0.005);
+        let hole_s = longest_stand_s(it.arm().samples(), 0.005);
         assert!(hole_s < 0.3, "{personality}: {hole_s} s");
     }
 }

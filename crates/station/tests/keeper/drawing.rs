@@ -87,20 +87,3 @@ pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
 pub(crate) fn is_over(it: &Rehearsal, job: u64) -> bool {
     it.job(job).unwrap().state.is_over()
 }
-
-/// How long the laser was on at the most while the arm stood, in seconds: of the arm, not as told. It
-/// stands where it goes less than `still_mm` from one sample to the next.
-pub(crate) fn longest_stand_s(it: &Rehearsal, still_mm: f64) -> f64 {
-    let mut longest_s: f64 = 0.0;
-    let mut stood_s = 0.0;
-    for pair in it.arm().samples().windows(2) {
-        let stands = pair[1].position.distance(pair[0].position).0 < still_mm;
-        stood_s = if stands && pair[1].laser {
-            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
-        } else {
-            0.0
-        };
-        longest_s = longest_s.max(stood_s);
-    }
-    longest_s
-}

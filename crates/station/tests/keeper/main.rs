@@ -5,17 +5,24 @@
 mod arrivals;
 mod bluetooth;
 mod burns;
+#[path = "../../examples/reliability/cases/chance.rs"]
+#[expect(dead_code, reason = "the figures of reliability use all of it")]
+mod chance;
 mod commands;
 mod crashes;
 mod drawing;
+mod hands;
 mod heights;
 mod jobs;
 mod jogs;
 mod lasers;
 mod leases;
+#[path = "../../../sim/tests/light/mod.rs"]
+mod light;
 mod links;
 mod pauses;
 mod people;
+mod programs;
 mod releases;
 mod stalls;
 mod stands;

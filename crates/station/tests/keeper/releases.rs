@@ -36,7 +36,7 @@ pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
 }
 
 /// A link whose bytes come up to so much late, either way.
-fn over(personality: Personality, delay_ms: u32) -> (Rehearsal, ClientId) {
+pub(crate) fn over(personality: Personality, delay_ms: u32) -> (Rehearsal, ClientId) {
     let power_up = PowerUp::new(personality);
     let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
     if delay_ms > 0 {

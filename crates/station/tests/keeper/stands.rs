@@ -9,7 +9,8 @@ use dobot_station::{ClientId, News, Rehearsal, Request};
 use dobot_wire::{Command, Packet};
 
 use crate::commands::vector;
-use crate::drawing::{longest_stand_s, rehearsal};
+use crate::drawing::rehearsal;
+use crate::light::longest_stand_s;
 
 /// What the laser may stand at the most.
 const MOST_S: f64 = 0.3;
@@ -50,7 +51,7 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
         assert!(!it.keeper().state().laser.on, "{personality}");
         assert!(it.keeper().state().laser.armed_for_s > 0.0, "{personality}");
         rest(&mut it, anna);
-        let stood_s = longest_stand_s(&it, 0.001);
+        let stood_s = longest_stand_s(it.arm().samples(), 0.001);
         assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
     }
 }
@@ -75,7 +76,7 @@ fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
         let packet = vector([0.0, 0.0, 5.0], false).emit(&personality.dialect());
         it.send_raw(program, &packet).unwrap();
         it.run_for(Duration::from_secs(3));
-        let stood_s = longest_stand_s(&it, 0.001);
+        let stood_s = longest_stand_s(it.arm().samples(), 0.001);
         assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
     }
 }

@@ -211,11 +211,15 @@ fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
     }
     traps.push(vec![(1, 4.0), (2, 2.0), (3, 5.0), (10, 40.0)]);
     traps.push(vec![(1, 4.0), (2, 1.0), (3, 5.0), (7, 0.5), (10, 40.0)]);
-    for bad in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e30] {
+    for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         for n in 3..=8 {
-            let mut teach = speeds(n, bad);
-            teach[1] = (2, 0.0);
-            traps.extend([teach, speeds(n, bad)]);
+            // Jog speeds of 0 and what is above a ceiling are amended: see `programs`.
+            if bad != 0.0 {
+                let mut teach = speeds(n, bad);
+                teach[1] = (2, 0.0);
+                traps.push(teach);
+            }
+            traps.push(speeds(n, bad));
         }
         traps.push(vec![(1, 9.0), (2, 2.0), (3, bad)]);
         for n in 3..=4 {

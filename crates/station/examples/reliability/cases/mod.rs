@@ -15,6 +15,8 @@ pub(crate) mod fuzz;
 pub(crate) mod guardians;
 pub(crate) mod jobs;
 pub(crate) mod kills;
+#[path = "../../../../sim/tests/light/mod.rs"]
+mod light;
 pub(crate) mod lines;
 pub(crate) mod paper;
 pub(crate) mod scene;

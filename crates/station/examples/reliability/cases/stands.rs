@@ -4,12 +4,14 @@ use std::fmt;
 use std::time::Duration;
 
 use dobot_controller::{Personality, Refused};
+use dobot_journal::JobState;
 use dobot_station::{ClientId, JobPhase, News, Rehearsal, Request};
 use dobot_wire::Command;
 
 use super::chance::Chance;
 use super::commands::vector;
 use super::jobs::Sort;
+use super::light::longest_stand_s;
 use super::scene::{Scene, Wrong, burns};
 use super::spread::Spread;
 
@@ -105,7 +107,7 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
     let off = |it: &&dobot_station::Notice| it.news == News::LaserOff;
     figures.switched_off += scene.it.notices().iter().filter(off).count();
     figures.programs += 1;
-    let stood_s = longest_s(&scene.it);
+    let stood_s = longest_stand_s(scene.it.arm().samples(), STANDS_MM);
     figures.stood_s.add(stood_s);
     if stood_s > MOST_S {
         figures.late += 1;
@@ -168,25 +170,14 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     let arm = scene.it.arm_mut();
     let lost = std::iter::from_fn(|| arm.poll_refused()).any(|it| it == Refused::TooLong);
     match finished {
-        Err(_) if lost => Ok(false),
+        Err(_) if lost && failed(&scene.it, job) => Ok(false),
         finished => finished.map(|()| true),
     }
 }
 
-/// How long the laser was on at the most while the arm stood, in seconds: of the arm, not as told.
-fn longest_s(it: &Rehearsal) -> f64 {
-    let mut longest_s: f64 = 0.0;
-    let mut stood_s = 0.0;
-    for pair in it.arm().samples().windows(2) {
-        let stands = pair[1].position.distance(pair[0].position).0 < STANDS_MM;
-        stood_s = if stands && pair[1].laser {
-            stood_s + pair[1].at.saturating_sub(pair[0].at).as_secs_f64()
-        } else {
-            0.0
-        };
-        longest_s = longest_s.max(stood_s);
-    }
-    longest_s
+fn failed(it: &Rehearsal, job: u64) -> bool {
+    it.job(job)
+        .is_ok_and(|it| matches!(it.state, JobState::Failed { .. }))
 }
 
 /// A laser at rest is off within that, in seconds.
