@@ -5,8 +5,8 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz` and Python for `api`, which are installed
-# on Debian if they are missing. Cargo fetches the dependencies at the first run.
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, Node and Chromium for
+# `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
 #
@@ -43,6 +43,7 @@ readonly CI_STEPS=(
   "no-std       do wire, arm, motion, course and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
+  "page         try the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target"
 )
@@ -161,6 +162,16 @@ step_api() {
   wait "$station"
   STATION=
   rm -rf "$folder"
+}
+
+# The browser is Debian's, and playwright-core from npm moves the pointer in it.
+step_page() {
+  needs_command node nodejs
+  needs_command npm npm
+  needs_command chromium chromium
+  cargo build --locked --workspace --all-features
+  npm ci --prefix tests/page --no-audit --no-fund
+  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot") CHROMIUM=$(command -v chromium) npm test --prefix tests/page
 }
 
 step_bench-check() {

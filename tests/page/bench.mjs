@@ -1,0 +1,126 @@
+// A virtual arm, a station and a browser, as a person has them; and what the arm was told.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { mkdtemp, rm } from "node:fs/promises";
+import { createConnection, createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { chromium } from "playwright-core";
+
+const DOBOT = process.env.DOBOT ?? "dobot";
+const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const PACKET_LEN = 42;
+
+/** Starts the program, and waits for a line of it. */
+async function start(words, line) {
+  const child = spawn(DOBOT, words, { stdio: ["ignore", "pipe", "inherit"] });
+  for await (const text of createInterface({ input: child.stdout })) {
+    const found = text.match(line);
+    if (found) {
+      child.stdout.resume();
+      return { child, found: found[1] };
+    }
+  }
+  throw new Error(`dobot ${words.join(" ")} ended without ${line}`);
+}
+
+async function end(child, signal) {
+  const over = once(child, "exit");
+  child.kill(signal);
+  await over;
+}
+
+/** Ten floats for each packet to the arm, and when it passed. */
+class Told {
+  #rest = Buffer.alloc(0);
+  packets = [];
+
+  take(bytes) {
+    this.#rest = Buffer.concat([this.#rest, bytes]);
+    while (this.#rest.length >= PACKET_LEN) {
+      const floats = Array.from({ length: 10 }, (_, n) => this.#rest.readFloatLE(1 + 4 * n));
+      this.packets.push({ at: performance.now(), floats });
+      this.#rest = this.#rest.subarray(PACKET_LEN);
+    }
+  }
+
+  /** The jog packets from one on: `joint 3`, `linear 0` for a release. Those of the laser are none. */
+  jogs(from = 0) {
+    return this.packets.slice(from).filter(({ floats: [state, axis] }) => (state === 2 || state === 7) && axis < 9)
+      .map(({ at, floats: [state, axis] }) => ({ at, text: `${state === 2 ? "joint" : "linear"} ${axis}` }));
+  }
+}
+
+/** Everything that a test needs; `end` ends it. */
+export async function open(viewport = { width: 1440, height: 900 }) {
+  const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
+  const arm = await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1"], /^tcp:127\.0\.0\.1:(\d+)/);
+  const told = new Told();
+  const tap = createServer((station) => {
+    const way = createConnection({ port: Number(arm.found), host: "127.0.0.1", noDelay: true });
+    station.setNoDelay(true);
+    station.on("data", (bytes) => told.take(bytes));
+    station.pipe(way).pipe(station);
+    for (const one of [station, way]) one.on("error", () => {});
+  });
+  tap.listen(0, "127.0.0.1");
+  await once(tap, "listening");
+  const station = await start(
+    ["up", "--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder],
+    /page +(http:\S+)/,
+  );
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
+  const page = await browser.newPage({ viewport });
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error));
+  await page.goto(station.found);
+  return {
+    page, told, errors,
+    async end() {
+      await browser.close();
+      await end(station.child, "SIGINT");
+      await end(arm.child, "SIGINT");
+      tap.close();
+      await rm(folder, { recursive: true });
+    },
+  };
+}
+
+/** Confirms the pose and takes control, as a person does. */
+export async function takeControl(page) {
+  await page.click("#confirm-pose");
+  await page.click("#sure-yes");
+  await page.click("#take");
+  await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await page.waitForFunction(() => !document.querySelector("[data-axis=x_plus]").disabled);
+}
+
+/** A number of the pose. */
+export async function pose(page, name) {
+  return Number(await page.textContent(`[data-pose=${name}]`));
+}
+
+/** Waits until the arm rests. */
+export async function rest(page) {
+  await page.waitForFunction(() => document.querySelector("#moving").textContent === "at rest");
+}
+
+/** Presses the mouse button over a jog button. */
+export async function press(page, axis) {
+  await page.hover(`[data-axis=${axis}]:visible`);
+  await page.mouse.down();
+}
+
+/** Waits until a number of the pose has changed by so much, either way. */
+export async function moved(page, name, by) {
+  const from = await pose(page, name);
+  const has = ([name, from, by]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - from) >= by;
+  await page.waitForFunction(has, [name, from, by]);
+}
+
+/** Which jog button lies at the middle of this one, if it was not moved. */
+export async function buttonAt(page, { x, y, width, height }) {
+  const at = [x + width / 2, y + height / 2];
+  return page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.dataset.axis, at);
+}

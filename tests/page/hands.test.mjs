@@ -1,0 +1,110 @@
+// Hands on the page's jog buttons: a real pointer in a real browser, judged on what the arm was told.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+import { buttonAt, moved, open, pose, press, rest, takeControl } from "./bench.mjs";
+
+// As the buttons are numbered in the protocol.
+const AXES = { x_plus: "linear 1", x_minus: "linear 2", y_plus: "linear 3", y_minus: "linear 4", z_plus: "linear 5", z_minus: "linear 6" };
+const RELEASED = "linear 0";
+
+let bench, page, told, from;
+
+before(async () => {
+  bench = await open();
+  ({ page, told } = bench);
+  await takeControl(page);
+});
+after(() => bench.end());
+beforeEach(async () => {
+  await rest(page);
+  from = told.packets.length;
+});
+afterEach(async () => {
+  await page.mouse.up();
+  await rest(page);
+  assert.deepEqual(bench.errors, []);
+});
+
+/** The presses since the test began, without those that follow their like. A release is said more than once, and may be from before. */
+function toldOfButtons() {
+  const all = told.jogs(from).map((it) => it.text);
+  const texts = all.slice(all.findIndex((text) => text !== RELEASED));
+  return texts.filter((text, index) => text !== texts[index - 1]);
+}
+
+test("each button that is pressed moves the arm for as long as it is held, also the first time after another one", async () => {
+  for (const [axis, name] of [["y_minus", "y_mm"], ["x_minus", "x_mm"], ["z_plus", "z_mm"], ["y_plus", "y_mm"]]) {
+    from = told.packets.length;
+    await press(page, axis);
+    await moved(page, name, 8);
+    await page.mouse.up();
+    await rest(page);
+    assert.deepEqual(toldOfButtons(), [AXES[axis], RELEASED], axis);
+  }
+});
+
+test("a second press at once and a quick reversal are no errors, and both move the arm", async () => {
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 8);
+  await page.mouse.up();
+  await page.mouse.down();
+  await moved(page, "y_mm", 8);
+  await page.mouse.up();
+  const far = await pose(page, "y_mm");
+  await press(page, "y_minus");
+  await page.waitForFunction((far) => Number(document.querySelector("[data-pose=y_mm]").textContent) < far - 8, far);
+  await page.mouse.up();
+  await rest(page);
+  assert.deepEqual(toldOfButtons(), [AXES.y_plus, RELEASED, AXES.y_plus, RELEASED, AXES.y_minus, RELEASED]);
+  assert.equal(await page.isVisible("#problem"), false);
+});
+
+test("at a limit the button is let go once, and the reason stands beside it", async () => {
+  const box = await page.locator("[data-axis=z_minus]:visible").boundingBox();
+  await press(page, "z_minus");
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("table"), undefined, { timeout: 20_000 });
+  await rest(page);
+  const stood = await pose(page, "z_mm");
+  // Still held: the arm stays, and so does everything under the pointer.
+  await page.waitForTimeout(1500);
+  assert.equal(await pose(page, "z_mm"), stood);
+  assert.equal(await buttonAt(page, box), "z_minus");
+  assert.match(await page.textContent("#jog-why"), /^Z−: /);
+  assert.equal(await page.isVisible("#problem"), false);
+  await page.mouse.up();
+  assert.deepEqual(toldOfButtons(), [AXES.z_minus, RELEASED]);
+});
+
+test("a page that is blocked for 3 s lets go at once, and does not move the arm again when it wakes", async () => {
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 5);
+  const blocked = performance.now();
+  await page.evaluate(() => { const until = Date.now() + 3000; while (Date.now() < until); });
+  const jogs = told.jogs(from);
+  const released = jogs.find((it) => it.text === RELEASED);
+  assert.ok(released.at - blocked < 400, `released ${released.at - blocked} ms after it was blocked`);
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("fell silent"));
+  await rest(page);
+  assert.deepEqual(toldOfButtons(), [AXES.y_plus, RELEASED]);
+  // A new press is a new press.
+  await page.mouse.up();
+  await page.mouse.down();
+  await moved(page, "y_mm", 3);
+});
+
+test("a window that loses the focus and a tab that is hidden let go", async () => {
+  await press(page, "x_plus");
+  await moved(page, "x_mm", 3);
+  await page.evaluate(() => window.dispatchEvent(new Event("blur")));
+  await rest(page);
+  assert.deepEqual(toldOfButtons(), [AXES.x_plus, RELEASED]);
+});
+
+test("an error of something else moves nothing that is under the pointer", async () => {
+  const box = await page.locator("[data-axis=y_minus]:visible").boundingBox();
+  await page.evaluate(() => document.querySelector("#pause").click());
+  await page.waitForSelector("#problem:visible");
+  assert.deepEqual(await page.locator("[data-axis=y_minus]:visible").boundingBox(), box);
+  assert.equal(await buttonAt(page, box), "y_minus");
+  await page.click("#problem-close");
+});
