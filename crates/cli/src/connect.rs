@@ -81,7 +81,7 @@ impl To {
             return Ok(None);
         }
         let named = self.address.is_none() && self.station.is_named();
-        let Some(address) = self.station.address()? else {
+        let Some(address) = self.station.address().await? else {
             return Ok(None);
         };
         let mut station = match StationClient::connect(&address, &client_name(verb)).await {

@@ -101,6 +101,8 @@ async fn follow(
     let bar = progress_bar();
     let mut interrupt = std::pin::pin!(interrupt());
     let mut interrupted = false;
+    // One that had to come to rest first is told as paused once more.
+    let mut is_under_way = false;
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -121,7 +123,8 @@ async fn follow(
                 let News::Job { job: of, phase } = notice.news else {
                     continue;
                 };
-                if of != job {
+                is_under_way |= of == job && phase == JobPhase::Running;
+                if of != job || !is_under_way {
                     continue;
                 }
                 if let Some(end) = end(phase, notice.text, interrupted) {

@@ -19,10 +19,10 @@ Examples:
   dobot jog x+ --for 1.5                 forward for a second and a half
   dobot jog base- --for 0.5 --speed 20   slowly to the right
   dobot jog suction-on
-  dobot jog laser-on --for 0.2           on, and off again
 
 The axis is released when the time is over, on Ctrl-C, and when anything goes wrong, also when this program
-is killed. The laser stays off without `--arm-laser`.")]
+is killed. The laser stays off without `--arm-laser`, and where the policy forbids a light that stands
+(`laser.standing`): focus with it allowed.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
     /// suction-on suction-off laser-on laser-off

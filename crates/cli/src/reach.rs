@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_station::{Folders, Running, StationAddress, StationClient, Trust, fingerprint};
+use dobot_station::{
+    DEFAULT_HTTP, Folders, Running, StationAddress, StationClient, Trust, fingerprint, is_station,
+};
 
 use crate::failure::Failure;
 
@@ -13,7 +15,7 @@ pub(crate) struct Station {
     /// The station's address, as in <http://127.0.0.1:8642>
     ///
     /// Without it, the environment variable `DOBOT_STATION` is used, and then the station that
-    /// runs on this machine.
+    /// runs on this machine: the one of this person's data folder, or what answers at port 8642.
     #[arg(id = "station", long = "station", value_name = "URL", global = true)]
     address: Option<String>,
     /// What allows more than watching; better given in the environment variable `DOBOT_TOKEN`
@@ -40,26 +42,32 @@ impl Station {
     }
 
     /// Where the station is; `None` where none is named and none says that it runs.
-    pub(crate) fn address(&self) -> Result<Option<StationAddress>, Failure> {
-        match self.name() {
-            Some(name) => self.named(&name).map(Some),
-            None => running(&folders(None)?),
+    pub(crate) async fn address(&self) -> Result<Option<StationAddress>, Failure> {
+        if let Some(name) = self.name() {
+            return self.named(&name).map(Some);
         }
+        if let Some(address) = running(&folders(None)?)? {
+            return Ok(Some(address));
+        }
+        // One that was started with a folder of its own is most likely where all are.
+        let usual = self.named(&format!("http://{DEFAULT_HTTP}"))?;
+        let is_there = variable("DOBOT_DATA").is_none() && is_station(&usual).await;
+        Ok(is_there.then_some(usual))
     }
 
     /// Where the station is.
-    pub(crate) fn address_of_running(&self) -> Result<StationAddress, Failure> {
-        self.address()?.ok_or_else(|| {
+    pub(crate) async fn address_of_running(&self) -> Result<StationAddress, Failure> {
+        self.address().await?.ok_or_else(|| {
             Failure::new(
                 anyhow!("no station runs on this machine"),
-                "`dobot up` starts one; one with `--data FOLDER` is found with DOBOT_DATA=FOLDER, and any one with `--station URL`",
+                "`dobot up` starts one; one with `--data FOLDER` and another port than 8642 is found with DOBOT_DATA=FOLDER, and any one with `--station URL`",
             )
         })
     }
 
     /// Connects with the station, under the name of a verb.
     pub(crate) async fn client(&self, verb: &str) -> Result<StationClient, Failure> {
-        let address = self.address_of_running()?;
+        let address = self.address_of_running().await?;
         Ok(StationClient::connect(&address, &client_name(verb)).await?)
     }
 

@@ -8,7 +8,9 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use crossterm::event::{Event, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use dobot_station::{Heard, Remote, RemoteError, Request, StationAddress};
+use dobot_station::{
+    ConnectError, Heard, Notice, Remote, RemoteError, Request, StationAddress, fetch,
+};
 use futures_util::StreamExt;
 use ratatui::DefaultTerminal;
 
@@ -38,18 +40,26 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             "`dobot status --json` tells where the arm is to a program",
         ));
     }
-    let address = args.station.address_of_running()?;
+    let address = args.station.address_of_running().await?;
     // A station that is not there at all is told as by any other verb.
-    let remote = connect(&address).await?;
+    let come = connect(&address).await?;
     // From here on a panic restores the terminal, too.
     let terminal = ratatui::try_init()?;
-    let left = Watch::new(terminal, address).run(remote).await;
+    let left = Watch::new(terminal, address).run(come).await;
     ratatui::restore();
     left
 }
 
-async fn connect(address: &StationAddress) -> Result<Remote, dobot_station::ConnectError> {
-    Remote::connect(address, &client_name("watch")).await
+/// A station, and what happened there lately.
+struct Come {
+    remote: Remote,
+    notices: Vec<Notice>,
+}
+
+async fn connect(address: &StationAddress) -> Result<Come, ConnectError> {
+    let remote = Remote::connect(address, &client_name("watch")).await?;
+    let notices = fetch(address, "/api/v1/notices").await?;
+    Ok(Come { remote, notices })
 }
 
 /// The dashboard on a terminal.
@@ -85,9 +95,9 @@ impl Watch {
     }
 
     /// Until the person leaves; a station that goes away is waited for.
-    async fn run(mut self, remote: Remote) -> Result<(), Failure> {
+    async fn run(mut self, come: Come) -> Result<(), Failure> {
         let mut interrupt = std::pin::pin!(interrupt());
-        let mut remote = Some(remote);
+        let mut remote = Some(self.take(come));
         loop {
             self.terminal.draw(|frame| draw(frame, &self.view))?;
             let is_there = remote.is_some();
@@ -100,10 +110,15 @@ impl Watch {
                         wish => self.grant(&mut remote, wish).await,
                     }
                 }
-                back = come_back(&self.address, is_there) => remote = Some(back),
+                back = come_back(&self.address, is_there) => remote = Some(self.take(back)),
                 () = &mut interrupt => return Ok(()),
             }
         }
+    }
+
+    fn take(&mut self, come: Come) -> Remote {
+        self.view.handle_history(come.notices);
+        come.remote
     }
 
     fn handle_heard(&mut self, remote: &mut Option<Remote>, heard: Result<Heard, RemoteError>) {
@@ -156,14 +171,14 @@ async fn hear(remote: &mut Option<Remote>) -> Result<Heard, RemoteError> {
 }
 
 /// The station, when it is there again.
-async fn come_back(address: &StationAddress, is_there: bool) -> Remote {
+async fn come_back(address: &StationAddress, is_there: bool) -> Come {
     if is_there {
         std::future::pending::<()>().await;
     }
     loop {
         tokio::time::sleep(PAUSE).await;
-        if let Ok(remote) = connect(address).await {
-            return remote;
+        if let Ok(come) = connect(address).await {
+            return come;
         }
     }
 }

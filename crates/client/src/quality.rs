@@ -36,6 +36,8 @@ pub(crate) struct Meter {
     /// Messages since the last permit: one behind it, and one before the next (note N38).
     messages: u64,
     lost: u64,
+    /// Of the lost ones those that may still come, in a heap with the one behind them.
+    late: u64,
     latency: Option<Duration>,
     /// The longest that it took from a command to the first status that shows it.
     slowest: Option<Duration>,
@@ -65,7 +67,7 @@ impl Meter {
             && had_room
         {
             let gap = now.saturating_sub(told);
-            self.lost += missing(gap);
+            self.note_gap(gap);
             if gap <= PERIOD + MOST_JITTER {
                 self.jitter = self.jitter.max(gap.saturating_sub(PERIOD));
             }
@@ -75,6 +77,17 @@ impl Meter {
             && let Some(since) = self.waits_since.take()
         {
             self.note_latency(now.saturating_sub(since));
+        }
+    }
+
+    /// What comes in a heap behind a gap was late, and not lost.
+    fn note_gap(&mut self, gap: Duration) {
+        if gap < PERIOD / 2 && self.late > 0 {
+            self.late -= 1;
+            self.lost -= 1;
+        } else {
+            self.late = missing(gap);
+            self.lost += self.late;
         }
     }
 
@@ -92,14 +105,8 @@ impl Meter {
     }
 
     pub(crate) fn quality(&self, now: Duration, counts: &Counts) -> LinkQuality {
-        let recent = self.heard.iter().filter(|it| **it + WINDOW >= now).count();
-        let begun = now.min(WINDOW).as_secs_f64();
         LinkQuality {
-            statuses_per_s: if begun > 0.0 {
-                f64::from(u32::try_from(recent).unwrap_or(u32::MAX)) / begun
-            } else {
-                0.0
-            },
+            statuses_per_s: self.rate(now),
             bluetooth: false,
             lost: self.lost,
             damaged_bytes: counts.skipped_bytes,
@@ -107,6 +114,22 @@ impl Meter {
             latency: self.latency,
             silent_for: now.saturating_sub(self.heard.back().copied().unwrap_or_default()),
         }
+    }
+
+    /// How many came in a second lately; the time since the last one counts only where the next one is due.
+    fn rate(&self, now: Duration) -> f64 {
+        let recent = || self.heard.iter().filter(|it| **it + WINDOW >= now);
+        let (Some(first), Some(last)) = (recent().next(), recent().next_back()) else {
+            return 0.0;
+        };
+        let took = last
+            .saturating_sub(*first)
+            .max(now.saturating_sub(*first + PERIOD));
+        let gaps = u32::try_from(recent().count() - 1).unwrap_or(u32::MAX);
+        if took.is_zero() {
+            return 0.0;
+        }
+        f64::from(gaps) / took.as_secs_f64()
     }
 
     /// By when a status surely shows what was sent: until that was seen, on a link that is as slow

@@ -25,6 +25,10 @@ impl Store {
     /// Opens the file, or makes it where there is none. What lies there is never overwritten.
     pub(crate) fn open(path: &Path) -> Result<Self, JournalError> {
         let file = path.display().to_string();
+        if fs::metadata(path).is_ok_and(|it| it.len() == 0) {
+            let found = "it is empty, as a power cut or a full disk leaves it".to_owned();
+            return Err(JournalError::Foreign { file, found });
+        }
         let database = match builder().open(path) {
             Err(DatabaseError::Storage(StorageError::Io(error)))
                 if error.kind() == ErrorKind::NotFound =>

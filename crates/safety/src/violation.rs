@@ -64,7 +64,10 @@ impl Violation {
         allowed: Bounds,
         unit: &str,
     ) -> Self {
-        let found_here = Told(found);
+        let found_here = Clear {
+            found,
+            than: allowed.nearest(found),
+        };
         let least = Told(allowed.min);
         let message = if rule == TABLE {
             format!(
@@ -222,6 +225,22 @@ impl fmt::Display for Told {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // The sum turns a negative zero into zero.
         write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
+    }
+}
+
+/// With as many decimals, from two on, as it takes to see that it is not the other one.
+struct Clear {
+    found: f64,
+    than: f64,
+}
+
+impl fmt::Display for Clear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rounded = |scale: f64| (self.found * scale).round() / scale + 0.0;
+        let than = Told(self.than).to_string();
+        let clear = [1e2, 1e3, 1e4].map(|scale| rounded(scale).to_string());
+        let clear = clear.into_iter().find(|it| *it != than);
+        f.write_str(&clear.unwrap_or_else(|| self.found.to_string()))
     }
 }
 

@@ -19,6 +19,7 @@
 //! # }
 //! ```
 
+mod arm_clock;
 mod connector;
 mod faults;
 mod in_process;
@@ -35,6 +36,7 @@ mod trace;
 mod virtual_arm;
 pub mod world;
 
+pub use arm_clock::ArmClock;
 pub use connector::{ConnectError, Connector};
 pub use faults::{Fault, FaultError, Struck, What};
 pub use in_process::InProcess;

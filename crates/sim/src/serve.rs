@@ -11,9 +11,10 @@ use std::time::Duration;
 use dobot_controller::Refused;
 use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::time::{Instant, sleep_until, timeout};
+use tokio::time::{Instant, sleep, sleep_until, timeout};
 
 use self::client::{Client, at_once};
+use crate::arm_clock::{self, ArmClock};
 use crate::connector::{Ask, ConnectError, Connector, Socket};
 #[cfg(unix)]
 use crate::pty::Pty;
@@ -39,7 +40,7 @@ pub struct Server {
     pty: Option<Pty>,
     /// Where clients in this process come.
     socket: Option<Socket>,
-    speed: Speed,
+    clock: ArmClock,
     client: Option<Client>,
     /// What the client sent.
     incoming: Vec<u8>,
@@ -83,8 +84,8 @@ pub enum ServerEvent {
 /// What the server waits for.
 enum Happening {
     Time,
-    Connect(io::Result<(TcpStream, SocketAddr)>),
-    Curious(io::Result<(TcpStream, SocketAddr)>),
+    Connect((TcpStream, SocketAddr)),
+    Curious(TcpStream),
     Ask(Ask),
     Bytes(io::Result<usize>),
 }
@@ -92,7 +93,7 @@ enum Happening {
 impl Server {
     /// Serves `arm`; it has nowhere to be reached yet.
     #[must_use]
-    pub const fn new(arm: VirtualArm) -> Self {
+    pub fn new(arm: VirtualArm) -> Self {
         Self {
             arm,
             tcp: None,
@@ -100,7 +101,7 @@ impl Server {
             #[cfg(unix)]
             pty: None,
             socket: None,
-            speed: Speed::REAL,
+            clock: ArmClock::real(),
             client: None,
             incoming: Vec::new(),
             outgoing: Vec::new(),
@@ -138,9 +139,15 @@ impl Server {
 
     /// Lets time pass at another speed.
     #[must_use]
-    pub const fn at_speed(mut self, speed: Speed) -> Self {
-        self.speed = speed;
+    pub fn at_speed(mut self, speed: Speed) -> Self {
+        self.clock = ArmClock::at_speed(speed);
         self
+    }
+
+    /// What time it is for the arm, while it is served.
+    #[must_use]
+    pub const fn clock(&self) -> &ArmClock {
+        &self.clock
     }
 
     /// The arm, to look at.
@@ -156,20 +163,19 @@ impl Server {
     ///
     /// When no more clients can be served.
     pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
-        let (start, offset) = (Instant::now(), self.arm.now());
+        self.clock.set_to(self.arm.now());
         let mut answered = false;
         loop {
-            let wakeup = if self.speed.is_max() {
-                Instant::now() + self.patience(answered)
+            let wakeup = if self.clock.is_max() {
+                Some(Instant::now() + self.patience(answered))
             } else {
-                start + self.speed.of_arm(self.wakeup().saturating_sub(offset))
+                self.clock.instant(self.wakeup())
             };
             let happening = self.wait(wakeup).await;
-            let now = if self.speed.is_max() {
-                self.next_moment(&happening)
-            } else {
-                offset + self.speed.of_clock(start.elapsed())
-            };
+            if self.clock.is_max() {
+                self.clock.set_to(self.next_moment(&happening));
+            }
+            let now = self.clock.now();
             answered = matches!(happening, Happening::Bytes(Ok(1..)));
             self.arm.handle_time(now);
             self.upload(&mut tell)?;
@@ -198,7 +204,7 @@ impl Server {
         match self.client {
             None => LOOK_AT_PTY,
             Some(_) if answered => Duration::ZERO,
-            Some(_) => PATIENCE,
+            Some(_) => arm_clock::SOON,
         }
     }
 
@@ -216,12 +222,12 @@ impl Server {
         }
     }
 
-    async fn wait(&mut self, wakeup: Instant) -> Happening {
+    async fn wait(&mut self, wakeup: Option<Instant>) -> Happening {
         self.incoming.clear();
         tokio::select! {
-            () = sleep_until(wakeup) => Happening::Time,
+            () = sleep_until(wakeup.unwrap_or_else(Instant::now)) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
-            connection = accept(self.world.as_ref()) => Happening::Curious(connection),
+            (stream, _) = accept(self.world.as_ref()) => Happening::Curious(stream),
             Some(ask) = ask(self.socket.as_mut()) => Happening::Ask(ask),
             count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
         }
@@ -234,8 +240,11 @@ impl Server {
     ) -> io::Result<()> {
         match happening {
             Happening::Time => Ok(()),
-            Happening::Connect(connection) => self.admit(connection, tell),
-            Happening::Curious(connection) => self.show_world(connection),
+            Happening::Connect((stream, from)) => {
+                self.admit(stream, from, tell);
+                Ok(())
+            }
+            Happening::Curious(stream) => self.show_world(stream),
             Happening::Ask(ask) => self.admit_in_process(ask, tell),
             Happening::Bytes(Ok(1..)) => {
                 self.download(tell);
@@ -259,17 +268,7 @@ impl Server {
         }
     }
 
-    fn admit(
-        &mut self,
-        connection: io::Result<(TcpStream, SocketAddr)>,
-        tell: &mut impl FnMut(ServerEvent),
-    ) -> io::Result<()> {
-        let (stream, from) = match connection {
-            Ok(connection) => connection,
-            // It left before it was met; the next one may come.
-            Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
-            Err(error) => return Err(error),
-        };
+    fn admit(&mut self, stream: TcpStream, from: SocketAddr, tell: &mut impl FnMut(ServerEvent)) {
         if !self.arm.has_port() {
             tell(ServerEvent::PortClosed(from));
         } else if self.client.is_some() {
@@ -280,7 +279,6 @@ impl Server {
             self.welcome(Client::Tcp(stream));
             tell(ServerEvent::TcpConnected(from));
         }
-        Ok(())
     }
 
     fn admit_in_process(&mut self, ask: Ask, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
@@ -316,12 +314,7 @@ impl Server {
     }
 
     /// Tells the state of the world; the arm goes on while it is written.
-    fn show_world(&self, connection: io::Result<(TcpStream, SocketAddr)>) -> io::Result<()> {
-        let mut stream = match connection {
-            Ok((stream, _)) => stream,
-            Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => return Ok(()),
-            Err(error) => return Err(error),
-        };
+    fn show_world(&self, mut stream: TcpStream) -> io::Result<()> {
         let state = self.arm.world().map(World::state);
         let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
         tokio::spawn(async move {
@@ -375,9 +368,9 @@ impl Server {
             None => Ok(self.outgoing.len()),
         };
         match sent {
-            Ok(count) if self.speed.is_max() => drop(self.outgoing.drain(..count)),
+            Ok(count) if self.clock.is_max() => drop(self.outgoing.drain(..count)),
             Err(error) if error.kind() != io::ErrorKind::WouldBlock => self.dismiss(tell)?,
-            Err(_) if self.speed.is_max() => {}
+            Err(_) if self.clock.is_max() => {}
             _ => self.outgoing.clear(),
         }
         if !self.arm.has_port() && self.client.is_some() {
@@ -423,10 +416,17 @@ impl Server {
     }
 }
 
-async fn accept(listener: Option<&TcpListener>) -> io::Result<(TcpStream, SocketAddr)> {
-    match listener {
-        Some(listener) => listener.accept().await,
-        None => pending().await,
+/// The next client over TCP. What one meets who left before, or a system that has no more connections
+/// to give at the moment, ends nothing: the next one may come.
+async fn accept(listener: Option<&TcpListener>) -> (TcpStream, SocketAddr) {
+    let Some(listener) = listener else {
+        return pending().await;
+    };
+    loop {
+        match listener.accept().await {
+            Ok(come) => return come,
+            Err(_) => sleep(BREATH).await,
+        }
     }
 }
 
@@ -461,7 +461,7 @@ pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
 /// Whoever opens the virtual serial port is noticed so soon.
 const LOOK_AT_PTY: Duration = Duration::from_millis(50);
-/// At the greatest speed a client has so long to answer a status.
-const PATIENCE: Duration = Duration::from_millis(1);
+/// How long to wait when the system has no more connections to give.
+const BREATH: Duration = Duration::from_millis(50);
 /// How long one who asked for the world may take to read it.
 const TIME_TO_READ: Duration = Duration::from_secs(10);

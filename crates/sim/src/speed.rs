@@ -30,14 +30,15 @@ impl Speed {
         self.0.is_none()
     }
 
-    /// How long the arm finds what a clock shows.
-    pub(crate) fn of_clock(self, time: Duration) -> Duration {
-        time.mul_f64(self.0.unwrap_or(1.0))
+    /// How long the arm finds what a clock shows; at the greatest speed, at the most.
+    #[must_use]
+    pub fn of_clock(self, time: Duration) -> Duration {
+        time.mul_f64(self.0.unwrap_or(FASTEST))
     }
 
     /// How long a clock finds what the arm lives through.
     pub(crate) fn of_arm(self, time: Duration) -> Duration {
-        time.div_f64(self.0.unwrap_or(1.0))
+        time.div_f64(self.0.unwrap_or(FASTEST))
     }
 }
 

@@ -92,10 +92,15 @@ function drawLink({ link, dialect, queue, clients }) {
   write("address", link.address ?? "not found yet");
   write("dialect", dialect ?? "not known");
   write("rate", `${link.statuses_per_s.toFixed(1)} of 12.5 in a second`);
-  write("lost", `${link.lost_statuses} statuses, ${link.damaged_bytes} bytes`);
+  write("lost", `${count(link.lost_statuses, "status", "statuses")}, ${count(link.damaged_bytes, "byte", "bytes")}`);
   write("latency", link.latency_ms === null ? "not known" : `${link.latency_ms.toFixed(0)} ms`);
   write("queue", `${queue.waiting} here, ${queue.under_way} under way (${queue.ahead_s.toFixed(1)} s)`);
   write("clients", String(clients));
+}
+
+/** @param {number} number @param {string} one @param {string} many */
+function count(number, one, many) {
+  return `${number} ${number === 1 ? one : many}`;
 }
 
 /** @param {Arm} arm */

@@ -90,7 +90,7 @@ impl Approach {
         let controller = Controller::power_up(PowerUp::new(self.config.personality));
         let arm = VirtualArm::new(controller, Line::STOCK);
         let mut server = Server::new(arm).at_speed(self.config.speed);
-        self.source = Source::Virtual(server.connector());
+        self.source = Source::Virtual(server.connector(), server.clock().clone());
         self.tasks.push(tokio::spawn(async move {
             // In this process there is no port that could not be served any more.
             let _ = server.run(|_| ()).await;

@@ -85,7 +85,7 @@ pub use raw::{RawPort, RawPortError};
 pub use rehearsal::Rehearsal;
 pub use remote::{
     ConnectError, Heard, Hello, Remote, RemoteError, StationAddress, StationAddressError, Trust,
-    TrustError, fetch, fingerprint,
+    TrustError, fetch, fingerprint, is_station,
 };
 pub use running::{Running, RunningError};
 pub use start::{Failed, StartError, Station};

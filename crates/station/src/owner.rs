@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use dobot_client::Link;
 use dobot_course::Model;
+use dobot_sim::ArmClock;
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
@@ -24,7 +25,8 @@ use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Request};
 #[derive(Debug)]
 pub(crate) struct Owner {
     keeper: Keeper,
-    started: Instant,
+    /// The arm's time, in which its keeper lives.
+    clock: ArmClock,
     ends: Ends,
     source: Source,
     arms: Arms,
@@ -41,6 +43,8 @@ pub(crate) struct Owner {
     recording: Recording,
     /// Answers that take their time.
     waiting: HashMap<ClientId, Asked>,
+    /// A job that is started while it still comes to rest.
+    held_start: Option<HeldStart>,
     /// For tasks that tell the owner something.
     own: mpsc::Sender<Message>,
     heart: Heart,
@@ -63,6 +67,15 @@ pub(crate) struct Given {
     pub(crate) heart: Heart,
 }
 
+/// A start that waits until its job has come to rest.
+#[derive(Debug)]
+struct HeldStart {
+    client: ClientId,
+    job: u64,
+    until: Duration,
+    reply: Asked,
+}
+
 /// Where an answer goes.
 type Asked = oneshot::Sender<Result<Reply, Refusal>>;
 
@@ -80,7 +93,7 @@ impl Owner {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
             keeper: given.keeper,
-            started: Instant::now(),
+            clock: given.source.clock(),
             ends: given.ends,
             source: given.source,
             arms: given.arms,
@@ -93,6 +106,7 @@ impl Owner {
             to_journal,
             recording: given.recording,
             waiting: HashMap::new(),
+            held_start: None,
             own: given.own,
             heart: given.heart,
             ending: None,
@@ -155,6 +169,7 @@ impl Owner {
             }
             let now = self.now();
             self.keeper.handle_time(now);
+            self.try_held_start();
             if let Some(trouble) = self.recording.poll_trouble() {
                 self.keeper.handle_trouble(now, trouble);
             }
@@ -185,13 +200,15 @@ impl Owner {
     }
 
     fn now(&self) -> Duration {
-        self.started.elapsed()
+        self.clock.now()
     }
 
     async fn happening(&mut self) -> Happening {
         let wakeup = self.wakeup();
         let link = self.link.as_mut();
         tokio::select! {
+            // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
+            // before it says more, or is slowed down where it need not.
             biased;
             message = self.ends.messages.recv() => Happening::Message(message),
             written = self.written.recv() => Happening::Written(written),
@@ -202,7 +219,7 @@ impl Owner {
     }
 
     fn wakeup(&self) -> Instant {
-        let wanted = self.started.checked_add(self.keeper.poll_wakeup());
+        let wanted = self.clock.instant(self.keeper.poll_wakeup());
         let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
         let latest = Instant::now() + within.min(LOOK_AT_LEAST);
         wanted.map_or(latest, |it| it.min(latest))
@@ -241,7 +258,7 @@ impl Owner {
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
-                self.recording.sent(self.started.elapsed(), &bytes);
+                self.recording.sent(self.clock.now(), &bytes);
             }
         }
     }
@@ -313,6 +330,7 @@ impl Owner {
 
     fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
         let now = self.now();
+        self.withdraw_start(&request);
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
             let answer = self.keeper.handle_request(now, client, job);
             self.send();
@@ -340,16 +358,56 @@ impl Owner {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
-            Request::StartJob { job } => match self.startable(job) {
-                Ok(model) => jobs.plan(job, model, client, self.own.clone(), reply),
-                Err(refusal) => drop(reply.send(Err(refusal))),
-            },
+            Request::StartJob { job } => {
+                let until = self.now() + HOLD_START;
+                self.start_job(HeldStart {
+                    client,
+                    job,
+                    until,
+                    reply,
+                });
+            }
             Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
                 jobs.cancel(job, self.keeper.client_name(client), reply);
             }
             request => return Some((request, reply)),
         }
         None
+    }
+
+    /// Starts a job, or holds that while the job comes to rest.
+    fn start_job(&mut self, start: HeldStart) {
+        match self.startable(start.job) {
+            Err(Refusal::StillMoving { .. })
+                if self.now() < start.until && self.held_start.is_none() =>
+            {
+                self.held_start = Some(start);
+            }
+            Err(refusal) => drop(start.reply.send(Err(refusal))),
+            Ok(model) => {
+                let (job, client, own) = (start.job, start.client, self.own.clone());
+                self.jobs.clone().plan(job, model, client, own, start.reply);
+            }
+        }
+    }
+
+    fn try_held_start(&mut self) {
+        // Whoever asked may have left.
+        if let Some(start) = self.held_start.take().filter(|it| !it.reply.is_closed()) {
+            self.start_job(start);
+        }
+    }
+
+    /// Whoever pauses, cancels or stops does not want it to go on behind that.
+    fn withdraw_start(&mut self, request: &Request) {
+        let rests = matches!(
+            request,
+            Request::PauseJob | Request::CancelJob { .. } | Request::Stop { .. }
+        );
+        if let Some(start) = self.held_start.take_if(|_| rests) {
+            let why = "it was told to rest before it had come to rest".to_owned();
+            drop(start.reply.send(Err(Refusal::CannotResume(why))));
+        }
     }
 
     fn startable(&self, job: u64) -> Result<Model, Refusal> {
@@ -496,3 +554,6 @@ fn now_ms() -> i64 {
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
 /// So long the arm may take to come to rest when the station ends.
 const PATIENCE: Duration = Duration::from_secs(3);
+/// So long a job that is started may come to rest before: longer than it takes to see how far the
+/// job of a killed station got.
+const HOLD_START: Duration = Duration::from_secs(30);

@@ -257,6 +257,7 @@ impl Rehearsal {
     ///
     /// [`Refusal`].
     pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        self.keeper.check_rests(job)?;
         let model = self.keeper.planning_model()?;
         let begun = jobs::startable(&self.journal, &self.policy, job, model)?;
         let now = self.keeper_now();

@@ -22,7 +22,7 @@ use self::stream::{Bytes, open, soon};
 use crate::{ClientId, Notice, Problem, Reply, Request, Role, State};
 
 pub use self::address::{StationAddress, StationAddressError, Trust, fingerprint};
-pub use self::fetch::fetch;
+pub use self::fetch::{fetch, is_station};
 pub use self::stream::ConnectError;
 pub use self::trust::TrustError;
 

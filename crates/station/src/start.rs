@@ -3,10 +3,12 @@
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 use dobot_client::Address;
 use dobot_journal::{Journal, JournalError};
 use dobot_safety::{Policy, PolicyError};
+use dobot_sim::Speed;
 use tokio::task::JoinHandle;
 
 #[cfg(unix)]
@@ -288,7 +290,20 @@ fn tell(handle: &Handle, news: &ProgramNews) {
 fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
     let own = source.is_virtual().then(|| config.personality.dialect());
     let dialect = config.dialect.or(own);
-    Keeper::new(policy.clone(), dialect)
+    let mut policy = policy.clone();
+    if source.is_virtual() {
+        in_time_of_arm(&mut policy, config.speed);
+    }
+    Keeper::new(policy, dialect)
+}
+
+/// A hand on a button is as fast as ever, however fast the arm lives.
+fn in_time_of_arm(policy: &mut Policy, speed: Speed) {
+    for patience_s in [&mut policy.jog.dead_man_s, &mut policy.jog.raw_dead_man_s] {
+        *patience_s = speed
+            .of_clock(Duration::from_secs_f64(*patience_s))
+            .as_secs_f64();
+    }
 }
 
 fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {

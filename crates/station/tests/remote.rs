@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use dobot_station::{
     ConnectError, Heard, Remote, RemoteError, Reply, Request, StationAddress, StationClient, Trust,
-    fetch,
+    fetch, is_station,
 };
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
@@ -231,6 +231,9 @@ async fn what_is_no_station_is_told() {
             matches!(error, ConnectError::NoStation { .. }),
             "{text}: {error:?}"
         );
+        let (listener, address) = listen().await;
+        let (found, _) = tokio::join!(is_station(&address), answer(listener, text.into()));
+        assert!(!found, "{text}");
     }
 }
 

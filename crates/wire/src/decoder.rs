@@ -82,8 +82,8 @@ impl<D: Direction> Decoder<D> {
 
     /// Takes bytes, of any number, and gives the packets that they complete.
     ///
-    /// The iterator must be run to its end: bytes that it has not reached when it is dropped are
-    /// lost.
+    /// All bytes are taken, also where the iterator is dropped before its end: the packets that it has not
+    /// given are gone then.
     pub fn feed<'d, 'b>(&'d mut self, bytes: &'b [u8]) -> Packets<'d, 'b, D> {
         Packets {
             decoder: self,
@@ -202,7 +202,7 @@ impl<D: Direction> Decoder<D> {
 /// The packets that [`Decoder::feed`] finds.
 #[derive(Debug)]
 #[must_use = "bytes are taken as the iterator runs"]
-pub struct Packets<'d, 'b, D> {
+pub struct Packets<'d, 'b, D: Direction> {
     decoder: &'d mut Decoder<D>,
     rest: &'b [u8],
     /// Packets that the decoder has not counted yet: a count in memory would cost as much as the
@@ -221,8 +221,13 @@ impl<D: Direction> Iterator for Packets<'_, '_, D> {
     }
 }
 
-impl<D> Drop for Packets<'_, '_, D> {
+impl<D: Direction> Drop for Packets<'_, '_, D> {
     fn drop(&mut self) {
+        while self
+            .decoder
+            .next_window(&mut self.rest, &mut self.uncounted)
+            .is_some()
+        {}
         self.decoder.counts.frames += self.uncounted;
     }
 }

@@ -397,6 +397,20 @@ impl Bytes for Packet {
     }
 }
 
+#[test]
+fn a_reader_that_wants_only_the_first_packet_keeps_its_place_on_the_line() {
+    let frames = [1.0, 2.0, 3.0].map(|it| Frame::ZERO.with(1, 2.0).with(2, it));
+    let bytes: Vec<u8> = frames.iter().flat_map(Frame::to_bytes).collect();
+    let mut decoder = Decoder::commands();
+    let first = decoder.feed(&bytes[..100]).next();
+    assert_eq!(first, Some(frames[0].into()));
+    assert_eq!(decoder.feed(&bytes[100..]).next(), Some(frames[2].into()));
+    assert_eq!(
+        (decoder.counts().frames, decoder.counts().skipped_bytes),
+        (3, 0)
+    );
+}
+
 fn check_account<D: Direction>(
     mut decoder: Decoder<D>,
     bytes: &[u8],

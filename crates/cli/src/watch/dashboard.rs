@@ -29,8 +29,23 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// Takes what happened.
+    /// What happened at a station before it was watched.
+    pub(crate) fn handle_history(&mut self, notices: Vec<Notice>) {
+        self.notices.clear();
+        for notice in notices {
+            self.handle_notice(notice);
+        }
+    }
+
+    /// What happened; what is known already, by the history, is not told again.
     pub(crate) fn handle_notice(&mut self, notice: Notice) {
+        if self
+            .notices
+            .back()
+            .is_some_and(|it| it.number >= notice.number)
+        {
+            return;
+        }
         if self.notices.len() == MOST_NOTICES {
             self.notices.pop_front();
         }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_client::{Event, Session};
 use dobot_wire::Dialect;
 
-use crate::desk::{Desk, vector};
+use crate::desk::{Desk, status, vector};
 
 #[test]
 fn a_second_of_silence_is_a_lost_link() {
@@ -79,4 +79,39 @@ fn noise_between_statuses_is_told_and_costs_none() {
     desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);
     let events = desk.status_at(200.0, 0.0, 0.0);
     assert_eq!(events, [Event::Resynced { skipped: 5 }]);
+}
+
+#[test]
+fn statuses_that_come_late_in_a_heap_are_not_lost_and_those_that_never_come_are() {
+    let mut desk = Desk::new(None);
+    for _ in 0..10 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    let bytes = status(200.0, 0.0, 0.0).emit().to_bytes();
+    desk.now += Duration::from_millis(400);
+    for _ in 0..5 {
+        desk.session.handle_bytes(desk.now, &bytes);
+    }
+    assert_eq!(desk.session.link().lost, 0);
+    desk.now += Duration::from_millis(240);
+    desk.session.handle_bytes(desk.now, &bytes);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.session.link().lost, 2);
+}
+
+#[test]
+fn a_good_link_carries_12_5_statuses_a_second_and_a_silent_one_fewer_and_fewer() {
+    let mut desk = Desk::new(None);
+    for _ in 0..40 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    let rate = |desk: &Desk| desk.session.link().statuses_per_s;
+    assert!((rate(&desk) - 12.5).abs() < 1e-9, "{}", rate(&desk));
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(79));
+    assert!((rate(&desk) - 12.5).abs() < 1e-9, "{}", rate(&desk));
+    desk.session.handle_time(desk.now + Duration::from_secs(1));
+    assert!((rate(&desk) - 6.8).abs() < 0.8, "{}", rate(&desk));
+    desk.session.handle_time(desk.now + Duration::from_secs(3));
+    assert_eq!(rate(&desk), 0.0);
 }

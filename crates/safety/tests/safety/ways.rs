@@ -45,6 +45,17 @@ fn a_tool_stays_out_of_the_table_by_its_own_length() {
 }
 
 #[test]
+fn what_is_hardly_outside_is_told_with_as_many_decimals_as_show_that() {
+    let policy = "[table]\nz_mm = -103\n[tool_length]\nsuction_cup_mm = 60";
+    let desk = Desk::at(200.0, 0.0, 0.0).under(policy);
+    let told = desk.refuses("table", vector(0.0, 0.0, -43.004)).to_string();
+    assert!(
+        told.contains("z would be -43.004 mm; table allows -43 mm"),
+        "{told}"
+    );
+}
+
+#[test]
 fn the_cables_want_the_base_within_135_degrees() {
     let desk = Desk::with_joints(130.0, 20.0, 30.0);
     desk.allows(turn(MovJ, 135.0, 20.0, 30.0));

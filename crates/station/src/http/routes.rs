@@ -346,6 +346,7 @@ fn job_routes() -> Vec<Route> {
             .asks()
             .takes::<Height>(r#"{"offset_mm": 0.2}"#)
             .gives::<Reply>(200, "the job is drawn at this height")
-            .problems(ADJUSTS),
+            .problems(ADJUSTS)
+            .problems(&[POLICY]),
     ]
 }

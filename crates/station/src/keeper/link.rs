@@ -15,6 +15,8 @@ pub(super) struct Linked {
     pub(super) phase: LinkPhase,
     pub(super) address: Option<String>,
     pub(super) problem: Option<String>,
+    /// Why there is none any more, where there was one.
+    lost: Option<String>,
     /// The laser has been switched off since the link came up.
     pub(super) greeted: bool,
 }
@@ -26,6 +28,7 @@ impl Default for Linked {
             phase: LinkPhase::Searching,
             address: None,
             problem: None,
+            lost: None,
             greeted: false,
         }
     }
@@ -43,6 +46,7 @@ impl Keeper {
             phase: LinkPhase::Listening,
             address: Some(address.to_owned()),
             problem: None,
+            lost: None,
             greeted: false,
         };
         self.session.handle_open(self.now);
@@ -55,7 +59,16 @@ impl Keeper {
         self.handle_time(now);
         let lost = matches!(self.link.phase, LinkPhase::Up | LinkPhase::Listening);
         self.link.phase = phase;
-        self.link.problem = problem;
+        if lost {
+            self.link.lost = problem;
+            self.link.problem.clone_from(&self.link.lost);
+        } else {
+            // That it is not found again tells less than why it was lost.
+            self.link.problem = match (&self.link.lost, problem) {
+                (Some(lost), Some(since)) => Some(format!("{lost}; since then: {since}")),
+                (_, since) => since,
+            };
+        }
         self.changed = true;
         if lost {
             self.lose_link();
@@ -156,6 +169,7 @@ impl Keeper {
         self.link.problem = Some(format!(
             "{why}; is the arm switched on, and the cable in its place?"
         ));
+        self.link.lost.clone_from(&self.link.problem);
         self.lose_link();
     }
 

@@ -8,7 +8,7 @@ use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
 use dobot_course::{Model, Place, burns};
 use dobot_journal::HeightChange;
-use dobot_safety::Policy;
+use dobot_safety::{Policy, Violation};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 use self::height::Height;
@@ -130,6 +130,22 @@ impl JobPlan {
                 self.altered_until = index + 1;
             }
         }
+    }
+
+    /// Looks whether the arm may be as low as it gets from a command on.
+    ///
+    /// # Errors
+    ///
+    /// [`Violation`] with the rule that forbids it.
+    pub fn check_lowest(&self, policy: &Policy, from: usize) -> Result<(), Violation> {
+        let ends = self.steps[from.min(self.len())..].iter().enumerate();
+        let lowest = ends
+            .map(|(n, it)| (from + n, it.now()))
+            .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm));
+        lowest.map_or(Ok(()), |(index, status)| {
+            let tool = self.drawn_with(index).tool;
+            policy.check_place(&Place::of_status(&status), tool)
+        })
     }
 
     /// How far above the plan the arm is when all before a command is over, in millimetres.

@@ -76,7 +76,10 @@ impl Keeper {
         if self.is_told(client, refusal) {
             return;
         }
-        let text = format!("refused to {}: {refusal}", self.name(client));
+        let hint = refusal
+            .hint()
+            .map_or_else(String::new, |it| format!("; {it}"));
+        let text = format!("refused to {}: {refusal}{hint}", self.name(client));
         let kind = refusal.kind().to_owned();
         self.tell(News::Refused { client, kind }, text);
     }

@@ -5,7 +5,7 @@ use tokio::io::{AsyncReadExt, AsyncWriteExt};
 
 use super::stream::{open, soon};
 use super::{ConnectError, StationAddress};
-use crate::Problem;
+use crate::{Problem, State};
 
 /// Asks for a document of the API, such as `/api/v1/jobs`.
 ///
@@ -22,6 +22,12 @@ pub async fn fetch<T: DeserializeOwned>(
         return serde_json::from_slice(body).map_err(|it| ConnectError::no_station(address, it));
     }
     Err(refused(address, status, body))
+}
+
+/// Whether a station answers at an address, whatever it allows there.
+pub async fn is_station(address: &StationAddress) -> bool {
+    let answer = fetch::<State>(address, "/api/v1/state").await;
+    matches!(answer, Ok(_) | Err(ConnectError::Refused(_)))
 }
 
 /// What an answer that is no success means.

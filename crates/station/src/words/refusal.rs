@@ -193,14 +193,17 @@ impl Refusal {
                 "`dobot jobs` lists the jobs".into()
             }
             Self::Journal(_) => "make room on the disk, or check the folder's permissions".into(),
-            Self::NotAsking(_)
-            | Self::NotFound(_)
-            | Self::OutOfRange { .. }
-            | Self::NoVectors(_)
-            | Self::BadJob { .. }
-            | Self::CannotResume(_)
-            | Self::Malformed(_)
-            | Self::Ending => return None,
+            Self::NotFound(_) => {
+                "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold"
+                    .into()
+            }
+            Self::NoVectors(_) => "`dobot set percent` changes the speed of targets".into(),
+            Self::BadJob { .. } => "change that command, and submit the job again".into(),
+            Self::CannotResume(_) => "`dobot jobs` says how far it is; `dobot jobs cancel` ends it".into(),
+            Self::NotAsking(_) => "`dobot lease` shows who asks".into(),
+            Self::Ending => "`dobot up` starts it again".into(),
+            // Both say what is allowed.
+            Self::OutOfRange { .. } | Self::Malformed(_) => return None,
         })
     }
 }

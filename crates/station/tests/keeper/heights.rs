@@ -129,7 +129,7 @@ fn a_job_of_targets_keeps_its_speed_and_height() {
 }
 
 #[test]
-fn a_height_that_leaves_the_policy_pauses_the_job_and_can_be_taken_back() {
+fn a_height_below_the_table_is_refused_when_it_is_asked_for_and_the_job_goes_on() {
     let personality = Personality::Firmware11;
     let mut planned = pen_job(personality, &[(spiral(), None)]);
     for command in &mut planned.commands {
@@ -139,16 +139,29 @@ fn a_height_that_leaves_the_policy_pauses_the_job_and_can_be_taken_back() {
     }
     let (mut it, anna, job) = started(personality, &planned);
     run_to(&mut it, 30);
-    set(&mut it, anna, -4.0);
-    wait_until_paused(&mut it, job);
-    let reason = view(&it).reason.unwrap();
-    assert!(reason.contains("allows"), "{reason}");
-    let refused = it.start(anna, job).unwrap_err();
-    assert_eq!(refused.kind(), "bad-job");
+    let low = Request::SetJobHeight { offset_mm: -4.0 };
+    let refused = it.ask(anna, low.clone()).unwrap_err();
+    assert_eq!(refused.kind(), "policy", "{refused}");
+    assert!(refused.to_string().contains("table allows"), "{refused}");
+    assert_eq!(view(&it).height_mm, 0.0);
     set(&mut it, anna, -1.0);
+    run_to(&mut it, 50);
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    assert_eq!(it.ask(anna, low).unwrap_err().kind(), "policy");
     it.run_for(Duration::from_secs(1));
     it.start(anna, job).unwrap();
     finish(&mut it, job);
+    assert_eq!(
+        it.job(job)
+            .unwrap()
+            .adjustment
+            .heights
+            .last()
+            .unwrap()
+            .offset_mm,
+        -1.0
+    );
 }
 
 /// Draws with whatever a person does, and is killed in between.

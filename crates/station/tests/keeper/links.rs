@@ -202,3 +202,24 @@ fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_no
         }
     }
 }
+
+#[test]
+fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
+    let now = Duration::from_secs(1);
+    let mut keeper = Keeper::new(Policy::default(), None);
+    let anna = keeper.handle_client(now, "Anna", Role::Control);
+    keeper.handle_link_up(now, "tcp:127.0.0.1:5555");
+    let closed = Some("the other end closed the link".to_owned());
+    keeper.handle_link_down(now, LinkPhase::Lost, closed);
+    for _ in 0..2 {
+        let refused = Some("no arm was found; connection refused".to_owned());
+        keeper.handle_link_down(now, LinkPhase::Searching, refused);
+    }
+    let _ = keeper.handle_request(now, anna, Request::TakeLease);
+    let answer = keeper.handle_request(now, anna, Request::ConfirmPose);
+    let told = answer.unwrap().unwrap_err().to_string();
+    assert_eq!(
+        told,
+        "there is no link to an arm: the other end closed the link; since then: no arm was found; connection refused"
+    );
+}

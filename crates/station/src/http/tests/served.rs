@@ -6,7 +6,7 @@ use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
 use super::super::double::owner;
-use crate::{Folders, Role, Running, ServeError, Tokens, Web, serve};
+use crate::{Folders, Role, Running, ServeError, StationAddress, Tokens, Web, is_station, serve};
 
 const LOOPBACK: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 0);
@@ -43,8 +43,11 @@ async fn a_station_says_where_it_is_and_takes_that_back_at_its_end() {
     )
     .await;
     assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+    let address = StationAddress::new(&running.address).unwrap();
+    assert!(is_station(&address).await);
     served.end().await.unwrap();
     assert_eq!(Running::read(&folders.running()).unwrap(), None);
+    assert!(!is_station(&address).await);
 }
 
 #[tokio::test]

@@ -3,7 +3,7 @@
 use dobot_journal::{Adjustment, HeightChange};
 
 use super::{Effect, Phase, Run};
-use crate::keeper::Keeper;
+use crate::keeper::{JobPlan, Keeper};
 use crate::words::{ClientId, Refusal, Reply};
 
 impl Keeper {
@@ -37,7 +37,10 @@ impl Keeper {
         self.check_adjustable()?;
         self.take_back();
         if let Some(run) = &mut self.run {
-            run.change_height(offset_mm);
+            let (plan, change) = run.at_height(offset_mm);
+            plan.check_lowest(&self.policy, change.from)?;
+            run.begun.plan = plan;
+            run.note_height(change);
             run.change_pace();
             run.unkept = Some(run.begun.adjustment.clone());
         }
@@ -93,7 +96,8 @@ impl Run {
             .change(&self.begun.plan, self.next, speed_mm_s, percent);
     }
 
-    fn change_height(&mut self, offset_mm: f64) {
+    /// The job with all that is not sent yet at another height.
+    fn at_height(&self, offset_mm: f64) -> (JobPlan, HeightChange) {
         let from = self.next;
         let begin_mm = match self.phase {
             Phase::Paused { .. } => offset_mm,
@@ -104,9 +108,14 @@ impl Run {
             begin_mm,
             offset_mm,
         };
-        self.begun.plan.change_height(&change);
+        let mut plan = self.begun.plan.clone();
+        plan.change_height(&change);
+        (plan, change)
+    }
+
+    fn note_height(&mut self, change: HeightChange) {
         let heights = &mut self.begun.adjustment.heights;
-        heights.retain(|it| it.from < from);
+        heights.retain(|it| it.from < change.from);
         forget_older(heights, self.kept);
         heights.push(change);
     }

@@ -142,16 +142,22 @@ impl Keeper {
     }
 
     /// Whether a job may be started as far as its own last motion goes: one that was paused a
-    /// moment ago still does what the arm has got, and lifts the tool.
+    /// moment ago still does what the arm has got, and lifts the tool; one that a killed station left
+    /// shows how far it got where the arm comes to rest.
     ///
     /// # Errors
     ///
-    /// [`Refusal::StillMoving`].
+    /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] where nothing tells that the arm rests.
     pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
-        let ending = |run: &Run| {
-            run.job() == job && matches!(run.phase, Phase::Draining { .. } | Phase::Lifting { .. })
+        let resting = |run: &Run| {
+            run.job() == job
+                && matches!(
+                    run.phase,
+                    Phase::Draining { .. } | Phase::Lifting { .. } | Phase::Locating { .. }
+                )
         };
-        if self.run.as_ref().is_some_and(ending) {
+        if self.run.as_ref().is_some_and(resting) {
+            self.check_link()?;
             return Err(Refusal::StillMoving {
                 within_s: self.rests_within().as_secs_f64(),
             });
