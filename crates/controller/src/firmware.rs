@@ -17,6 +17,7 @@ mod receiver;
 mod settings;
 mod spoken;
 mod target;
+mod work;
 mod write;
 
 use core::time::Duration;
@@ -36,6 +37,7 @@ use self::receiver::{Found, Receiver, VOICE_HEADER};
 use self::settings::Settings;
 use self::spoken::{Spoken, UnderWay, Words};
 use self::target::Travel;
+use self::work::Work;
 use self::write::Write;
 use crate::log::Log;
 use crate::outputs::Hands;
@@ -139,6 +141,7 @@ impl Firmware {
         self.receive(at, log);
         self.send();
         self.snapshot = status(&self.body);
+        self.body.is_driven = false;
         if self.in_force.is_finished
             && let Some(frame) = self.fifo.pop()
         {
@@ -349,8 +352,8 @@ impl Firmware {
             JOINT_JOG => self
                 .jog
                 .tick(jog::Kind::Joint, frame, self.port, settings, body),
-            3 => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
-            4 => self.write.tick(frame, is_over, settings, body),
+            TARGET_POSE => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
+            WRITE => self.write.tick(frame, is_over, settings, body),
             VOICE => {
                 let under_way = UnderWay {
                     way: travel.going(),
@@ -359,24 +362,26 @@ impl Firmware {
                 };
                 self.spoken.tick(is_over, under_way, settings, line, body)
             }
-            6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
+            TARGET_JOINTS => {
+                travel.tick(target::Kind::Joints, frame, is_over, settings, line, body)
+            }
             LINEAR_JOG => self
                 .jog
                 .tick(jog::Kind::Linear, frame, self.port, settings, body),
             GESTURE => self
                 .follow
                 .tick(follow::Kind::Gesture, frame, is_over, settings, body),
-            9 => {
+            CONFIGURATION => {
                 settings.configure(frame, body);
                 in_force.state = IDLE;
                 Outcome::OVER
             }
-            10 => {
+            ADJUSTMENT => {
                 settings.adjust(frame);
                 in_force.state = IDLE;
                 Outcome::OVER
             }
-            15 => self
+            STATE_15 => self
                 .follow
                 .tick(follow::Kind::Joints, frame, is_over, settings, body),
             _ if is_over => Outcome::OVER,
@@ -392,28 +397,43 @@ impl Firmware {
         }
     }
 
-    /// How long this tick calculates (note N39): meanwhile nobody looks at the receive buffer.
+    /// Notes how long this tick calculates.
     fn compute(&mut self, at: Duration) {
+        self.computing = self.work().time();
+        self.receiver.set_busy_until(at + self.computing);
+        self.in_force.is_new = false;
+    }
+
+    /// What this tick had to calculate.
+    fn work(&self) -> Work {
         let InForce {
             state,
-            is_finished,
-            ref mut is_new,
+            is_new,
             ref frame,
             ..
         } = self.in_force;
-        let is_first = core::mem::replace(is_new, false);
-        let us = match state {
-            JOINT_JOG => 2400,
-            LINEAR_JOG => 3700,
-            _ if is_finished => 1000,
-            3 | 6 if is_first => 6500,
-            3 | 6 if short(frame.float(8)) == target::MOVL => 4400,
-            4 if is_first => 5100,
-            4 | VOICE => 4400,
-            _ => 2900,
-        };
-        self.computing = Duration::from_micros(us);
-        self.receiver.set_busy_until(at + self.computing);
+        let is_driven = self.body.is_driven;
+        match state {
+            TARGET_POSE | TARGET_JOINTS => {
+                let begins = is_new || self.travel.begins_phase();
+                match short(frame.float(8)) {
+                    target::JUMP if begins => Work::JumpPhase,
+                    target::MOVJ if begins => Work::PlanMovj,
+                    target::MOVL if is_driven => Work::Movl,
+                    _ if is_driven => Work::Movj,
+                    _ => Work::Idle,
+                }
+            }
+            MOUSE if is_new => Work::PlanMouse,
+            GESTURE | STATE_15 if is_new => Work::PlanGesture,
+            _ if !is_driven => Work::Idle,
+            JOINT_JOG => Work::JointJog,
+            LINEAR_JOG => Work::LinearJog,
+            WRITE if is_new => Work::PlanWrite,
+            WRITE => Work::Write,
+            VOICE => Work::Voice,
+            _ => Work::Follow,
+        }
     }
 }
 
@@ -434,9 +454,15 @@ const fn status(body: &Body) -> Status {
 
 const IDLE: i16 = 0;
 const MOUSE: i16 = 1;
-const VOICE: i16 = 5;
-const GESTURE: i16 = 8;
 const JOINT_JOG: i16 = 2;
+const TARGET_POSE: i16 = 3;
+const WRITE: i16 = 4;
+const VOICE: i16 = 5;
+const TARGET_JOINTS: i16 = 6;
 const LINEAR_JOG: i16 = 7;
+const GESTURE: i16 = 8;
+const CONFIGURATION: i16 = 9;
+const ADJUSTMENT: i16 = 10;
+const STATE_15: i16 = 15;
 /// From the end of a tick's calculation until its status leaves.
 const SENDING: Duration = Duration::from_micros(600);

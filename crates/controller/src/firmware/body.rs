@@ -7,6 +7,10 @@ use crate::outputs::{Hands, servo_value};
 
 /// The arm as the controller believes it to be. Pulses never feed back into it.
 #[derive(Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the stock controller's own"
+)]
 pub(crate) struct Body {
     pub(crate) joints: Joints,
     /// What follows from the joint angles, brought up to date at the end of each tick.
@@ -17,6 +21,8 @@ pub(crate) struct Body {
     pub(crate) hands: Hands,
     /// How far the joints went in this tick, in degrees: base, rear, fore.
     pub(crate) way_deg: [f32; 3],
+    /// Whether an increment was calculated in this tick, be it refused.
+    pub(crate) is_driven: bool,
     /// Whether nothing was said of that in this tick: the motors repeat their last pulses.
     pub(crate) repeats: bool,
     /// Whether the soft limits are off, after the first refusal and until the arm is inside again.
@@ -47,6 +53,7 @@ impl Body {
                 laser: false,
             },
             way_deg: [0.0; 3],
+            is_driven: false,
             repeats: false,
             forgiven: false,
             forgave: false,
@@ -58,6 +65,7 @@ impl Body {
     /// not at all where a limit forbids it (note N42). What is not a number passes every limit.
     #[must_use]
     pub(crate) fn advance(&mut self, speeds: [f32; 4]) -> bool {
+        self.is_driven = true;
         let [base, rear, fore, servo] = speeds.map(|speed| speed * PERIOD_S);
         let from = self.joints;
         let candidate = Joints {
