@@ -117,7 +117,10 @@ impl Controller {
     /// When [`Controller::handle_time`] wants to be called next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        self.next_event() + TICK * self.ticks_to_rest()
+        match self.ticks_to_rest() {
+            0 => self.next_event(),
+            ticks => self.next_event() + TICK * ticks,
+        }
     }
 
     /// Where the tool is told to be at a time between now and the next wakeup.

@@ -5,6 +5,7 @@
 //! reads it takes as it comes, so this works on floats, not on commands: a speed of zero is divided
 //! by, and what is not a number passes every limit.
 
+mod ahead;
 mod body;
 mod fifo;
 mod follow;
@@ -128,8 +129,9 @@ impl Firmware {
     /// Takes bytes that arrive now.
     pub(crate) fn handle_bytes(&mut self, now: Duration, bytes: &[u8], log: &mut Log) {
         self.receive(now, log);
-        for &byte in bytes {
-            self.receiver.push(byte);
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            rest = self.receiver.push(rest);
             if self.receiver.may_find() {
                 self.receive(now, log);
             }
@@ -235,7 +237,7 @@ impl Firmware {
 
     /// Looks at the receive buffer, unless a tick calculates.
     fn receive(&mut self, now: Duration, log: &mut Log) {
-        if self.receiver.is_busy(now) {
+        if self.receiver.is_empty() || self.receiver.is_busy(now) {
             return;
         }
         while let Some(found) = self.receiver.look() {
@@ -265,7 +267,7 @@ impl Firmware {
                 log.refuse(Refused::BadTail);
                 self.interrupt(header);
                 if self.port == Port::Bluetooth {
-                    self.printer.print(format_args!("Invalid header!\r\n"));
+                    self.printer.print(b"Invalid header!\r\n");
                 }
             }
             Found::TooLong => {
@@ -274,14 +276,13 @@ impl Firmware {
             }
         }
         if self.port == Port::Usb {
-            let Heard {
-                packets,
-                bad_tails,
-                too_long,
-                ..
-            } = self.heard;
-            self.printer
-                .print(format_args!("{packets},{bad_tails},{too_long}\r\n"));
+            let heard = &self.heard;
+            self.printer.print_number(heard.packets);
+            self.printer.print(b",");
+            self.printer.print_number(heard.bad_tails);
+            self.printer.print(b",");
+            self.printer.print_number(heard.too_long);
+            self.printer.print(b"\r\n");
         }
     }
 
