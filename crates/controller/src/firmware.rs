@@ -237,9 +237,12 @@ impl Firmware {
 
     /// Looks at the receive buffer, unless a tick calculates.
     fn receive(&mut self, now: Duration, log: &mut Log) {
-        if self.receiver.is_empty() || self.receiver.is_busy(now) {
-            return;
+        if !self.receiver.is_empty() && !self.receiver.is_busy(now) {
+            self.search(log);
         }
+    }
+
+    fn search(&mut self, log: &mut Log) {
         while let Some(found) = self.receiver.look() {
             self.take(&found, log);
         }

@@ -119,25 +119,30 @@ impl Receiver {
     }
 
     fn take_packet(&mut self, header: u8) -> Found {
-        let mut packet = [0; PACKET_LEN];
-        packet[0] = header;
-        packet[1..].copy_from_slice(&self.ring[..BODY_LEN]);
-        self.discard(BODY_LEN);
-        let [_, text @ .., tail] = packet;
-        match (header, tail) {
-            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text),
-            (HEADER, TAIL) => Found::Frame(Frame::from_bytes(&packet).expect("so delimited")),
+        let (text, tail) = (&self.ring[..BODY_LEN - 1], self.ring[BODY_LEN - 1]);
+        let found = match (header, tail) {
+            (HEADER, TAIL) => {
+                let mut packet = [HEADER; PACKET_LEN];
+                packet[1..].copy_from_slice(&self.ring[..BODY_LEN]);
+                Found::Frame(Frame::from_bytes(&packet).expect("so delimited"))
+            }
+            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text.try_into().expect("as many")),
             _ => {
                 self.skipped += PACKET_LEN as u64;
                 Found::BadTail { header }
             }
-        }
+        };
+        self.discard(BODY_LEN);
+        found
     }
 
     /// Removes the oldest bytes.
     fn discard(&mut self, count: usize) {
-        self.ring.copy_within(count.., 0);
-        self.ring.truncate(self.ring.len() - count);
+        let left = self.ring.len() - count;
+        if left > 0 {
+            self.ring.copy_within(count.., 0);
+        }
+        self.ring.truncate(left);
     }
 }
 
