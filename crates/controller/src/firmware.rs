@@ -61,7 +61,7 @@ pub(crate) struct Firmware {
     write: Write,
     follow: Follow,
     spoken: Spoken,
-    /// What the status tells: all but the pump as it was before the tick.
+    /// What the status tells: all but the pump as it was before the last tick that could send one.
     snapshot: Status,
     /// How long the tick calculated.
     computing: Duration,
@@ -139,10 +139,13 @@ impl Firmware {
         log.counters.skipped_bytes = self.receiver.skipped;
     }
 
-    pub(crate) fn tick(&mut self, at: Duration, log: &mut Log) {
+    /// A control tick, which may send a status or surely sends none.
+    pub(crate) fn tick(&mut self, at: Duration, may_tell: bool, log: &mut Log) {
         self.receive(at, log);
         self.send();
-        self.snapshot = status(&self.body);
+        if may_tell {
+            self.snapshot = status(&self.body);
+        }
         self.body.is_driven = false;
         if self.in_force.is_finished
             && let Some(frame) = self.fifo.pop()
@@ -310,7 +313,7 @@ impl Firmware {
     /// The exchange with the motors' clock: what was calculated in the tick before begins to move.
     const fn send(&mut self) {
         self.sent[0] = self.sent[1];
-        if !self.body.is_lost() {
+        if !self.is_lost {
             self.sent[1] = self.body.joints;
         }
     }

@@ -38,12 +38,15 @@ impl Printer {
     }
 
     pub(crate) fn print_number(&mut self, mut number: u32) {
-        let mut digits = [b'0'; 10];
-        let mut first = digits.len() - 1;
-        while number > 0 {
+        let mut digits = [0; 10];
+        let mut first = digits.len();
+        loop {
+            first -= 1;
             digits[first] = b"0123456789"[(number % 10) as usize];
             number /= 10;
-            first -= usize::from(number > 0);
+            if number == 0 {
+                break;
+            }
         }
         self.print(&digits[first..]);
     }

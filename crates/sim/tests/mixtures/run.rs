@@ -104,7 +104,7 @@ impl Runner {
                     self.push_row();
                 }
                 // Statuses are kept for a second.
-                Pace::Bytes | Pace::Chunks if self.next_tick % 50 == 0 => {
+                Pace::Bytes | Pace::Chunks if self.next_tick.is_multiple_of(50) => {
                     self.controller.handle_time(at);
                     self.note();
                 }
