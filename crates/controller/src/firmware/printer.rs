@@ -53,3 +53,32 @@ impl Printer {
 }
 
 const LEN: usize = 1 << u8::BITS;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(mut printer: Printer) -> heapless::Vec<u8, LEN> {
+        core::iter::from_fn(|| printer.poll()).collect()
+    }
+
+    #[test]
+    fn numbers_are_printed_in_full() {
+        let mut printer = Printer::default();
+        for number in [0, 907, u32::MAX] {
+            printer.print_number(number);
+            printer.print(b",");
+        }
+        assert_eq!(text(printer), b"0,907,4294967295,");
+    }
+
+    #[test]
+    fn what_nobody_fetches_is_displaced_the_oldest_first() {
+        let mut printer = Printer::default();
+        printer.print(&[b'a'; 200]);
+        printer.print(&[b'b'; 100]);
+        let text = text(printer);
+        assert_eq!(text[..156], [b'a'; 156]);
+        assert_eq!(text[156..], [b'b'; 100]);
+    }
+}

@@ -207,10 +207,13 @@ fn the_first_gesture_counts_half() {
     assert!((18.0..=20.01).contains(&y_mm), "{y_mm}");
 }
 
-/// How many of so many packets are lost because the next one followed before anybody looked, with a
-/// gap behind each. The text on the other port counts them.
-fn lost(mut twin: Twin, packet: &[f32], count: usize, gap_us: u64) -> u32 {
-    for _ in 0..count {
+/// How many packets are lost because the next one followed before anybody looked, with a gap behind
+/// each. The text on the other port counts them.
+fn lost_of_200(case: &Meanwhile, gap_us: u64) -> u32 {
+    let idle = Twin::power_up(Port::Usb);
+    let mut twin = case.begin.iter().fold(idle, |twin, it| twin.send(it));
+    let packet = &case.packet;
+    for _ in 0..200 {
         twin = twin.send_packet(frame(packet));
         twin.now += Duration::from_micros(gap_us);
         twin.printed();
@@ -221,51 +224,65 @@ fn lost(mut twin: Twin, packet: &[f32], count: usize, gap_us: u64) -> u32 {
     lost.parse().expect("a number")
 }
 
-/// Under way in each kind of command for longer than 200 packets take, and what is sent meanwhile.
-fn under_way() -> [(&'static str, Twin, Vec<f32>); 9] {
-    const SETTING: [f32; 3] = [9.0, 2.0, 100.0];
-    let idle = || Twin::power_up(Port::Usb);
-    // 60 mm at 1 mm/s, or as many degrees at 2 degrees/s.
-    let slow = || idle().send(&[10.0, 0.0, 1.0, 50.0, 50.0]);
-    let target = |mode| [3.0, 0.0, 230.0, 130.0, -17.0, 0.0, 0.0, mode];
-    let vector = [4.0, 0.0, 0.0, 60.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-    // Each jog replaces the one before, to and fro; each mouse and each hand waits for its turn.
+/// Packets while a command is executed.
+struct Meanwhile {
+    name: &'static str,
+    /// What begins it, for longer than 200 packets take.
+    begin: Vec<Vec<f32>>,
+    packet: Vec<f32>,
+}
+
+fn each_kind() -> [Meanwhile; 9] {
+    let setting = || vec![9.0, 2.0, 100.0];
+    // 130 mm at 1 mm/s, or as many degrees at 2 degrees/s.
+    let slow = |mode| {
+        let ratios = vec![10.0, 0.0, 1.0, 50.0, 50.0];
+        let target = vec![3.0, 0.0, 230.0, 130.0, -17.0, 0.0, 0.0, mode];
+        vec![ratios, target]
+    };
+    let vector = vec![4.0, 0.0, 0.0, 60.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    // Each jog replaces the one before; each mouse and each hand waits for its turn.
     let jog = |state| vec![state, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
     [
-        ("idle", idle(), SETTING.to_vec()),
-        ("joint jog", idle(), jog(2.0)),
-        ("linear jog", idle(), jog(7.0)),
-        ("MOVJ", slow().send(&target(1.0)), SETTING.to_vec()),
-        ("MOVL", slow().send(&target(2.0)), SETTING.to_vec()),
-        ("JUMP", slow().send(&target(0.0)), SETTING.to_vec()),
-        ("writing", idle().send(&vector), SETTING.to_vec()),
-        ("mouse", idle(), vec![1.0, 0.0, 1.0]),
-        ("gesture", idle(), vec![8.0, 0.0, 60.0, 20.0, 200.0]),
+        ("idle", vec![], setting()),
+        ("joint jog", vec![], jog(2.0)),
+        ("linear jog", vec![], jog(7.0)),
+        ("MOVJ", slow(1.0), setting()),
+        ("MOVL", slow(2.0), setting()),
+        ("JUMP", slow(0.0), setting()),
+        ("writing", vec![vector], setting()),
+        ("mouse", vec![], vec![1.0, 0.0, 1.0]),
+        ("gesture", vec![], vec![8.0, 0.0, 60.0, 20.0, 200.0]),
     ]
+    .map(|(name, begin, packet)| Meanwhile {
+        name,
+        begin,
+        packet,
+    })
 }
 
 /// Of two hundred packets the real one lost none, 8 % and 15 %.
 #[test]
 fn packets_without_a_gap_are_lost_by_what_a_tick_calculates() {
-    for (name, twin, packet) in under_way() {
-        let lost = lost(twin, &packet, 200, 0);
-        let expected = match name {
+    for case in each_kind() {
+        let lost = lost_of_200(&case, 0);
+        let expected = match case.name {
             "idle" => 0..=0,
             "MOVJ" => 10..=22,
             "MOVL" | "linear jog" | "writing" => 24..=36,
             // Nobody counted; the longest tick is no longer than 7 ms.
             _ => 0..=60,
         };
-        assert!(expected.contains(&lost), "{name}: {lost} of 200");
+        assert!(expected.contains(&lost), "{}: {lost} of 200", case.name);
     }
 }
 
 #[test]
 fn packets_with_a_gap_of_8_ms_are_never_lost() {
     for gap_us in [8000, 8320, 9700, 13_000] {
-        for (name, twin, packet) in under_way() {
-            let lost = lost(twin, &packet, 200, gap_us);
-            assert_eq!(lost, 0, "{name}, {gap_us} us");
+        for case in each_kind() {
+            let lost = lost_of_200(&case, gap_us);
+            assert_eq!(lost, 0, "{}, {gap_us} us", case.name);
         }
     }
 }
