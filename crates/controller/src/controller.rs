@@ -83,7 +83,8 @@ impl Controller {
     pub fn handle_time(&mut self, now: Duration) {
         while self.next_event() <= now {
             self.rest_until(now);
-            let at = self.poll_wakeup();
+            // No tick is left that could be passed over.
+            let at = self.next_event();
             if at > now {
                 return;
             }
@@ -117,7 +118,10 @@ impl Controller {
     /// When [`Controller::handle_time`] wants to be called next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        self.next_event() + TICK * self.ticks_to_rest()
+        match self.ticks_to_rest() {
+            0 => self.next_event(),
+            ticks => self.next_event() + TICK * ticks,
+        }
     }
 
     /// Where the tool is told to be at a time between now and the next wakeup.
@@ -202,6 +206,9 @@ impl Controller {
 
     /// Passes over such ticks, as many as are due.
     fn rest_until(&mut self, now: Duration) {
+        if self.ticks_at_rest < SETTLES_AFTER {
+            return;
+        }
         for _ in 0..self.ticks_to_rest() {
             let at = self.next_tick;
             if at > now {
@@ -220,15 +227,16 @@ impl Controller {
         self.tick += 1;
         self.next_tick += TICK;
         self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
-        let (waiting, way_deg, repeats, is_at_rest) = match &mut self.program {
+        let may_tell = self.schedule.silent_ticks() == 0;
+        let (waiting, way_deg, repeats) = match &mut self.program {
             Program::Specification(it) => {
                 it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg(), false, it.is_at_rest())
+                (it.waiting(), it.take_way_deg(), false)
             }
             Program::Firmware(it) => {
-                it.tick(at, &mut self.log);
+                it.tick(at, may_tell, &mut self.log);
                 let repeats = it.take_repeats();
-                (it.waiting(), it.take_way_deg(), repeats, it.is_at_rest())
+                (it.waiting(), it.take_way_deg(), repeats)
             }
         };
         if repeats {
@@ -236,7 +244,7 @@ impl Controller {
             self.steppers.repeat();
         } else if way_deg == [0.0; 3] {
             let ticks = self.ticks_at_rest.saturating_add(1);
-            self.ticks_at_rest = if is_at_rest { ticks } else { 0 };
+            self.ticks_at_rest = if self.program.is_at_rest() { ticks } else { 0 };
         } else {
             self.ticks_at_rest = 0;
             self.steppers.turn(way_deg);
@@ -261,6 +269,13 @@ impl Program {
         match self {
             Self::Specification(it) => it.hands(),
             Self::Firmware(it) => it.hands(),
+        }
+    }
+
+    fn is_at_rest(&self) -> bool {
+        match self {
+            Self::Specification(it) => it.is_at_rest(),
+            Self::Firmware(it) => it.is_at_rest(),
         }
     }
 

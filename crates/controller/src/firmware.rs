@@ -5,6 +5,7 @@
 //! reads it takes as it comes, so this works on floats, not on commands: a speed of zero is divided
 //! by, and what is not a number passes every limit.
 
+mod ahead;
 mod body;
 mod fifo;
 mod follow;
@@ -17,6 +18,7 @@ mod receiver;
 mod settings;
 mod spoken;
 mod target;
+mod work;
 mod write;
 
 use core::time::Duration;
@@ -36,6 +38,7 @@ use self::receiver::{Found, Receiver, VOICE_HEADER};
 use self::settings::Settings;
 use self::spoken::{Spoken, UnderWay, Words};
 use self::target::Travel;
+use self::work::Work;
 use self::write::Write;
 use crate::log::Log;
 use crate::outputs::Hands;
@@ -58,7 +61,7 @@ pub(crate) struct Firmware {
     write: Write,
     follow: Follow,
     spoken: Spoken,
-    /// What the status tells: all but the pump as it was before the tick.
+    /// What the status tells: all but the pump as it was before the last tick that could send one.
     snapshot: Status,
     /// How long the tick calculated.
     computing: Duration,
@@ -126,8 +129,9 @@ impl Firmware {
     /// Takes bytes that arrive now.
     pub(crate) fn handle_bytes(&mut self, now: Duration, bytes: &[u8], log: &mut Log) {
         self.receive(now, log);
-        for &byte in bytes {
-            self.receiver.push(byte);
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            rest = self.receiver.push(rest);
             if self.receiver.may_find() {
                 self.receive(now, log);
             }
@@ -135,10 +139,14 @@ impl Firmware {
         log.counters.skipped_bytes = self.receiver.skipped;
     }
 
-    pub(crate) fn tick(&mut self, at: Duration, log: &mut Log) {
+    /// A control tick, which may send a status or surely sends none.
+    pub(crate) fn tick(&mut self, at: Duration, may_tell: bool, log: &mut Log) {
         self.receive(at, log);
         self.send();
-        self.snapshot = status(&self.body);
+        if may_tell {
+            self.snapshot = status(&self.body);
+        }
+        self.body.is_driven = false;
         if self.in_force.is_finished
             && let Some(frame) = self.fifo.pop()
         {
@@ -232,9 +240,12 @@ impl Firmware {
 
     /// Looks at the receive buffer, unless a tick calculates.
     fn receive(&mut self, now: Duration, log: &mut Log) {
-        if self.receiver.is_busy(now) {
-            return;
+        if !self.receiver.is_empty() && !self.receiver.is_busy(now) {
+            self.search(log);
         }
+    }
+
+    fn search(&mut self, log: &mut Log) {
         while let Some(found) = self.receiver.look() {
             self.take(&found, log);
         }
@@ -262,7 +273,7 @@ impl Firmware {
                 log.refuse(Refused::BadTail);
                 self.interrupt(header);
                 if self.port == Port::Bluetooth {
-                    self.printer.print(format_args!("Invalid header!\r\n"));
+                    self.printer.print(b"Invalid header!\r\n");
                 }
             }
             Found::TooLong => {
@@ -271,14 +282,13 @@ impl Firmware {
             }
         }
         if self.port == Port::Usb {
-            let Heard {
-                packets,
-                bad_tails,
-                too_long,
-                ..
-            } = self.heard;
-            self.printer
-                .print(format_args!("{packets},{bad_tails},{too_long}\r\n"));
+            let heard = &self.heard;
+            self.printer.print_number(heard.packets);
+            self.printer.print(b",");
+            self.printer.print_number(heard.bad_tails);
+            self.printer.print(b",");
+            self.printer.print_number(heard.too_long);
+            self.printer.print(b"\r\n");
         }
     }
 
@@ -303,7 +313,7 @@ impl Firmware {
     /// The exchange with the motors' clock: what was calculated in the tick before begins to move.
     const fn send(&mut self) {
         self.sent[0] = self.sent[1];
-        if !self.body.is_lost() {
+        if !self.is_lost {
             self.sent[1] = self.body.joints;
         }
     }
@@ -349,8 +359,8 @@ impl Firmware {
             JOINT_JOG => self
                 .jog
                 .tick(jog::Kind::Joint, frame, self.port, settings, body),
-            3 => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
-            4 => self.write.tick(frame, is_over, settings, body),
+            TARGET_POSE => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
+            WRITE => self.write.tick(frame, is_over, settings, body),
             VOICE => {
                 let under_way = UnderWay {
                     way: travel.going(),
@@ -359,24 +369,26 @@ impl Firmware {
                 };
                 self.spoken.tick(is_over, under_way, settings, line, body)
             }
-            6 => travel.tick(target::Kind::Joints, frame, is_over, settings, line, body),
+            TARGET_JOINTS => {
+                travel.tick(target::Kind::Joints, frame, is_over, settings, line, body)
+            }
             LINEAR_JOG => self
                 .jog
                 .tick(jog::Kind::Linear, frame, self.port, settings, body),
             GESTURE => self
                 .follow
                 .tick(follow::Kind::Gesture, frame, is_over, settings, body),
-            9 => {
+            CONFIGURATION => {
                 settings.configure(frame, body);
                 in_force.state = IDLE;
                 Outcome::OVER
             }
-            10 => {
+            ADJUSTMENT => {
                 settings.adjust(frame);
                 in_force.state = IDLE;
                 Outcome::OVER
             }
-            15 => self
+            STATE_15 => self
                 .follow
                 .tick(follow::Kind::Joints, frame, is_over, settings, body),
             _ if is_over => Outcome::OVER,
@@ -392,28 +404,43 @@ impl Firmware {
         }
     }
 
-    /// How long this tick calculates (note N39): meanwhile nobody looks at the receive buffer.
+    /// Notes how long this tick calculates.
     fn compute(&mut self, at: Duration) {
+        self.computing = self.work().time();
+        self.receiver.set_busy_until(at + self.computing);
+        self.in_force.is_new = false;
+    }
+
+    /// What this tick had to calculate.
+    fn work(&self) -> Work {
         let InForce {
             state,
-            is_finished,
-            ref mut is_new,
+            is_new,
             ref frame,
             ..
         } = self.in_force;
-        let is_first = core::mem::replace(is_new, false);
-        let us = match state {
-            JOINT_JOG => 2400,
-            LINEAR_JOG => 3700,
-            _ if is_finished => 1000,
-            3 | 6 if is_first => 6500,
-            3 | 6 if short(frame.float(8)) == target::MOVL => 4400,
-            4 if is_first => 5100,
-            4 | VOICE => 4400,
-            _ => 2900,
-        };
-        self.computing = Duration::from_micros(us);
-        self.receiver.set_busy_until(at + self.computing);
+        let is_driven = self.body.is_driven;
+        match state {
+            TARGET_POSE | TARGET_JOINTS => {
+                let begins = is_new || self.travel.begins_phase();
+                match short(frame.float(8)) {
+                    target::JUMP if begins => Work::JumpPhase,
+                    target::MOVJ if begins => Work::PlanMovj,
+                    target::MOVL if is_driven => Work::Movl,
+                    _ if is_driven => Work::Movj,
+                    _ => Work::Idle,
+                }
+            }
+            MOUSE if is_new => Work::PlanMouse,
+            GESTURE | STATE_15 if is_new => Work::PlanGesture,
+            _ if !is_driven => Work::Idle,
+            JOINT_JOG => Work::JointJog,
+            LINEAR_JOG => Work::LinearJog,
+            WRITE if is_new => Work::PlanWrite,
+            WRITE => Work::Write,
+            VOICE => Work::Voice,
+            _ => Work::Follow,
+        }
     }
 }
 
@@ -434,9 +461,15 @@ const fn status(body: &Body) -> Status {
 
 const IDLE: i16 = 0;
 const MOUSE: i16 = 1;
-const VOICE: i16 = 5;
-const GESTURE: i16 = 8;
 const JOINT_JOG: i16 = 2;
+const TARGET_POSE: i16 = 3;
+const WRITE: i16 = 4;
+const VOICE: i16 = 5;
+const TARGET_JOINTS: i16 = 6;
 const LINEAR_JOG: i16 = 7;
+const GESTURE: i16 = 8;
+const CONFIGURATION: i16 = 9;
+const ADJUSTMENT: i16 = 10;
+const STATE_15: i16 = 15;
 /// From the end of a tick's calculation until its status leaves.
 const SENDING: Duration = Duration::from_micros(600);

@@ -3,13 +3,18 @@
 use dobot_arm::Tool;
 use dobot_arm::stock::{Joints, Pose, forward, inverse, reach, sensed};
 
+use super::ahead::Ahead;
 use crate::outputs::{Hands, servo_value};
 
 /// The arm as the controller believes it to be. Pulses never feed back into it.
 #[derive(Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the stock controller's own"
+)]
 pub(crate) struct Body {
     pub(crate) joints: Joints,
-    /// What follows from the joint angles, brought up to date at the end of each tick.
+    /// What follows from the joint angles, up to date at the end of each tick.
     pub(crate) pose: Pose,
     pub(crate) gripper_deg: f32,
     /// From the wrist to the tool.
@@ -17,14 +22,17 @@ pub(crate) struct Body {
     pub(crate) hands: Hands,
     /// How far the joints went in this tick, in degrees: base, rear, fore.
     pub(crate) way_deg: [f32; 3],
+    /// Whether an increment was calculated in this tick, be it refused.
+    pub(crate) is_driven: bool,
     /// Whether nothing was said of that in this tick: the motors repeat their last pulses.
     pub(crate) repeats: bool,
     /// Whether the soft limits are off, after the first refusal and until the arm is inside again.
     forgiven: bool,
     /// Whether there was a first refusal.
     forgave: bool,
-    /// The pose that follows from the angles, where it is known already.
-    settled: Option<Pose>,
+    /// Whether the pose follows from the angles as they are.
+    is_settled: bool,
+    ahead: Ahead,
 }
 
 impl Body {
@@ -47,10 +55,12 @@ impl Body {
                 laser: false,
             },
             way_deg: [0.0; 3],
+            is_driven: false,
             repeats: false,
             forgiven: false,
             forgave: false,
-            settled: None,
+            is_settled: false,
+            ahead: Ahead::default(),
         }
     }
 
@@ -58,6 +68,7 @@ impl Body {
     /// not at all where a limit forbids it (note N42). What is not a number passes every limit.
     #[must_use]
     pub(crate) fn advance(&mut self, speeds: [f32; 4]) -> bool {
+        self.is_driven = true;
         let [base, rear, fore, servo] = speeds.map(|speed| speed * PERIOD_S);
         let from = self.joints;
         let candidate = Joints {
@@ -75,7 +86,8 @@ impl Body {
         }
         self.forgiven &= is_outside;
         self.joints = candidate;
-        self.settled = Some(pose);
+        self.pose = pose;
+        self.is_settled = true;
         self.way_deg = [base, rear, fore];
         true
     }
@@ -83,7 +95,21 @@ impl Body {
     /// Moves all joints to where the inverse kinematics say, within a tick.
     #[must_use]
     pub(crate) fn advance_to(&mut self, pose: Pose) -> bool {
-        let to = inverse(pose, self.tool_mm);
+        self.turn_to(inverse(pose, self.tool_mm))
+    }
+
+    /// Moves to a place with the tool direction as it is; to the next one the next tick will probably
+    /// lead.
+    #[must_use]
+    pub(crate) fn advance_along(&mut self, place: [f32; 3], next: Option<[f32; 3]>) -> bool {
+        let to = self.ahead.solve(place, next, self.tool_mm);
+        self.turn_to(Joints {
+            servo_deg: self.pose.rotation_deg - to.base_deg,
+            ..to
+        })
+    }
+
+    fn turn_to(&mut self, to: Joints) -> bool {
         let from = self.joints;
         self.advance([
             (to.base_deg - from.base_deg) / PERIOD_S,
@@ -95,14 +121,16 @@ impl Body {
 
     /// Brings the pose up to date.
     pub(crate) fn settle(&mut self) {
-        let (joints, tool_mm) = (self.joints, self.tool_mm);
-        self.pose = *self.settled.get_or_insert_with(|| forward(joints, tool_mm));
+        if !self.is_settled {
+            self.pose = forward(self.joints, self.tool_mm);
+            self.is_settled = true;
+        }
     }
 
     /// Turns the servo at once, without a look at its limits.
     pub(crate) const fn set_servo(&mut self, servo_deg: f32) {
         self.joints.servo_deg = servo_deg;
-        self.settled = None;
+        self.is_settled = false;
     }
 
     /// Believes other angles from now on.
@@ -113,13 +141,13 @@ impl Body {
             fore_deg,
             servo_deg: self.joints.servo_deg,
         };
-        self.settled = None;
+        self.is_settled = false;
     }
 
     /// Believes in another tool from now on.
     pub(crate) const fn set_tool(&mut self, tool_mm: f32) {
         self.tool_mm = tool_mm;
-        self.settled = None;
+        self.is_settled = false;
     }
 
     pub(crate) fn tool(&self) -> Tool {

@@ -47,6 +47,11 @@ impl JointWay {
         }
     }
 
+    /// Whether its first tick is the one that was gone last.
+    pub(crate) const fn is_begun(&self) -> bool {
+        self.ticks == 1
+    }
+
     /// One tick further; the tick after the last one notices the end.
     pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
         if self.axes.iter().all(|axis| axis.is_done) {

@@ -19,6 +19,14 @@ pub(crate) struct Line {
     ramp_s: f32,
     cruise_s: f32,
     pub(crate) total_s: f32,
+    stride: Stride,
+    /// What the next tick will make of it, calculated a tick ahead.
+    next: Option<Stride>,
+}
+
+/// How far a line has been gone.
+#[derive(Clone, Copy, Debug, Default)]
+struct Stride {
     ticks: i16,
     travelled: f32,
     is_done: bool,
@@ -51,33 +59,55 @@ impl Line {
             ramp_s,
             cruise_s,
             total_s: 2.0 * ramp_s + cruise_s,
-            ticks: 0,
-            travelled: self.travelled,
-            is_done: false,
+            stride: Stride {
+                travelled: self.stride.travelled,
+                ..Stride::default()
+            },
+            next: None,
         };
     }
 
     /// One tick further, with the tool direction as it is; the tick after the last one notices the
     /// end.
     pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
-        if self.is_done {
+        if self.stride.is_done {
             self.forget_travelled();
             return Progress::Arrived;
         }
-        self.ticks = self.ticks.wrapping_add(1);
-        let t_s = f32::from(self.ticks) * PERIOD_S;
-        if t_s >= self.total_s {
-            self.is_done = true;
-            self.travelled = self.length;
-        } else {
-            self.travelled += self.speed(t_s) * PERIOD_S;
-        }
-        let way = self.direction.map(|part| part * self.travelled);
-        Progress::of(body.advance_to(moved(self.start, way, body.pose.rotation_deg)))
+        self.stride = self.next.unwrap_or_else(|| self.step(self.stride));
+        self.next = (!self.stride.is_done).then(|| self.step(self.stride));
+        let next = self.next.map(|it| self.place(it));
+        Progress::of(body.advance_along(self.place(self.stride), next))
     }
 
     pub(crate) const fn forget_travelled(&mut self) {
-        self.travelled = 0.0;
+        self.stride.travelled = 0.0;
+        self.next = None;
+    }
+
+    fn step(
+        &self,
+        Stride {
+            ticks, travelled, ..
+        }: Stride,
+    ) -> Stride {
+        let ticks = ticks.wrapping_add(1);
+        let t_s = f32::from(ticks) * PERIOD_S;
+        let is_done = t_s >= self.total_s;
+        let travelled = if is_done {
+            self.length
+        } else {
+            travelled + self.speed(t_s) * PERIOD_S
+        };
+        Stride {
+            ticks,
+            travelled,
+            is_done,
+        }
+    }
+
+    fn place(&self, stride: Stride) -> [f32; 3] {
+        moved(self.start, self.direction.map(|it| it * stride.travelled))
     }
 
     fn speed(&self, t_s: f32) -> f32 {
@@ -91,12 +121,7 @@ impl Line {
     }
 }
 
-/// The pose that a way leads to.
-pub(crate) fn moved(start: [f32; 3], way: [f32; 3], rotation_deg: f32) -> Pose {
-    Pose {
-        x_mm: start[0] + way[0],
-        y_mm: start[1] + way[1],
-        z_mm: start[2] + way[2],
-        rotation_deg,
-    }
+/// The place that a way leads to.
+pub(crate) fn moved(start: [f32; 3], way: [f32; 3]) -> [f32; 3] {
+    [start[0] + way[0], start[1] + way[1], start[2] + way[2]]
 }

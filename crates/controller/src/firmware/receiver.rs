@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use dobot_wire::{Frame, HEADER, PACKET_LEN, TAIL};
-use heapless::Deque;
+use heapless::Vec;
 
 use crate::Port;
 
@@ -13,7 +13,8 @@ use crate::Port;
 #[derive(Debug)]
 pub(crate) struct Receiver {
     port: Port,
-    ring: Deque<u8, RING_LEN>,
+    /// The oldest byte first.
+    ring: Vec<u8, RING_LEN>,
     /// The header that was found, while the rest is waited for.
     header: Option<u8>,
     /// Until when a tick calculates.
@@ -42,7 +43,7 @@ impl Receiver {
     pub(crate) const fn new(port: Port) -> Self {
         Self {
             port,
-            ring: Deque::new(),
+            ring: Vec::new(),
             header: None,
             busy_until: Duration::ZERO,
             skipped: 0,
@@ -54,15 +55,27 @@ impl Receiver {
         self.busy_until = time;
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.ring.is_empty()
+    }
+
     pub(crate) fn is_busy(&self, now: Duration) -> bool {
         now < self.busy_until
     }
 
-    /// Takes a byte that arrives.
-    pub(crate) fn push(&mut self, byte: u8) {
-        if self.ring.push_back(byte).is_err() {
+    /// Takes bytes that arrive, up to the first one after which a look at the buffer could change
+    /// anything; returns the others.
+    pub(crate) fn push<'a>(&mut self, bytes: &'a [u8]) -> &'a [u8] {
+        let count = match self.header {
+            Some(_) => BODY_LEN.saturating_sub(self.ring.len()).max(1),
+            None => 1,
+        };
+        let (taken, rest) = bytes.split_at(count.min(bytes.len()));
+        if self.ring.extend_from_slice(taken).is_err() {
+            // Only where there is no place for a single one.
             self.skipped += 1;
         }
+        rest
     }
 
     /// Whether a look at the buffer could change anything.
@@ -96,30 +109,40 @@ impl Receiver {
 
     /// Discards bytes up to a header.
     fn hunt(&mut self) -> Option<u8> {
-        while let Some(byte) = self.ring.pop_front() {
-            if byte == HEADER || (byte == VOICE_HEADER && self.port == Port::Bluetooth) {
-                return Some(byte);
-            }
-            self.skipped += 1;
-        }
-        None
+        let is_header =
+            |&byte: &u8| byte == HEADER || (byte == VOICE_HEADER && self.port == Port::Bluetooth);
+        let found = self.ring.iter().position(is_header);
+        self.skipped += found.unwrap_or(self.ring.len()) as u64;
+        let header = found.map(|at| self.ring[at]);
+        self.discard(found.map_or(self.ring.len(), |at| at + 1));
+        header
     }
 
     fn take_packet(&mut self, header: u8) -> Found {
-        let mut packet = [0; PACKET_LEN];
-        packet[0] = header;
-        for byte in &mut packet[1..] {
-            *byte = self.ring.pop_front().expect("there are as many");
-        }
-        let [_, text @ .., tail] = packet;
-        match (header, tail) {
-            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text),
-            (HEADER, TAIL) => Found::Frame(Frame::from_bytes(&packet).expect("so delimited")),
+        let (text, tail) = (&self.ring[..BODY_LEN - 1], self.ring[BODY_LEN - 1]);
+        let found = match (header, tail) {
+            (HEADER, TAIL) => {
+                let mut packet = [HEADER; PACKET_LEN];
+                packet[1..].copy_from_slice(&self.ring[..BODY_LEN]);
+                Found::Frame(Frame::from_bytes(&packet).expect("so delimited"))
+            }
+            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text.try_into().expect("as many")),
             _ => {
                 self.skipped += PACKET_LEN as u64;
                 Found::BadTail { header }
             }
+        };
+        self.discard(BODY_LEN);
+        found
+    }
+
+    /// Removes the oldest bytes.
+    fn discard(&mut self, count: usize) {
+        let left = self.ring.len() - count;
+        if left > 0 {
+            self.ring.copy_within(count.., 0);
         }
+        self.ring.truncate(left);
     }
 }
 

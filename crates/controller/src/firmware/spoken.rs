@@ -130,9 +130,12 @@ impl Words {
 
     /// What is printed on the other port: the words and the sum.
     pub(crate) fn echo(&self, printer: &mut Printer) {
-        let Self { word, sum, .. } = self;
-        let [hundred, teen, ten, one] = self.numbers;
-        printer.print(format_args!("{word} {hundred}{teen}{ten}{one}{sum}"));
+        printer.print(self.word.as_bytes());
+        printer.print(b" ");
+        for number in self.numbers {
+            printer.print(number.as_bytes());
+        }
+        printer.print_number(self.sum.into());
     }
 }
 

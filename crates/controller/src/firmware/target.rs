@@ -82,6 +82,14 @@ impl Travel {
         }
     }
 
+    /// Whether a phase of a JUMP began in this tick.
+    pub(crate) fn begins_phase(&self) -> bool {
+        match (&self.way, &self.pause) {
+            (Some(Way::Jump(jump)), None) => jump.phase.as_ref().is_some_and(JointWay::is_begun),
+            _ => false,
+        }
+    }
+
     /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
     pub(crate) fn tick(
         &mut self,
@@ -300,6 +308,6 @@ fn act(frame: &Frame, body: &mut Body) {
     body.gripper_deg = gripper_deg;
 }
 
-const JUMP: i16 = 0;
-const MOVJ: i16 = 1;
+pub(crate) const JUMP: i16 = 0;
+pub(crate) const MOVJ: i16 = 1;
 pub(crate) const MOVL: i16 = 2;

@@ -4,10 +4,10 @@ use dobot_arm::stock::short;
 use dobot_motion::Cut;
 use dobot_wire::Frame;
 
+use super::Outcome;
 use super::body::{Body, PERIOD_S};
 use super::line::moved;
 use super::settings::Settings;
-use super::{Outcome, Progress};
 use crate::Hang;
 
 /// The vector that is being written, and the speed that the last one left.
@@ -23,6 +23,14 @@ pub(crate) struct Write {
     length: f32,
     acceleration: f32,
     speed_change: f32,
+    gait: Gait,
+    /// What the next tick will make of it, calculated a tick ahead.
+    next: Option<Gait>,
+}
+
+/// How far a vector has been gone, and how it goes on.
+#[derive(Clone, Copy, Debug, Default)]
+struct Gait {
     /// Ticks left that accelerate, go on as fast, and decelerate.
     counts: [i16; 3],
     speed: f32,
@@ -80,16 +88,17 @@ impl Write {
             }
         }
         self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
-        self.travelled = [0.0; 3];
+        self.gait.travelled = [0.0; 3];
+        self.next = None;
         let (end, max) = (f(9), f(10));
         if self.length <= NO_LENGTH_MM {
-            self.counts = [0; 3];
+            self.gait.counts = [0; 3];
             self.end_speed = if end > max { max } else { end };
             return;
         }
         let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
-        self.counts = cut.counts;
-        self.speed = cut.first_mm_s;
+        self.gait.counts = cut.counts;
+        self.gait.speed = cut.first_mm_s;
         self.speed_change = cut.change_mm_s;
         self.end_speed = cut.end_mm_s;
     }
@@ -97,26 +106,11 @@ impl Write {
     /// One tick further. With all ticks used up the vector is over in that same tick, and the next
     /// one moves in the next.
     fn go(&mut self, body: &mut Body) -> Outcome {
-        let [up, even, down] = &mut self.counts;
-        if *up > 0 {
-            *up -= 1;
-            self.step = self.speed * PERIOD_S;
-            self.speed += self.speed_change;
-        } else if *even > 0 {
-            *even -= 1;
-            self.step = self.speed * PERIOD_S;
-        } else if *down > 0 {
-            *down -= 1;
-            self.speed -= self.speed_change;
-            self.step = self.speed * PERIOD_S;
-        }
-        // A sum below zero never comes to zero: such a vector creeps on for ever.
-        let left = self.counts.into_iter().fold(0, i16::wrapping_add);
-        for (travelled, part) in self.travelled.iter_mut().zip(self.vector) {
-            *travelled += part * self.step / self.length;
-        }
-        let to = moved(self.start, self.travelled, body.pose.rotation_deg);
-        if Progress::of(body.advance_to(to)) == Progress::CutShort {
+        self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
+        let left = self.gait.ticks_left();
+        self.next = (left != 0).then(|| self.step(self.gait));
+        let place = |it: &Gait| moved(self.start, it.travelled);
+        if !body.advance_along(place(&self.gait), self.next.as_ref().map(place)) {
             return Outcome::over(false);
         }
         if left == 0 {
@@ -124,6 +118,34 @@ impl Write {
             return Outcome::OVER;
         }
         Outcome::hangs_if(left < 0, Hang::NeverArrives)
+    }
+
+    /// A tick further.
+    fn step(&self, mut gait: Gait) -> Gait {
+        let [up, even, down] = &mut gait.counts;
+        if *up > 0 {
+            *up -= 1;
+            gait.step = gait.speed * PERIOD_S;
+            gait.speed += self.speed_change;
+        } else if *even > 0 {
+            *even -= 1;
+            gait.step = gait.speed * PERIOD_S;
+        } else if *down > 0 {
+            *down -= 1;
+            gait.speed -= self.speed_change;
+            gait.step = gait.speed * PERIOD_S;
+        }
+        for (travelled, part) in gait.travelled.iter_mut().zip(self.vector) {
+            *travelled += part * gait.step / self.length;
+        }
+        gait
+    }
+}
+
+impl Gait {
+    /// A sum below zero never comes to zero: such a vector creeps on for ever.
+    fn ticks_left(&self) -> i16 {
+        self.counts.into_iter().fold(0, i16::wrapping_add)
     }
 }
 

@@ -207,23 +207,84 @@ fn the_first_gesture_counts_half() {
     assert!((18.0..=20.01).contains(&y_mm), "{y_mm}");
 }
 
-#[test]
-fn packets_without_a_gap_are_lost_while_lines_are_drawn_and_never_when_idle() {
-    let lost_of_200 = |mut twin: Twin| {
-        for _ in 0..200 {
-            twin = twin.send_packet(frame(&[9.0, 2.0, 100.0]));
-        }
-        let printed = twin.wait_ms(100).printed();
-        let counts = printed.lines().last().expect("it counts").to_owned();
-        counts.rsplit(',').next().expect("three of them").to_owned()
+/// How many packets are lost because the next one followed before anybody looked, with a gap behind
+/// each. The text on the other port counts them.
+fn lost_of_200(case: &Meanwhile, gap_us: u64) -> u32 {
+    let idle = Twin::power_up(Port::Usb);
+    let mut twin = case.begin.iter().fold(idle, |twin, it| twin.send(it));
+    let packet = &case.packet;
+    for _ in 0..200 {
+        twin = twin.send_packet(frame(packet));
+        twin.now += Duration::from_micros(gap_us);
+        twin.printed();
+    }
+    let printed = twin.send(packet).wait_ms(100).printed();
+    let counts = printed.lines().last().expect("it counts").to_owned();
+    let lost = counts.rsplit(',').next().expect("three of them");
+    lost.parse().expect("a number")
+}
+
+/// Packets while a command is executed.
+struct Meanwhile {
+    name: &'static str,
+    /// What begins it, for longer than 200 packets take.
+    begin: Vec<Vec<f32>>,
+    packet: Vec<f32>,
+}
+
+fn each_kind() -> [Meanwhile; 9] {
+    let setting = || vec![9.0, 2.0, 100.0];
+    // 130 mm at 1 mm/s, or as many degrees at 2 degrees/s.
+    let slow = |mode| {
+        let ratios = vec![10.0, 0.0, 1.0, 50.0, 50.0];
+        let target = vec![3.0, 0.0, 230.0, 130.0, -17.0, 0.0, 0.0, mode];
+        vec![ratios, target]
     };
-    assert_eq!(lost_of_200(Twin::power_up(Port::Usb)), "0");
-    // A line of 60 mm at 1 mm/s takes longer than the packets. The real one lost 15 % of them.
-    let drawing = Twin::power_up(Port::Usb)
-        .send(&[10.0, 0.0, 2.0, 50.0, 50.0])
-        .send(&[3.0, 0.0, 263.0, 60.0, -17.0, 0.0, 0.0, 2.0]);
-    let lost: u32 = lost_of_200(drawing).parse().expect("a number");
-    assert!((20..=40).contains(&lost), "{lost} of 200");
+    let vector = vec![4.0, 0.0, 0.0, 60.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    // Each jog replaces the one before; each mouse and each hand waits for its turn.
+    let jog = |state| vec![state, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    [
+        ("idle", vec![], setting()),
+        ("joint jog", vec![], jog(2.0)),
+        ("linear jog", vec![], jog(7.0)),
+        ("MOVJ", slow(1.0), setting()),
+        ("MOVL", slow(2.0), setting()),
+        ("JUMP", slow(0.0), setting()),
+        ("writing", vec![vector], setting()),
+        ("mouse", vec![], vec![1.0, 0.0, 1.0]),
+        ("gesture", vec![], vec![8.0, 0.0, 60.0, 20.0, 200.0]),
+    ]
+    .map(|(name, begin, packet)| Meanwhile {
+        name,
+        begin,
+        packet,
+    })
+}
+
+/// Of two hundred packets the real one lost none, 8 % and 15 %.
+#[test]
+fn packets_without_a_gap_are_lost_by_what_a_tick_calculates() {
+    for case in each_kind() {
+        let lost = lost_of_200(&case, 0);
+        let expected = match case.name {
+            "idle" => 0..=0,
+            "MOVJ" => 10..=22,
+            "MOVL" | "linear jog" | "writing" => 24..=36,
+            // Nobody counted; the longest tick is no longer than 7 ms.
+            _ => 0..=60,
+        };
+        assert!(expected.contains(&lost), "{}: {lost} of 200", case.name);
+    }
+}
+
+#[test]
+fn packets_with_a_gap_of_8_ms_are_never_lost() {
+    for gap_us in [8000, 8320, 9700, 13_000] {
+        for case in each_kind() {
+            let lost = lost_of_200(&case, gap_us);
+            assert_eq!(lost, 0, "{}, {gap_us} us", case.name);
+        }
+    }
 }
 
 #[test]
