@@ -1,6 +1,6 @@
 //! The list of checks.
 
-use crate::checks::{flow, framing, hand, jog, limits, link, moves, settings, traps, write};
+use crate::checks::{delay, flow, framing, hand, jog, limits, link, moves, settings, traps, write};
 use crate::outcome::Outcome;
 use crate::rig::{Rig, Trouble};
 
@@ -23,6 +23,7 @@ pub(crate) enum Probe {
     StatusPeriod,
     StatusPose,
     StatusStart,
+    Delay,
     Lift,
     SetTool,
     FrameNoise,
@@ -88,6 +89,12 @@ impl Check {
             "the arm stands still, within its limits",
             "N28, N30",
             Probe::StatusStart,
+        ),
+        check(
+            "line-delay",
+            "the line is fast enough: how long it takes there and back",
+            "N20, N41",
+            Probe::Delay,
         ),
         check(
             "move-point",
@@ -359,6 +366,7 @@ impl Check {
             Probe::StatusPeriod => Ok(link::period(rig)),
             Probe::StatusPose => Ok(link::pose(rig)),
             Probe::StatusStart => Ok(link::start(rig)),
+            Probe::Delay => delay::measure(rig).await,
             Probe::Lift => moves::lift(rig).await,
             Probe::SetTool => settings::tool(rig).await,
             Probe::FrameNoise => framing::noise(rig).await,

@@ -1,5 +1,6 @@
 //! The checks, by what they are about.
 
+pub(crate) mod delay;
 pub(crate) mod flow;
 pub(crate) mod framing;
 pub(crate) mod hand;

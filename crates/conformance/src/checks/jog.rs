@@ -45,8 +45,10 @@ pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let after = rig.settled().await?;
     let moved = after.base_deg - before.base_deg;
     Ok(Outcome::of(
-        moved > 0.3,
-        format!("{moved:.2} degrees in the time of a short press, then it stands"),
+        moved > LEAST,
+        format!(
+            "{moved:.3} degrees in the time of a short press, {LEAST} at least; then it stands"
+        ),
     ))
 }
 
@@ -61,7 +63,7 @@ pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> 
     Ok(Outcome::of(
         plus > LEAST && minus < -LEAST && strays < STRAY,
         format!(
-            "{plus:+.2} and {minus:+.2} {}; all else by up to {strays:.3}",
+            "{plus:+.2} and {minus:+.2} {}, {LEAST} at least; all else by up to {strays:.3} of {STRAY}",
             axis.unit
         ),
     ))
@@ -104,7 +106,11 @@ pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let after = rig.settled().await?;
     Ok(Outcome::of(
         before == after,
-        "on for a moment; a status does not tell: look for the spot",
+        if before == after {
+            "on for a moment; a status does not tell: look for the spot"
+        } else {
+            "the status changes, which does not tell of a laser"
+        },
     ))
 }
 

@@ -2,7 +2,6 @@
 
 use dobot_wire::Status;
 
-use crate::checks::link::cramped;
 use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::{
@@ -15,17 +14,7 @@ use crate::way::Way;
 /// Sets slow speeds and lifts the arm to where all checks begin.
 pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let start = rig.start.ok_or(Trouble::Homeless)?;
-    if let Some(why) = cramped(&start) {
-        return Ok(Outcome::NotTried(why));
-    }
-    for packet in [
-        gentle(0.0),
-        percent(50.0, 50.0),
-        teach(STOCK_TEACH_DEG_S),
-        writing(STOCK_WRITING_MM_S2),
-    ] {
-        rig.send(packet).await?;
-    }
+    rig.settings().await?;
     let point = moved(&start, [0.0, 0.0, LIFT_MM]);
     rig.moved = true;
     rig.send(target(3.0, point, start.rotation_deg, 1.0, &start))
@@ -191,10 +180,11 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
     Ok(Outcome::of(
         set && reset && !early,
         format!(
-            "pump {}{}, gripper by {gripper:.1} degrees (told: on, 5.0), then {}",
+            "pump {}{}, gripper by {gripper:.3} degrees (told: on, 5.000), then {} and {:.3}",
             word(there.suction),
             if early { " too early" } else { "" },
             word(back.suction),
+            back.gripper_deg - home.gripper_deg,
         ),
     ))
 }
