@@ -120,9 +120,14 @@ impl Rig {
     pub(crate) async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), Trouble> {
         self.link.send(bytes);
         let count = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
-        let free = self.now() + BYTE * count + GAP;
+        let free = self.now() + BYTE * count + self.gap();
         self.reacted = free + REACTION + self.line_delay();
         self.listen(free).await
+    }
+
+    /// What was sent last takes effect so much later.
+    pub(crate) fn expect_later(&mut self, ms: u64) {
+        self.reacted += Duration::from_millis(ms);
     }
 
     /// Listens for so long.
@@ -157,6 +162,12 @@ impl Rig {
         } else {
             Err(LinkError::Closed.into())
         }
+    }
+
+    /// What is left between two packets, so that a line that varies does not push them together.
+    fn gap(&self) -> Duration {
+        let jitter = self.latency.map_or(Duration::ZERO, |it| it.jitter());
+        GAP + jitter.min(MOST_GAP)
     }
 
     /// What the line adds to every answer, at worst.
@@ -394,6 +405,8 @@ fn still(a: &Status, b: &Status) -> bool {
 pub(crate) const BYTE: Duration = Duration::from_micros(1045);
 /// A stock arm may lose a packet that follows another one sooner (note N26).
 const GAP: Duration = Duration::from_millis(12);
+/// Nine packets have to arrive while a vector of 1.4 s is under way.
+const MOST_GAP: Duration = Duration::from_millis(90);
 /// A tick, the tick that a status lags behind, the time between two statuses, and the way of one
 /// over the line; twenty more for a serial port over USB.
 const REACTION: Duration = Duration::from_millis(200);

@@ -10,7 +10,8 @@ use crate::hindrance::Hindrance;
 use crate::latency::{Latency, MOST};
 use crate::outcome::Outcome;
 use crate::packet::jog;
-use crate::rig::{ANSWER, BYTE, Rig, Trouble};
+use crate::rig::{ANSWER, BYTE, Rig, Seen, Trouble};
+use crate::way::PERIOD_S;
 
 /// Something that shows in the status at once, moves nothing and can be taken back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +52,7 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, Trouble> {
         rig.send(jog(2.0, PUMP_OFF, 0.0)).await?;
     }
     show_tool(rig, true).await?;
-    let latency = Latency::of(&answers).ok_or(Trouble::Unanswered)?;
+    let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(Trouble::Unanswered)?;
     rig.latency = Some(latency);
     if latency.most > MOST {
         return Ok(forbidden(rig, Hindrance::Slow(latency.most)));
@@ -107,6 +108,22 @@ impl Sign {
             Self::Pump => status.suction,
         }
     }
+}
+
+/// By how much statuses came earlier or later than every 80 ms (note N20).
+fn jitter(seen: &[Seen]) -> Duration {
+    let Some(first) = seen.first() else {
+        return Duration::ZERO;
+    };
+    let lates = seen.iter().map(|it| {
+        let since_s = it.at.saturating_sub(first.at).as_secs_f64() / PERIOD_S;
+        // How far from the beat, in shares of it: one that is missing counts for nothing.
+        since_s - since_s.round()
+    });
+    let (least, most) = lates.fold((0.0_f64, 0.0_f64), |(least, most), late| {
+        (least.min(late), most.max(late))
+    });
+    Duration::from_secs_f64((most - least) * PERIOD_S)
 }
 
 fn forbidden(rig: &mut Rig, why: Hindrance) -> Outcome {

@@ -171,6 +171,8 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let angles = [home.base_deg, home.rear_deg, home.fore_deg];
     rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
         .await?;
+    // A stock arm takes it up only when its pause is over once more (note N47).
+    rig.expect_later(300);
     rig.settled().await?;
     let back = rig.next_status().await?;
     let gripper = there.gripper_deg - home.gripper_deg;

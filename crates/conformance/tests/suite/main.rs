@@ -1,13 +1,15 @@
 //! The suite against good controllers, and against one that is broken in one thing at a time.
 
 mod broken;
+mod delayed;
 
 use std::time::Duration;
 
 use broken::Broken;
+use delayed::Delayed;
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_client::{Link, Peer};
-use dobot_conformance::{Check, HEADING, Options, Outcome, Report, Suite, Verdict};
+use dobot_conformance::{Check, HEADING, Hindrance, Options, Outcome, Report, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp, STEPS_PER_DEG};
 use dobot_sim::{InProcess, Line, VirtualArm};
 use dobot_wire::Frame;
@@ -504,4 +506,147 @@ async fn whenever_a_run_is_stopped_the_arm_goes_back_to_where_it_was() {
             assert!(!arm.controller().suction(), "{personality}, {tenths}");
         }
     }
+}
+
+const fn ms(ms: u64) -> Duration {
+    Duration::from_millis(ms)
+}
+
+#[tokio::test]
+async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_told() {
+    for personality in Personality::ALL {
+        for one_way in (0..=250).step_by(5) {
+            let peer = Delayed::by(speaking(personality), ms(one_way));
+            let report = check(peer, ALL).await;
+            assert!(report.conforms(), "{one_way} ms: {}", table(&report));
+            assert_eq!(untried(&report), [""; 0]);
+            let told = report.latency().expect("it was measured").least;
+            let off = told.abs_diff(ms(2 * one_way));
+            assert!(off <= ms(25), "{one_way} ms each way, told {told:?}");
+            let text = report.markdown("virtual:", "2016-02-26");
+            assert!(text.contains(&format!("| latency | {} ms", told.as_millis())));
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_line_that_is_now_fast_and_now_slow_is_waited_for() {
+    for personality in Personality::ALL {
+        let late = [20, 90, 35, 110, 60, 25, 80].map(ms).to_vec();
+        let report = check(Delayed::in_turn(speaking(personality), late), ON_A_PORT).await;
+        assert_eq!(report.differing(), [""; 0], "{}", table(&report));
+    }
+}
+
+#[tokio::test]
+async fn a_line_too_slow_is_told_and_nothing_is_moved() {
+    for (one_way, told) in [(350, 700), (900, 1800), (2500, 5000)] {
+        let arm = speaking(Personality::Firmware11);
+        let report = check(Delayed::by(arm.clone(), ms(one_way)), ON_A_PORT).await;
+        assert_eq!(report.differing(), [""; 0], "{}", table(&report));
+        let Some(Hindrance::Slow(took)) = report.hindrance() else {
+            panic!("{}", table(&report));
+        };
+        assert!(took.abs_diff(ms(told)) <= ms(25), "{took:?}");
+        let outcome = report.outcome("move-point").expect("it is one");
+        assert!(
+            outcome.found().starts_with("the line is too slow ("),
+            "{outcome}"
+        );
+        assert!(outcome.found().contains("at most 600 ms"), "{outcome}");
+        assert_eq!(arm.arm().controller().steps(), [0; 3]);
+    }
+}
+
+#[tokio::test]
+async fn a_controller_that_hears_nothing_is_told_so() {
+    let deaf = good().hears(|_, bytes| bytes.clear());
+    let report = check(deaf, ON_A_PORT).await;
+    assert_eq!(report.differing(), ["line-delay"], "{}", table(&report));
+    let outcome = report.outcome("line-delay").expect("it is one");
+    assert!(
+        outcome.found().starts_with("nothing that is sent shows"),
+        "{outcome}"
+    );
+}
+
+#[tokio::test]
+async fn exchanged_angles_in_the_status_are_said_to_disagree_with_the_position() {
+    let broken = good().says(|frame| {
+        let (rear, fore) = (frame.float(6), frame.float(7));
+        Some(frame.with(6, fore).with(7, rear).to_bytes().to_vec())
+    });
+    let report = check(broken, ON_A_PORT).await;
+    let outcome = report.outcome("move-point").expect("it is one");
+    assert!(outcome.differs(), "{outcome}");
+    assert!(
+        outcome
+            .found()
+            .contains("whose position and angles disagree"),
+        "{outcome}"
+    );
+}
+
+/// A small generator of chances, the same every time.
+fn every_so_often(seed: u64, percent: u64) -> impl FnMut() -> bool + Send {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state % 100 < percent
+    }
+}
+
+#[tokio::test]
+async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
+    for personality in Personality::ALL {
+        for seed in 1..=12 {
+            let mut lost = every_so_often(seed, 3);
+            let broken =
+                Broken::new(speaking(personality)).obeys(move |frame| (!lost()).then_some(frame));
+            let report = check(broken, ON_A_PORT).await;
+            assert_eq!(report.differing(), [""; 0], "{seed}: {}", table(&report));
+            assert!(!matches!(report.verdict(), Verdict::Mixed { .. }));
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_line_that_loses_statuses_is_told_and_makes_no_good_controller_differ() {
+    for personality in Personality::ALL {
+        for seed in 1..=12 {
+            let mut lost = every_so_often(seed, 2);
+            let broken = Broken::new(speaking(personality))
+                .says(move |frame| (!lost()).then(|| frame.to_bytes().to_vec()));
+            let report = check(broken, ON_A_PORT).await;
+            assert_eq!(report.differing(), [""; 0], "{seed}: {}", table(&report));
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_check_that_holds_at_the_second_time_only_is_unsteady() {
+    let mut jumps = 0;
+    let broken = good().obeys(move |frame| {
+        let is_jump = frame.float(1) == 3.0 && frame.float(8) == 0.0;
+        jumps += u32::from(is_jump);
+        (!is_jump || jumps > 1).then_some(frame)
+    });
+    let report = check(broken, ON_A_PORT).await;
+    assert_eq!(report.unsteady(), ["move-jump"], "{}", table(&report));
+    assert_eq!(report.differing(), [""; 0]);
+    assert!(!report.conforms());
+    assert!(
+        report.summary().contains("1 unsteady"),
+        "{}",
+        report.summary()
+    );
+}
+
+#[tokio::test]
+async fn a_pump_that_runs_is_said_to_hinder() {
+    let broken = good().says(|frame| Some(frame.with(9, 1.0).to_bytes().to_vec()));
+    let report = check(broken, ON_A_PORT).await;
+    assert_eq!(report.hindrance(), Some(&Hindrance::Pump));
 }
