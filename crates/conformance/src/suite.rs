@@ -4,6 +4,7 @@ use dobot_client::{Link, LinkError};
 
 use crate::check::{Check, Probe};
 use crate::checks::flow;
+use crate::checks::jog::{FORE, SERVO, Z};
 use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::jog;
@@ -204,6 +205,9 @@ impl Suite {
             | Probe::FrameTruncated
             | Probe::FramePair => &[Probe::Lift, Probe::SetTool],
             Probe::Jog(_) | Probe::SetJog | Probe::LimitJog => &[Probe::Lift, Probe::JogRelease],
+            Probe::ReleaseKind => &[Probe::Lift, Probe::Jog(FORE), Probe::Jog(Z)],
+            Probe::ReleaseSettings => &[Probe::Lift, Probe::Jog(SERVO)],
+            Probe::JumpAcross => &[Probe::Lift, Probe::MoveJump],
             _ => &[Probe::Lift],
         };
         let failed = |row: &&Row| needed.contains(&row.check.probe) && !row.outcome.passed();

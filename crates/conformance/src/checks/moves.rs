@@ -77,23 +77,6 @@ async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
     })
 }
 
-/// A JUMP of 6 mm, 5 mm high.
-pub(crate) async fn jump(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    let home = rig.home()?;
-    let point = moved(&home, [0.0, 6.0, 0.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let heights = rig.seen[mark..].iter().map(|it| it.status.z_mm - home.z_mm);
-    let height = heights.fold(0.0, f32::max);
-    let off = off(&there, point);
-    Ok(Outcome::of(
-        off < NEAR_MM && (height - JUMP_MM).abs() < 0.3,
-        format!("{height:.2} mm up, as set 5; {off:.3} mm off the point"),
-    ))
-}
-
 /// Joint angles by mode 1, and back by mode 2.
 pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
