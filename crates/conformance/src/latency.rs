@@ -18,7 +18,7 @@ impl Latency {
     /// byte of the first status that shows it. Statuses alone vary by `jitter`; commands may as much.
     pub(crate) fn of(answers: &[Duration], jitter: Duration) -> Option<Self> {
         let (least, most) = (answers.iter().min()?, answers.iter().max()?);
-        let spread = (*most - *least).saturating_sub(SPREAD);
+        let spread = most.saturating_sub(*least + SPREAD);
         let jitter = if jitter < STEADY {
             Duration::ZERO
         } else {
@@ -33,7 +33,7 @@ impl Latency {
 
     /// By how much the line varies one way.
     pub(crate) fn jitter(&self) -> Duration {
-        (self.most - self.least) / 2
+        self.most.saturating_sub(self.least) / 2
     }
 }
 

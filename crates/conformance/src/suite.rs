@@ -255,5 +255,5 @@ const fn can_be_repeated(probe: Probe) -> bool {
 }
 
 /// How often a check is made again at most.
-const REPEATS: u32 = 2;
+const REPEATS: u32 = 3;
 const LASER_OFF: f32 = 14.0;

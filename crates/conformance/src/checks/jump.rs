@@ -1,4 +1,4 @@
-//! JUMP (MovingMode 0): up, across and down.
+//! JUMP (`MovingMode` 0): up, across and down.
 
 use dobot_wire::Status;
 

@@ -88,11 +88,17 @@ pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
         ..home
     };
     let mut worst = 0.0_f32;
+    let mut now = home;
     for (goal, mode) in [(there, 1.0), (home, 2.0)] {
+        // Where the first got lost, the second would be a line without length (note N34).
+        if turned(&now, &goal) < 1.0 {
+            break;
+        }
         let angles = [goal.base_deg, goal.rear_deg, goal.fore_deg];
         rig.send(target(6.0, angles, goal.servo_deg, mode, &goal))
             .await?;
-        worst = worst.max(turned(&rig.settled().await?, &goal));
+        now = rig.settled().await?;
+        worst = worst.max(turned(&now, &goal));
     }
     Ok(Outcome::of(worst < 0.02, format!("{worst:.4} degrees off")))
 }

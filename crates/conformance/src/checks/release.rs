@@ -123,8 +123,8 @@ fn fore_at(home: &Status, there: &Status) -> f32 {
 fn braked_deg(seen: &[Seen]) -> f32 {
     let full = SPEED_SERVO * single(PERIOD_S) * 0.9;
     let steps = seen.windows(2);
-    let at_speed = steps.filter(|it| it[1].status.servo_deg - it[0].status.servo_deg >= full);
-    let (from, end) = (at_speed.last().map(|it| it[1]), seen.last());
+    let mut at_speed = steps.filter(|it| it[1].status.servo_deg - it[0].status.servo_deg >= full);
+    let (from, end) = (at_speed.next_back().map(|it| it[1]), seen.last());
     let way = from.zip(end.copied());
     way.map_or(0.0, |(from, end)| {
         end.status.servo_deg - from.status.servo_deg

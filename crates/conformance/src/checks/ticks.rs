@@ -1,9 +1,11 @@
 //! How many ticks a move takes: counted between the beginnings of two, which statuses tell exactly.
 
+use std::time::Duration;
+
 use crate::outcome::Outcome;
 use crate::packet::{JUMP_MM, playback, target};
 use crate::rig::{Rig, Seen, Trouble};
-use crate::way::PERIOD_S;
+use crate::way::periods;
 
 /// A turn of the base whose time is whole ticks but for rounding, and one back that waits for it. By
 /// the document the second begins in that very moment. A stock arm, which calculates in single
@@ -38,7 +40,8 @@ pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, Trouble> {
     }
     rig.settled().await?;
     rig.be_gentle().await?;
-    let Some(found) = apart(&rig.seen[mark..], home.base_deg, base_deg) else {
+    let steady = rig.latency.is_none_or(|it| it.jitter() < UNSTEADY);
+    let Some(found) = apart(&rig.seen[mark..], home.base_deg, base_deg, steady) else {
         return Ok(Outcome::Differs(format!(
             "no statuses tell of two turns by {:.3} degrees",
             base_deg - home.base_deg
@@ -87,24 +90,27 @@ fn stock_ticks(way_deg: f32) -> u8 {
     ticks.unwrap_or(u8::MAX)
 }
 
-/// How many ticks lie between the beginnings of two turns, there and back.
-fn apart(seen: &[Seen], from_deg: f32, to_deg: f32) -> Option<f64> {
-    let way = to_deg - from_deg;
+/// How many ticks lie between the beginnings of two turns, there and back. On a steady line the times
+/// of statuses count them, else their number.
+fn apart(seen: &[Seen], from_deg: f32, to_deg: f32, steady: bool) -> Option<f64> {
     let gone = |it: &Seen| it.status.base_deg - from_deg;
-    // The farthest status on the way back: there the second one has begun.
-    let (turned, _) = seen
-        .iter()
-        .enumerate()
-        .max_by(|(_, a), (_, b)| gone(a).total_cmp(&gone(b)))?;
-    let (there, back) = seen.split_at(turned);
-    let first = there
-        .iter()
-        .rev()
-        .find_map(|it| Some((it, since_begun(gone(it))?)))?;
-    let mut back = back.iter().rev();
-    let second = back.find_map(|it| Some((it, since_begun(way - gone(it))?)))?;
-    let passed = second.0.at.saturating_sub(first.0.at).as_secs_f64();
-    let statuses = (passed / PERIOD_S).round();
+    let numbered = || seen.iter().enumerate();
+    // The farthest status: before it the first turn, behind it the second one.
+    let (turned, _) = numbered().max_by(|(_, a), (_, b)| gone(a).total_cmp(&gone(b)))?;
+    let first = numbered()
+        .take(turned)
+        .filter_map(|(n, it)| Some((n, since_begun(gone(it))?)))
+        .next_back()?;
+    let second = numbered()
+        .skip(turned)
+        .filter_map(|(n, it)| Some((n, since_begun(to_deg - it.status.base_deg)?)))
+        .next_back()?;
+    let statuses = if steady {
+        periods(&seen[first.0], &seen[second.0])
+    } else {
+        // None of them may have got lost.
+        f64::from(u32::try_from(second.0 - first.0).ok()?)
+    };
     Some(statuses * TICKS_OF_STATUS - second.1 + first.1)
 }
 
@@ -135,3 +141,5 @@ const EXACT_S: f64 = 1e-9;
 /// A stock arm moves in steps: its first few say less of when it began.
 const JUST_BEGUN_DEG: f64 = 0.03;
 const SLACK_TICKS: f64 = 0.3;
+/// A quarter of the time between two statuses.
+const UNSTEADY: Duration = Duration::from_millis(20);

@@ -34,11 +34,11 @@ impl Delayed {
         }
     }
 
-    fn arrival(&mut self, queue: fn(&mut Self) -> &mut VecDeque<(Duration, Vec<u8>)>) -> Duration {
+    /// When what is sent now arrives, behind what was sent before it.
+    fn arrival(&mut self, before: Option<Duration>) -> Duration {
         let late = self.one_way[self.sent % self.one_way.len()];
         self.sent += 1;
-        let at = self.arm.now() + late;
-        queue(self).back().map_or(at, |(before, _)| at.max(*before))
+        (self.arm.now() + late).max(before.unwrap_or_default())
     }
 }
 
@@ -49,7 +49,7 @@ impl Peer for Delayed {
 
     fn send(&mut self, bytes: &[u8]) {
         if !bytes.is_empty() {
-            let at = self.arrival(|it| &mut it.to_arm);
+            let at = self.arrival(self.to_arm.back().map(|it| it.0));
             self.to_arm.push_back((at, bytes.to_vec()));
         }
     }
@@ -75,7 +75,7 @@ impl Peer for Delayed {
             let mut new = Vec::new();
             self.arm.receive(next, &mut new);
             if !new.is_empty() {
-                let at = self.arrival(|it| &mut it.from_arm);
+                let at = self.arrival(self.from_arm.back().map(|it| it.0));
                 self.from_arm.push_back((at, new));
             }
         }

@@ -678,7 +678,7 @@ fn instead(
             .filter(|_| bytes.len() == 42)
             .and_then(|it| change(&it));
         if let Some(frames) = frames {
-            *bytes = frames.iter().flat_map(|it| it.to_bytes()).collect();
+            *bytes = frames.iter().flat_map(Frame::to_bytes).collect();
         }
     })
 }
@@ -800,4 +800,53 @@ async fn a_move_of_whole_ticks_that_takes_another_number_of_them_is_caught() {
         Some(if pauses { frame.with(10, 0.02) } else { frame })
     });
     told_apart(Personality::Specification, broken, &["move-ticks"]).await;
+}
+
+#[tokio::test]
+async fn whichever_command_gets_lost_no_good_controller_differs_or_loses_its_pose() {
+    for personality in Personality::ALL {
+        for lost in (0..420).step_by(3) {
+            let arm = speaking(personality);
+            let mut count = 0;
+            let broken = Broken::new(arm.clone()).obeys(move |frame| {
+                count += 1;
+                (count != lost).then_some(frame)
+            });
+            let report = check(broken, ON_A_PORT).await;
+            assert_eq!(report.differing(), [""; 0], "{lost}: {}", table(&report));
+            let arm = arm.arm();
+            let joints = arm.controller().joints_at(arm.now());
+            assert!((joints.rear.0 - 45.0).abs() < 0.05, "{lost}: {joints:?}");
+        }
+    }
+}
+
+#[tokio::test]
+async fn where_a_move_got_lost_no_line_without_length_follows_it() {
+    let mut lost = 0;
+    let broken = Broken::new(speaking(Personality::Firmware11)).obeys(move |frame| {
+        let [state, servo, mode] = [1, 6, 8].map(|n| frame.float(n));
+        // Only `move-joints` turns the servo by 4 degrees, and goes back in a line.
+        assert!(lost == 0 || state != 6.0 || mode != 2.0);
+        let is_lost = state == 6.0 && servo > 3.0;
+        lost += u32::from(is_lost);
+        (!is_lost).then_some(frame)
+    });
+    caught(broken, &["move-joints"]).await;
+}
+
+#[test]
+fn the_page_lists_every_check_once_in_order() {
+    let page = include_str!("../../../../docs/conformance.md");
+    let rows = page.lines().filter(|line| line.starts_with("| `"));
+    let ids: Vec<_> = rows
+        .clone()
+        .filter_map(|row| row.split('`').nth(1))
+        .collect();
+    let checks: Vec<_> = Check::ALL.iter().map(|it| it.id).collect();
+    assert_eq!(ids, checks);
+    for (row, check) in rows.zip(Check::ALL) {
+        let expected = format!("| {} | {} |", check.title, check.source);
+        assert!(row.contains(&expected), "{row}: {expected}");
+    }
 }
