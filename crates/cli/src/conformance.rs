@@ -7,7 +7,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow};
 use dobot_client::{Address, Link};
-use dobot_conformance::{HEADING, Options, Outcome, Report, Row, Suite, Verdict};
+use dobot_conformance::{HEADING, Hindrance, Options, Outcome, Report, Row, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, VirtualArm};
 
@@ -23,12 +23,14 @@ Examples:
   dobot conformance serial:/dev/ttyUSB0
   dobot conformance tcp:localhost:5555 --yes --report arm.md
 
-It takes about a minute (a virtual arm in this process: no time). The arm is lifted by 10 mm, moves by up
+It takes about a minute and a half (a virtual arm in this process: no time). How long the line takes is measured
+first; up to 600 ms there and back are waited for. The arm is lifted by 10 mm, moves by up
 to 10 mm and 5 degrees around there, never below where it stood, switches the pump for a moment, and goes
 back. Speeds and other settings end up as they are at power-up. Ctrl-C stops it and brings the arm back.
 
 A line for each check: holds; specification or firmware-1.1, where only this dialect has it so; DIFFERS;
-not tried. The exit code is 0 when all that was tried holds, in one dialect.")]
+unsteady, where it was not the same each time; not tried. The exit code is 0 when all that was tried holds, in
+one dialect.")]
 pub(crate) struct Args {
     /// The controller's address.
     #[arg(help = "The controller's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT")]
@@ -79,8 +81,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let file = report.markdown(&args.address.to_string(), &today());
     fs::write(&args.report, file)
         .with_context(|| format!("cannot write {}", args.report.display()))?;
+    let latency = report.latency();
+    let latency = latency.map_or_else(String::new, |it| format!("\nlatency: {it}"));
     output::line(&format!(
-        "\n{}\nreport: {}",
+        "\n{}{latency}\nreport: {}",
         report.summary(),
         args.report.display()
     ))?;
@@ -147,7 +151,7 @@ impl Args {
             ""
         };
         format!(
-            "The arm at {} will move for about a minute: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
+            "The arm at {} will move for a minute or two: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
              and back. Its pump will run for a moment. Take off what hangs on it, and leave it 30 mm of room.\n\
              {laser}{traps}Enter begins, Ctrl-C does not: ",
             self.address
@@ -164,6 +168,7 @@ fn text(row: &Row) -> String {
         Outcome::Holds(_) => 32,
         Outcome::Specification(_) | Outcome::Firmware11(_) => 36,
         Outcome::Differs(_) => 31,
+        Outcome::Unsteady(_) => 33,
         Outcome::NotTried(_) => 2,
     };
     let (id, word) = (row.check.id, row.outcome.word());
@@ -176,16 +181,15 @@ fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
     if report.conforms() {
         return Ok(());
     }
-    if let Some(Outcome::NotTried(why)) = report.outcome("move-point")
+    if let Some(why) = report.hindrance()
         && report.differing().is_empty()
     {
         return Err(Failure::new(
             anyhow!("nothing was moved: {why}"),
-            format!(
-                "`dobot move --joints 0 45 45 --to {address}` puts the arm where there is room"
-            ),
+            remedy(why, address),
         ));
     }
+    let unsteady = report.unsteady();
     let differing = report.differing();
     let error = match report.verdict() {
         _ if !differing.is_empty() => anyhow!(
@@ -194,12 +198,38 @@ fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
             differing.join(", ")
         ),
         Verdict::Mixed { .. } => anyhow!("the controller mixes two dialects"),
+        _ if !unsteady.is_empty() => {
+            return Err(Failure::new(
+                anyhow!(
+                    "{} not the same each time: {}",
+                    unsteady.len(),
+                    unsteady.join(", ")
+                ),
+                "the line loses packets: try another cable, or a machine nearer to the arm, and once more",
+            ));
+        }
         _ => anyhow!("no check told which dialect the controller speaks"),
     };
     Err(Failure::new(
         error,
         "the report says what was found and which table or note says otherwise",
     ))
+}
+
+/// What to do about an arm that was not moved.
+fn remedy(why: &Hindrance, address: &Address) -> String {
+    match why {
+        Hindrance::Pump => format!(
+            "`dobot jog suction-off --to {address}` switches it off; where it does not run, the status tells it the wrong way round"
+        ),
+        Hindrance::Slow(_) => {
+            "run it on the machine that the arm is plugged into: `dobot conformance serial:PORT`"
+                .into()
+        }
+        _ => {
+            format!("`dobot move --joints 0 45 45 --to {address}` puts the arm where there is room")
+        }
+    }
 }
 
 /// Nothing but a report may be overwritten.
@@ -262,7 +292,28 @@ const fn days_of(year: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+
+    #[test]
+    fn each_hindrance_has_its_remedy() {
+        let address = Address::Virtual;
+        for (why, expected) in [
+            (Hindrance::Pump, "dobot jog suction-off"),
+            (
+                Hindrance::Cramped("no room".into()),
+                "dobot move --joints 0 45 45",
+            ),
+            (
+                Hindrance::Slow(Duration::from_secs(1)),
+                "dobot conformance serial:PORT",
+            ),
+        ] {
+            let found = remedy(&why, &address);
+            assert!(found.contains(expected), "{found}");
+        }
+    }
 
     #[test]
     fn days_become_dates() {

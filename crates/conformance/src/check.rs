@@ -1,6 +1,9 @@
 //! The list of checks.
 
-use crate::checks::{flow, framing, hand, jog, limits, link, moves, settings, traps, write};
+use crate::checks::{
+    delay, flow, framing, hand, jog, jump, limits, link, moves, release, settings, ticks, traps,
+    write,
+};
 use crate::outcome::Outcome;
 use crate::rig::{Rig, Trouble};
 
@@ -23,6 +26,7 @@ pub(crate) enum Probe {
     StatusPeriod,
     StatusPose,
     StatusStart,
+    Delay,
     Lift,
     SetTool,
     FrameNoise,
@@ -32,7 +36,9 @@ pub(crate) enum Probe {
     FramePair,
     MoveModes,
     MoveJump,
+    JumpAcross,
     MoveJoints,
+    MoveTicks,
     MovePause,
     DefaultPause,
     MoveTool,
@@ -43,6 +49,8 @@ pub(crate) enum Probe {
     JogRelease,
     Jog(jog::Axis),
     JogPump,
+    ReleaseKind,
+    ReleaseSettings,
     WriteVector,
     WriteSpeed,
     WriteStop,
@@ -88,6 +96,12 @@ impl Check {
             "the arm stands still, within its limits",
             "N28, N30",
             Probe::StatusStart,
+        ),
+        check(
+            "line-delay",
+            "the line is fast enough: how long it takes there and back",
+            "N20, N41",
+            Probe::Delay,
         ),
         check(
             "move-point",
@@ -144,10 +158,22 @@ impl Check {
             Probe::MoveJump,
         ),
         check(
+            "jump-across",
+            "MovingMode 0 between unequal heights: how it goes across",
+            "N11, N45",
+            Probe::JumpAcross,
+        ),
+        check(
             "move-joints",
             "goes to joint angles (state 6)",
             "Table 3.7, N19",
             Probe::MoveJoints,
+        ),
+        check(
+            "move-ticks",
+            "a move of whole ticks: when the next one begins",
+            "N29, N45",
+            Probe::MoveTicks,
         ),
         check(
             "move-pause",
@@ -264,6 +290,18 @@ impl Check {
             Probe::Jog(jog::LINE_GRIPPER),
         ),
         check(
+            "release-kind",
+            "a release of the other kind of jog",
+            "N13, N44",
+            Probe::ReleaseKind,
+        ),
+        check(
+            "release-settings",
+            "another acceleration (9/0) between press and release",
+            "N13, N44",
+            Probe::ReleaseSettings,
+        ),
+        check(
             "write-vector",
             "a write vector: which way is X (state 4)",
             "Table 2.6, N4",
@@ -359,6 +397,7 @@ impl Check {
             Probe::StatusPeriod => Ok(link::period(rig)),
             Probe::StatusPose => Ok(link::pose(rig)),
             Probe::StatusStart => Ok(link::start(rig)),
+            Probe::Delay => delay::measure(rig).await,
             Probe::Lift => moves::lift(rig).await,
             Probe::SetTool => settings::tool(rig).await,
             Probe::FrameNoise => framing::noise(rig).await,
@@ -367,8 +406,10 @@ impl Check {
             Probe::FrameTruncated => framing::truncated(rig).await,
             Probe::FramePair => framing::pair(rig).await,
             Probe::MoveModes => moves::modes(rig).await,
-            Probe::MoveJump => moves::jump(rig).await,
+            Probe::MoveJump => jump::lifts(rig).await,
+            Probe::JumpAcross => jump::across(rig).await,
             Probe::MoveJoints => moves::joints(rig).await,
+            Probe::MoveTicks => ticks::whole(rig).await,
             Probe::MovePause => moves::pause(rig).await,
             Probe::DefaultPause => moves::default_pause(rig).await,
             Probe::MoveTool => moves::tool(rig).await,
@@ -379,6 +420,8 @@ impl Check {
             Probe::JogRelease => jog::release(rig).await,
             Probe::Jog(axis) => jog::axis(rig, axis).await,
             Probe::JogPump => jog::pump(rig).await,
+            Probe::ReleaseKind => release::other_kind(rig).await,
+            Probe::ReleaseSettings => release::other_settings(rig).await,
             Probe::WriteVector => write::vector(rig).await,
             Probe::WriteSpeed => write::start_speed(rig).await,
             Probe::WriteStop => write::stop(rig).await,

@@ -23,6 +23,8 @@
 
 mod check;
 mod checks;
+mod hindrance;
+mod latency;
 mod outcome;
 mod packet;
 mod report;
@@ -31,6 +33,8 @@ mod suite;
 mod way;
 
 pub use check::Check;
+pub use hindrance::Hindrance;
+pub use latency::Latency;
 pub use outcome::Outcome;
 pub use report::{HEADING, Report, Row, Verdict};
 pub use suite::{Options, Suite};

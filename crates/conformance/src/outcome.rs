@@ -13,6 +13,9 @@ pub enum Outcome {
     Firmware11(String),
     /// It is like neither.
     Differs(String),
+    /// It was not the same each time that it was tried, or something got lost on the way: more is
+    /// said of the line by it than of the controller.
+    Unsteady(String),
     /// It was not tried, and why.
     NotTried(String),
 }
@@ -26,6 +29,7 @@ impl Outcome {
             Self::Specification(_) => "specification",
             Self::Firmware11(_) => "firmware-1.1",
             Self::Differs(_) => "DIFFERS",
+            Self::Unsteady(_) => "unsteady",
             Self::NotTried(_) => "not tried",
         }
     }
@@ -38,6 +42,7 @@ impl Outcome {
             | Self::Specification(it)
             | Self::Firmware11(it)
             | Self::Differs(it)
+            | Self::Unsteady(it)
             | Self::NotTried(it) => it,
         }
     }

@@ -4,12 +4,16 @@ use std::fmt::{self, Write};
 use std::time::Duration;
 
 use crate::check::Check;
+use crate::hindrance::Hindrance;
+use crate::latency::Latency;
 use crate::outcome::Outcome;
 
 /// What came of all checks, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     rows: Vec<Row>,
+    latency: Option<Latency>,
+    hindrance: Option<Hindrance>,
 }
 
 /// A check and what came of it.
@@ -42,8 +46,16 @@ pub enum Verdict {
 }
 
 impl Report {
-    pub(crate) const fn new(rows: Vec<Row>) -> Self {
-        Self { rows }
+    pub(crate) const fn new(
+        rows: Vec<Row>,
+        latency: Option<Latency>,
+        hindrance: Option<Hindrance>,
+    ) -> Self {
+        Self {
+            rows,
+            latency,
+            hindrance,
+        }
     }
 
     /// All rows, in the order of [`Check::ALL`].
@@ -63,6 +75,25 @@ impl Report {
     #[must_use]
     pub fn differing(&self) -> Vec<&'static str> {
         self.ids(Outcome::differs)
+    }
+
+    /// The names of the checks that did not find the same each time, or found that something got
+    /// lost on the way.
+    #[must_use]
+    pub fn unsteady(&self) -> Vec<&'static str> {
+        self.ids(|it| matches!(it, Outcome::Unsteady(_)))
+    }
+
+    /// How long the line takes, if that could be measured.
+    #[must_use]
+    pub const fn latency(&self) -> Option<Latency> {
+        self.latency
+    }
+
+    /// Why the arm was not moved at all, if it was not although nothing differs.
+    #[must_use]
+    pub const fn hindrance(&self) -> Option<&Hindrance> {
+        self.hindrance.as_ref()
     }
 
     /// Which dialect the controller speaks.
@@ -85,7 +116,7 @@ impl Report {
     #[must_use]
     pub fn conforms(&self) -> bool {
         let one_dialect = matches!(self.verdict(), Verdict::Specification | Verdict::Firmware11);
-        one_dialect && self.differing().is_empty()
+        one_dialect && self.differing().is_empty() && self.unsteady().is_empty()
     }
 
     /// What it comes to, in one line: `46 hold, 4 not tried; speaks specification`.
@@ -93,9 +124,14 @@ impl Report {
     pub fn summary(&self) -> String {
         let differ = self.differing().len();
         let untried = self.ids(|it| matches!(it, Outcome::NotTried(_))).len();
-        let hold = self.rows.len() - differ - untried;
+        let unsteady = self.unsteady().len();
+        let hold = self.rows.len() - differ - untried - unsteady;
+        let unsteady = match unsteady {
+            0 => String::new(),
+            count => format!(" {count} unsteady,"),
+        };
         format!(
-            "{hold} hold, {differ} differ, {untried} not tried; speaks {}",
+            "{hold} hold, {differ} differ,{unsteady} {untried} not tried; speaks {}",
             self.verdict()
         )
     }
@@ -106,6 +142,9 @@ impl Report {
         let mut text = format!("{HEADING}\n\n| | |\n|---|---|\n");
         let _ = writeln!(text, "| address | `{address}` |");
         let _ = writeln!(text, "| date | {date} |");
+        if let Some(latency) = self.latency {
+            let _ = writeln!(text, "| latency | {latency} |");
+        }
         let _ = writeln!(text, "| speaks | {} |", self.verdict());
         let _ = writeln!(text, "| outcome | {} |", self.summary());
         text.push_str(LEGEND);
@@ -162,6 +201,7 @@ pub const HEADING: &str = "# Conformance of a Dobot controller";
 
 const LEGEND: &str = "
 `holds`: as the protocol says. `specification`, `firmware-1.1`: as only this dialect does. `DIFFERS`: as neither.
+`unsteady`: not the same each time, or something got lost on the way.
 Tables are those of the published protocol, notes (N1, N2 ...) stand in `docs/protocol.md`. Times are in seconds.
 
 | check | what | by | outcome | found | time |

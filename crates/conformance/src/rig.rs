@@ -4,11 +4,15 @@ use std::time::Duration;
 
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_client::{Link, LinkError, plausible, position};
-use dobot_wire::{Decoder, Frame, Status, Statuses};
+use dobot_wire::{Decoder, Frame, PACKET_LEN, Status, Statuses};
 
 use crate::Options;
 use crate::checks::flow::Flow;
-use crate::packet::{STOCK_WRITING_MM_S2, gentle, jog, target, writing};
+use crate::hindrance::Hindrance;
+use crate::latency::Latency;
+use crate::packet::{
+    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, jog, percent, target, teach, writing,
+};
 
 /// A link with a controller, and all that is known about it so far.
 #[derive(Debug)]
@@ -22,6 +26,10 @@ pub(crate) struct Rig {
     pub(crate) seen: Vec<Seen>,
     /// When what was sent last can have had an effect that shows.
     reacted: Duration,
+    /// What the line takes, once it was measured.
+    pub(crate) latency: Option<Latency>,
+    /// Why the arm must not be moved, if it must not.
+    pub(crate) hindrance: Option<Hindrance>,
     /// Where the arm stood at the very beginning.
     pub(crate) start: Option<Status>,
     /// Whether something was sent that moves the arm.
@@ -48,6 +56,24 @@ pub(crate) struct Seen {
 pub(crate) enum Trouble {
     #[error("no status came for {:.1} s", SILENCE.as_secs_f64())]
     Silent,
+    #[error(
+        "no status that can be trusted came for {:.1} s: {count} came whose position and angles \
+         disagree, by up to {worst:.2} mm or degrees",
+        SILENCE.as_secs_f64()
+    )]
+    Implausible { count: usize, worst: f64 },
+    #[error(
+        "no status came for {:.1} s, only {bytes} bytes that are none{}",
+        SILENCE.as_secs_f64(),
+        if *.lost { ": the pose is no number (NaN)" } else { "" }
+    )]
+    Garbled { bytes: usize, lost: bool },
+    #[error(
+        "nothing that is sent shows within {:.0} s, neither an end effector nor the pump: the line \
+         is too slow, or the controller hears nothing",
+        ANSWER.as_secs_f64()
+    )]
+    Unanswered,
     #[error("the arm did not come to rest within {:.0} s", RESTLESS.as_secs_f64())]
     Restless,
     #[error("the arm did not come back to where the checks begin: it is {off_by:.2} mm away")]
@@ -69,6 +95,8 @@ impl Rig {
             raw: Vec::new(),
             seen: Vec::new(),
             reacted: Duration::ZERO,
+            latency: None,
+            hindrance: None,
             start: None,
             moved: false,
             home: None,
@@ -92,9 +120,14 @@ impl Rig {
     pub(crate) async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), Trouble> {
         self.link.send(bytes);
         let count = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
-        let free = self.now() + BYTE * count + GAP;
-        self.reacted = free + REACTION;
+        let free = self.now() + BYTE * count + self.gap();
+        self.reacted = free + REACTION + self.line_delay();
         self.listen(free).await
+    }
+
+    /// What was sent last takes effect so much later.
+    pub(crate) fn expect_later(&mut self, ms: u64) {
+        self.reacted += Duration::from_millis(ms);
     }
 
     /// Listens for so long.
@@ -131,16 +164,27 @@ impl Rig {
         }
     }
 
+    /// What is left between two packets, so that a line that varies does not push them together.
+    fn gap(&self) -> Duration {
+        let jitter = self.latency.map_or(Duration::ZERO, |it| it.jitter());
+        GAP + jitter.min(MOST_GAP)
+    }
+
+    /// What the line adds to every answer, at worst.
+    fn line_delay(&self) -> Duration {
+        self.latency.map_or(Duration::ZERO, |it| it.most)
+    }
+
     /// The next status.
     pub(crate) async fn next_status(&mut self) -> Result<Status, Trouble> {
-        let had = self.seen.len();
+        let (had, heard) = (self.seen.len(), self.raw.len());
         let until = self.now() + SILENCE;
         loop {
             if let Some(seen) = self.seen.get(had) {
                 return Ok(seen.status);
             }
             if self.now() >= until {
-                return Err(Trouble::Silent);
+                return Err(silence(self.raw.get(heard..).unwrap_or_default()));
             }
             self.take(until).await?;
         }
@@ -183,25 +227,27 @@ impl Rig {
         self.go_to(&home).await
     }
 
-    /// Goes to the joint angles of a status, if the arm is not there.
+    /// Goes to the joint angles of a status, if the arm is not there. A command may get lost: it is
+    /// told to three times.
     pub(crate) async fn go_to(&mut self, to: &Status) -> Result<Status, Trouble> {
-        let now = self.settled().await?;
+        let mut now = self.settled().await?;
         if turned(&now, to) < AT_REST_DEG {
             return Ok(now);
         }
-        let off_by = distance(&now, to);
-        // A straight line must have a length (note N34), and a JUMP need not.
-        let mode = if off_by < AT_REST_MM { 0.0 } else { 1.0 };
-        let angles = [to.base_deg, to.rear_deg, to.fore_deg];
-        self.send(target(6.0, angles, to.servo_deg, mode, to))
-            .await?;
-        let there = self.settled().await?;
-        if turned(&there, to) < NEAR_DEG {
-            Ok(there)
-        } else {
-            let off_by = distance(&there, to);
-            Err(Trouble::Astray { off_by })
+        for _ in 0..TRIES {
+            // A straight line must have a length (note N34), and a JUMP need not.
+            let off_by = distance(&now, to);
+            let mode = if off_by < AT_REST_MM { 0.0 } else { 1.0 };
+            let angles = [to.base_deg, to.rear_deg, to.fore_deg];
+            self.send(target(6.0, angles, to.servo_deg, mode, to))
+                .await?;
+            now = self.settled().await?;
+            if turned(&now, to) < NEAR_DEG {
+                return Ok(now);
+            }
         }
+        let off_by = distance(&now, to);
+        Err(Trouble::Astray { off_by })
     }
 
     /// Whether the arm stands still now.
@@ -226,6 +272,19 @@ impl Rig {
         self.send(gentle(0.0)).await
     }
 
+    /// All settings that the checks run with.
+    pub(crate) async fn settings(&mut self) -> Result<(), Trouble> {
+        for packet in [
+            gentle(0.0),
+            percent(50.0, 50.0),
+            teach(STOCK_TEACH_DEG_S),
+            writing(STOCK_WRITING_MM_S2),
+        ] {
+            self.send(packet).await?;
+        }
+        Ok(())
+    }
+
     /// The end effector whose reach the first status shows.
     pub(crate) fn tool(&self) -> Tool {
         self.start.as_ref().map_or(Tool::SuctionCup, tool_of)
@@ -244,6 +303,45 @@ impl Rig {
     /// How many bytes of packets that were begun wait for their end.
     pub(crate) fn skipped(&self) -> u64 {
         self.decoder.counts().skipped_bytes
+    }
+}
+
+/// Statuses by their form alone, whether their numbers agree or not.
+pub(crate) fn lenient(raw: &[u8]) -> Vec<Status> {
+    let mut decoder = Decoder::statuses(|_: &Frame| true);
+    let statuses = decoder.feed(raw).map(|frame| Status::parse(&frame));
+    statuses.flatten().collect()
+}
+
+/// How far the numbers of a status are apart, in millimetres or degrees.
+pub(crate) fn disagreement(status: &Status) -> f64 {
+    let turn = status.base_deg + status.servo_deg - status.rotation_deg;
+    pose_error(status, tool_of(status)).max(turn.abs().into())
+}
+
+/// Whether some window of the bytes is a status whose X is not a number.
+pub(crate) fn tells_no_pose(raw: &[u8]) -> bool {
+    raw.windows(PACKET_LEN).any(|window| {
+        let window: Result<&[u8; PACKET_LEN], _> = window.try_into();
+        let frame = window.ok().and_then(Frame::from_bytes);
+        frame.is_some_and(|it| it.float(1).is_nan())
+    })
+}
+
+/// What came instead of a status that can be trusted.
+fn silence(raw: &[u8]) -> Trouble {
+    let statuses = lenient(raw);
+    if !statuses.is_empty() {
+        let worst = statuses.iter().map(disagreement).fold(0.0, f64::max);
+        let count = statuses.len();
+        return Trouble::Implausible { count, worst };
+    }
+    match raw.len() {
+        0 => Trouble::Silent,
+        bytes => Trouble::Garbled {
+            bytes,
+            lost: tells_no_pose(raw),
+        },
     }
 }
 
@@ -304,13 +402,19 @@ fn still(a: &Status, b: &Status) -> bool {
 }
 
 /// What a byte takes at 9600 baud, and a bit more.
-const BYTE: Duration = Duration::from_micros(1045);
+pub(crate) const BYTE: Duration = Duration::from_micros(1045);
 /// A stock arm may lose a packet that follows another one sooner (note N26).
 const GAP: Duration = Duration::from_millis(12);
+/// Nine packets have to arrive while a vector of 1.4 s is under way.
+const MOST_GAP: Duration = Duration::from_millis(90);
 /// A tick, the tick that a status lags behind, the time between two statuses, and the way of one
 /// over the line; twenty more for a serial port over USB.
 const REACTION: Duration = Duration::from_millis(200);
 const SILENCE: Duration = Duration::from_secs(3);
+/// How long the very first answer may take.
+pub(crate) const ANSWER: Duration = Duration::from_secs(6);
+/// How often the arm is told to come back.
+const TRIES: u32 = 3;
 const RESTLESS: Duration = Duration::from_secs(8);
 const AT_REST_DEG: f32 = 0.005;
 const AT_REST_MM: f64 = 0.05;

@@ -17,16 +17,21 @@ impl<'s> Way<'s> {
         Self { seen }
     }
 
-    /// How long it took, to the period of statuses: how many of them told of neither end.
+    /// How long it took, to the period of statuses: how many of them told of neither end, or would
+    /// have, had they come.
     pub(crate) fn duration_s(&self) -> f64 {
-        let count = u32::try_from(self.under_way().len()).unwrap_or(u32::MAX);
-        f64::from(count) * PERIOD_S
+        let under_way = self.under_way();
+        match (under_way.first(), under_way.last()) {
+            (Some(first), Some(last)) => (periods(first, last) + 1.0) * PERIOD_S,
+            _ => 0.0,
+        }
     }
 
     /// The largest speed between two statuses, in millimetres per second.
     pub(crate) fn peak_mm_s(&self) -> f64 {
-        let steps = self.seen.windows(2).map(|it| apart(&it[0], &it[1]));
-        steps.fold(0.0, f64::max) / PERIOD_S
+        let steps = self.seen.windows(2);
+        let speeds = steps.map(|it| apart(&it[0], &it[1]) / periods(&it[0], &it[1]).max(1.0));
+        speeds.fold(0.0, f64::max) / PERIOD_S
     }
 
     /// The way covered at a status, on average of those under way: half of it for a motion that is
@@ -124,6 +129,11 @@ fn nearest(off: impl Fn(f64) -> f64) -> f64 {
 
 fn dot(a: Position, b: Position) -> f64 {
     a.x.0 * b.x.0 + a.y.0 * b.y.0 + a.z.0 * b.z.0
+}
+
+/// How many periods of statuses lie between two, whether all between them came or not.
+pub(crate) fn periods(a: &Seen, b: &Seen) -> f64 {
+    (b.at.saturating_sub(a.at).as_secs_f64() / PERIOD_S).round()
 }
 
 fn apart(a: &Seen, b: &Seen) -> f64 {

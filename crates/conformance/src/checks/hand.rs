@@ -72,7 +72,7 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
         off(&there, moved(&home, [x, y, z])) < NEAR_MM,
         swings && by(rise, 0.4 * f64::from(z)),
         format!(
-            "4, 3, 5 lead by {:.2}, {:.2}, {rise:.2} mm; the base turns by {swing:.2} degrees",
+            "4, 3, 5 lead by {:.2}, {:.2}, {rise:.2} mm: {reach:.2} mm of reach, {swing:.2} degrees of the base",
             there.x_mm - home.x_mm,
             there.y_mm - home.y_mm,
         ),
@@ -94,8 +94,9 @@ pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, Trouble> {
         Outcome::Firmware11("it hears nothing, as a stock arm on USB".into())
     } else {
         Outcome::Differs(format!(
-            "\"up five\" leads {:.2} mm up",
-            there.z_mm - home.z_mm
+            "\"up five\" leads {:.2} mm up, {:.2} mm in all",
+            there.z_mm - home.z_mm,
+            distance(&home, &there)
         ))
     })
 }

@@ -45,8 +45,10 @@ pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let after = rig.settled().await?;
     let moved = after.base_deg - before.base_deg;
     Ok(Outcome::of(
-        moved > 0.3,
-        format!("{moved:.2} degrees in the time of a short press, then it stands"),
+        moved > LEAST,
+        format!(
+            "{moved:.3} degrees in the time of a short press, {LEAST} at least; then it stands"
+        ),
     ))
 }
 
@@ -61,7 +63,7 @@ pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> 
     Ok(Outcome::of(
         plus > LEAST && minus < -LEAST && strays < STRAY,
         format!(
-            "{plus:+.2} and {minus:+.2} {}; all else by up to {strays:.3}",
+            "{plus:+.2} and {minus:+.2} {}, {LEAST} at least; all else by up to {strays:.3} of {STRAY}",
             axis.unit
         ),
     ))
@@ -70,7 +72,8 @@ pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> 
 /// The speed of the base while its button is held, in degrees per second.
 pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, Trouble> {
     let mark = rig.seen.len();
-    press(rig, Axis { percent, ..BASE }, BASE.plus).await?;
+    let axis = Axis { percent, ..BASE };
+    hold(rig, axis, BASE.plus, LONGER_MS).await?;
     let steps = rig.seen[mark..].windows(2);
     let mut steps: Vec<f64> = steps
         .map(|it| f64::from(it[1].status.base_deg - it[0].status.base_deg))
@@ -104,14 +107,22 @@ pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let after = rig.settled().await?;
     Ok(Outcome::of(
         before == after,
-        "on for a moment; a status does not tell: look for the spot",
+        if before == after {
+            "on for a moment; a status does not tell: look for the spot"
+        } else {
+            "the status changes, which does not tell of a laser"
+        },
     ))
 }
 
 /// Holds a button for a moment; the arm rests afterwards.
 async fn press(rig: &mut Rig, axis: Axis, button: f32) -> Result<Status, Trouble> {
+    hold(rig, axis, button, HOLD_MS).await
+}
+
+async fn hold(rig: &mut Rig, axis: Axis, button: f32, ms: u64) -> Result<Status, Trouble> {
     rig.send(jog(axis.state, button, axis.percent)).await?;
-    rig.pass(HOLD_MS).await?;
+    rig.pass(ms).await?;
     rig.send(jog(axis.state, 0.0, 0.0)).await?;
     if !rig.stands().await? {
         rig.halt().await?;
@@ -166,6 +177,8 @@ const fn line(plus: f32, index: usize, percent: f32, unit: &'static str) -> Axis
 const JOINTS: f32 = 2.0;
 const LINES: f32 = 7.0;
 const HOLD_MS: u64 = 300;
+/// So long that at least three steps between statuses are at full speed, and within 10 mm.
+const LONGER_MS: u64 = 420;
 /// A press that moves less does nothing.
 const LEAST: f32 = 0.3;
 /// What rounding may move.

@@ -3,10 +3,11 @@
 use std::time::Duration;
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, inverse};
-use dobot_wire::{Decoder, Frame, PACKET_LEN, Status};
+use dobot_wire::{PACKET_LEN, Status};
 
+use crate::hindrance::Hindrance;
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Seen, Trouble, joints, pose_error, tool_of, turned};
+use crate::rig::{Rig, Seen, Trouble, disagreement, joints, lenient, tool_of, turned};
 
 /// Listens, and tells what does not belong to statuses.
 pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -39,23 +40,38 @@ pub(crate) fn period(rig: &Rig) -> Outcome {
     if steps < FEW {
         return Outcome::Differs(format!("only {} statuses came", steps + 1));
     }
-    let mean_ms = ms(last.at.saturating_sub(first.at) / steps);
-    let spans = rig
+    let total = last.at.saturating_sub(first.at);
+    let mut spans: Vec<f64> = rig
         .seen
         .windows(2)
-        .map(|it| ms(it[1].at.saturating_sub(it[0].at)));
-    let (least, most) = spans.fold((f64::MAX, 0.0_f64), |(least, most), it| {
-        (least.min(it), most.max(it))
-    });
-    Outcome::of(
-        (mean_ms - PERIOD_MS).abs() <= TOLERANCE_MS,
-        format!("{mean_ms:.1} ms on average of {steps}, {least:.0} to {most:.0}"),
-    )
+        .map(|it| ms(it[1].at.saturating_sub(it[0].at)))
+        .collect();
+    spans.sort_by(f64::total_cmp);
+    let at = |share: usize| spans.get(share).copied().unwrap_or_default();
+    let (least, middle, most) = (at(0), at(spans.len() / 2), at(spans.len() - 1));
+    let mean_ms = ms(total / steps);
+    let found = format!("{mean_ms:.1} ms on average of {steps}, {least:.0} to {most:.0}");
+    let is_period = |ms: f64| (ms - PERIOD_MS).abs() <= TOLERANCE_MS;
+    if is_period(mean_ms) {
+        return Outcome::Holds(found);
+    }
+    // Most of them come in time, and the others by whole periods late: some did not come at all.
+    let due = (ms(total) / PERIOD_MS).round();
+    let missing = due - f64::from(steps);
+    if is_period(middle) && missing > 0.0 && is_period(ms(total) / due) {
+        return Outcome::Unsteady(format!(
+            "{missing:.0} of {due:.0} did not come, the others every {middle:.1} ms: lost on the line?"
+        ));
+    }
+    Outcome::Differs(found)
 }
 
 /// Whether position and angles agree, over all statuses.
 pub(crate) fn pose(rig: &Rig) -> Outcome {
-    let worst = lenient(&rig.raw).iter().map(worst).fold(0.0_f64, f64::max);
+    let worst = lenient(&rig.raw)
+        .iter()
+        .map(disagreement)
+        .fold(0.0_f64, f64::max);
     if rig.seen.is_empty() && worst == 0.0 {
         return Outcome::NotTried("no status came".into());
     }
@@ -87,12 +103,17 @@ pub(crate) fn start(rig: &mut Rig) -> Outcome {
     ))
 }
 
-/// Why the arm has too little room where it stands, if it has: the checks move by up to 10 mm and
-/// 5 degrees, and jump 5 mm higher.
-pub(crate) fn cramped(start: &Status) -> Option<String> {
+/// Why the arm must not be moved from where it stands, if so.
+pub(crate) fn hindrance(start: &Status) -> Option<Hindrance> {
     if start.suction {
-        return Some("the pump runs: something may hang on it".into());
+        return Some(Hindrance::Pump);
     }
+    cramped(start).map(Hindrance::Cramped)
+}
+
+/// Why the arm has too little room where it stands, if it has: the checks move by up to 10 mm and
+/// 5 degrees, and jump up to 9 mm higher.
+fn cramped(start: &Status) -> Option<String> {
     let tool = tool_of(start);
     let Joints {
         base, rear, fore, ..
@@ -132,19 +153,6 @@ fn corners(start: &Status) -> impl Iterator<Item = Position> {
             .into_iter()
             .flat_map(move |y| [0.0, ABOVE_MM].map(move |z| at + Position::new(x, y, z)))
     })
-}
-
-/// Statuses by their form alone, whether their numbers agree or not.
-fn lenient(raw: &[u8]) -> Vec<Status> {
-    let mut decoder = Decoder::statuses(|_: &Frame| true);
-    let statuses = decoder.feed(raw).map(|frame| Status::parse(&frame));
-    statuses.flatten().collect()
-}
-
-/// How far the numbers of a status are apart, in millimetres or degrees.
-fn worst(status: &Status) -> f64 {
-    let turn = status.base_deg + status.servo_deg - status.rotation_deg;
-    pose_error(status, tool_of(status)).max(turn.abs().into())
 }
 
 fn ms(span: Duration) -> f64 {

@@ -2,7 +2,6 @@
 
 use dobot_wire::Status;
 
-use crate::checks::link::cramped;
 use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::{
@@ -15,17 +14,7 @@ use crate::way::Way;
 /// Sets slow speeds and lifts the arm to where all checks begin.
 pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let start = rig.start.ok_or(Trouble::Homeless)?;
-    if let Some(why) = cramped(&start) {
-        return Ok(Outcome::NotTried(why));
-    }
-    for packet in [
-        gentle(0.0),
-        percent(50.0, 50.0),
-        teach(STOCK_TEACH_DEG_S),
-        writing(STOCK_WRITING_MM_S2),
-    ] {
-        rig.send(packet).await?;
-    }
+    rig.settings().await?;
     let point = moved(&start, [0.0, 0.0, LIFT_MM]);
     rig.moved = true;
     rig.send(target(3.0, point, start.rotation_deg, 1.0, &start))
@@ -88,23 +77,6 @@ async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
     })
 }
 
-/// A JUMP of 6 mm, 5 mm high.
-pub(crate) async fn jump(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    let home = rig.home()?;
-    let point = moved(&home, [0.0, 6.0, 0.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let heights = rig.seen[mark..].iter().map(|it| it.status.z_mm - home.z_mm);
-    let height = heights.fold(0.0, f32::max);
-    let off = off(&there, point);
-    Ok(Outcome::of(
-        off < NEAR_MM && (height - JUMP_MM).abs() < 0.3,
-        format!("{height:.2} mm up, as set 5; {off:.3} mm off the point"),
-    ))
-}
-
 /// Joint angles by mode 1, and back by mode 2.
 pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
@@ -116,11 +88,17 @@ pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
         ..home
     };
     let mut worst = 0.0_f32;
+    let mut now = home;
     for (goal, mode) in [(there, 1.0), (home, 2.0)] {
+        // Where the first got lost, the second would be a line without length (note N34).
+        if turned(&now, &goal) < 1.0 {
+            break;
+        }
         let angles = [goal.base_deg, goal.rear_deg, goal.fore_deg];
         rig.send(target(6.0, angles, goal.servo_deg, mode, &goal))
             .await?;
-        worst = worst.max(turned(&rig.settled().await?, &goal));
+        now = rig.settled().await?;
+        worst = worst.max(turned(&now, &goal));
     }
     Ok(Outcome::of(worst < 0.02, format!("{worst:.4} degrees off")))
 }
@@ -182,6 +160,8 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let angles = [home.base_deg, home.rear_deg, home.fore_deg];
     rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
         .await?;
+    // A stock arm takes it up only when its pause is over once more (note N47).
+    rig.expect_later(300);
     rig.settled().await?;
     let back = rig.next_status().await?;
     let gripper = there.gripper_deg - home.gripper_deg;
@@ -191,10 +171,11 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
     Ok(Outcome::of(
         set && reset && !early,
         format!(
-            "pump {}{}, gripper by {gripper:.1} degrees (told: on, 5.0), then {}",
+            "pump {}{}, gripper by {gripper:.3} degrees (told: on, 5.000), then {} and {:.3}",
             word(there.suction),
             if early { " too early" } else { "" },
             word(back.suction),
+            back.gripper_deg - home.gripper_deg,
         ),
     ))
 }

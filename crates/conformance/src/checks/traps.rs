@@ -1,10 +1,10 @@
 //! Traps of stock arms (note N34), which only a reset cures: for virtual arms, and last of all.
 
-use dobot_wire::{Frame, PACKET_LEN};
+use dobot_wire::Frame;
 
 use crate::outcome::Outcome;
 use crate::packet::{STOCK_WRITING_MM_S2, vector, writing};
-use crate::rig::{Rig, Trouble};
+use crate::rig::{Rig, Trouble, tells_no_pose};
 
 /// A write vector without length: refused, or the end of the pose.
 pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -12,7 +12,7 @@ pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, Trouble> {
     rig.react().await?;
     let (bytes, statuses) = (rig.raw.len(), rig.seen.len());
     rig.pass(500).await?;
-    let lost = rig.raw[bytes..].windows(PACKET_LEN).any(tells_no_pose);
+    let lost = tells_no_pose(&rig.raw[bytes..]);
     let went_on = rig.seen.len() > statuses;
     Ok(Outcome::vote(
         went_on && !lost,
@@ -44,11 +44,4 @@ pub(crate) async fn unknown_state(rig: &mut Rig) -> Result<Outcome, Trouble> {
             "what comes after it is done"
         },
     ))
-}
-
-/// Whether a window is a status whose X is not a number.
-fn tells_no_pose(window: &[u8]) -> bool {
-    let window: Result<&[u8; PACKET_LEN], _> = window.try_into();
-    let frame = window.ok().and_then(Frame::from_bytes);
-    frame.is_some_and(|it| it.float(1).is_nan())
 }

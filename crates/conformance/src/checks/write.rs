@@ -12,7 +12,8 @@ pub(crate) async fn vector(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let mark = rig.seen.len();
     rig.send(vector_packet([5.0, 4.0, 3.0], 0.0, 10.0)).await?;
     let there = rig.settled().await?;
-    let straight = Way::new(&rig.seen[mark..]).off_line_mm() < 0.02;
+    let strays = Way::new(&rig.seen[mark..]).off_line_mm();
+    let straight = strays < 0.02;
     let leads = |by| straight && off(&there, moved(&home, by)) < 0.05;
     let [x, y, z] = [
         there.x_mm - home.x_mm,
@@ -22,7 +23,9 @@ pub(crate) async fn vector(rig: &mut Rig) -> Result<Outcome, Trouble> {
     Ok(Outcome::vote(
         leads([5.0, 4.0, 3.0]),
         leads([-5.0, 4.0, 3.0]),
-        format!("5, 4, 3 mm lead by {x:.2}, {y:.2}, {z:.2} mm"),
+        format!(
+            "5, 4, 3 mm lead by {x:.2}, {y:.2}, {z:.2} mm, off a straight line by up to {strays:.3}"
+        ),
     ))
 }
 
@@ -36,14 +39,15 @@ pub(crate) async fn start_speed(rig: &mut Rig) -> Result<Outcome, Trouble> {
     rig.send(writing(STOCK_WRITING_MM_S2)).await?;
     let way = Way::new(&rig.seen[mark..]);
     let (mean, took) = (way.mean_progress().unwrap_or_default(), way.duration_s());
-    let arrived = (distance(&home, &there) - 4.5).abs() < 0.05;
+    let length = distance(&home, &there);
+    let arrived = (length - 4.5).abs() < 0.05;
     // Braking all the way, two thirds of it are covered on average; from rest to rest, one half.
     let from_rest = trapezoid_s(4.5, 9.0, 10.0);
     Ok(Outcome::vote(
         arrived && mean > 0.60,
         arrived && (0.45..0.55).contains(&mean) && (took - from_rest).abs() < 0.2,
         format!(
-            "{:.0} % of the way are covered on average: {}",
+            "{length:.2} mm in {took:.2} s, {:.1} % of the way covered on average: {}",
             mean * 100.0,
             if mean > 0.58 {
                 "it starts fast"

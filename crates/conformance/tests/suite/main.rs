@@ -1,6 +1,9 @@
 //! The suite against good controllers, and against one that is broken in one thing at a time.
 
 mod broken;
+mod delayed;
+mod details;
+mod line;
 
 use std::time::Duration;
 
@@ -503,5 +506,21 @@ async fn whenever_a_run_is_stopped_the_arm_goes_back_to_where_it_was() {
             assert!(off < 0.04, "{personality}, {tenths}: {joints:?}");
             assert!(!arm.controller().suction(), "{personality}, {tenths}");
         }
+    }
+}
+
+#[test]
+fn the_page_lists_every_check_once_in_order() {
+    let page = include_str!("../../../../docs/conformance.md");
+    let rows = page.lines().filter(|line| line.starts_with("| `"));
+    let ids: Vec<_> = rows
+        .clone()
+        .filter_map(|row| row.split('`').nth(1))
+        .collect();
+    let checks: Vec<_> = Check::ALL.iter().map(|it| it.id).collect();
+    assert_eq!(ids, checks);
+    for (row, check) in rows.zip(Check::ALL) {
+        let expected = format!("| {} | {} |", check.title, check.source);
+        assert!(row.contains(&expected), "{row}: {expected}");
     }
 }

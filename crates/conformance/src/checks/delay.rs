@@ -1,0 +1,141 @@
+//! How long the line takes: measured before anything moves, because all waits count on it.
+
+use std::time::Duration;
+
+use dobot_wire::{Frame, PACKET_LEN, Status};
+
+use crate::checks::link::hindrance;
+use crate::checks::settings::{reach_of, show_tool, tool_frame};
+use crate::hindrance::Hindrance;
+use crate::latency::{Latency, MOST};
+use crate::outcome::Outcome;
+use crate::packet::jog;
+use crate::rig::{ANSWER, BYTE, Rig, Seen, Trouble};
+use crate::way::PERIOD_S;
+
+/// Something that shows in the status at once, moves nothing and can be taken back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    /// The end effector: X and Y change by 5.5 mm.
+    Tool,
+    /// The pump, for a controller that takes no end effector.
+    Pump,
+}
+
+/// Changes something that shows, and takes it back, a few times; how soon does it show?
+pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, Trouble> {
+    let start = rig.start.ok_or(Trouble::Homeless)?;
+    if let Some(why) = hindrance(&start) {
+        return Ok(forbidden(rig, why));
+    }
+    let mut answers = Vec::new();
+    let mut lost = 0;
+    let mut sign_used = Sign::Tool;
+    for sign in [Sign::Tool, Sign::Pump] {
+        lost = 0;
+        sign_used = sign;
+        while answers.len() < ANSWERS && lost < MOST_LOST {
+            let phase = u64::try_from(answers.len()).unwrap_or_default() * PHASE_MS;
+            let changes = answers.len() % 2 == 0;
+            // Once it is known, an answer that takes a second more will not come.
+            let patience = answers.last().map_or(ANSWER, |it| *it + MOST);
+            match answer(rig, sign, changes, phase, patience).await? {
+                Some(answer) => answers.push(answer),
+                None => lost += 1,
+            }
+        }
+        if !answers.is_empty() {
+            break;
+        }
+    }
+    if sign_used == Sign::Pump {
+        rig.send(jog(2.0, PUMP_OFF, 0.0)).await?;
+    }
+    show_tool(rig, true).await?;
+    let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(Trouble::Unanswered)?;
+    rig.latency = Some(latency);
+    if latency.most > MOST {
+        return Ok(forbidden(rig, Hindrance::Slow(latency.most)));
+    }
+    rig.settled().await?;
+    Ok(match lost {
+        0 => Outcome::Holds(format!("{latency}, by {} answers", answers.len())),
+        _ => Outcome::Unsteady(format!(
+            "{latency}; {lost} of {} commands showed no effect: lost on the line?",
+            answers.len() + lost
+        )),
+    })
+}
+
+/// Sends one sign, and waits for the first status that shows it.
+async fn answer(
+    rig: &mut Rig,
+    sign: Sign,
+    changes: bool,
+    phase_ms: u64,
+    patience: Duration,
+) -> Result<Option<Duration>, Trouble> {
+    // At another time between two statuses than the one before.
+    rig.next_status().await?;
+    rig.pass(phase_ms).await?;
+    let start = rig.start.ok_or(Trouble::Homeless)?;
+    let mark = rig.seen.len();
+    let arrived = rig.now() + BYTE * u32::try_from(PACKET_LEN).unwrap_or(u32::MAX);
+    rig.send(sign.packet(rig, changes)).await?;
+    loop {
+        let mut seen = rig.seen[mark..].iter();
+        if let Some(seen) = seen.find(|it| sign.shows(&it.status, &start) == changes) {
+            return Ok(Some(seen.at.saturating_sub(arrived)));
+        }
+        if rig.now() > arrived + patience {
+            return Ok(None);
+        }
+        rig.next_status().await?;
+    }
+}
+
+impl Sign {
+    fn packet(self, rig: &Rig, changes: bool) -> Frame {
+        match self {
+            Self::Tool => tool_frame(rig, !changes),
+            Self::Pump => jog(2.0, if changes { PUMP_ON } else { PUMP_OFF }, 0.0),
+        }
+    }
+
+    fn shows(self, status: &Status, start: &Status) -> bool {
+        match self {
+            Self::Tool => (reach_of(status) - reach_of(start)).abs() > 1.0,
+            Self::Pump => status.suction,
+        }
+    }
+}
+
+/// By how much statuses came earlier or later than every 80 ms (note N20).
+fn jitter(seen: &[Seen]) -> Duration {
+    let Some(first) = seen.first() else {
+        return Duration::ZERO;
+    };
+    let lates = seen.iter().map(|it| {
+        let since_s = it.at.saturating_sub(first.at).as_secs_f64() / PERIOD_S;
+        // How far from the beat, in shares of it: one that is missing counts for nothing.
+        since_s - since_s.round()
+    });
+    let (least, most) = lates.fold((0.0_f64, 0.0_f64), |(least, most), late| {
+        (least.min(late), most.max(late))
+    });
+    Duration::from_secs_f64((most - least) * PERIOD_S)
+}
+
+fn forbidden(rig: &mut Rig, why: Hindrance) -> Outcome {
+    let outcome = Outcome::NotTried(why.to_string());
+    rig.hindrance = Some(why);
+    outcome
+}
+
+/// How many answers are waited for; an even number takes the last sign back.
+const ANSWERS: usize = 6;
+/// What is sent at six times between two statuses meets one of them soon.
+const PHASE_MS: u64 = 13;
+const MOST_LOST: usize = 3;
+const PUMP_ON: f32 = 9.0;
+const PUMP_OFF: f32 = 10.0;
