@@ -14,7 +14,7 @@ pub(super) fn sin_cos(x: f32) -> (f32, f32) {
 
 /// By formula 4.4.46; not a number outside of -1 to 1.
 pub(super) fn acos(x: f32) -> f32 {
-    let size = libm::fabsf(x);
+    let size = x.abs();
     let factor = nearest_24(series(&ARC_COSINE, size));
     let angle = f64::from(libm::sqrtf(1.0 - size)) * factor;
     rounded(if x.is_sign_negative() {
@@ -26,11 +26,11 @@ pub(super) fn acos(x: f32) -> f32 {
 
 /// By formula 4.4.49.
 pub(super) fn atan(x: f32) -> f32 {
-    let is_steep = libm::fabsf(x) > 1.0;
+    let is_steep = x.abs() > 1.0;
     let slope = if is_steep { 1.0 / x } else { x };
     let angle = f64::from(slope) * nearest_24(odd_series(&ARC_TANGENT, slope));
     rounded(if is_steep {
-        libm::copysign(QUARTER, x.into()) - cut_32(angle)
+        QUARTER.copysign(x.into()) - cut_32(angle)
     } else {
         angle
     })
@@ -38,12 +38,12 @@ pub(super) fn atan(x: f32) -> f32 {
 
 /// The angle of a point, from -pi to pi; 0 for the origin, whatever the signs.
 pub(super) fn atan2(y: f32, x: f32) -> f32 {
-    if libm::fabsf(y) > libm::fabsf(x) {
-        libm::copysignf(FRAC_PI_2, y) + atan(-(x / y))
+    if y.abs() > x.abs() {
+        FRAC_PI_2.copysign(y) + atan(-(x / y))
     } else if x == 0.0 && y == 0.0 {
         0.0
     } else if x.is_sign_negative() {
-        libm::copysignf(PI, y) + atan(y / x)
+        PI.copysign(y) + atan(y / x)
     } else {
         atan(y / x)
     }
@@ -52,7 +52,7 @@ pub(super) fn atan2(y: f32, x: f32) -> f32 {
 /// What is left of an angle's size once all quarters of a turn are taken away, and their number or
 /// one that is as good.
 fn divided(x: f32) -> (f64, u32) {
-    let size = f64::from(libm::fabsf(x));
+    let size = f64::from(x.abs());
     let size = if size < MANY {
         size
     } else {
