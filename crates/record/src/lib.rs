@@ -37,6 +37,8 @@ mod playback;
 mod record;
 mod recorder;
 mod recording;
+mod records;
+mod repeats;
 mod replay;
 mod schema;
 mod scribe;
