@@ -116,16 +116,12 @@ impl Recording {
 
     /// The next moment, if there is one in what comes next.
     fn step(&mut self) -> Result<Option<Moment>, Flaw> {
-        match self.records.next() {
-            Some(record) => {
-                let (kind, body) = record?;
-                self.take(kind, &body).map_err(Flaw::within)
-            }
-            None => {
-                self.over = true;
-                Ok(None)
-            }
-        }
+        let Some(record) = self.records.next() else {
+            self.over = true;
+            return Ok(None);
+        };
+        let (kind, body) = record?;
+        self.take(kind, &body).map_err(Flaw::within)
     }
 
     /// Takes a record that is not a chunk.

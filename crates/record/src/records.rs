@@ -93,12 +93,12 @@ impl Records {
 
     /// Reads on where no chunk is open.
     fn part(&mut self) -> Result<Option<(u8, Vec<u8>)>, Flaw> {
+        // Wherever what follows fails, nothing can be read on.
+        self.over = true;
         if !self.is_begun {
             // The power may have been cut before.
             return Err(Flaw::end("the file ends before it begins"));
         }
-        // Wherever what follows fails, nothing can be read on.
-        self.over = true;
         let header = self.read(HEADER_LEN)?;
         if header.is_empty() {
             return Err(Flaw::end("the file ends without its end mark"));
@@ -108,7 +108,7 @@ impl Records {
             return Err(Flaw::end(CUT));
         };
         match kind {
-            op::FOOTER => return self.skip(len).and_then(|()| self.end()).map(|()| None),
+            op::FOOTER => self.skip(len).and_then(|()| self.end()).map(|()| None),
             op::CHUNK => {
                 let body = self.body(len)?;
                 self.over = false;
