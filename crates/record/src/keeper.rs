@@ -637,8 +637,8 @@ mod tests {
             let last = Recording::open(&path).unwrap().last();
             let last = last.map(|it| it.at).unwrap_or_default();
             let repeats = Duration::from_millis(11_200);
-            assert!(at - last <= repeats, "at {at:?}, last {last:?}");
-            let is_told = last >= news || at - news <= Duration::from_millis(1_080);
+            assert!(at <= last + repeats, "at {at:?}, last {last:?}");
+            let is_told = last >= news || at <= news + Duration::from_millis(1_080);
             assert!(is_told, "at {at:?}, last {last:?}, new at {news:?}");
         }
     }
