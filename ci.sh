@@ -5,7 +5,7 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, Node and Chromium for
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api` and `recordings`, Node and Chromium for
 # `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
@@ -21,6 +21,8 @@
 #   finds stays in `fuzz/artifacts`, and becomes a test.
 # - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
 #   follow its OpenAPI document, and more that break it.
+# - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
+#   that were repaired.
 # - `licences` looks at every dependency on every platform with `cargo tree` alone.
 #
 # Why not others:
@@ -43,6 +45,7 @@ readonly CI_STEPS=(
   "no-std       do wire, arm, motion, course and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
+  "recordings   does PyPI's mcap read what was repaired?"
   "page         try the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target"
@@ -161,6 +164,15 @@ step_api() {
   kill -INT "$station"
   wait "$station"
   STATION=
+  rm -rf "$folder"
+}
+
+step_recordings() {
+  local folder
+  needs_venv
+  folder=$(mktemp -d)
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked -p dobot-record --all-features --test repairs -- --exact samples --ignored
+  tests/recordings/read.sh "$folder"
   rm -rf "$folder"
 }
 

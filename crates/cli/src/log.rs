@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_client::plausible;
-use dobot_record::{Entry, FROM_ARM, Moment, OpenError, Recording, TO_ARM, recordings};
+use dobot_record::{
+    Entry, FROM_ARM, Moment, OpenError, Recording, TO_ARM, is_being_written, recordings,
+};
 use dobot_wire::{Commands, Decoder, Dialect, Status, Statuses};
 use serde_json::json;
 
@@ -60,8 +62,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         None => list(&args.shelf.folder()?, args.json),
         Some(file) => {
             let path = args.shelf.find(file)?;
+            // It may be ended meanwhile: then there is more than was looked for.
+            let is_being_written = is_being_written(&path);
             let recording = open(&path)?;
-            Printer::new(args).print(recording)
+            Printer::new(args).print(recording, is_being_written)
         }
     }
 }
@@ -73,12 +77,22 @@ fn list(folder: &Path, as_json: bool) -> Result<(), Failure> {
     }
     for file in files {
         let path = file.path.display();
+        let is_being_written = is_being_written(&file.path);
         if as_json {
-            let begin = file.begin.to_string();
-            let path = path.to_string();
-            output::json(&json!({ "file": path, "begin": begin, "bytes": file.bytes }))?;
+            output::json(&json!({
+                "file": path.to_string(),
+                "begin": file.begin.to_string(),
+                "bytes": file.bytes,
+                "being_written": is_being_written,
+            }))?;
         } else {
-            output::line(&format!("{}  {:>9}  {path}", file.begin, size(file.bytes)))?;
+            let (begin, size) = (file.begin, size(file.bytes));
+            let note = if is_being_written {
+                "  being written"
+            } else {
+                ""
+            };
+            output::line(&format!("{begin}  {size:>9}  {path}{note}"))?;
         }
     }
     Ok(())
@@ -145,7 +159,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn print(mut self, mut recording: Recording) -> Result<(), Failure> {
+    fn print(mut self, mut recording: Recording, is_being_written: bool) -> Result<(), Failure> {
         let mut is_first = true;
         while let Some(moment) = recording.next() {
             if std::mem::take(&mut is_first) {
@@ -156,6 +170,13 @@ impl<'a> Printer<'a> {
         }
         match recording.damage() {
             None => Ok(()),
+            Some(damage) if damage.breaks_off && is_being_written => {
+                if self.args.json {
+                    return Ok(output::json(&json!({ "being_written": true }))?);
+                }
+                let text = "it is still being written; this is what it holds by now";
+                Ok(output::line(text)?)
+            }
             Some(damage) if self.args.json => {
                 let damage = damage.to_string();
                 Ok(output::json(&json!({ "damage": damage }))?)

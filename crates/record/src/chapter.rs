@@ -48,15 +48,8 @@ impl<W: Write> Chapter<W> {
             inner: file,
             count: Arc::clone(&written),
         };
-        let options = WriteOptions::new()
-            .library(concat!("dobot ", env!("CARGO_PKG_VERSION")))
-            .compression(Some(Compression::Zstd))
-            .compression_threads(0)
-            // A chunk is whole in memory before any of it is written.
-            .disable_seeking(true)
-            .chunk_size(Some(MOST_CHUNK_LEN));
         let mut chapter = Self {
-            writer: options.create(NoSeek::new(counted))?,
+            writer: options().create(NoSeek::new(counted))?,
             written,
             channels: HashMap::new(),
             index_len: FRAME_LEN,
@@ -184,6 +177,17 @@ impl<W: Write> std::fmt::Debug for Chapter<W> {
     }
 }
 
+/// How a file is written.
+pub(crate) fn options() -> WriteOptions {
+    WriteOptions::new()
+        .library(concat!("dobot ", env!("CARGO_PKG_VERSION")))
+        .compression(Some(Compression::Zstd))
+        .compression_threads(0)
+        // A chunk is whole in memory before any of it is written.
+        .disable_seeking(true)
+        .chunk_size(Some(MOST_CHUNK_LEN))
+}
+
 /// How long schema and channel of a topic are, and its part in the indexes of a chunk, in bytes, at
 /// the most.
 const fn description_len(topic: &Topic) -> u64 {
@@ -267,7 +271,13 @@ mod tests {
                 for at_ns in 0..100 {
                     let json = at_ns.to_string().into_bytes();
                     let topic = &topic;
-                    chapter.write(&Message { topic, at_ns, json })?;
+                    let message = Message {
+                        topic,
+                        at_ns,
+                        since_ns: at_ns,
+                        json,
+                    };
+                    chapter.write(&message)?;
                     chapter.flush()?;
                 }
                 chapter.finish().map(drop)
@@ -291,7 +301,7 @@ mod tests {
                     (noise >> 56) as u8
                 };
                 let json = (0..len).map(|_| random()).collect();
-                let message = Message { topic: &topics[number], at_ns: 0, json };
+                let message = Message { topic: &topics[number], at_ns: 0, since_ns: 0, json };
                 let foreseen = chapter.len_when_finished() + chapter.cost(&message);
                 chapter.write(&message).unwrap();
                 prop_assert!(chapter.len_when_finished() <= foreseen);

@@ -4,7 +4,7 @@ use mcap::records::op;
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 
 use crate::fields::Fields;
-use crate::recording::{BAD_RECORD, HEADER_LEN, LONGEST};
+use crate::records::{BAD_RECORD, HEADER_LEN, LONGEST};
 
 /// A chunk: records that were compressed together, given out one by one. The checksum of a compressed
 /// one is checked before any of it is.

@@ -5,7 +5,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use jiff::{SignedDuration, Timestamp};
+use jiff::Timestamp;
 use mcap::McapError;
 
 use crate::chapter::Chapter;
@@ -29,6 +29,8 @@ pub(crate) struct Keeper {
     /// Records lost that no file tells of yet.
     untold: u64,
     why_untold: String,
+    /// Records that no message tells yet.
+    held: u64,
 }
 
 /// The file that is written.
@@ -78,6 +80,7 @@ impl Keeper {
             lost: 0,
             untold: 0,
             why_untold: String::new(),
+            held: 0,
         }
     }
 
@@ -85,40 +88,31 @@ impl Keeper {
     pub(crate) fn handle_record(&mut self, at: Duration, record: &Record) {
         self.now = self.now.max(at);
         if let Record::About(about) = record {
+            self.write_held();
             self.about = (**about).clone();
             let told = self.tell();
             self.judge(told);
         }
         let Some(messages) = self.scribe.write(at, record) else {
-            return self.handle_lost(1, "a time lies centuries ahead");
+            return self.lose(1, "a time lies centuries ahead");
         };
-        if messages.is_empty() {
-            return;
+        if !messages.is_empty() || self.scribe.is_holding() {
+            self.held += 1;
         }
-        if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
-            let reason = trouble.reason.clone();
-            return self.handle_lost(1, &reason);
-        }
-        let written = self.write(at, &messages);
-        let failed = written.is_err();
-        self.judge(written);
-        if failed {
-            let reason = self.health().trouble.unwrap_or_default();
-            self.handle_lost(1, &reason);
-        }
+        self.write_down(at, &messages);
     }
 
-    /// Takes note of records that were lost.
+    /// Takes note of records that were lost behind those that came.
     pub(crate) fn handle_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
-            self.lost += count;
-            self.untold += count;
-            reason.clone_into(&mut self.why_untold);
+            self.write_held();
+            self.lose(count, reason);
         }
     }
 
     /// Nothing came for a while: what came before is made safe.
     pub(crate) fn handle_idle(&mut self) {
+        self.write_held();
         let flushed = match &mut self.open {
             Some(open) if open.unsafe_records > 0 => open.flush(),
             _ => return,
@@ -128,6 +122,7 @@ impl Keeper {
 
     /// Ends the file that is written.
     pub(crate) fn finish(&mut self) {
+        self.write_held();
         if self.open.is_some() {
             let closed = self.close();
             self.judge(closed);
@@ -140,11 +135,56 @@ impl Keeper {
             file: self.open.as_ref().map(|open| open.path.clone()),
             trouble: self.trouble.as_ref().map(|it| it.reason.clone()),
             lost: self.lost,
+            ..Health::default()
         }
     }
 
-    /// Writes the messages that tell a record.
-    fn write(&mut self, at: Duration, messages: &[Message<'_>]) -> Result<(), McapError> {
+    fn lose(&mut self, count: u64, reason: &str) {
+        if count > 0 {
+            self.lost += count;
+            self.untold += count;
+            reason.clone_into(&mut self.why_untold);
+        }
+    }
+
+    /// Writes the messages that tell what is held back.
+    fn write_held(&mut self) {
+        let messages = self.scribe.write_held();
+        if !messages.is_empty() {
+            self.write_down(self.now, &messages);
+        }
+    }
+
+    /// Writes messages that tell all that was held back, or, if there are none, sees to what was
+    /// written before.
+    fn write_down(&mut self, at: Duration, messages: &[Message<'_>]) {
+        if messages.is_empty() {
+            if let Err(error) = self.flush_if_due(at) {
+                self.judge(Err(error));
+            }
+            return;
+        }
+        let count = std::mem::take(&mut self.held);
+        if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
+            let reason = trouble.reason.clone();
+            return self.lose(count, &reason);
+        }
+        let written = self.write(at, messages, count);
+        let failed = written.is_err();
+        self.judge(written);
+        if failed {
+            let reason = self.health().trouble.unwrap_or_default();
+            self.lose(count, &reason);
+        }
+    }
+
+    /// Writes the messages that tell so many records.
+    fn write(
+        &mut self,
+        at: Duration,
+        messages: &[Message<'_>],
+        count: u64,
+    ) -> Result<(), McapError> {
         for message in messages {
             self.turn_page(at, message)?;
             let Some(open) = &mut self.open else { break };
@@ -156,20 +196,28 @@ impl Keeper {
             }
             open.chapter.write(message)?;
         }
-        let (Some(open), Some(last)) = (&mut self.open, messages.last()) else {
-            return Ok(());
+        let flushed = self.flush_if_due(at)?;
+        if let Some(open) = &mut self.open {
+            open.holds_records |= flushed;
+            open.unsafe_records += if flushed { 0 } else { count };
+        }
+        Ok(())
+    }
+
+    /// Hands what was written to the file, if that is worth it by now; says whether it was.
+    fn flush_if_due(&mut self, at: Duration) -> Result<bool, McapError> {
+        let Some((open, now_ns)) = self.open.as_mut().zip(self.scribe.at_ns(at)) else {
+            return Ok(false);
         };
-        if !open.chapter.wants_flush(last.at_ns) {
-            open.unsafe_records += 1;
-            return Ok(());
+        if !open.chapter.wants_flush(now_ns) {
+            return Ok(false);
         }
         open.flush()?;
-        open.holds_records = true;
         if at.saturating_sub(open.synced) >= SYNC_PERIOD {
             open.synced = at;
             open.file.sync_data()?;
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Sees to it that a file is open that has room for a message.
@@ -188,7 +236,7 @@ impl Keeper {
             total_bytes,
         } = self.limits;
         shelf::make_room(&self.folder, file_bytes, total_bytes)?;
-        self.open = Some(self.begin(at)?);
+        self.open = Some(self.begin(at, message.since_ns)?);
         Ok(())
     }
 
@@ -199,13 +247,12 @@ impl Keeper {
         let count = open.unsafe_records;
         open.finish().inspect_err(|error| {
             let reason = self.text(error);
-            self.handle_lost(count, &reason);
+            self.lose(count, &reason);
         })
     }
 
-    fn begin(&self, at: Duration) -> Result<Open, McapError> {
-        let since = SignedDuration::try_from(at).unwrap_or(SignedDuration::ZERO);
-        let begin = self.start.checked_add(since).unwrap_or(self.start);
+    fn begin(&self, at: Duration, since_ns: u64) -> Result<Open, McapError> {
+        let begin = Timestamp::from_nanosecond(since_ns.into()).unwrap_or(self.start);
         let (path, file) = shelf::create(&self.folder, begin)?;
         let writer = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
         let chapter = Chapter::begin(writer, &self.about, self.start);
@@ -238,7 +285,7 @@ impl Keeper {
         if let Some(reason) = self.health().trouble
             && let Some(open) = self.open.take()
         {
-            self.handle_lost(open.unsafe_records, &reason);
+            self.lose(open.unsafe_records, &reason);
             if !open.holds_records {
                 discard(&open.path);
             }
@@ -291,6 +338,8 @@ const LOST_LEN: u64 = 8 << 10;
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use jiff::SignedDuration;
+
     use super::*;
     use crate::{Entry, RECORDER, Recording, recordings};
 
@@ -462,5 +511,156 @@ mod tests {
             .iter()
             .map(|it| Recording::open(&it.path).unwrap().count());
         assert_eq!(moments.sum::<usize>(), 100);
+    }
+
+    /// Rear arm upright, forearm level, turned that far.
+    fn status(base_deg: f32) -> Vec<u8> {
+        let radius_mm = 215.07;
+        let status = dobot_wire::Status {
+            x_mm: radius_mm * base_deg.to_radians().cos(),
+            y_mm: radius_mm * base_deg.to_radians().sin(),
+            z_mm: 135.0,
+            rotation_deg: base_deg,
+            base_deg,
+            rear_deg: 0.0,
+            fore_deg: 0.0,
+            servo_deg: 0.0,
+            suction: false,
+            gripper_deg: 0.0,
+        };
+        status.emit().to_bytes().to_vec()
+    }
+
+    /// A number from 0 to 1.
+    fn random(state: &mut u64) -> f64 {
+        *state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(*state >> 32).unwrap()) / f64::from(u32::MAX)
+    }
+
+    /// What the station tells while nothing happens, as long as it is.
+    fn state(at: Duration, seed: &mut u64) -> Record {
+        let schema = serde_json::json!({ "type": "object", "description": "x".repeat(20_000) });
+        let topic = crate::Topic::new("/station/state", "dobot.State", &schema).unwrap();
+        let value = serde_json::json!({
+            "at_s": at.as_secs_f64(),
+            "link": {
+                "address": "serial:/dev/ttyUSB0", "phase": "up", "problem": null, "bluetooth": false,
+                "statuses_per_s": 12.5 + random(seed) / 10.0, "lost_statuses": 0,
+                "damaged_bytes": 0, "latency_ms": 93.0 + random(seed),
+            },
+            "arm": {
+                "x_mm": 215.07, "y_mm": 0.0, "z_mm": 135.0, "rotation_deg": 0.0, "base_deg": 0.0,
+                "rear_deg": 0.0, "fore_deg": 0.0, "servo_deg": 0.0, "suction": false,
+                "gripper_deg": 0.0, "moving": false,
+            },
+            "dialect": "firmware-1.1",
+            "trust": { "trusted": false, "reason": "nobody has confirmed the pose yet" },
+            "queue": { "waiting": 0, "under_way": 0, "ahead_s": 0.0 },
+            "lease": null, "stop": null, "laser": { "armed_for_s": 0.0, "on": false },
+            "job": null, "clients": 1,
+        });
+        Record::Json {
+            topic: topic.into(),
+            value,
+        }
+    }
+
+    /// An hour at rest: a status every 80 ms, half a millisecond early or late, in so many pieces as
+    /// a serial port gives. How many bytes it takes.
+    fn idle_hour(cuts: &[usize]) -> u64 {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        let (mut seed, mut told) = (7, 0);
+        for n in 0..45_000_u64 {
+            let late = |seed: &mut u64| Duration::from_secs_f64(0.001 * random(seed));
+            let mut at = Duration::from_millis(80 * n);
+            let status = status(0.0);
+            let ends = cuts.iter().copied().chain([status.len()]);
+            let mut begin = 0;
+            for end in ends {
+                at += late(&mut seed);
+                keeper.handle_record(at, &Record::FromArm(status[begin..end].to_vec()));
+                begin = end;
+            }
+            if n % 125 == 0 {
+                keeper.handle_record(at, &state(at, &mut seed));
+            }
+        }
+        keeper.finish();
+        assert_eq!(keeper.health().lost, 0);
+        let files = recordings(folder.path()).unwrap();
+        for file in &files {
+            let mut recording = Recording::open(&file.path).unwrap();
+            told += recording
+                .by_ref()
+                .filter_map(|it| match it.entry {
+                    Entry::FromArm(bytes) => Some(bytes.len()),
+                    _ => None,
+                })
+                .sum::<usize>();
+            assert_eq!(recording.damage(), None);
+        }
+        assert_eq!(told, 45_000 * 42, "nothing is missing");
+        files.iter().map(|it| it.bytes).sum()
+    }
+
+    #[test]
+    fn an_hour_at_rest_takes_less_than_a_megabyte() {
+        for cuts in [&[][..], &[16]] {
+            let bytes = idle_hour(cuts);
+            println!("{} pieces: {bytes} bytes an hour", cuts.len() + 1);
+            assert!(
+                bytes < 1_000_000,
+                "{bytes} bytes, {} pieces",
+                cuts.len() + 1
+            );
+        }
+    }
+
+    #[test]
+    fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_second() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        let mut news = Duration::ZERO;
+        for n in 0..1000_u32 {
+            let at = Duration::from_millis(80) * n;
+            // It moves for a moment now and then.
+            let is_new = n % 300 == 0;
+            news = if is_new { at } else { news };
+            let base_deg = if is_new { 30.0 } else { 0.0 };
+            keeper.handle_record(at, &Record::FromArm(status(base_deg)));
+            let Some(path) = keeper.health().file else {
+                continue;
+            };
+            let last = Recording::open(&path).unwrap().last();
+            let last = last.map(|it| it.at).unwrap_or_default();
+            let repeats = Duration::from_millis(11_200);
+            assert!(at <= last + repeats, "at {at:?}, last {last:?}");
+            let is_told = last >= news || at <= news + Duration::from_millis(1_080);
+            assert!(is_told, "at {at:?}, last {last:?}, new at {news:?}");
+        }
+    }
+
+    #[test]
+    fn records_that_were_lost_are_told_behind_what_came_before_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut keeper = keeper(folder.path());
+        for n in 0..5 {
+            keeper.handle_record(s(n), &Record::FromArm(status(0.0)));
+        }
+        keeper.handle_lost(3, "a test");
+        keeper.handle_record(s(6), &Record::FromArm(status(0.0)));
+        keeper.finish();
+        let path = &recordings(folder.path()).unwrap()[0].path;
+        let moments = Recording::open(path).unwrap();
+        let told: Vec<_> = moments
+            .filter(|it| [RECORDER, crate::FROM_ARM].contains(&&*it.topic))
+            .map(|it| (it.at, &*it.topic == RECORDER))
+            .collect();
+        let statuses = (0..5).map(|n| (s(n), false));
+        let expected: Vec<_> = statuses.chain([(s(6), true), (s(6), false)]).collect();
+        assert_eq!(told, expected);
     }
 }

@@ -1,6 +1,7 @@
 //! Recordings of everything on the wire, as MCAP files, and their replay.
 //!
-//! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off;
+//! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off, and
+//! repairs those that broke off before;
 //! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
 //! Foxglove, with the tool's pose in its 3D panel and everything else to plot.
 //!
@@ -37,6 +38,10 @@ mod playback;
 mod record;
 mod recorder;
 mod recording;
+mod records;
+mod repair;
+mod repairs;
+mod repeats;
 mod replay;
 mod schema;
 mod scribe;
@@ -50,5 +55,5 @@ pub use record::Record;
 pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
 pub use replay::{Difference, Replay, Report};
-pub use shelf::{Shelved, recordings};
+pub use shelf::{Shelved, is_being_written, recordings};
 pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};

@@ -40,6 +40,9 @@ pub struct Damage {
     pub last: Option<Duration>,
     /// Why no more could be read.
     pub reason: String,
+    /// All that is there is good: the file merely ends too early, as one does that is being written or
+    /// whose program was killed.
+    pub breaks_off: bool,
 }
 
 impl fmt::Display for Damage {

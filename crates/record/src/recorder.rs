@@ -10,13 +10,15 @@ use std::time::Duration;
 use jiff::Timestamp;
 
 use crate::keeper::Keeper;
+use crate::repairs::Repairs;
 use crate::scribe::Scribe;
 use crate::{About, Limits, Record, StartError};
 
 /// Records what it is given, in a thread of its own: its caller never waits, and never fails.
 ///
 /// About once a second what was recorded is handed to the file, and every five seconds to the disk;
-/// that is what a program that is killed and a power cut cost. When a file cannot be written, as on
+/// that is what a program that is killed and a power cut cost, and of statuses that say the same
+/// again, ten seconds. What such an end left in the folder is repaired at the next start. When a file cannot be written, as on
 /// a full disk, [`Recorder::health`] says why, and another one is tried ten seconds later. What was
 /// lost is counted, and the next file tells of it.
 ///
@@ -39,6 +41,12 @@ pub struct Health {
     pub trouble: Option<String>,
     /// Records that were lost since the start, for whatever reason.
     pub lost: u64,
+    /// Files of before that broke off and were repaired since the start: they end in order now, and
+    /// tell at their end what could not be read.
+    pub repaired: u64,
+    /// Files of before that broke off and were left as they are: they hold nothing readable, or cannot
+    /// be written anew.
+    pub left: u64,
 }
 
 /// What handle and thread both know.
@@ -66,13 +74,16 @@ impl Recorder {
     ) -> Result<Self, StartError> {
         limits.check()?;
         let scribe = Scribe::new(start).ok_or(StartError::Clock { found: start })?;
-        let keeper = Keeper::new(folder.into(), limits, start, about, scribe);
+        let folder = folder.into();
+        let repairs = Repairs::new(folder.clone(), limits);
+        let keeper = Keeper::new(folder, limits, start, about, scribe);
         let shared = Arc::new(Shared::default());
         shared.tell(keeper.health());
         let (queue, records) = sync_channel(QUEUE_LEN);
         let (end, ended) = channel();
         let worker = Worker {
             keeper,
+            repairs,
             records,
             ended,
             shared: Arc::clone(&shared),
@@ -139,6 +150,7 @@ impl Shared {
 /// The thread's side.
 struct Worker {
     keeper: Keeper,
+    repairs: Repairs,
     records: Receiver<(Duration, Record)>,
     ended: Receiver<()>,
     shared: Arc<Shared>,
@@ -152,14 +164,15 @@ impl Worker {
         loop {
             let ended = self.ended.recv_timeout(wait) != Err(RecvTimeoutError::Timeout);
             let count = self.write_down();
+            let repairs = !ended && self.repairs.step();
             // Behind a full round there may be more.
-            wait = if count < QUEUE_LEN {
+            wait = if count < QUEUE_LEN && !repairs {
                 PERIOD
             } else {
                 Duration::ZERO
             };
             idle = if count == 0 {
-                idle + PERIOD
+                idle + wait
             } else {
                 Duration::ZERO
             };
@@ -170,7 +183,11 @@ impl Worker {
             if is_over {
                 self.keeper.finish();
             }
-            self.shared.tell(self.keeper.health());
+            self.shared.tell(Health {
+                repaired: self.repairs.repaired(),
+                left: self.repairs.left(),
+                ..self.keeper.health()
+            });
             if is_over {
                 return;
             }

@@ -3,17 +3,16 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use mcap::MAGIC;
 use mcap::records::op;
 use serde_json::Value;
 
-use crate::chunk::Chunk;
 use crate::fields::Fields;
+use crate::records::{BAD_RECORD, Flaw, Records};
 use crate::topic::{FROM_ARM, NAME_LEN, TO_ARM};
 use crate::{About, Damage, Entry, Moment, hex};
 
@@ -24,14 +23,13 @@ use crate::{About, Damage, Entry, Moment, hex};
 /// iterator simply ends, and [`Recording::damage`] tells where and why. It takes a few megabytes of
 /// memory at the most, whatever the file says about itself.
 pub struct Recording {
-    file: BufReader<Box<dyn Read + Send>>,
+    records: Records,
     about: Option<About>,
     /// Nanoseconds since 1970 when the times begin.
     start_ns: Option<u64>,
     channels: HashMap<u16, Channel>,
-    chunk: Option<Chunk>,
-    /// How many bytes of the file were good.
-    good_bytes: u64,
+    /// What came again and again, and was not given out yet.
+    repeats: Option<Repeats>,
     last: Option<Duration>,
     over: bool,
     damage: Option<Damage>,
@@ -55,12 +53,18 @@ struct Channel {
     is_json: bool,
 }
 
-/// A record of the file that is worth a look.
-enum Part {
-    Record(u8, Vec<u8>),
-    /// Nothing of interest here.
-    Skipped,
-    End,
+/// The pieces of a packet that came again and again, one after the other.
+struct Repeats {
+    topic: Arc<str>,
+    packet: Vec<u8>,
+    /// When the next piece came, in nanoseconds since 1970.
+    next_ns: u64,
+    gaps_ns: std::vec::IntoIter<u64>,
+    /// How long each is; those that have no length here are the packet.
+    lens: std::vec::IntoIter<usize>,
+    /// How much of the packet came already.
+    place: usize,
+    over: bool,
 }
 
 impl Recording {
@@ -79,32 +83,15 @@ impl Recording {
     ///
     /// [`OpenError`].
     pub fn over(file: impl Read + Send + 'static) -> Result<Self, OpenError> {
-        let file: Box<dyn Read + Send> = Box::new(file);
-        let mut file = BufReader::new(file);
-        let mut magic = Vec::new();
-        file.by_ref()
-            .take(MAGIC.len() as u64)
-            .read_to_end(&mut magic)?;
-        if !MAGIC.starts_with(&magic) {
-            return Err(OpenError::NotMcap);
-        }
-        // The power may have been cut before it was begun.
-        let is_begun = magic == MAGIC;
-        let damage = (!is_begun).then(|| Damage {
-            good_bytes: 0,
-            last: None,
-            reason: "the file ends before it begins".to_owned(),
-        });
         Ok(Self {
-            file,
+            records: Records::over(file)?,
             about: None,
             start_ns: None,
             channels: HashMap::new(),
-            chunk: None,
-            good_bytes: MAGIC.len() as u64,
+            repeats: None,
             last: None,
-            over: !is_begun,
-            damage,
+            over: false,
+            damage: None,
         })
     }
 
@@ -128,58 +115,13 @@ impl Recording {
     }
 
     /// The next moment, if there is one in what comes next.
-    fn step(&mut self) -> Result<Option<Moment>, String> {
-        if let Some(chunk) = &mut self.chunk {
-            if let Some(record) = chunk.next() {
-                let (kind, body) = record?;
-                return self.take(kind, &body);
-            }
-            self.good_bytes += chunk.file_bytes();
-            self.chunk = None;
+    fn step(&mut self) -> Result<Option<Moment>, Flaw> {
+        let Some(record) = self.records.next() else {
+            self.over = true;
             return Ok(None);
-        }
-        match self.part()? {
-            Part::Record(op::CHUNK, body) => {
-                self.chunk = Some(Chunk::new(body)?);
-                Ok(None)
-            }
-            Part::Record(kind, body) => {
-                let moment = self.take(kind, &body)?;
-                self.good_bytes += HEADER_LEN + body.len() as u64;
-                Ok(moment)
-            }
-            Part::Skipped => Ok(None),
-            Part::End => {
-                self.over = true;
-                Ok(None)
-            }
-        }
-    }
-
-    /// The next record of the file.
-    fn part(&mut self) -> Result<Part, String> {
-        let header = self.read(HEADER_LEN)?;
-        if header.is_empty() {
-            return Err("the file ends without its end mark".to_owned());
-        }
-        let mut fields = Fields(&header);
-        let (Some(kind), Some(len)) = (fields.u8(), fields.u64()) else {
-            return Err(CUT.to_owned());
         };
-        match kind {
-            op::CHUNK | op::CHANNEL | op::MESSAGE | op::METADATA if len > LONGEST => Err(format!(
-                "a record says that it has {len} bytes; allowed are {LONGEST}"
-            )),
-            op::CHUNK | op::CHANNEL | op::MESSAGE | op::METADATA => {
-                let body = self.read(len)?;
-                if (body.len() as u64) < len {
-                    return Err(CUT.to_owned());
-                }
-                Ok(Part::Record(kind, body))
-            }
-            op::FOOTER => self.skip(len).and_then(|()| self.end()),
-            _ => self.skip(len).map(|()| Part::Skipped),
-        }
+        let (kind, body) = record?;
+        self.take(kind, &body).map_err(Flaw::within)
     }
 
     /// Takes a record that is not a chunk.
@@ -195,7 +137,7 @@ impl Recording {
                 }
                 Ok(None)
             }
-            op::MESSAGE => self.message(&mut fields).map(Some),
+            op::MESSAGE => self.message(&mut fields),
             _ => Ok(None),
         }
     }
@@ -220,7 +162,7 @@ impl Recording {
         Ok(())
     }
 
-    fn message(&mut self, fields: &mut Fields<'_>) -> Result<Moment, String> {
+    fn message(&mut self, fields: &mut Fields<'_>) -> Result<Option<Moment>, String> {
         let mut read = || {
             let (id, _sequence) = (fields.u16()?, fields.u32()?);
             let (logged_ns, _published) = (fields.u64()?, fields.u64()?);
@@ -234,38 +176,28 @@ impl Recording {
         let start_ns = *self.start_ns.get_or_insert(logged_ns);
         let at = Duration::from_nanos(logged_ns.saturating_sub(start_ns));
         self.last = Some(at);
-        Ok(Moment {
+        if let Some(repeats) = channel.repeats(logged_ns, fields.0) {
+            self.repeats = Some(repeats);
+            return Ok(None);
+        }
+        Ok(Some(Moment {
             at,
             topic: Arc::clone(&channel.topic),
             entry: channel.entry(fields.0),
-        })
+        }))
     }
 
-    /// Up to `len` bytes, fewer only where the file ends.
-    fn read(&mut self, len: u64) -> Result<Vec<u8>, String> {
-        let mut bytes = Vec::new();
-        let read = self.file.by_ref().take(len).read_to_end(&mut bytes);
-        read.map_err(|error| format!("the file cannot be read on: {error}"))?;
-        Ok(bytes)
-    }
-
-    fn skip(&mut self, len: u64) -> Result<(), String> {
-        let skipped = io::copy(&mut self.file.by_ref().take(len), &mut io::sink());
-        let skipped = skipped.map_err(|error| format!("the file cannot be read on: {error}"))?;
-        if skipped < len {
-            return Err(CUT.to_owned());
-        }
-        self.good_bytes += HEADER_LEN + len;
-        Ok(())
-    }
-
-    fn end(&mut self) -> Result<Part, String> {
-        let magic = self.read(MAGIC.len() as u64)?;
-        if magic == MAGIC {
-            Ok(Part::End)
-        } else {
-            Err("the end mark of the file is damaged".to_owned())
-        }
+    /// The next of what came again and again.
+    fn repeat(&mut self) -> Option<Moment> {
+        let repeats = self.repeats.as_mut()?;
+        let start_ns = self.start_ns.unwrap_or_default();
+        let moment = repeats.next().map(|(at_ns, bytes)| Moment {
+            at: Duration::from_nanos(at_ns.saturating_sub(start_ns)),
+            topic: Arc::clone(&repeats.topic),
+            entry: Entry::FromArm(bytes),
+        });
+        self.repeats.take_if(|_| moment.is_none());
+        moment
     }
 }
 
@@ -273,21 +205,27 @@ impl Iterator for Recording {
     type Item = Moment;
 
     fn next(&mut self) -> Option<Moment> {
-        while !self.over {
+        loop {
+            if let Some(moment) = self.repeat() {
+                return Some(moment);
+            }
+            if self.over {
+                return None;
+            }
             match self.step() {
                 Ok(None) => {}
                 Ok(moment) => return moment,
-                Err(reason) => {
+                Err(flaw) => {
                     self.over = true;
                     self.damage = Some(Damage {
-                        good_bytes: self.good_bytes,
+                        good_bytes: self.records.good_bytes(),
                         last: self.last,
-                        reason,
+                        reason: flaw.reason,
+                        breaks_off: flaw.breaks_off,
                     });
                 }
             }
         }
-        None
     }
 }
 
@@ -295,13 +233,58 @@ impl fmt::Debug for Recording {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Recording")
             .field("about", &self.about)
-            .field("good_bytes", &self.good_bytes)
+            .field("good_bytes", &self.records.good_bytes())
             .field("damage", &self.damage)
             .finish_non_exhaustive()
     }
 }
 
+impl Iterator for Repeats {
+    type Item = (u64, Vec<u8>);
+
+    fn next(&mut self) -> Option<(u64, Vec<u8>)> {
+        if self.over {
+            return None;
+        }
+        let whole = self.packet.len();
+        let len = self.lens.next().unwrap_or(whole);
+        let bytes = self.packet.iter().cycle().skip(self.place).take(len);
+        let piece = (self.next_ns, bytes.copied().collect());
+        self.place = (self.place + len) % whole;
+        match self.gaps_ns.next() {
+            Some(gap_ns) => self.next_ns += gap_ns,
+            None => self.over = true,
+        }
+        Some(piece)
+    }
+}
+
 impl Channel {
+    /// The pieces that a message of bytes from the arm tells, if it is one of those.
+    fn repeats(&self, last_ns: u64, data: &[u8]) -> Option<Repeats> {
+        if &*self.topic != FROM_ARM || !self.is_json {
+            return None;
+        }
+        let message: Repeated = serde_json::from_slice(data).ok()?;
+        let packet = hex::bytes(&message.bytes).filter(|it| !it.is_empty())?;
+        let times_ns = message
+            .gaps_ns
+            .iter()
+            .try_fold(0, |sum: u64, it| sum.checked_add(*it));
+        let lens = &message.lens;
+        let is_sound = lens.is_empty() || lens.len() == message.gaps_ns.len() + 1;
+        let fit = lens.iter().all(|len| *len <= packet.len());
+        (is_sound && fit).then_some(Repeats {
+            topic: Arc::clone(&self.topic),
+            packet,
+            next_ns: last_ns.checked_sub(times_ns?)?,
+            gaps_ns: message.gaps_ns.into_iter(),
+            lens: message.lens.into_iter(),
+            place: 0,
+            over: false,
+        })
+    }
+
     fn entry(&self, data: &[u8]) -> Entry {
         let value = serde_json::from_slice(data).ok();
         let Some(value) = value.filter(|_| self.is_json) else {
@@ -320,6 +303,15 @@ impl Channel {
     }
 }
 
+/// What a message tells of a packet that came again and again.
+#[derive(serde::Deserialize)]
+struct Repeated {
+    bytes: String,
+    gaps_ns: Vec<u64>,
+    #[serde(default)]
+    lens: Vec<usize>,
+}
+
 fn metadata(fields: &mut Fields<'_>) -> Option<mcap::records::Metadata> {
     let name = fields.text()?.to_owned();
     let mut rest = fields.fields()?;
@@ -329,13 +321,3 @@ fn metadata(fields: &mut Fields<'_>) -> Option<mcap::records::Metadata> {
     }
     Some(mcap::records::Metadata { name, metadata })
 }
-
-/// The kind of a record and its length.
-pub(crate) const HEADER_LEN: u64 = 9;
-
-/// The longest record and the longest chunk, in bytes.
-pub(crate) const LONGEST: u64 = 8 << 20;
-
-pub(crate) const BAD_RECORD: &str = "a record does not hold what its kind does";
-
-const CUT: &str = "the file ends in the middle of a record";

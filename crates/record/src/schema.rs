@@ -47,11 +47,23 @@ fn from_arm() -> Value {
         fields.remove("$schema");
     }
     object(
-        "Bytes that came from the arm",
+        "Bytes that came from the arm; with gaps_ns, the same packet that came again and again",
         &["at_s", "bytes"],
         &json!({
             "at_s": at_s(),
             "bytes": { "type": "string", "description": "Hex digits" },
+            "gaps_ns": {
+                "type": "array",
+                "items": { "type": "integer" },
+                "description": "Nanoseconds from each piece of the repeated packet to the next; the \
+                    last came at this message's log time. There is a piece more than gaps",
+            },
+            "lens": {
+                "type": "array",
+                "items": { "type": "integer" },
+                "description": "How many bytes each piece has, from the packet's first byte on and \
+                    around; where this is missing each piece is the packet",
+            },
             "status": status,
         }),
     )
@@ -84,11 +96,15 @@ fn joints() -> Value {
 
 fn recorder() -> Value {
     object(
-        "Records that were lost before this one",
-        &["at_s", "lost", "reason"],
+        "What is missing from the recording before this message",
+        &["at_s", "reason"],
         &json!({
             "at_s": at_s(),
-            "lost": { "type": "integer", "description": "How many" },
+            "lost": { "type": "integer", "description": "How many records, if that is known" },
+            "unreadable_bytes": {
+                "type": "integer",
+                "description": "How many bytes of the file could not be read when it was repaired",
+            },
             "reason": { "type": "string", "description": "Why" },
         }),
     )
@@ -172,7 +188,8 @@ fn object(description: &str, required: &[&str], properties: &Value) -> Value {
 mod tests {
     use super::*;
 
-    /// What Foxglove takes: objects, numbers, texts and truths all the way down, no references.
+    /// What Foxglove takes: objects, numbers, texts and truths all the way down, lists of numbers, no
+    /// references.
     fn plots(schema: &Value) -> bool {
         match schema["type"].as_str() {
             Some("object") => {
@@ -180,6 +197,7 @@ mod tests {
                 fields.is_none_or(|fields| fields.values().all(plots))
             }
             Some("number" | "integer" | "string" | "boolean") => true,
+            Some("array") => matches!(schema["items"]["type"].as_str(), Some("integer")),
             _ => false,
         }
     }

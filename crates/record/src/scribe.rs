@@ -7,13 +7,15 @@ use jiff::Timestamp;
 use serde::Serialize;
 use serde_json::json;
 
+use crate::repeats::{Repeats, Told};
 use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
 use crate::{Record, Topic, hex, schema};
 
 /// Writes down what happened: an engine, records in, messages out.
 ///
 /// It follows the bytes of each direction, so that a message holds one packet at most, however the
-/// bytes came in pieces, and tells what the packet means.
+/// bytes came in pieces, and tells what the packet means. A status that comes again and again is
+/// held back until anything else happens, or for ten seconds, and then told with all its times.
 #[derive(Debug)]
 pub(crate) struct Scribe {
     /// Nanoseconds since 1970 when the times of the records begin.
@@ -21,6 +23,10 @@ pub(crate) struct Scribe {
     dialect: Option<Dialect>,
     commands: Decoder<Commands>,
     statuses: Decoder<Statuses>,
+    /// The status that came last, if it is whole and what came since says the same.
+    repeats: Option<Repeats>,
+    /// What the views show.
+    shown: Option<Status>,
 }
 
 /// A message, ready to be written.
@@ -29,6 +35,8 @@ pub(crate) struct Message<'t> {
     pub(crate) topic: &'t Topic,
     /// Nanoseconds since 1970.
     pub(crate) at_ns: u64,
+    /// When the first happened of what it tells.
+    pub(crate) since_ns: u64,
     pub(crate) json: Vec<u8>,
 }
 
@@ -49,25 +57,44 @@ impl Scribe {
             dialect: None,
             commands: Decoder::commands(),
             statuses: Decoder::statuses(dobot_client::plausible),
+            repeats: None,
+            shown: None,
         })
     }
 
-    /// The messages that tell a record; `None` where its time lies centuries ahead.
+    /// The messages that tell what was held back and a record; `None` where its time lies centuries
+    /// ahead.
     pub(crate) fn write<'t>(
         &mut self,
         at: Duration,
         record: &'t Record,
     ) -> Option<Vec<Message<'t>>> {
         let when = self.when(at)?;
-        Some(match record {
-            Record::About(about) => {
-                self.dialect = about.dialect;
-                Vec::new()
-            }
-            Record::ToArm(bytes) => self.tell_to_arm(when, bytes),
-            Record::FromArm(bytes) => self.tell_from_arm(when, bytes),
-            Record::Json { topic, value } => vec![when.message(topic, value)],
-        })
+        if let Record::FromArm(bytes) = record {
+            return Some(self.tell_from_arm(when, bytes));
+        }
+        let mut messages = self.write_held();
+        match record {
+            Record::About(about) => self.dialect = about.dialect,
+            Record::ToArm(bytes) => messages.extend(self.tell_to_arm(when, bytes)),
+            Record::FromArm(_) => {}
+            Record::Json { topic, value } => messages.push(when.message(topic, value)),
+        }
+        Some(messages)
+    }
+
+    /// The messages that tell what was held back.
+    pub(crate) fn write_held<'t>(&mut self) -> Vec<Message<'t>> {
+        let told = self.repeats.as_mut().and_then(Repeats::tell);
+        // What is told begins with a packet: the rest of this one is not held back.
+        self.repeats.take_if(|it| !it.is_between_packets());
+        told.map(|told| self.tell_repeats(&told))
+            .unwrap_or_default()
+    }
+
+    /// Whether anything is held back.
+    pub(crate) fn is_holding(&self) -> bool {
+        self.repeats.as_ref().is_some_and(Repeats::is_holding)
     }
 
     /// The message that tells that records were lost.
@@ -80,6 +107,11 @@ impl Scribe {
         let when = self.when(at)?;
         let value = json!({ "at_s": when.at_s, "lost": lost, "reason": reason });
         Some(when.own(RECORDER, &value))
+    }
+
+    /// A time in nanoseconds since 1970; `None` where it lies centuries ahead.
+    pub(crate) fn at_ns(&self, at: Duration) -> Option<u64> {
+        self.when(at).map(|it| it.at_ns)
     }
 
     fn when(&self, at: Duration) -> Option<When> {
@@ -112,26 +144,62 @@ impl Scribe {
         messages
     }
 
-    fn tell_from_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+    fn tell_from_arm<'t>(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'t>> {
         let mut messages = Vec::new();
         for (piece, frame) in pieces(&mut self.statuses, bytes) {
-            let status = frame.and_then(|frame| Status::parse(&frame).ok());
-            let message = FromArm {
-                at_s: when.at_s,
-                bytes: hex::digits(piece),
-                status,
-            };
-            messages.push(when.own(FROM_ARM, &message));
-            if let Some(status) = status {
-                messages.extend(when.views(&status.message().unwrap_or(status)));
+            let (at_ns, is_end) = (when.at_ns, frame.is_some());
+            let repeats = self.repeats.as_mut();
+            if repeats.is_some_and(|it| it.take(at_ns, piece, is_end)) {
+                if self.repeats.as_ref().is_some_and(Repeats::is_due) {
+                    messages.extend(self.write_held());
+                }
+                continue;
             }
+            messages.extend(self.write_held());
+            let status = frame.and_then(|frame| Status::parse(&frame).ok());
+            messages.push(when.own(FROM_ARM, &FromArm::new(when.at_s, piece, status)));
+            if let Some(status) = status
+                && self.shown.replace(status) != Some(status)
+            {
+                messages.extend(when.views(&status));
+            }
+            let packet = frame.map(|frame| frame.to_bytes());
+            self.repeats = packet
+                .zip(status)
+                .map(|(packet, status)| Repeats::new(packet, status));
         }
         messages
+    }
+
+    /// One piece is told as if it had not been held back.
+    fn tell_repeats<'t>(&self, told: &Told) -> Vec<Message<'t>> {
+        let when = When {
+            at_s: Duration::from_nanos(told.last_ns.saturating_sub(self.start_ns)).as_secs_f64(),
+            at_ns: told.last_ns,
+        };
+        if let [len] = told.lens[..] {
+            let status = told.are_packets().then_some(told.status);
+            let message = FromArm::new(when.at_s, &told.packet[..len], status);
+            return vec![when.own(FROM_ARM, &message)];
+        }
+        let lens = (!told.are_packets()).then_some(&told.lens[..]);
+        let message = FromArm {
+            gaps_ns: Some(&told.gaps_ns),
+            lens,
+            ..FromArm::new(when.at_s, &told.packet, Some(told.status))
+        };
+        let message = Message {
+            since_ns: told.first_ns,
+            ..when.own(FROM_ARM, &message)
+        };
+        std::iter::once(message)
+            .chain(when.views(&told.status))
+            .collect()
     }
 }
 
 impl When {
-    fn own(self, topic: &str, value: &impl Serialize) -> Message<'static> {
+    fn own<'t>(self, topic: &str, value: &impl Serialize) -> Message<'t> {
         let topic = schema::own(topic).expect("it is one of the recorder's own topics");
         self.message(topic, value)
     }
@@ -140,12 +208,14 @@ impl When {
         Message {
             topic,
             at_ns: self.at_ns,
+            since_ns: self.at_ns,
             json: serde_json::to_vec(value).expect("all maps have names that are text"),
         }
     }
 
     /// A status as Foxglove's panels want to see it.
-    fn views(self, status: &Status) -> [Message<'static>; 3] {
+    fn views<'t>(self, status: &Status) -> [Message<'t>; 3] {
+        let status = &status.message().unwrap_or(*status);
         let (position, orientation) = (position_m(status), quaternion(status));
         let timestamp = json!({
             "sec": self.at_ns / NANOS_PER_S,
@@ -193,11 +263,27 @@ struct ToArm {
 
 /// A message of [`FROM_ARM`].
 #[derive(Debug, Serialize)]
-struct FromArm {
+struct FromArm<'r> {
     at_s: f64,
     bytes: String,
     #[serde(skip_serializing_if = "Option::is_none")]
+    gaps_ns: Option<&'r [u64]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lens: Option<&'r [usize]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     status: Option<Status>,
+}
+
+impl FromArm<'_> {
+    fn new(at_s: f64, bytes: &[u8], status: Option<Status>) -> Self {
+        Self {
+            at_s,
+            bytes: hex::digits(bytes),
+            gaps_ns: None,
+            lens: None,
+            status,
+        }
+    }
 }
 
 /// A message of [`JOINTS`].

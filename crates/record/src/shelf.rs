@@ -1,7 +1,7 @@
 //! The folder in which recordings stand.
 
 use std::fs::{File, OpenOptions};
-use std::io;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use jiff::Timestamp;
@@ -55,13 +55,75 @@ pub fn recordings(folder: &Path) -> io::Result<Vec<Shelved>> {
     Ok(entries)
 }
 
+/// Whether somebody writes this recording now: a recorder has its file for itself until it ends it,
+/// or until its program does. Where the operating system cannot tell, the answer is yes.
+#[must_use]
+pub fn is_being_written(path: &Path) -> bool {
+    if cfg!(windows) {
+        return OpenOptions::new().write(true).open(path).is_err();
+    }
+    File::open(path).is_ok_and(|file| file.try_lock_shared().is_err())
+}
+
+/// Whether the file ends with the mark of one that was ended in order.
+pub(crate) fn has_end_mark(path: &Path) -> io::Result<bool> {
+    let mut file = File::open(path)?;
+    let mark_len = mcap::MAGIC.len() as u64;
+    if file.metadata()?.len() < 2 * mark_len {
+        return Ok(false);
+    }
+    file.seek(SeekFrom::Start(file.metadata()?.len() - mark_len))?;
+    let mut mark = Vec::new();
+    file.read_to_end(&mut mark)?;
+    Ok(mark == mcap::MAGIC)
+}
+
+/// A file beside a recording that becomes the recording, once it is repaired; `None` while somebody
+/// else writes it. What a repair left that was killed is gone.
+pub(crate) fn beside(recording: &Path) -> io::Result<Option<(PathBuf, File)>> {
+    let mut name = recording.as_os_str().to_owned();
+    name.push(REPAIRED);
+    let path = PathBuf::from(name);
+    let mut options = OpenOptions::new();
+    let file = alone(options.write(true).create(true).truncate(false)).open(&path)?;
+    if cfg!(not(windows)) && file.try_lock().is_err() {
+        return Ok(None);
+    }
+    file.set_len(0)?;
+    Ok(Some((path, file)))
+}
+
+/// Puts a repaired recording into the place of the damaged one. The file has to be written and
+/// synced.
+pub(crate) fn replace(repaired: &Path, recording: &Path) -> io::Result<()> {
+    std::fs::rename(repaired, recording)?;
+    if let Some(folder) = recording.parent() {
+        sync_folder(folder);
+    }
+    Ok(())
+}
+
+/// Deletes what repairs left that were killed.
+pub(crate) fn tidy(folder: &Path) -> io::Result<()> {
+    for file in folder.read_dir()? {
+        let file = file?;
+        let name = file.file_name();
+        let recording = name.to_str().and_then(|it| it.strip_suffix(REPAIRED));
+        if recording.and_then(parse).is_some() && !is_being_written(&file.path()) {
+            std::fs::remove_file(file.path())?;
+        }
+    }
+    Ok(())
+}
+
 /// Makes a new file for a recording that begins then; the folder is made if it is missing.
 pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, File)> {
     std::fs::create_dir_all(folder)?;
     for number in 1..=MOST_PER_SECOND {
         let path = folder.join(name(begin, number));
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
+        match alone(OpenOptions::new().write(true).create_new(true)).open(&path) {
             Ok(file) => {
+                lock(&file);
                 sync_folder(folder);
                 return Ok((path, file));
             }
@@ -86,6 +148,21 @@ pub(crate) fn make_room(folder: &Path, bytes: u64, total: u64) -> io::Result<()>
         }
     }
     Ok(())
+}
+
+/// On Windows nobody else may write the file while it is open; that is its lock there: a real one
+/// would keep readers out.
+fn alone(options: &mut OpenOptions) -> &mut OpenOptions {
+    #[cfg(windows)]
+    std::os::windows::fs::OpenOptionsExt::share_mode(options, 1 | 4);
+    options
+}
+
+/// Locks the file for as long as it is open. Where files have no locks it is written all the same.
+fn lock(file: &File) {
+    if cfg!(not(windows)) {
+        let _ = file.lock();
+    }
 }
 
 /// `dobot-2026-11-21T12-30-00Z.mcap`: a name that every system takes, in the order of time.
@@ -117,6 +194,9 @@ fn sync_folder(folder: &Path) {
         let _ = folder.sync_all();
     }
 }
+
+/// What the name of a recording that is being repaired has at its end.
+const REPAIRED: &str = ".repair";
 
 /// More files than anybody begins in a second.
 const MOST_PER_SECOND: u32 = 1000;

@@ -7,7 +7,8 @@ use crate::schema;
 /// Where bytes to the arm are recorded.
 pub const TO_ARM: &str = "/wire/to_arm";
 
-/// Where bytes from the arm are recorded.
+/// Where bytes from the arm are recorded. What came again and again is one message with all its
+/// times; [`Recording`](crate::Recording) tells each of them.
 pub const FROM_ARM: &str = "/wire/from_arm";
 
 /// Where the tool is, as `foxglove.PoseInFrame`: metres, in the frame `base`.

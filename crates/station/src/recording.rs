@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_client::Address;
 use dobot_record::{About, Limits, Record, Recorder, Topic};
-use dobot_wire::Dialect;
+use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -20,6 +20,8 @@ pub(crate) struct Recording {
     about: About,
     states: Arc<Topic>,
     notices: Arc<Topic>,
+    /// The state that was recorded last, and when.
+    told: Option<(Duration, State)>,
     /// What was wrong with the recorder when it was asked last.
     problem: Option<String>,
 }
@@ -35,6 +37,7 @@ impl Recording {
             },
             states: topic::<State>("/station/state", "dobot.State"),
             notices: topic::<Notice>("/station/notices", "dobot.Notice"),
+            told: None,
             problem: None,
         }
     }
@@ -47,8 +50,25 @@ impl Recording {
         self.record(at, || Record::FromArm(bytes.to_vec()));
     }
 
-    pub(crate) fn state(&self, at: Duration, state: &State) {
-        self.json(at, &self.states, state);
+    /// Records a state that says something new; one in which only the arm's status, clocks and figures
+    /// of the link changed, every ten seconds.
+    pub(crate) fn state(&mut self, at: Duration, state: &State) {
+        if self.recorder.is_some() && self.is_worth_telling(at, state) {
+            self.told = Some((at, state.clone()));
+            self.json(at, &self.states, state);
+        }
+    }
+
+    fn is_worth_telling(&self, at: Duration, state: &State) -> bool {
+        let Some((told_at, told)) = &self.told else {
+            return true;
+        };
+        let is_due = at.saturating_sub(*told_at) >= STATE_PERIOD;
+        if is_due {
+            told != state
+        } else {
+            essence(told) != essence(state)
+        }
     }
 
     pub(crate) fn notice(&self, at: Duration, notice: &Notice) {
@@ -98,6 +118,30 @@ impl Recording {
     }
 }
 
+/// What a state says beside the arm's status, which is recorded as it came, clocks and figures of the
+/// link.
+fn essence(state: &State) -> State {
+    let mut state = state.clone();
+    state.at_s = 0.0;
+    state.link.statuses_per_s = 0.0;
+    state.link.lost_statuses = 0;
+    state.link.damaged_bytes = 0;
+    state.link.latency_ms = None;
+    state.queue.ahead_s = 0.0;
+    state.laser.armed_for_s = if state.laser.armed_for_s > 0.0 {
+        1.0
+    } else {
+        0.0
+    };
+    if let Some(arm) = &mut state.arm {
+        arm.status = REST;
+    }
+    if let Some(job) = &mut state.job {
+        job.left_s = None;
+    }
+    state
+}
+
 /// Starts a recording, or says why there is none.
 pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
     let recorder = Recorder::start(
@@ -119,4 +163,119 @@ fn topic<T: JsonSchema>(name: &str, schema_name: &str) -> Arc<Topic> {
     let schema = settings.into_generator().into_root_schema_for::<T>();
     let topic = Topic::new(name, schema_name, schema.as_value());
     Arc::new(topic.expect("our types are objects, and our topics begin with a slash"))
+}
+
+/// Any status.
+const REST: Status = Status {
+    x_mm: 0.0,
+    y_mm: 0.0,
+    z_mm: 0.0,
+    rotation_deg: 0.0,
+    base_deg: 0.0,
+    rear_deg: 0.0,
+    fore_deg: 0.0,
+    servo_deg: 0.0,
+    suction: false,
+    gripper_deg: 0.0,
+};
+
+/// How often a state is recorded that says nothing new.
+const STATE_PERIOD: Duration = Duration::from_secs(10);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{ArmView, LaserView, LinkPhase, LinkView, QueueView, TrustView};
+
+    /// A state of an arm at rest: clock and figures run on.
+    fn state(at_s: f64) -> State {
+        State {
+            at_s,
+            link: LinkView {
+                address: Some("virtual:".into()),
+                phase: LinkPhase::Up,
+                problem: None,
+                bluetooth: false,
+                statuses_per_s: 12.5 + at_s / 1e6,
+                lost_statuses: 0,
+                damaged_bytes: 0,
+                latency_ms: None,
+            },
+            arm: Some(ArmView {
+                status: Status {
+                    x_mm: 200.0,
+                    ..REST
+                },
+                moving: false,
+            }),
+            dialect: None,
+            trust: TrustView {
+                trusted: true,
+                reason: None,
+            },
+            queue: QueueView {
+                waiting: 0,
+                under_way: 0,
+                ahead_s: 0.0,
+            },
+            lease: None,
+            stop: None,
+            laser: LaserView {
+                armed_for_s: 0.0,
+                on: false,
+            },
+            job: None,
+            clients: 1,
+        }
+    }
+
+    /// How many states of those are recorded, one each 80 ms.
+    fn recorded(states: impl IntoIterator<Item = State>) -> usize {
+        let folder = tempfile::tempdir().expect("there is room");
+        let start = jiff::Timestamp::UNIX_EPOCH;
+        let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+        let mut recording = Recording::new(Some(recorder.expect("it starts")), None);
+        for state in states {
+            recording.state(Duration::from_secs_f64(state.at_s), &state);
+        }
+        recording.end();
+        let files = dobot_record::recordings(folder.path()).expect("it is readable");
+        let moments = dobot_record::Recording::open(&files[0].path).expect("it is one");
+        moments.count()
+    }
+
+    fn hour() -> impl Iterator<Item = State> {
+        (0..45_000).map(|n| state(0.08 * f64::from(n)))
+    }
+
+    #[test]
+    fn at_rest_a_state_is_recorded_every_ten_seconds() {
+        let count = recorded(hour());
+        // 125 states of 80 ms are ten seconds.
+        assert!((350..=361).contains(&count), "{count} an hour");
+    }
+
+    #[test]
+    fn a_state_that_says_something_new_is_recorded_at_once() {
+        let mut states: Vec<_> = hour().take(100).collect();
+        for state in &mut states[50..] {
+            state.clients = 2;
+        }
+        if let Some(arm) = &mut states[70].arm {
+            arm.moving = true;
+        }
+        // The first, the second client, the movement and its end.
+        assert_eq!(recorded(states), 4);
+    }
+
+    #[test]
+    fn the_status_alone_is_on_the_wire_anyway() {
+        let mut states: Vec<_> = hour().take(100).collect();
+        for (n, state) in (0_u8..).zip(&mut states) {
+            if let Some(arm) = &mut state.arm {
+                arm.status.x_mm = n.into();
+            }
+        }
+        assert_eq!(recorded(states), 1);
+    }
 }

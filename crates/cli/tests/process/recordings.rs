@@ -134,7 +134,8 @@ fn a_part_of_a_recording_is_chosen_by_time_and_topic() {
     assert_eq!(lines[1]["at_s"], 1.08);
     assert_eq!(lines[1]["command"]["x_mm"], 210.0);
     let joints = dobot(&["log", text(&file), "--topic", "/arm/joints"]).succeeds();
-    assert_eq!(joints.stdout.matches("base_deg").count(), 3, "{joints:?}");
+    // The pose never changes.
+    assert_eq!(joints.stdout.matches("base_deg").count(), 1, "{joints:?}");
 }
 
 #[test]
@@ -149,6 +150,41 @@ fn a_file_that_breaks_off_is_told_up_to_there() {
         outcome.stdout.contains("the file is damaged: only"),
         "{outcome:?}"
     );
+}
+
+#[test]
+fn a_recording_that_is_being_written_is_told_as_such() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let start = "2026-11-21T12:30:00Z".parse().expect("it is a time");
+    let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+    let recorder = recorder.expect("the limits are good");
+    recorder.record(Duration::ZERO, Record::ToArm(target(200.0).to_vec()));
+    let file = loop {
+        if let Some(file) = recorder.health().file {
+            break file;
+        }
+        std::thread::yield_now();
+    };
+    let in_folder = ["log", "--folder", text(folder.path())];
+    let listed = dobot(&in_folder).succeeds();
+    assert!(listed.stdout.contains("being written"), "{listed:?}");
+    let listed = dobot(&[&in_folder[..], &["--json"]].concat()).succeeds();
+    assert!(
+        listed.stdout.contains("\"being_written\":true"),
+        "{listed:?}"
+    );
+    let outcome = dobot(&["log", text(&file)]).succeeds();
+    let expected = "it is still being written; this is what it holds by now";
+    assert!(outcome.stdout.contains(expected), "{outcome:?}");
+    assert!(!outcome.stdout.contains("damaged"), "{outcome:?}");
+    let outcome = dobot(&["log", text(&file), "--json"]).succeeds();
+    assert!(
+        outcome.stdout.contains("\"being_written\":true"),
+        "{outcome:?}"
+    );
+    assert!(recorder.finish().trouble.is_none());
+    let outcome = dobot(&["log", text(&file)]).succeeds();
+    assert!(!outcome.stdout.contains("being written"), "{outcome:?}");
 }
 
 #[test]

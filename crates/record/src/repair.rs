@@ -1,0 +1,218 @@
+//! A recording that broke off is written anew, as far as it can be read.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::fs::File;
+use std::io::{BufWriter, Seek, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use mcap::records::{MessageHeader, Record};
+use mcap::write::NoSeek;
+use mcap::{McapError, McapResult, Writer};
+use serde_json::json;
+
+use crate::records::{Flaw, Records};
+use crate::topic::RECORDER;
+use crate::{About, OpenError, chapter, schema, shelf};
+
+/// A recording that broke off, while it is written anew beside itself. Until the new file is whole
+/// and safe on the disk nothing happens to the old one.
+pub(crate) struct Repair {
+    old: PathBuf,
+    old_bytes: u64,
+    new: New,
+    /// The new file may have so many bytes.
+    most: u64,
+    records: Records,
+    /// Begun with what the old file begins with.
+    writer: Option<Writer<NoSeek<BufWriter<File>>>>,
+    /// Why the old file cannot be read on or through, whatever came first.
+    flaw: Option<Flaw>,
+    /// Something was read that is worth a file.
+    holds_something: bool,
+    start_ns: Option<u64>,
+    last_ns: u64,
+    /// The channel of what recorders say about themselves.
+    recorder: Option<u16>,
+}
+
+/// What came of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// The file is whole now.
+    Repaired,
+    /// It is what it was.
+    Left,
+}
+
+/// The new file: deleted unless it takes the old one's place.
+struct New {
+    path: PathBuf,
+    file: File,
+}
+
+impl Repair {
+    /// Begins to repair a file; `None` while somebody else does, and where there is nothing to read.
+    pub(crate) fn begin(path: &Path, most: u64) -> Result<Option<Self>, OpenError> {
+        let Some((new, file)) = shelf::beside(path)? else {
+            return Ok(None);
+        };
+        let new = New { path: new, file };
+        let old = File::open(path)?;
+        let old_bytes = old.metadata()?.len();
+        Ok(Some(Self {
+            old: path.to_owned(),
+            old_bytes,
+            new,
+            most,
+            records: Records::over(old)?,
+            writer: None,
+            flaw: None,
+            holds_something: false,
+            start_ns: None,
+            last_ns: 0,
+            recorder: None,
+        }))
+    }
+
+    /// Copies some records; what came of it when that was the last of it.
+    pub(crate) fn step(&mut self) -> Option<Outcome> {
+        for _ in 0..RECORDS {
+            match self.records.next() {
+                Some(Ok((kind, body))) => match mcap::parse_record(kind, &body) {
+                    Ok(record) => match self.copy(record) {
+                        Ok(()) => {}
+                        // The disk is full, or worse.
+                        Err(McapError::Io(_)) => return Some(Outcome::Left),
+                        Err(error) => self.note(Flaw::within(error.to_string())),
+                    },
+                    Err(error) => self.note(Flaw::within(error.to_string())),
+                },
+                Some(Err(flaw)) => self.note(flaw),
+                None => return Some(self.end()),
+            }
+        }
+        None
+    }
+
+    fn note(&mut self, flaw: Flaw) {
+        self.flaw.get_or_insert(flaw);
+    }
+
+    fn copy(&mut self, record: Record<'_>) -> McapResult<()> {
+        if let Record::Header(header) = &record
+            && self.writer.is_none()
+        {
+            let options = chapter::options()
+                .profile(&header.profile)
+                .library(&header.library);
+            let file = self.new.file.try_clone()?;
+            self.writer = Some(options.create(NoSeek::new(BufWriter::new(file)))?);
+        }
+        // A file that does not begin as it has to was not begun by a recorder.
+        let Some(writer) = &mut self.writer else {
+            return Ok(());
+        };
+        match record {
+            Record::Schema { header, data } => writer
+                .add_schema_with_id(header.id, &header.name, &header.encoding, &data)
+                .map(drop),
+            Record::Channel(it) => {
+                if it.topic == RECORDER {
+                    self.recorder = Some(it.id);
+                }
+                let (topic, encoding) = (&it.topic, &it.message_encoding);
+                writer
+                    .add_channel_with_id(it.id, it.schema_id, topic, encoding, &it.metadata)
+                    .map(drop)
+            }
+            Record::Message { header, data } => {
+                writer.write_to_known_channel(&header, &data)?;
+                self.last_ns = header.log_time;
+                self.start_ns.get_or_insert(header.log_time);
+                self.holds_something = true;
+                Ok(())
+            }
+            Record::Metadata(metadata) => {
+                writer.write_metadata(&metadata)?;
+                if let Some((_, start)) = About::of_metadata(&metadata) {
+                    self.start_ns = u64::try_from(start.as_nanosecond()).ok();
+                    self.holds_something = true;
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Ends the new file and puts it into the place of the old one.
+    fn end(&mut self) -> Outcome {
+        match self.finish() {
+            Ok(true) => Outcome::Repaired,
+            Ok(false) | Err(_) => Outcome::Left,
+        }
+    }
+
+    fn finish(&mut self) -> McapResult<bool> {
+        let Some(mut writer) = self.writer.take().filter(|_| self.holds_something) else {
+            return Ok(false);
+        };
+        self.tell(&mut writer)?;
+        writer.finish()?;
+        writer.into_inner().into_inner().flush()?;
+        self.new.file.sync_all()?;
+        // Meanwhile the old one may have had to make room.
+        let is_wanted = self.old.exists() && self.new.file.metadata()?.len() <= self.most;
+        if is_wanted {
+            shelf::replace(&self.new.path, &self.old)?;
+        }
+        Ok(is_wanted)
+    }
+
+    /// Writes what is missing, as the last message.
+    fn tell(&self, writer: &mut Writer<impl Write + Seek>) -> McapResult<()> {
+        let topic = schema::own(RECORDER).expect("it is one of the recorder's own topics");
+        let channel_id = if let Some(id) = self.recorder {
+            id
+        } else {
+            let schema = topic.schema().as_bytes();
+            let schema_id = writer.add_schema(topic.schema_name(), "jsonschema", schema)?;
+            writer.add_channel(schema_id, RECORDER, "json", &BTreeMap::new())?
+        };
+        let start_ns = self.start_ns.unwrap_or_default();
+        let at_ns = self.last_ns.max(start_ns);
+        let reason = self.flaw.as_ref().map_or("", |it| &it.reason);
+        let value = json!({
+            "at_s": Duration::from_nanos(at_ns - start_ns).as_secs_f64(),
+            "unreadable_bytes": self.old_bytes.saturating_sub(self.records.good_bytes()),
+            "reason": format!("the recording broke off and was repaired: {reason}"),
+        });
+        let header = MessageHeader {
+            channel_id,
+            sequence: 0,
+            log_time: at_ns,
+            publish_time: at_ns,
+        };
+        writer.write_to_known_channel(&header, value.to_string().as_bytes())
+    }
+}
+
+impl fmt::Debug for Repair {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Repair")
+            .field("old", &self.old)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Drop for New {
+    fn drop(&mut self) {
+        // After it took the old one's place there is none of this name; what cannot be deleted is at
+        // the next start.
+        let _ = std::fs::remove_file(&self.path);
+    }
+}
+
+/// So many records are copied in a step.
+const RECORDS: usize = 1000;

@@ -1,0 +1,95 @@
+//! The recordings of a folder that broke off, repaired one after the other.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+
+use crate::repair::{Outcome, Repair};
+use crate::{Limits, Shelved, is_being_written, recordings, shelf};
+
+/// Repairs the recordings of a folder that broke off, in small steps, once each.
+#[derive(Debug)]
+pub(crate) struct Repairs {
+    folder: PathBuf,
+    limits: Limits,
+    /// What is to be looked at; `None` before the first step.
+    waiting: Option<VecDeque<Shelved>>,
+    current: Option<Repair>,
+    repaired: u64,
+    left: u64,
+}
+
+impl Repairs {
+    pub(crate) const fn new(folder: PathBuf, limits: Limits) -> Self {
+        Self {
+            folder,
+            limits,
+            waiting: None,
+            current: None,
+            repaired: 0,
+            left: 0,
+        }
+    }
+
+    /// Goes on for some milliseconds; says whether there is more to do.
+    pub(crate) fn step(&mut self) -> bool {
+        let Some(repair) = &mut self.current else {
+            return self.next();
+        };
+        match repair.step() {
+            None => return true,
+            Some(Outcome::Repaired) => self.repaired += 1,
+            Some(Outcome::Left) => self.left += 1,
+        }
+        self.current = None;
+        true
+    }
+
+    /// Files that were repaired.
+    pub(crate) const fn repaired(&self) -> u64 {
+        self.repaired
+    }
+
+    /// Files that broke off and were left as they are.
+    pub(crate) const fn left(&self) -> u64 {
+        self.left
+    }
+
+    /// Looks at the next file; says whether there was one.
+    fn next(&mut self) -> bool {
+        let folder = &self.folder;
+        let waiting = self.waiting.get_or_insert_with(|| {
+            // What cannot be deleted or listed is in nobody's way.
+            let _ = shelf::tidy(folder);
+            recordings(folder).unwrap_or_default().into()
+        });
+        // The latest first: it is the one that somebody asks for.
+        let Some(file) = waiting.pop_back() else {
+            return false;
+        };
+        let is_whole = shelf::has_end_mark(&file.path).unwrap_or(true);
+        if is_whole || is_being_written(&file.path) {
+            return true;
+        }
+        self.current = self.begin(&file);
+        self.left += u64::from(self.current.is_none());
+        true
+    }
+
+    /// Begins to repair a file; there is room for the new one beside it, and for one that is recorded.
+    fn begin(&self, file: &Shelved) -> Option<Repair> {
+        let Limits {
+            file_bytes,
+            total_bytes,
+        } = self.limits;
+        let most = (2 * file.bytes + LEAST_BYTES).min(file_bytes.max(file.bytes));
+        let room = file_bytes + most;
+        if room + file.bytes > total_bytes {
+            return None;
+        }
+        shelf::make_room(&self.folder, room, total_bytes).ok()?;
+        Repair::begin(&file.path, most).ok()?
+    }
+}
+
+/// A file that holds next to nothing still has schemas and an index.
+const LEAST_BYTES: u64 = 256 << 10;
