@@ -55,6 +55,9 @@ pub(crate) struct Shelf {
     /// Where recordings are looked for, instead of in the station's folder
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
+    /// Where the station keeps its data
+    #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
+    data: Option<PathBuf>,
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
@@ -102,7 +105,7 @@ impl Shelf {
     fn folder(&self) -> Result<PathBuf, Failure> {
         match &self.folder {
             Some(folder) => Ok(folder.clone()),
-            None => folders(None).map(|it| it.recordings()),
+            None => folders(self.data.clone()).map(|it| it.recordings()),
         }
     }
 
@@ -200,9 +203,13 @@ impl<'a> Printer<'a> {
             }));
         }
         let dialect = dialect.unwrap_or_else(|| "undecided".to_owned());
+        let arm = match about.address.as_str() {
+            "" => "no arm yet".to_owned(),
+            address => format!("arm {address}, dialect {dialect}"),
+        };
         output::line(&format!(
-            "recorded by {} from {start} on, arm {}, dialect {dialect}",
-            about.program, about.address
+            "recorded by {} from {start} on, {arm}",
+            about.program
         ))
     }
 

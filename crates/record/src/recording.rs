@@ -53,18 +53,13 @@ struct Channel {
     is_json: bool,
 }
 
-/// The pieces of a packet that came again and again, one after the other.
+/// A packet that came again and again.
 struct Repeats {
     topic: Arc<str>,
     packet: Vec<u8>,
-    /// When the next piece came, in nanoseconds since 1970.
-    next_ns: u64,
+    /// When it comes next, in nanoseconds since 1970.
+    next_ns: Option<u64>,
     gaps_ns: std::vec::IntoIter<u64>,
-    /// How long each is; those that have no length here are the packet.
-    lens: std::vec::IntoIter<usize>,
-    /// How much of the packet came already.
-    place: usize,
-    over: bool,
 }
 
 impl Recording {
@@ -243,24 +238,14 @@ impl Iterator for Repeats {
     type Item = (u64, Vec<u8>);
 
     fn next(&mut self) -> Option<(u64, Vec<u8>)> {
-        if self.over {
-            return None;
-        }
-        let whole = self.packet.len();
-        let len = self.lens.next().unwrap_or(whole);
-        let bytes = self.packet.iter().cycle().skip(self.place).take(len);
-        let piece = (self.next_ns, bytes.copied().collect());
-        self.place = (self.place + len) % whole;
-        match self.gaps_ns.next() {
-            Some(gap_ns) => self.next_ns += gap_ns,
-            None => self.over = true,
-        }
-        Some(piece)
+        let at_ns = self.next_ns?;
+        self.next_ns = self.gaps_ns.next().map(|gap_ns| at_ns + gap_ns);
+        Some((at_ns, self.packet.clone()))
     }
 }
 
 impl Channel {
-    /// The pieces that a message of bytes from the arm tells, if it is one of those.
+    /// The packets that a message of bytes from the arm tells, if it is of more than one.
     fn repeats(&self, last_ns: u64, data: &[u8]) -> Option<Repeats> {
         if &*self.topic != FROM_ARM || !self.is_json {
             return None;
@@ -271,17 +256,11 @@ impl Channel {
             .gaps_ns
             .iter()
             .try_fold(0, |sum: u64, it| sum.checked_add(*it));
-        let lens = &message.lens;
-        let is_sound = lens.is_empty() || lens.len() == message.gaps_ns.len() + 1;
-        let fit = lens.iter().all(|len| *len <= packet.len());
-        (is_sound && fit).then_some(Repeats {
+        Some(Repeats {
             topic: Arc::clone(&self.topic),
             packet,
-            next_ns: last_ns.checked_sub(times_ns?)?,
+            next_ns: Some(last_ns.checked_sub(times_ns?)?),
             gaps_ns: message.gaps_ns.into_iter(),
-            lens: message.lens.into_iter(),
-            place: 0,
-            over: false,
         })
     }
 
@@ -308,8 +287,6 @@ impl Channel {
 struct Repeated {
     bytes: String,
     gaps_ns: Vec<u64>,
-    #[serde(default)]
-    lens: Vec<usize>,
 }
 
 fn metadata(fields: &mut Fields<'_>) -> Option<mcap::records::Metadata> {

@@ -4,37 +4,36 @@ use dobot_wire::Status;
 
 /// A status, and the times at which it came again: they are held back, to be told together.
 ///
-/// What comes may be cut anywhere: each piece has a time of its own.
+/// What comes may be cut anywhere. A packet that came whole counts as having come when its last byte did;
+/// of one that has not, each piece is kept as it came.
 #[derive(Debug)]
 pub(crate) struct Repeats {
     packet: [u8; LEN],
     status: Status,
-    /// How much of the next repeat came already; below `LEN`.
-    place: usize,
-    /// The pieces that came since the status was told, none later than the one behind it.
+    /// When each repeat was whole, in nanoseconds since 1970, none later than the one behind it.
+    ends_ns: Vec<u64>,
+    /// What came since of the next one.
     pieces: Vec<Piece>,
+    /// How much that is; below `LEN`.
+    place: usize,
 }
 
-/// Some bytes of a packet, at most all of it.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    at_ns: u64,
-    len: usize,
+/// Some bytes of a packet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Piece {
+    pub(crate) at_ns: u64,
+    pub(crate) bytes: Vec<u8>,
 }
 
-/// Pieces of the same packet, one after the other, from its first byte on.
+/// A packet that came again and again, and the begin of one more.
 #[derive(Debug)]
 pub(crate) struct Told {
     pub(crate) packet: [u8; LEN],
     pub(crate) status: Status,
-    /// When the first of them came, in nanoseconds since 1970.
-    pub(crate) first_ns: u64,
-    /// When the last of them came.
-    pub(crate) last_ns: u64,
-    /// From each to the next.
-    pub(crate) gaps_ns: Vec<u64>,
-    /// How long each is, in bytes.
-    pub(crate) lens: Vec<usize>,
+    /// When each of them came, in nanoseconds since 1970.
+    pub(crate) ends_ns: Vec<u64>,
+    /// What came behind them.
+    pub(crate) pieces: Vec<Piece>,
 }
 
 impl Repeats {
@@ -43,37 +42,43 @@ impl Repeats {
         Self {
             packet,
             status,
-            place: 0,
+            ends_ns: Vec::new(),
             pieces: Vec::new(),
+            place: 0,
         }
     }
 
     /// Takes the next piece if it says the same again; `is_end` if it ends a packet.
-    pub(crate) fn take(&mut self, at_ns: u64, piece: &[u8], is_end: bool) -> bool {
-        let in_order = self.pieces.last().is_none_or(|last| last.at_ns <= at_ns);
-        let end = self.place + piece.len();
-        let is_same = self.packet[self.place..].starts_with(piece) && is_end == (end == LEN);
-        if !in_order || !is_same {
+    pub(crate) fn take(&mut self, at_ns: u64, bytes: &[u8], is_end: bool) -> bool {
+        let last_ns = self.pieces.last().map(|it| it.at_ns);
+        let last_ns = last_ns.or_else(|| self.ends_ns.last().copied());
+        let end = self.place + bytes.len();
+        let is_same = self.packet[self.place..].starts_with(bytes) && is_end == (end == LEN);
+        if last_ns.is_some_and(|it| at_ns < it) || !is_same {
             return false;
         }
-        let len = piece.len();
-        self.pieces.push(Piece { at_ns, len });
+        if is_end {
+            self.ends_ns.push(at_ns);
+            self.pieces.clear();
+        } else {
+            let bytes = bytes.to_vec();
+            self.pieces.push(Piece { at_ns, bytes });
+        }
         self.place = end % LEN;
         true
     }
 
     /// Whether what is held back has to be told.
     pub(crate) fn is_due(&self) -> bool {
-        let time_ns = match &self.pieces[..] {
-            [first, .., last] => last.at_ns - first.at_ns,
-            _ => 0,
-        };
-        self.place == 0 && time_ns >= LONGEST_NS || self.pieces.len() >= MOST
+        match &self.ends_ns[..] {
+            [first, .., last] => self.place == 0 && last - first >= LONGEST_NS,
+            _ => false,
+        }
     }
 
     /// Whether it holds anything back.
     pub(crate) const fn is_holding(&self) -> bool {
-        !self.pieces.is_empty()
+        !self.ends_ns.is_empty() || !self.pieces.is_empty()
     }
 
     /// Whether what comes next is the begin of a packet.
@@ -82,32 +87,18 @@ impl Repeats {
     }
 
     /// All that is held back.
-    pub(crate) fn tell(&mut self) -> Option<Told> {
-        let pieces = std::mem::take(&mut self.pieces);
-        let gaps = pieces.windows(2).map(|it| it[1].at_ns - it[0].at_ns);
-        Some(Told {
+    pub(crate) fn tell(&mut self) -> Told {
+        Told {
             packet: self.packet,
             status: self.status,
-            first_ns: pieces.first()?.at_ns,
-            last_ns: pieces.last()?.at_ns,
-            gaps_ns: gaps.collect(),
-            lens: pieces.iter().map(|it| it.len).collect(),
-        })
-    }
-}
-
-impl Told {
-    /// Whether each piece is the whole packet.
-    pub(crate) fn are_packets(&self) -> bool {
-        self.lens.iter().all(|len| *len == LEN)
+            ends_ns: std::mem::take(&mut self.ends_ns),
+            pieces: std::mem::take(&mut self.pieces),
+        }
     }
 }
 
 /// A packet, in bytes.
 pub(crate) const LEN: usize = 42;
 
-/// What is held back is told after so much time at the latest, if more comes ...
+/// What is held back is told after so much time at the latest, if more comes.
 const LONGEST_NS: u64 = 10_000_000_000;
-
-/// ... or when there are so many pieces of it: a serial port gives a few for each packet.
-const MOST: usize = 1024;

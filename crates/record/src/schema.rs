@@ -55,14 +55,8 @@ fn from_arm() -> Value {
             "gaps_ns": {
                 "type": "array",
                 "items": { "type": "integer" },
-                "description": "Nanoseconds from each piece of the repeated packet to the next; the \
-                    last came at this message's log time. There is a piece more than gaps",
-            },
-            "lens": {
-                "type": "array",
-                "items": { "type": "integer" },
-                "description": "How many bytes each piece has, from the packet's first byte on and \
-                    around; where this is missing each piece is the packet",
+                "description": "Nanoseconds from each time that the packet was whole to the next; \
+                    the last was this message's log time. There is a time more than gaps",
             },
             "status": status,
         }),

@@ -85,7 +85,7 @@ impl Scribe {
 
     /// The messages that tell what was held back.
     pub(crate) fn write_held<'t>(&mut self) -> Vec<Message<'t>> {
-        let told = self.repeats.as_mut().and_then(Repeats::tell);
+        let told = self.repeats.as_mut().map(Repeats::tell);
         // What is told begins with a packet: the rest of this one is not held back.
         self.repeats.take_if(|it| !it.is_between_packets());
         told.map(|told| self.tell_repeats(&told))
@@ -171,30 +171,43 @@ impl Scribe {
         messages
     }
 
-    /// One piece is told as if it had not been held back.
     fn tell_repeats<'t>(&self, told: &Told) -> Vec<Message<'t>> {
-        let when = When {
-            at_s: Duration::from_nanos(told.last_ns.saturating_sub(self.start_ns)).as_secs_f64(),
-            at_ns: told.last_ns,
+        let mut messages = match told.ends_ns[..] {
+            [] => Vec::new(),
+            // One is told as if it had not been held back.
+            [at_ns] => {
+                let when = self.at(at_ns);
+                let message = FromArm::new(when.at_s, &told.packet, Some(told.status));
+                vec![when.own(FROM_ARM, &message)]
+            }
+            [first_ns, .., last_ns] => {
+                let when = self.at(last_ns);
+                let gaps_ns = told.ends_ns.windows(2).map(|it| it[1] - it[0]);
+                let message = FromArm {
+                    gaps_ns: Some(gaps_ns.collect()),
+                    ..FromArm::new(when.at_s, &told.packet, Some(told.status))
+                };
+                let message = Message {
+                    since_ns: first_ns,
+                    ..when.own(FROM_ARM, &message)
+                };
+                let views = when.views(&told.status);
+                std::iter::once(message).chain(views).collect()
+            }
         };
-        if let [len] = told.lens[..] {
-            let status = told.are_packets().then_some(told.status);
-            let message = FromArm::new(when.at_s, &told.packet[..len], status);
-            return vec![when.own(FROM_ARM, &message)];
+        messages.extend(told.pieces.iter().map(|piece| {
+            let when = self.at(piece.at_ns);
+            when.own(FROM_ARM, &FromArm::new(when.at_s, &piece.bytes, None))
+        }));
+        messages
+    }
+
+    fn at(&self, at_ns: u64) -> When {
+        let at = Duration::from_nanos(at_ns.saturating_sub(self.start_ns));
+        When {
+            at_s: at.as_secs_f64(),
+            at_ns,
         }
-        let lens = (!told.are_packets()).then_some(&told.lens[..]);
-        let message = FromArm {
-            gaps_ns: Some(&told.gaps_ns),
-            lens,
-            ..FromArm::new(when.at_s, &told.packet, Some(told.status))
-        };
-        let message = Message {
-            since_ns: told.first_ns,
-            ..when.own(FROM_ARM, &message)
-        };
-        std::iter::once(message)
-            .chain(when.views(&told.status))
-            .collect()
     }
 }
 
@@ -263,24 +276,21 @@ struct ToArm {
 
 /// A message of [`FROM_ARM`].
 #[derive(Debug, Serialize)]
-struct FromArm<'r> {
+struct FromArm {
     at_s: f64,
     bytes: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    gaps_ns: Option<&'r [u64]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lens: Option<&'r [usize]>,
+    gaps_ns: Option<Vec<u64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     status: Option<Status>,
 }
 
-impl FromArm<'_> {
+impl FromArm {
     fn new(at_s: f64, bytes: &[u8], status: Option<Status>) -> Self {
         Self {
             at_s,
             bytes: hex::digits(bytes),
             gaps_ns: None,
-            lens: None,
             status,
         }
     }

@@ -31,9 +31,8 @@ impl Recording {
         Self {
             recorder,
             about: About {
-                program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
                 personality,
-                ..About::default()
+                ..about()
             },
             states: topic::<State>("/station/state", "dobot.State"),
             notices: topic::<Notice>("/station/notices", "dobot.Notice"),
@@ -147,12 +146,20 @@ pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
     let recorder = Recorder::start(
         folders.recordings(),
         Limits::default(),
-        About::default(),
+        about(),
         jiff::Timestamp::now(),
     );
     match recorder {
         Ok(recorder) => (Some(recorder), None),
         Err(error) => (None, Some(format!("nothing is recorded: {error}"))),
+    }
+}
+
+/// What is known of every recording.
+fn about() -> About {
+    About {
+        program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
+        ..About::default()
     }
 }
 
