@@ -55,9 +55,11 @@ impl Keeper {
     /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
     /// for all that follow and are changed alike.
     fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
-        let known = self.session.model().zip(self.session.dialect());
-        let changed = known
-            .and_then(|(model, dialect)| amended(packet, &model.settings, dialect, &self.policy));
+        let model = self
+            .session
+            .model()
+            .filter(|_| self.session.dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, &self.policy));
         let Some((sent, what)) = changed else {
             return *packet;
         };
@@ -76,8 +78,16 @@ impl Keeper {
         if self.is_told(client, refusal) {
             return;
         }
-        let text = format!("refused to {}: {refusal}", self.name(client));
+        let mut text = format!("refused to {}: {refusal}", self.name(client));
+        if self.clients.get(&client).is_some_and(|it| it.is_program) {
+            // Its protocol has no words for that: whoever reads this is the only one to know.
+            let remedy = refusal.hint();
+            text = format!("{text}; {}", remedy.as_deref().unwrap_or(GOES_ON));
+        }
         let kind = refusal.kind().to_owned();
         self.tell(News::Refused { client, kind }, text);
     }
 }
+
+/// What to do about a packet that nothing helps.
+const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
