@@ -15,10 +15,11 @@ use crate::{Frame, ParseError};
 /// let frame = Frame::ZERO.with(1, 3.0).with(3, 200.0).with(7, 0.5);
 /// let error = Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1).unwrap_err();
 /// let leniency = Leniency::of(&frame, &error).unwrap();
-/// assert_eq!(leniency.effect, "leaves the pump as it is");
-/// // It runs at present.
-/// let sent = leniency.stand_in(&frame, &error, &Frame::ZERO.with(7, 1.0));
-/// assert_eq!(sent, frame.with(7, 1.0));
+/// assert_eq!(leniency.effect, "leaves pump and gripper as they are");
+/// // The pump runs at present, and the gripper is at 20 degrees.
+/// let in_force = Frame::ZERO.with(7, 1.0).with(9, 20.0);
+/// let sent = leniency.stand_in(&frame, &error, &in_force);
+/// assert_eq!(sent, frame.with(7, 1.0).with(9, 20.0));
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Leniency {
@@ -45,6 +46,8 @@ pub enum Instead {
     Nearest(f32, f32),
     /// What is in force already.
     InForce,
+    /// Pump and gripper as they are: floats 7 and 9 of a target.
+    Tool,
     /// The number without its fraction.
     Whole,
     /// The release of the button, instead of its press.
@@ -67,8 +70,8 @@ impl Leniency {
         found.is_finite().then(|| ALL.iter().find(holds)).flatten()
     }
 
-    /// The frame with what may stand for the value that is not allowed; `in_force` holds at each float
-    /// what is in force of it.
+    /// The frame with what may stand for the value that is not allowed; `in_force` holds what is in force,
+    /// each at the float that sets it.
     #[must_use]
     pub fn stand_in(&self, frame: &Frame, error: &ParseError, in_force: &Frame) -> Frame {
         let ParseError::OutOfRange { float, found, .. } = *error else {
@@ -78,6 +81,7 @@ impl Leniency {
             Instead::Value(value) => frame.with(float, value),
             Instead::Nearest(least, most) => frame.with(float, found.clamp(least, most)),
             Instead::InForce => frame.with(float, in_force.float(float)),
+            Instead::Tool => frame.with(7, in_force.float(7)).with(9, in_force.float(9)),
             Instead::Whole => frame.with(float, f32::from(whole(found))),
             Instead::Release => frame.with(2, 0.0).with(float, 0.0),
         }
@@ -104,8 +108,8 @@ const ALL: &[Leniency] = &[
         states: &[3, 6],
         names: &["isGrab"],
         when: |_, _| true,
-        effect: "leaves the pump as it is",
-        instead: Instead::InForce,
+        effect: "leaves pump and gripper as they are",
+        instead: Instead::Tool,
         is_harmless: true,
     },
     Leniency {
@@ -282,29 +286,38 @@ mod tests {
 
     #[test]
     fn each_entry_leads_to_a_packet_that_is_allowed() {
-        let in_force = frame(&[0.0, 0.0, 15.0, 50.0, 30.0, 10.0, 1.0, 40.0, 0.0, 0.0]);
+        let in_force = frame(&[0.0, 0.0, 15.0, 50.0, 30.0, 10.0, 1.0, 40.0, 20.0]);
         let cases: &[(&[f32], &[f32])] = &[
             (
                 &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 2.0, 0.0, 130.0, -1.0],
-                &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 1.0, 0.0, 90.0, 0.0],
+                &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 1.0, 0.0, 20.0, 0.0],
             ),
             (
-                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 0.5, 0.0, -130.0],
-                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 1.0, 0.0, -90.0],
+                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0, -130.0],
+                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0, -90.0],
             ),
             (&[2.0, 3.0], &[2.0]),
-            (&[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0], &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 100.0]),
-            (&[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5], &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+            (
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0],
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 100.0],
+            ),
+            (
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5],
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+            ),
             (&[2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -3.0], &[2.0]),
             (&[2.0, 9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 150.0], &[2.0, 9.0]),
             (
                 &[4.0, 0.0, 1.0, 0.0, 0.0, 7.0, 7.0, -7.0, 0.0, 50.0],
                 &[4.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
             ),
-            (&[9.0, 0.0, 50.0, 100.0], &[9.0, 0.0, 50.0, 100.0, 30.0, 10.0, 1.0, 40.0]),
+            (
+                &[9.0, 0.0, 50.0, 100.0],
+                &[9.0, 0.0, 50.0, 100.0, 30.0, 10.0, 1.0, 40.0],
+            ),
             (
                 &[9.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 700.0],
-                &[9.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
+                &[9.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 20.0],
             ),
             (&[10.0, 1.0, 130.0, 50.0], &[10.0, 0.0, 100.0, 50.0, 30.0]),
         ];
