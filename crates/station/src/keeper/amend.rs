@@ -71,8 +71,12 @@ fn as_a_stock_arm_takes_it(frame: &Frame, model: &Model, told: &mut Vec<String>)
 /// The value that one of two frames has in the place where they differ.
 fn changed(from: &Frame, to: &Frame) -> String {
     let pairs = from.floats().iter().zip(to.floats());
-    let mut other = pairs.filter(|(from, to)| from != to).map(|(_, to)| to);
-    other.next().map(f32::to_string).unwrap_or_default()
+    // What a packet does not use may be NaN.
+    let mut others = pairs.filter(|(from, to)| from.to_bits() != to.to_bits());
+    others
+        .next()
+        .map(|(_, to)| to.to_string())
+        .unwrap_or_default()
 }
 
 /// What is in force of what a packet sets: each at its float.

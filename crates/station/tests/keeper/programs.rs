@@ -123,7 +123,7 @@ fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
 /// tools, but for what was refused; and all that was refused or changed was told.
 fn check(name: &str) {
     let program = program(name);
-    let what = format!("{}: {}", program.program, program.does);
+    let what = format!("{}: {}", program.name, program.does);
     let (bare, lost) = at_a_bare_arm(&program);
     assert_eq!(lost, [], "{what}: a bare arm does all of it");
     let served = at_a_station(&program);
@@ -155,7 +155,7 @@ fn check_told(what: &str, program: &Program, served: &Served) {
             "{what}: {packet:?}: {:#?}",
             served.troubles
         );
-        let reason = packet.refused.as_ref().or(packet.told.as_ref());
+        let reason = packet.refused.as_ref().or(packet.news.as_ref());
         match reason {
             None => assert!(texts.is_empty(), "{what}: {packet:?}: {texts:?}"),
             Some(reason) => {

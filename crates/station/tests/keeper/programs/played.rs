@@ -13,8 +13,8 @@ use dobot_wire::{Decoder, Frame, Statuses};
 use super::told::{Program, Told, Within};
 
 const PERSONALITY: Personality = Personality::Firmware11;
-const STEP: Duration = Duration::from_millis(5);
-/// So long an arm stands still when it is said to rest.
+const STEP_MS: u64 = 5;
+/// So long an arm stands still when it is said to rest: shorter than half of the shortest pause.
 const REST_STEPS: u32 = 40;
 
 /// Where an arm is, and what its tool does.
@@ -101,23 +101,22 @@ impl Seen {
 
 /// Plays what of a program's packets is to be played, step by step, to whoever takes them.
 struct Play<'a> {
-    packets: Vec<(usize, &'a Told)>,
+    /// The last one first.
+    packets: Vec<&'a Told>,
     one_per_status: bool,
 }
 
 impl<'a> Play<'a> {
     fn new(program: &'a Program, is_played: impl Fn(&Told) -> bool) -> Self {
-        let packets = program.packets.iter().enumerate();
-        let mut packets: Vec<_> = packets.filter(|(_, it)| is_played(it)).collect();
-        packets.reverse();
+        let packets = program.packets.iter().rev();
         Self {
-            packets,
+            packets: packets.filter(|it| is_played(it)).collect(),
             one_per_status: program.one_per_status,
         }
     }
 
     /// What is sent at that time, after so many statuses.
-    fn due(&mut self, now: Duration, statuses: usize) -> Vec<(usize, &'a Told)> {
+    fn due(&mut self, now: Duration, statuses: usize) -> Vec<&'a Told> {
         let most = if self.one_per_status {
             statuses
         } else {
@@ -125,8 +124,8 @@ impl<'a> Play<'a> {
         };
         let mut due = Vec::new();
         while due.len() < most {
-            let is_due = |it: &(usize, &Told)| Duration::from_millis(it.1.at_ms) <= now;
-            match self.packets.pop_if(|it| is_due(it)) {
+            let is_due = |it: &mut &Told| Duration::from_millis(it.at_ms) <= now;
+            match self.packets.pop_if(is_due) {
                 Some(packet) => due.push(packet),
                 None => break,
             }
@@ -136,7 +135,7 @@ impl<'a> Play<'a> {
 }
 
 fn steps(program: &Program) -> impl Iterator<Item = (Duration, bool)> + use<'_> {
-    let times = (0..=program.end_ms).step_by(5);
+    let times = (0..=program.end_ms / STEP_MS).map(|step| step * STEP_MS);
     times.map(|ms| (Duration::from_millis(ms), program.looks_ms.contains(&ms)))
 }
 
@@ -176,7 +175,7 @@ fn at_an_arm(program: &Program, is_played: impl Fn(&Told) -> bool) -> (Seen, Vec
         let mut bytes = Vec::new();
         arm.poll_bytes(&mut bytes);
         let statuses = heard.feed(&bytes).count();
-        for (_, packet) in play.due(now, statuses) {
+        for packet in play.due(now, statuses) {
             arm.handle_bytes(now, &packet.frame().to_bytes());
         }
         seen.watch(Look::of(&arm), program.within, is_look);
@@ -209,10 +208,10 @@ pub(super) fn at_a_station(program: &Program) -> Served {
     };
     for (now, is_look) in steps(program) {
         if now > it.now() {
-            it.run_for(STEP);
+            it.run_for(Duration::from_millis(STEP_MS));
         }
         let permits = usize::from(it.poll_status() && it.keeper().permits_raw());
-        for (_, packet) in play.due(now, permits) {
+        for packet in play.due(now, permits) {
             served.told.push(send(&mut it, client, packet));
         }
         served

@@ -10,7 +10,8 @@ use serde::Deserialize;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Program {
-    pub(super) program: String,
+    #[serde(rename = "program")]
+    pub(super) name: String,
     pub(super) does: String,
     /// It sends one packet for each status, as the vendor's client does.
     #[serde(default)]
@@ -60,7 +61,8 @@ pub(super) struct Told {
     /// What the arm gets instead.
     sent: Option<Vec<f32>>,
     /// What those who watch read of that.
-    pub(super) told: Option<String>,
+    #[serde(rename = "told")]
+    pub(super) news: Option<String>,
     /// The reason for which it is refused.
     pub(super) refused: Option<String>,
     /// It would make a stock arm hang or lose its pose.
