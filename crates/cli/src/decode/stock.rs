@@ -1,9 +1,9 @@
 //! What a stock arm takes though the tables do not allow it.
 
-use dobot_wire::{Command, Dialect, Frame, Packet, ParseError};
+use dobot_wire::{Command, Dialect, Frame, Leniency, Packet};
 
-/// Whether a stock arm carries out a packet that is not allowed: it checks nothing (note N34), and only
-/// some of what it is told makes it hang or lose its pose (note N51).
+/// Whether a stock arm carries out a packet that is not allowed (note N34): harmlessly or not, without
+/// hanging and without losing its pose (note N51).
 pub(super) fn takes(packet: &Packet) -> bool {
     let Packet::Frame(mut frame) = *packet else {
         return false;
@@ -14,48 +14,28 @@ pub(super) fn takes(packet: &Packet) -> bool {
     frame = frame.with(1, frame.float(1).trunc());
     // Each turn repairs one float, so that what is wrong behind it is seen too.
     for _ in 0..10 {
-        match Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1) {
-            Ok(_) => return true,
-            Err(error) => match repaired(&frame, &error) {
-                Some(better) => frame = better,
-                None => return false,
-            },
-        }
+        let Err(error) = Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1) else {
+            return true;
+        };
+        let Some(leniency) = Leniency::of(&frame, &error) else {
+            return false;
+        };
+        frame = leniency.stand_in(&frame, &error, &SOMETHING_IN_FORCE);
     }
     false
 }
 
-/// The frame with an allowed value where a stock arm does not mind the one that was found.
-fn repaired(frame: &Frame, error: &ParseError) -> Option<Frame> {
-    let ParseError::OutOfRange {
-        float, name, found, ..
-    } = *error
-    else {
-        return None;
-    };
-    if !found.is_finite() {
-        return None;
-    }
-    let is_teaching = frame.float(1) == 9.0 && frame.float(2) == 0.0;
-    let allowed = match name {
-        // A switch that is neither 0 nor 1 leaves everything as it is; neither is anything else of these
-        // looked at.
-        "isGrab" | "isLaser" | "stop" | "GripperValue" | "StartVel" | "default pause time" => 0.0,
-        "mode" if frame.float(1) == 10.0 => 0.0,
-        "teaching speed" | "StarVel" => 50.0,
-        "playback speed" | "playback acceleration" if found > 100.0 => 100.0,
-        "PauseTime" if found < 0.0 => 0.0,
-        // An axis that may not jog stands still.
-        _ if is_teaching && found == 0.0 && float > 2 => 1.0,
-        // Codes lose their fraction.
-        "mode" | "end effector" | "MovingMode" | "Axis" if found.fract() != 0.0 => found.trunc(),
-        _ => return None,
-    };
-    Some(frame.with(float, allowed))
-}
-
 /// State 15 (note N25).
 const SMOOTH_JOINTS: f32 = 15.0;
+/// It is allowed for whatever a stock arm takes from there.
+const SOMETHING_IN_FORCE: Frame = Frame::ZERO
+    .with(3, 1.0)
+    .with(4, 1.0)
+    .with(5, 1.0)
+    .with(6, 1.0)
+    .with(7, 1.0)
+    .with(8, 1.0)
+    .with(9, 1.0);
 
 #[cfg(test)]
 mod tests {

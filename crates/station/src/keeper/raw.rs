@@ -55,9 +55,11 @@ impl Keeper {
     /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
     /// for all that follow and are changed alike.
     fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
-        let known = self.session.model().zip(self.session.dialect());
-        let changed = known
-            .and_then(|(model, dialect)| amended(packet, &model.settings, dialect, &self.policy));
+        let model = self
+            .session
+            .model()
+            .filter(|_| self.session.dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, &self.policy));
         let Some((sent, what)) = changed else {
             return *packet;
         };
@@ -76,11 +78,17 @@ impl Keeper {
         if self.is_told(client, refusal) {
             return;
         }
-        let hint = refusal
+        // The arm's own protocol has no words for that: whoever reads this is the only one to know.
+        let is_program = self.clients.get(&client).is_some_and(|it| it.is_program);
+        let remedy = refusal
             .hint()
-            .map_or_else(String::new, |it| format!("; {it}"));
-        let text = format!("refused to {}: {refusal}{hint}", self.name(client));
+            .or_else(|| is_program.then(|| GOES_ON.into()));
+        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let text = format!("refused to {}: {refusal}{remedy}", self.name(client));
         let kind = refusal.kind().to_owned();
         self.tell(News::Refused { client, kind }, text);
     }
 }
+
+/// What to do about a packet that nothing helps.
+const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";

@@ -1,0 +1,364 @@
+//! What a stock arm takes though no table allows it.
+
+use crate::{Frame, ParseError};
+
+/// A value that no table allows, and that a stock arm takes all the same: it checks nothing (note N34), and
+/// only some of what it is told makes it hang or lose its pose (note N51).
+///
+/// Programs that were written against such an arm rely on it. This is the one list of what they may send,
+/// for whoever has to serve them or to tell what they do.
+///
+/// ```
+/// use dobot_wire::{Command, Dialect, Frame, Leniency};
+///
+/// // A target at which the pump is half on.
+/// let frame = Frame::ZERO.with(1, 3.0).with(3, 200.0).with(7, 0.5);
+/// let error = Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1).unwrap_err();
+/// let leniency = Leniency::of(&frame, &error).unwrap();
+/// assert_eq!(leniency.effect, "leaves pump and gripper as they are");
+/// // The pump runs at present, and the gripper is at 20 degrees.
+/// let in_force = Frame::ZERO.with(7, 1.0).with(9, 20.0);
+/// let sent = leniency.stand_in(&frame, &error, &in_force);
+/// assert_eq!(sent, frame.with(7, 1.0).with(9, 20.0));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Leniency {
+    /// The states in which it holds.
+    states: &'static [i16],
+    /// The floats' names, as in their table.
+    names: &'static [&'static str],
+    /// Whether it holds for the value that was found.
+    when: fn(&Frame, f32) -> bool,
+    /// What a stock arm does with such a value, as the end of a sentence about it.
+    pub effect: &'static str,
+    /// What is allowed and comes nearest to that.
+    pub instead: Instead,
+    /// Whether an arm that is sent that does the same, or less: then it may be sent for the other.
+    pub is_harmless: bool,
+}
+
+/// What may stand for a value that is not allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Instead {
+    /// This one.
+    Value(f32),
+    /// The nearest in this range.
+    Nearest(f32, f32),
+    /// What is in force already.
+    InForce,
+    /// Pump and gripper as they are: floats 7 and 9 of a target.
+    Tool,
+    /// The number without its fraction.
+    Whole,
+    /// The release of the button, instead of its press.
+    Release,
+}
+
+impl Leniency {
+    /// Why a stock arm minds an error not, if it does not.
+    #[must_use]
+    pub fn of(frame: &Frame, error: &ParseError) -> Option<&'static Self> {
+        let ParseError::OutOfRange { name, found, .. } = *error else {
+            return None;
+        };
+        let state = frame.float(1);
+        let holds = |it: &&Self| {
+            it.states.iter().any(|it| whole(state) == *it)
+                && it.names.contains(&name)
+                && (it.when)(frame, found)
+        };
+        found.is_finite().then(|| ALL.iter().find(holds)).flatten()
+    }
+
+    /// The frame with what may stand for the value that is not allowed; `in_force` holds what is in force,
+    /// each at the float that sets it.
+    #[must_use]
+    pub fn stand_in(&self, frame: &Frame, error: &ParseError, in_force: &Frame) -> Frame {
+        let ParseError::OutOfRange { float, found, .. } = *error else {
+            return *frame;
+        };
+        match self.instead {
+            Instead::Value(value) => frame.with(float, value),
+            Instead::Nearest(least, most) => frame.with(float, found.clamp(least, most)),
+            Instead::InForce => frame.with(float, in_force.float(float)),
+            Instead::Tool => frame.with(7, in_force.float(7)).with(9, in_force.float(9)),
+            Instead::Whole => frame.with(float, f32::from(whole(found))),
+            Instead::Release => frame.with(2, 0.0).with(float, 0.0),
+        }
+    }
+}
+
+/// Whether a jog packet presses a button that moves something: neither a release nor a switch.
+fn is_press(frame: &Frame) -> bool {
+    !matches!(whole(frame.float(2)), 0 | 9 | 10 | 13 | 14)
+}
+
+/// A code as a stock arm takes it.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "that is what a stock arm does; beyond 16 bits there are no codes"
+)]
+const fn whole(code: f32) -> i16 {
+    code as i16
+}
+
+/// The list. Where two entries hold, the first one counts.
+const ALL: &[Leniency] = &[
+    Leniency {
+        states: &[3, 6],
+        names: &["isGrab"],
+        when: |_, _| true,
+        effect: "leaves pump and gripper as they are",
+        instead: Instead::Tool,
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[1, 8],
+        names: &["isGrab"],
+        when: |_, _| true,
+        effect: "leaves pump and gripper as they are",
+        instead: Instead::InForce,
+        is_harmless: false, // A switch would turn the gripper, too.
+    },
+    Leniency {
+        states: &[3, 6],
+        names: &["GripperValue"],
+        when: |_, _| true,
+        effect: "drives the gripper's servo against its end",
+        instead: Instead::Nearest(-90.0, 90.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[3, 6],
+        names: &["PauseTime"],
+        when: |_, found| found < 0.0,
+        effect: "does not pause",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[2, 7],
+        names: &["StarVel"],
+        when: |frame, _| !is_press(frame),
+        effect: "does not look at it, for nothing is to move",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[2, 7],
+        names: &["StarVel"],
+        when: |_, found| found == 0.0,
+        effect: "stands still",
+        instead: Instead::Release,
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[2, 7],
+        names: &["StarVel"],
+        when: |_, found| found > 0.0,
+        effect: "goes at that speed",
+        instead: Instead::Nearest(1.0, 100.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[2, 7],
+        names: &["StarVel"],
+        when: |_, _| true,
+        effect: "goes the other way, without a ramp",
+        instead: Instead::Nearest(1.0, 100.0),
+        is_harmless: false,
+    },
+    Leniency {
+        states: &[4],
+        names: &["isLaser"],
+        when: |frame, _| whole(frame.float(2)) == 0,
+        effect: "does not look at it",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[4],
+        names: &["isLaser"],
+        when: |_, _| true,
+        effect: "leaves the laser as it is",
+        instead: Instead::Value(0.0),
+        is_harmless: false, // It may burn, and the acceleration is another one (note N48).
+    },
+    Leniency {
+        states: &[4],
+        names: &["stop"],
+        when: |_, _| true,
+        effect: "does not stop",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[4],
+        names: &["StartVel"],
+        when: |_, _| true,
+        effect: "does not look at it",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[9],
+        names: &[
+            "joint jog speed",
+            "joint jog acceleration",
+            "joint 4 speed",
+            "joint 4 acceleration",
+            "linear jog speed",
+            "linear jog acceleration",
+        ],
+        when: |_, found| found == 0.0,
+        effect: "does not jog these axes then",
+        instead: Instead::InForce,
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[9],
+        names: &["default pause time"],
+        when: |_, _| true,
+        effect: "does not look at it",
+        instead: Instead::InForce,
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[10],
+        names: &["mode"],
+        when: |_, _| true,
+        effect: "does not look at it",
+        instead: Instead::Value(0.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[10],
+        names: &["teaching speed"],
+        when: |_, _| true,
+        effect: "does not look at it",
+        instead: Instead::InForce,
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[10],
+        names: &["playback speed", "playback acceleration"],
+        when: |_, found| found > 100.0,
+        effect: "is that much faster",
+        instead: Instead::Value(100.0),
+        is_harmless: true,
+    },
+    Leniency {
+        states: &[2, 3, 4, 6, 7, 9],
+        names: &["Axis", "MovingMode", "mode", "end effector"],
+        when: |_, found| f32::from(whole(found)) != found,
+        effect: "cuts the fraction off",
+        instead: Instead::Whole,
+        is_harmless: false, // A sign of floats in the wrong place (note N6).
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Command, Dialect};
+
+    fn frame(floats: &[f32]) -> Frame {
+        let floats = (1..).zip(floats);
+        floats.fold(Frame::ZERO, |frame, (n, value)| frame.with(n, *value))
+    }
+
+    /// What becomes of a packet, one float after the other, until it is allowed.
+    fn stand_in(floats: &[f32], in_force: &Frame) -> Option<(Frame, bool)> {
+        let mut sent = frame(floats);
+        let mut is_harmless = true;
+        for _ in 0..10 {
+            match Command::parse(&sent.into(), &Dialect::FIRMWARE_1_1) {
+                Ok(_) => return Some((sent, is_harmless)),
+                Err(error) => {
+                    let leniency = Leniency::of(&sent, &error)?;
+                    is_harmless &= leniency.is_harmless;
+                    sent = leniency.stand_in(&sent, &error, in_force);
+                }
+            }
+        }
+        None
+    }
+
+    #[test]
+    fn each_entry_leads_to_a_packet_that_is_allowed() {
+        let in_force = frame(&[0.0, 0.0, 15.0, 50.0, 30.0, 10.0, 1.0, 40.0, 20.0]);
+        let cases: &[(&[f32], &[f32])] = &[
+            (
+                &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 2.0, 0.0, 130.0, -1.0],
+                &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 1.0, 0.0, 20.0, 0.0],
+            ),
+            (
+                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0, -130.0],
+                &[6.0, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0, -90.0],
+            ),
+            (&[2.0, 3.0], &[2.0]),
+            (
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0],
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 100.0],
+            ),
+            (
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5],
+                &[7.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+            ),
+            (&[2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -3.0], &[2.0]),
+            (&[2.0, 9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 150.0], &[2.0, 9.0]),
+            (
+                &[4.0, 0.0, 1.0, 0.0, 0.0, 7.0, 7.0, -7.0, 0.0, 50.0],
+                &[4.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
+            ),
+            (
+                &[9.0, 0.0, 50.0, 100.0],
+                &[9.0, 0.0, 50.0, 100.0, 30.0, 10.0, 1.0, 40.0],
+            ),
+            (
+                &[9.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 700.0],
+                &[9.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 20.0],
+            ),
+            (&[10.0, 1.0, 130.0, 50.0], &[10.0, 0.0, 100.0, 50.0, 30.0]),
+        ];
+        for (found, expected) in cases {
+            let expected = Some((frame(expected), true));
+            assert_eq!(stand_in(found, &in_force), expected, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_stock_arm_takes_with_another_effect_is_not_harmless() {
+        let in_force = frame(&[1.0; 10]);
+        for found in [
+            &[1.0, 0.0, 5.0, 5.0, 5.0, 0.0, 0.5][..],
+            &[8.0, 0.0, 5.0, 5.0, 5.0, 0.0, 0.5],
+            &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -5.0],
+            &[4.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 50.0],
+            &[2.0, 1.5, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
+        ] {
+            let is_harmless = stand_in(found, &in_force).map(|(_, it)| it);
+            assert_eq!(is_harmless, Some(false), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn what_makes_a_stock_arm_hang_or_lose_its_pose_is_not_in_the_list() {
+        let in_force = frame(&[1.0; 10]);
+        for found in [
+            &[0.0][..],
+            &[5.0],
+            &[11.0],
+            &[2.0, 15.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
+            &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 3.0],
+            &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, f32::NAN],
+            &[3.0, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0, 700.0],
+            &[4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
+            &[9.0, 1.0],
+            &[9.0, 2.0],
+            &[10.0, 0.0, 0.0, 50.0],
+        ] {
+            assert_eq!(stand_in(found, &in_force), None, "{found:?}");
+        }
+    }
+}
