@@ -154,8 +154,13 @@ async fn start(
     // Whoever may burn keeps control.
     let burns = laser.is_some() || control::first_state(station).await?.laser.armed_for_s > 0.0;
     let time = follow::start(station, job, burns, |_| {}).await?;
-    let time = clock(time.as_secs_f64());
-    Ok(output::line(&format!("job {job} is done, in {time}"))?)
+    // Nobody knows how long it took where a station was killed in it.
+    let took = if time.is_zero() {
+        String::new()
+    } else {
+        format!(", in {}", clock(time.as_secs_f64()))
+    };
+    Ok(output::line(&format!("job {job} is done{took}"))?)
 }
 
 /// Asks, with control of the arm where nobody else has it.

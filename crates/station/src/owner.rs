@@ -229,9 +229,7 @@ impl Owner {
     fn carry_out(&mut self) {
         self.send();
         self.relay();
-        while let Some(effect) = self.keeper.poll_effect() {
-            self.write(effect);
-        }
+        self.write_effects();
         while let Some((client, answer)) = self.keeper.poll_answer() {
             if let Some(reply) = self.waiting.remove(&client) {
                 // Whoever asked may have left.
@@ -245,6 +243,13 @@ impl Owner {
         }
         if self.keeper.poll_changed() {
             self.publish();
+        }
+    }
+
+    /// Hands all that is to be kept to the journal.
+    fn write_effects(&mut self) {
+        while let Some(effect) = self.keeper.poll_effect() {
+            self.write(effect);
         }
     }
 
@@ -386,6 +391,8 @@ impl Owner {
             Err(refusal) => drop(start.reply.send(Err(refusal))),
             Ok(model) => {
                 let (job, client, own) = (start.job, start.client, self.own.clone());
+                // The journal has to know that it is paused, which may have come just now.
+                self.write_effects();
                 self.jobs.clone().plan(job, model, client, own, start.reply);
             }
         }

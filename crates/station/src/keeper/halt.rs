@@ -14,6 +14,8 @@ pub(super) struct Halt {
     laser_is_next: bool,
     /// Rounds said already.
     rounds: u32,
+    /// Packets that may wait in the arm behind the first release, which runs down.
+    behind: u32,
     /// A status came since the last packet: the arm has room for another.
     heard: bool,
 }
@@ -56,6 +58,7 @@ impl Keeper {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
+            behind: 0,
             heard: true,
         });
     }
@@ -73,6 +76,7 @@ impl Keeper {
             next: self.now + AGAIN,
             laser_is_next: false,
             rounds: 1,
+            behind: 0,
             heard: false,
         });
     }
@@ -100,11 +104,20 @@ impl Keeper {
         } else {
             self.release_urgently();
         }
-        let again = if halt.laser_is_next { GAP } else { AGAIN };
+        let behind = halt.behind + u32::from(halt.rounds > 0);
+        let again = if behind >= MOST_BEHIND {
+            // With one more an arm that heard all would have no room, and be silent as if it was reset.
+            self.rests_within().max(AGAIN)
+        } else if halt.laser_is_next {
+            GAP
+        } else {
+            AGAIN
+        };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
             next: self.now + again,
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
+            behind,
             heard: false,
         });
     }
@@ -116,6 +129,7 @@ impl Keeper {
             next: self.now + GAP,
             laser_is_next: false,
             rounds: 0,
+            behind: 0,
             heard: true,
         });
     }
@@ -143,5 +157,7 @@ impl Keeper {
 const GAP: Duration = Duration::from_millis(60);
 /// Two statuses may show that it was heard.
 const AGAIN: Duration = Duration::from_millis(240);
+/// From the fourth packet that waits on a stock arm withholds its statuses (note N27).
+const MOST_BEHIND: u32 = 3;
 /// An arm that has not heard it by then does not hear.
 const ROUNDS: u32 = 3;

@@ -7,9 +7,10 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_course::{Button, JogAxis};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, VirtualArm};
-use dobot_station::{ClientId, Jog, Rehearsal, Request};
+use dobot_station::{ClientId, Jog, News, Rehearsal, Request};
 use dobot_wire::{
-    Command, Dialect, Frame, JointJog, JointJogAxis, LinearJog, LinearJogAxis, PACKET_LEN,
+    Command, Configuration, Dialect, Frame, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
+    PACKET_LEN,
 };
 
 const PERCENT: f32 = 50.0;
@@ -260,6 +261,40 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
                 found.iter().all(|it| *it == state(first)),
                 "{what}: {found:?}"
             );
+        }
+    }
+}
+
+#[test]
+fn a_long_run_down_is_not_taken_for_a_reset() {
+    for personality in Personality::ALL {
+        for stops in [false, true] {
+            let (mut it, anna) = over(personality, 0);
+            // As the vendor's client sets it: a joint 4 at 50 % takes 1.5 s and more to come to rest.
+            let slow = Configuration::Teach {
+                joint_speed_deg_s: 30.0,
+                joint_acceleration_deg_s2: 30.0,
+                servo_speed_deg_s: 30.0,
+                servo_acceleration_deg_s2: 10.0,
+                linear_speed_mm_s: 30.0,
+                linear_acceleration_mm_s2: 30.0,
+            };
+            let command = slow.into();
+            it.ask(anna, Request::Command { command }).unwrap();
+            it.run_for(Duration::from_secs(1));
+            assert_eq!(it.keeper().state().arm.unwrap().status.base_deg, 0.0);
+            hold(&mut it, anna, joint(JointJogAxis::ServoPlus), 1900);
+            if stops {
+                it.ask(anna, Request::Stop { reason: None }).unwrap();
+            } else {
+                it.ask(anna, Request::Release).unwrap();
+            }
+            it.run_for(Duration::from_secs(5));
+            let state = it.keeper().state();
+            assert!(state.trust.trusted, "{personality}: {:?}", state.trust);
+            assert!(it.keeper().is_at_rest(), "{personality}");
+            let reset = it.notices().iter().find(|it| it.news == News::Reset);
+            assert_eq!(reset, None, "{personality}");
         }
     }
 }
