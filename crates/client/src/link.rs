@@ -20,6 +20,8 @@ pub struct Link {
     way: Way,
     /// Bytes on their way out, so that a cancelled wait tears no packet apart.
     outgoing: Vec<u8>,
+    /// Bytes that a peer said before somebody waited for them.
+    early: Vec<u8>,
     /// The port once more, for those who have to reach the arm when this link cannot.
     #[cfg(unix)]
     port: Option<OwnedFd>,
@@ -31,7 +33,16 @@ enum Way {
         stream: Box<dyn Stream>,
         opened: Instant,
     },
-    Peer(Box<dyn Peer>),
+    Peer(Box<dyn Peer>, Option<Pace>),
+}
+
+/// How fast time passes for a peer that lives no faster.
+#[derive(Clone, Copy, Debug)]
+struct Pace {
+    /// When that began, and what time it was for the peer.
+    began: (Instant, Duration),
+    /// So many times as fast as a clock.
+    times: f64,
 }
 
 /// Anything that carries bytes both ways.
@@ -87,13 +98,26 @@ impl Link {
 
     /// A link with an arm in this process.
     pub fn over_peer(peer: impl Peer + 'static) -> Self {
-        Self::new(Way::Peer(Box::new(peer)))
+        Self::new(Way::Peer(Box::new(peer), None))
+    }
+
+    /// A link with an arm in this process that lives so many times as fast as a clock, if it is looked
+    /// after often enough; otherwise its time and that of the link pass more slowly.
+    ///
+    /// # Panics
+    ///
+    /// Where `times` is not above 0.
+    pub fn over_paced_peer(peer: impl Peer + 'static, times: f64) -> Self {
+        assert!(times > 0.0, "time passes");
+        let began = (Instant::now(), peer.now());
+        Self::new(Way::Peer(Box::new(peer), Some(Pace { began, times })))
     }
 
     const fn new(way: Way) -> Self {
         Self {
             way,
             outgoing: Vec::new(),
+            early: Vec::new(),
             #[cfg(unix)]
             port: None,
         }
@@ -121,7 +145,12 @@ impl Link {
     pub fn now(&self) -> Duration {
         match &self.way {
             Way::Stream { opened, .. } => opened.elapsed(),
-            Way::Peer(peer) => peer.now(),
+            Way::Peer(peer, None) => peer.now(),
+            // Where something is due that was not heard yet, time stands still until it is.
+            Way::Peer(peer, Some(pace)) => {
+                let now = pace.now();
+                if now < peer.next() { now } else { peer.now() }
+            }
         }
     }
 
@@ -134,8 +163,17 @@ impl Link {
     /// Sends at once what the link takes without waiting; the rest leaves as after [`Link::send`].
     /// What goes wrong is told by whoever waits next.
     pub fn push(&mut self) {
-        let Way::Stream { stream, .. } = &mut self.way else {
-            return;
+        let now = self.now();
+        let stream = match &mut self.way {
+            Way::Stream { stream, .. } => stream,
+            Way::Peer(_, None) => return,
+            Way::Peer(peer, Some(_)) => {
+                // Whether it is still there, the next wait tells.
+                let _ = peer.receive(now, &mut self.early);
+                peer.send(&self.outgoing);
+                self.outgoing.clear();
+                return;
+            }
         };
         let mut nobody = Context::from_waker(Waker::noop());
         while !self.outgoing.is_empty() {
@@ -157,10 +195,20 @@ impl Link {
         until: Duration,
         incoming: &mut Vec<u8>,
     ) -> Result<bool, LinkError> {
+        self.push();
+        if !self.early.is_empty() {
+            incoming.append(&mut self.early);
+            return Ok(true);
+        }
         match &mut self.way {
-            Way::Peer(peer) => {
+            Way::Peer(peer, None) => {
                 peer.send(&self.outgoing);
                 self.outgoing.clear();
+                Ok(peer.receive(until, incoming))
+            }
+            Way::Peer(peer, Some(pace)) => {
+                let until = until.min(peer.next());
+                wait_until(pace.instant(until)).await;
                 Ok(peer.receive(until, incoming))
             }
             Way::Stream { stream, opened } => {
@@ -176,8 +224,9 @@ impl Link {
     ///
     /// [`LinkError`] when the link does not take it.
     pub async fn flush(&mut self) -> Result<(), LinkError> {
+        self.push();
         match &mut self.way {
-            Way::Peer(peer) => peer.send(&self.outgoing),
+            Way::Peer(peer, _) => peer.send(&self.outgoing),
             Way::Stream { stream, .. } => {
                 let sending = async {
                     stream.write_all(&self.outgoing).await?;
@@ -194,6 +243,21 @@ impl Link {
     }
 }
 
+impl Pace {
+    fn now(&self) -> Duration {
+        let (began, at) = self.began;
+        at + began.elapsed().mul_f64(self.times)
+    }
+
+    /// When it will be that time; `None` for what is further ahead than clocks go.
+    fn instant(&self, time: Duration) -> Option<Instant> {
+        let (began, at) = self.began;
+        let later_s = time.saturating_sub(at).as_secs_f64() / self.times;
+        let later = Duration::try_from_secs_f64(later_s).ok()?;
+        began.checked_add(later)
+    }
+}
+
 impl std::fmt::Debug for Way {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -201,7 +265,7 @@ impl std::fmt::Debug for Way {
                 .debug_struct("Stream")
                 .field("opened", opened)
                 .finish_non_exhaustive(),
-            Self::Peer(peer) => f.debug_tuple("Peer").field(peer).finish(),
+            Self::Peer(peer, pace) => f.debug_tuple("Peer").field(peer).field(pace).finish(),
         }
     }
 }
@@ -253,6 +317,82 @@ mod tests {
         let mut bytes = [0; 3];
         far.read_exact(&mut bytes).await.expect("it has left");
         assert_eq!(&bytes, b"abc");
+    }
+
+    /// Says something every 80 ms, and takes note of when it heard what.
+    #[derive(Debug, Default)]
+    struct Clockwork {
+        now: Duration,
+        heard: std::sync::Arc<std::sync::Mutex<Vec<Duration>>>,
+    }
+
+    impl Peer for Clockwork {
+        fn now(&self) -> Duration {
+            self.now
+        }
+
+        fn next(&self) -> Duration {
+            let periods = u32::try_from(self.now.as_millis() / 80).expect("a short test");
+            Duration::from_millis(80) * (periods + 1)
+        }
+
+        fn send(&mut self, bytes: &[u8]) {
+            if !bytes.is_empty() {
+                self.heard.lock().expect("nobody panicked").push(self.now);
+            }
+        }
+
+        fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool {
+            let next = self.next();
+            self.now = self.now.max(until.min(next));
+            if self.now == next {
+                bytes.push(0xA5);
+            }
+            true
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_paced_peer_lives_as_fast_as_told_and_hears_what_is_pushed_when_it_is_pushed() {
+        let peer = Clockwork::default();
+        let heard = peer.heard.clone();
+        let began = Instant::now();
+        let mut link = Link::over_paced_peer(peer, 1000.0);
+        let mut incoming = Vec::new();
+        for n in 1..=100_u32 {
+            let open = link.receive(Duration::MAX, &mut incoming).await;
+            assert!(open.expect("it is there"));
+            assert_eq!(incoming.len(), usize::try_from(n).expect("small"));
+            let said = Duration::from_millis(80) * n;
+            assert!((said..said + Duration::from_millis(80)).contains(&link.now()));
+        }
+        // 8 s of its time; the clock of the runtime counts whole milliseconds.
+        let took = began.elapsed();
+        assert!((8..=10).contains(&took.as_millis()), "{took:?}");
+        let mut slow = Link::over_paced_peer(
+            Clockwork {
+                heard: heard.clone(),
+                ..Clockwork::default()
+            },
+            2.0,
+        );
+        tokio::time::advance(Duration::from_millis(15)).await;
+        slow.send(b"x");
+        slow.push();
+        assert_eq!(
+            *heard.lock().expect("nobody panicked"),
+            [Duration::from_millis(30)]
+        );
+        assert_eq!(slow.now(), Duration::from_millis(30));
+        tokio::time::advance(Duration::from_millis(5)).await;
+        assert_eq!(slow.now(), Duration::from_millis(40));
+        // What is not looked after does not live on.
+        tokio::time::advance(Duration::from_secs(9)).await;
+        assert_eq!(slow.now(), Duration::from_millis(30));
+        let open = slow.receive(Duration::MAX, &mut incoming).await;
+        assert!(open.expect("it is there"));
+        assert_eq!(slow.now(), Duration::from_millis(80));
+        assert_eq!(incoming.len(), 101);
     }
 
     #[tokio::test]

@@ -11,6 +11,12 @@ pub trait Peer: fmt::Debug + Send {
     /// What its clock says now, since the connect.
     fn now(&self) -> Duration;
 
+    /// When it may have something to say next, as far as can be told now; what is looked at later is no
+    /// different.
+    fn next(&self) -> Duration {
+        self.now()
+    }
+
     /// Starts sending bytes to it.
     fn send(&mut self, bytes: &[u8]);
 

@@ -43,6 +43,11 @@ impl Peer for InProcess {
         self.arm().now()
     }
 
+    fn next(&self) -> Duration {
+        let arm = self.arm();
+        arm.poll_delivery().max(arm.now())
+    }
+
     fn send(&mut self, bytes: &[u8]) {
         let mut arm = self.arm();
         let now = arm.now();

@@ -1,8 +1,8 @@
 //! Virtual Dobot Arms: in this process, on a virtual serial port and on TCP.
 //!
 //! [`VirtualArm`] is a controller at the end of a serial line, an engine without a clock.
-//! [`InProcess`] runs it as fast as it is waited for; [`Server`] in real time, for programs and, by a
-//! [`Connector`], for clients in this process.
+//! [`InProcess`] runs it for a client in this process, as fast as it is waited for or at a pace; [`Server`]
+//! for programs, in real time or faster.
 //!
 //! ```
 //! use dobot_client::Connection;
@@ -19,8 +19,6 @@
 //! # }
 //! ```
 
-mod arm_clock;
-mod connector;
 mod faults;
 mod in_process;
 mod line;
@@ -36,8 +34,6 @@ mod trace;
 mod virtual_arm;
 pub mod world;
 
-pub use arm_clock::ArmClock;
-pub use connector::{ConnectError, Connector};
 pub use faults::{Fault, FaultError, Struck, What};
 pub use in_process::InProcess;
 pub use line::Line;

@@ -1,4 +1,4 @@
-//! A virtual arm on TCP, on a virtual serial port and in this process, in real time or faster.
+//! A virtual arm on TCP and on a virtual serial port, in real time or faster.
 
 mod client;
 
@@ -13,9 +13,7 @@ use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, sleep, sleep_until, timeout};
 
-use self::client::{Client, at_once};
-use crate::arm_clock::{self, ArmClock};
-use crate::connector::{Ask, ConnectError, Connector, Socket};
+use self::client::Client;
 #[cfg(unix)]
 use crate::pty::Pty;
 use crate::world::{Happened, World};
@@ -23,8 +21,7 @@ use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
-/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP and in this
-/// process; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody
+/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody
 /// speaks or listens until the arm is free.
 ///
 /// Nothing that the arm sent before a client came is kept for him. The virtual serial port keeps
@@ -38,9 +35,7 @@ pub struct Server {
     world: Option<TcpListener>,
     #[cfg(unix)]
     pty: Option<Pty>,
-    /// Where clients in this process come.
-    socket: Option<Socket>,
-    clock: ArmClock,
+    speed: Speed,
     client: Option<Client>,
     /// What the client sent.
     incoming: Vec<u8>,
@@ -65,10 +60,6 @@ pub enum ServerEvent {
     PtyMoved(PathBuf),
     /// A client was turned away, because a fault has closed the port.
     PortClosed(SocketAddr),
-    /// A client in this process came.
-    InProcessConnected,
-    /// A client in this process was turned away.
-    InProcessRefused(ConnectError),
     /// The client left.
     Disconnected,
     /// The client sends faster than the line carries, so that bytes are lost; told once a client.
@@ -86,22 +77,20 @@ enum Happening {
     Time,
     Connect((TcpStream, SocketAddr)),
     Curious(TcpStream),
-    Ask(Ask),
     Bytes(io::Result<usize>),
 }
 
 impl Server {
     /// Serves `arm`; it has nowhere to be reached yet.
     #[must_use]
-    pub fn new(arm: VirtualArm) -> Self {
+    pub const fn new(arm: VirtualArm) -> Self {
         Self {
             arm,
             tcp: None,
             world: None,
             #[cfg(unix)]
             pty: None,
-            socket: None,
-            clock: ArmClock::real(),
+            speed: Speed::REAL,
             client: None,
             incoming: Vec::new(),
             outgoing: Vec::new(),
@@ -132,22 +121,11 @@ impl Server {
         self
     }
 
-    /// Lets clients in this process come, as often as they like.
-    pub fn connector(&mut self) -> Connector {
-        self.socket.get_or_insert_with(Socket::new).connector()
-    }
-
     /// Lets time pass at another speed.
     #[must_use]
-    pub fn at_speed(mut self, speed: Speed) -> Self {
-        self.clock = ArmClock::at_speed(speed);
+    pub const fn at_speed(mut self, speed: Speed) -> Self {
+        self.speed = speed;
         self
-    }
-
-    /// What time it is for the arm, while it is served.
-    #[must_use]
-    pub const fn clock(&self) -> &ArmClock {
-        &self.clock
     }
 
     /// The arm, to look at.
@@ -163,19 +141,20 @@ impl Server {
     ///
     /// When no more clients can be served.
     pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
-        self.clock.set_to(self.arm.now());
+        let (start, offset) = (Instant::now(), self.arm.now());
         let mut answered = false;
         loop {
-            let wakeup = if self.clock.is_max() {
-                Some(Instant::now() + self.patience(answered))
+            let wakeup = if self.speed.is_max() {
+                Instant::now() + self.patience(answered)
             } else {
-                self.clock.instant(self.wakeup())
+                start + self.speed.of_arm(self.wakeup().saturating_sub(offset))
             };
             let happening = self.wait(wakeup).await;
-            if self.clock.is_max() {
-                self.clock.set_to(self.next_moment(&happening));
-            }
-            let now = self.clock.now();
+            let now = if self.speed.is_max() {
+                self.next_moment(&happening)
+            } else {
+                offset + self.speed.of_clock(start.elapsed())
+            };
             answered = matches!(happening, Happening::Bytes(Ok(1..)));
             self.arm.handle_time(now);
             self.upload(&mut tell)?;
@@ -204,7 +183,7 @@ impl Server {
         match self.client {
             None => LOOK_AT_PTY,
             Some(_) if answered => Duration::ZERO,
-            Some(_) => arm_clock::SOON,
+            Some(_) => PATIENCE,
         }
     }
 
@@ -222,13 +201,12 @@ impl Server {
         }
     }
 
-    async fn wait(&mut self, wakeup: Option<Instant>) -> Happening {
+    async fn wait(&mut self, wakeup: Instant) -> Happening {
         self.incoming.clear();
         tokio::select! {
-            () = sleep_until(wakeup.unwrap_or_else(Instant::now)) => Happening::Time,
+            () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
             (stream, _) = accept(self.world.as_ref()) => Happening::Curious(stream),
-            Some(ask) = ask(self.socket.as_mut()) => Happening::Ask(ask),
             count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
         }
     }
@@ -245,7 +223,6 @@ impl Server {
                 Ok(())
             }
             Happening::Curious(stream) => self.show_world(stream),
-            Happening::Ask(ask) => self.admit_in_process(ask, tell),
             Happening::Bytes(Ok(1..)) => {
                 self.download(tell);
                 Ok(())
@@ -279,38 +256,6 @@ impl Server {
             self.welcome(Client::Tcp(stream));
             tell(ServerEvent::TcpConnected(from));
         }
-    }
-
-    fn admit_in_process(&mut self, ask: Ask, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
-        self.hear_client_out(tell)?;
-        let refused = if !self.arm.has_port() {
-            ConnectError::PortClosed
-        } else if self.client.is_some() {
-            ConnectError::InUse
-        } else {
-            if let Some(stream) = ask.grant() {
-                self.welcome(Client::InProcess(stream));
-                tell(ServerEvent::InProcessConnected);
-            }
-            return Ok(());
-        };
-        ask.refuse(refused);
-        tell(ServerEvent::InProcessRefused(refused));
-        Ok(())
-    }
-
-    /// A client in this process may come again before it was seen to leave: what it has sent is
-    /// taken, and so its leaving is met.
-    fn hear_client_out(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
-        while let Some(client @ Client::InProcess(_)) = &mut self.client {
-            self.incoming.clear();
-            match at_once(client.read(&mut self.incoming)) {
-                Some(Ok(1..)) => self.download(tell),
-                Some(_) => self.dismiss(tell)?,
-                None => break,
-            }
-        }
-        Ok(())
     }
 
     /// Tells the state of the world; the arm goes on while it is written.
@@ -368,9 +313,9 @@ impl Server {
             None => Ok(self.outgoing.len()),
         };
         match sent {
-            Ok(count) if self.clock.is_max() => drop(self.outgoing.drain(..count)),
+            Ok(count) if self.speed.is_max() => drop(self.outgoing.drain(..count)),
             Err(error) if error.kind() != io::ErrorKind::WouldBlock => self.dismiss(tell)?,
-            Err(_) if self.clock.is_max() => {}
+            Err(_) if self.speed.is_max() => {}
             _ => self.outgoing.clear(),
         }
         if !self.arm.has_port() && self.client.is_some() {
@@ -409,7 +354,7 @@ impl Server {
                     tell(ServerEvent::PtyOpened);
                 }
             }
-            Some(Client::Tcp(_) | Client::InProcess(_)) => pty.ignore_client(),
+            Some(Client::Tcp(_)) => pty.ignore_client(),
             Some(Client::Pty(_)) => {}
         }
         Ok(())
@@ -427,13 +372,6 @@ async fn accept(listener: Option<&TcpListener>) -> (TcpStream, SocketAddr) {
             Ok(come) => return come,
             Err(_) => sleep(BREATH).await,
         }
-    }
-}
-
-async fn ask(socket: Option<&mut Socket>) -> Option<Ask> {
-    match socket {
-        Some(socket) => socket.ask().await,
-        None => pending().await,
     }
 }
 
@@ -461,6 +399,8 @@ pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
 /// Whoever opens the virtual serial port is noticed so soon.
 const LOOK_AT_PTY: Duration = Duration::from_millis(50);
+/// At the greatest speed a client has so long to answer a status.
+const PATIENCE: Duration = Duration::from_millis(1);
 /// How long to wait when the system has no more connections to give.
 const BREATH: Duration = Duration::from_millis(50);
 /// How long one who asked for the world may take to read it.

@@ -30,15 +30,20 @@ impl Speed {
         self.0.is_none()
     }
 
-    /// How long the arm finds what a clock shows; at the greatest speed, at the most.
+    /// So many times as fast as a clock; [`Speed::MAX`] is as fast as any.
     #[must_use]
-    pub fn of_clock(self, time: Duration) -> Duration {
-        time.mul_f64(self.0.unwrap_or(FASTEST))
+    pub fn times(self) -> f64 {
+        self.0.unwrap_or(FASTEST)
+    }
+
+    /// How long the arm finds what a clock shows.
+    pub(crate) fn of_clock(self, time: Duration) -> Duration {
+        time.mul_f64(self.times())
     }
 
     /// How long a clock finds what the arm lives through.
     pub(crate) fn of_arm(self, time: Duration) -> Duration {
-        time.div_f64(self.0.unwrap_or(FASTEST))
+        time.div_f64(self.times())
     }
 }
 

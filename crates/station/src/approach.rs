@@ -5,9 +5,8 @@ use std::time::Duration;
 
 use dobot_client::Address;
 use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{Line, Server, VirtualArm};
+use dobot_sim::{InProcess, Line, VirtualArm};
 use tokio::sync::Mutex;
-use tokio::task::JoinHandle;
 
 use crate::arm_thread::ArmThread;
 use crate::connect::{Connecting, Source};
@@ -26,8 +25,6 @@ pub struct Approach {
     pub(crate) first: Option<Connecting>,
     /// What a person should know, a line each.
     pub(crate) notes: Vec<String>,
-    /// What ends with the station.
-    pub(crate) tasks: Vec<JoinHandle<()>>,
 }
 
 impl Approach {
@@ -53,7 +50,6 @@ impl Approach {
             words,
             first: None,
             notes: Vec::new(),
-            tasks: Vec::new(),
         };
         match approach.config.arm {
             Some(Address::Virtual) => approach.take_virtual(),
@@ -89,12 +85,10 @@ impl Approach {
     fn take_virtual(&mut self) {
         let controller = Controller::power_up(PowerUp::new(self.config.personality));
         let arm = VirtualArm::new(controller, Line::STOCK);
-        let mut server = Server::new(arm).at_speed(self.config.speed);
-        self.source = Source::Virtual(server.connector(), server.clock().clone());
-        self.tasks.push(tokio::spawn(async move {
-            // In this process there is no port that could not be served any more.
-            let _ = server.run(|_| ()).await;
-        }));
+        self.source = Source::Virtual {
+            arm: InProcess::new(arm),
+            times: self.config.speed.times(),
+        };
     }
 }
 

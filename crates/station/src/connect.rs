@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_client::{Address, Link};
-use dobot_sim::{ArmClock, Connector};
+use dobot_sim::InProcess;
 use tokio::runtime::Handle;
 use tokio::sync::{Mutex, mpsc};
 use tokio::time::{Instant, sleep_until};
@@ -16,7 +16,11 @@ pub(crate) enum Source {
     /// A port that is named or looked for.
     Port(Arc<Mutex<Finder>>),
     /// The station's own virtual arm.
-    Virtual(Connector, ArmClock),
+    Virtual {
+        arm: InProcess,
+        /// How many times as fast as a clock it lives.
+        times: f64,
+    },
 }
 
 /// What is told while there is no link.
@@ -48,17 +52,9 @@ impl Source {
         news
     }
 
-    /// What time it is for the arm: an own virtual one may live faster than all others.
-    pub(crate) fn clock(&self) -> ArmClock {
-        match self {
-            Self::Port(_) => ArmClock::real(),
-            Self::Virtual(_, clock) => clock.clone(),
-        }
-    }
-
     /// Whether it is the station's own virtual arm.
     pub(crate) const fn is_virtual(&self) -> bool {
-        matches!(self, Self::Virtual(..))
+        matches!(self, Self::Virtual { .. })
     }
 }
 
@@ -82,14 +78,11 @@ async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
 /// Tries once.
 async fn attempt(source: &Source) -> Connecting {
     match source {
-        Source::Virtual(connector, _) => match connector.connect().await {
-            Ok(stream) => Connecting::Up(Found {
-                address: Address::Virtual,
-                link: Link::over_stream(stream),
-                bytes: Vec::new(),
-            }),
-            Err(error) => Connecting::Waiting(error.to_string()),
-        },
+        Source::Virtual { arm, times } => Connecting::Up(Found {
+            address: Address::Virtual,
+            link: Link::over_paced_peer(arm.clone(), *times),
+            bytes: Vec::new(),
+        }),
         Source::Port(finder) => match finder.lock().await.find(|_| ()).await {
             Ok(found) => Connecting::Up(found),
             Err(nothing) => Connecting::Waiting(nothing.to_string()),

@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use dobot_client::Link;
 use dobot_course::Model;
-use dobot_sim::ArmClock;
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
@@ -25,8 +24,7 @@ use crate::words::{ClientId, LinkPhase, News, Notice, Refusal, Reply, Request};
 #[derive(Debug)]
 pub(crate) struct Owner {
     keeper: Keeper,
-    /// The arm's time, in which its keeper lives.
-    clock: ArmClock,
+    started: Instant,
     ends: Ends,
     source: Source,
     arms: Arms,
@@ -93,7 +91,7 @@ impl Owner {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
             keeper: given.keeper,
-            clock: given.source.clock(),
+            started: Instant::now(),
             ends: given.ends,
             source: given.source,
             arms: given.arms,
@@ -199,12 +197,28 @@ impl Owner {
         }
     }
 
+    /// What time it is for the keeper: an own virtual arm may live faster than everybody else.
     fn now(&self) -> Duration {
-        self.clock.now()
+        match &self.link {
+            Some(link) if self.source.is_virtual() => link.now(),
+            _ => self.started.elapsed(),
+        }
+    }
+
+    /// Until when to listen, by the arm's time, and then by everybody's.
+    fn wakeups(&self) -> (Duration, Instant) {
+        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
+        let latest = Instant::now() + within.min(LOOK_AT_LEAST);
+        let wanted = self.keeper.poll_wakeup();
+        if self.source.is_virtual() {
+            return (wanted, latest);
+        }
+        let wanted = self.started.checked_add(wanted);
+        (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
     }
 
     async fn happening(&mut self) -> Happening {
-        let wakeup = self.wakeup();
+        let (until, wakeup) = self.wakeups();
         let link = self.link.as_mut();
         tokio::select! {
             // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
@@ -212,17 +226,10 @@ impl Owner {
             biased;
             message = self.ends.messages.recv() => Happening::Message(message),
             written = self.written.recv() => Happening::Written(written),
-            heard = receive(link, &mut self.incoming) => Happening::Link(heard),
+            heard = receive(link, until, &mut self.incoming) => Happening::Link(heard),
             news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
             () = tokio::time::sleep_until(wakeup) => Happening::Time,
         }
-    }
-
-    fn wakeup(&self) -> Instant {
-        let wanted = self.clock.instant(self.keeper.poll_wakeup());
-        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
-        let latest = Instant::now() + within.min(LOOK_AT_LEAST);
-        wanted.map_or(latest, |it| it.min(latest))
     }
 
     /// Does what the keeper wants: packets first.
@@ -263,7 +270,7 @@ impl Owner {
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
-                self.recording.sent(self.clock.now(), &bytes);
+                self.recording.sent(self.now(), &bytes);
             }
         }
     }
@@ -537,10 +544,11 @@ impl Owner {
 
 async fn receive(
     link: Option<&mut Link>,
+    until: Duration,
     incoming: &mut Vec<u8>,
 ) -> Result<bool, dobot_client::LinkError> {
     match link {
-        Some(link) => link.receive(Duration::MAX, incoming).await,
+        Some(link) => link.receive(until, incoming).await,
         None => std::future::pending().await,
     }
 }

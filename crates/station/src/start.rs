@@ -3,13 +3,11 @@
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
 
 use dobot_client::Address;
 use dobot_journal::{Journal, JournalError};
 use dobot_safety::{Policy, PolicyError};
 use dobot_sim::Speed;
-use tokio::task::JoinHandle;
 
 #[cfg(unix)]
 use crate::VirtualPort;
@@ -40,8 +38,6 @@ pub struct Station {
     pty: Option<PathBuf>,
     /// What a person should know, a line each.
     notes: Vec<String>,
-    /// What ends with the station.
-    tasks: Vec<JoinHandle<()>>,
 }
 
 /// Why a station does not start.
@@ -168,7 +164,6 @@ impl Station {
                 raw,
                 pty,
                 notes,
-                tasks: approach.tasks,
             }),
             Err(error) => {
                 handle.end().await;
@@ -232,9 +227,6 @@ impl Station {
         let outcome = self.owner.ended().await;
         // The file that says where it runs is found to be stale by those who try to connect.
         let _ = self.http.end().await;
-        for task in self.tasks {
-            task.abort();
-        }
         outcome.map_err(Failed)
     }
 }
@@ -299,11 +291,8 @@ fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
 
 /// A hand on a button is as fast as ever, however fast the arm lives.
 fn in_time_of_arm(policy: &mut Policy, speed: Speed) {
-    for patience_s in [&mut policy.jog.dead_man_s, &mut policy.jog.raw_dead_man_s] {
-        *patience_s = speed
-            .of_clock(Duration::from_secs_f64(*patience_s))
-            .as_secs_f64();
-    }
+    policy.jog.dead_man_s *= speed.times();
+    policy.jog.raw_dead_man_s *= speed.times();
 }
 
 fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {

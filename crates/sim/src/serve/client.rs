@@ -1,12 +1,9 @@
 //! The client that has a served arm.
 
 use std::io;
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
 
-use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
+use tokio::io::AsyncReadExt;
 use tokio::net::TcpStream;
-use tokio::task::unconstrained;
 
 #[cfg(unix)]
 use crate::pty::PtyClient;
@@ -17,7 +14,6 @@ pub(super) enum Client {
     Tcp(TcpStream),
     #[cfg(unix)]
     Pty(PtyClient),
-    InProcess(DuplexStream),
 }
 
 impl Client {
@@ -28,7 +24,6 @@ impl Client {
             Self::Tcp(stream) => stream.read_buf(buffer).await,
             #[cfg(unix)]
             Self::Pty(client) => client.read_buf(buffer).await,
-            Self::InProcess(stream) => stream.read_buf(buffer).await,
         }
     }
 
@@ -38,21 +33,7 @@ impl Client {
             Self::Tcp(stream) => stream.try_write(bytes),
             #[cfg(unix)]
             Self::Pty(client) => Ok(client.try_write(bytes)),
-            Self::InProcess(stream) => at_once(stream.write(bytes)).unwrap_or(Ok(0)),
         }
-    }
-}
-
-/// What a future has ready, if it has; whoever else is interested in it has to ask again.
-pub(super) fn at_once<F: Future>(future: F) -> Option<F::Output> {
-    // Without regard to what the task has done so far: "not now" would be taken for "never".
-    let mut future = pin!(unconstrained(future));
-    match future
-        .as_mut()
-        .poll(&mut Context::from_waker(Waker::noop()))
-    {
-        Poll::Ready(output) => Some(output),
-        Poll::Pending => None,
     }
 }
 
