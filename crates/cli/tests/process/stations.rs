@@ -80,6 +80,35 @@ fn verbs_go_through_the_running_station_and_others_through_no_station() {
 }
 
 #[test]
+fn a_thousand_times_as_fast_no_status_is_lost_and_a_drawing_of_minutes_takes_no_time() {
+    let up = Up::new(&["--speed", "1000", "--personality", "firmware-1.1"]);
+    let drawn = up.dobot(&["draw", &example("harbour.svg")]).succeeds();
+    assert!(drawn.stdout.contains("3:"), "minutes: {drawn:?}");
+    let state = up.dobot(&["status", "--count", "1", "--json"]).succeeds();
+    assert!(state.stdout.contains("x_mm"), "{state:?}");
+    let log = up.dobot(&["log", "--json"]).succeeds();
+    let file: Value =
+        serde_json::from_str(log.stdout.lines().next().expect("a recording")).expect("it is JSON");
+    let told = up
+        .dobot(&[
+            "log",
+            file["file"].as_str().expect("a path"),
+            "--topic",
+            "/station/state",
+            "--json",
+        ])
+        .succeeds();
+    let last: Value = serde_json::from_str(told.stdout.lines().rev().nth(1).expect("states"))
+        .expect("it is JSON");
+    let link = &last["message"]["link"];
+    assert_eq!(
+        (&link["lost_statuses"], &link["damaged_bytes"]),
+        (&0.into(), &0.into()),
+        "{last}"
+    );
+}
+
+#[test]
 fn a_jog_through_the_station_moves_and_comes_to_rest() {
     let up = Up::new(&[]);
     let before = up.json(&["status", "--count", "1"]);

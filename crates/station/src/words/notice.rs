@@ -61,7 +61,7 @@ pub enum News {
         /// The kind of refusal, as in the problem documents.
         kind: String,
     },
-    /// A setting of a raw program was sent otherwise than it said: a stock arm would have taken it
+    /// A packet of a raw program was sent otherwise than it said: a stock arm would have taken it
     /// harmlessly, or the policy has a ceiling for it.
     Amended {
         /// Who.
