@@ -40,9 +40,9 @@ pub enum LinkError {
     /// The other end closed the link.
     #[error("the other end closed the link")]
     Closed,
-    /// The link broke.
-    #[error("the link broke")]
-    Broken(#[source] io::Error),
+    /// The link broke, which is something else than being closed.
+    #[error("the link broke: {0}")]
+    Broken(io::Error),
     /// The arm rests elsewhere than a command leads.
     #[error("the arm rests at {found}, not at {expected}, where the command leads: {reason}")]
     NotReached {

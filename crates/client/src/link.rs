@@ -1,5 +1,6 @@
 //! The way that bytes travel to an arm and back.
 
+use std::io::{self, ErrorKind};
 #[cfg(unix)]
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::pin::Pin;
@@ -189,7 +190,7 @@ impl Link {
     ///
     /// # Errors
     ///
-    /// [`LinkError::Broken`].
+    /// [`LinkError::Broken`], or [`LinkError::Closed`] where what was sent met nobody.
     pub async fn receive(
         &mut self,
         until: Duration,
@@ -233,7 +234,7 @@ impl Link {
                     stream.flush().await
                 };
                 match tokio::time::timeout(FLUSH_TIMEOUT, sending).await {
-                    Ok(sent) => sent.map_err(LinkError::Broken)?,
+                    Ok(sent) => sent.map_err(gone)?,
                     Err(_) => return Err(LinkError::Closed),
                 }
             }
@@ -280,17 +281,27 @@ async fn carry(
     loop {
         tokio::select! {
             sent = writer.write(outgoing), if !outgoing.is_empty() => {
-                let sent = sent.map_err(LinkError::Broken)?;
+                let sent = sent.map_err(gone)?;
                 if sent == 0 {
                     return Ok(false);
                 }
                 outgoing.drain(..sent);
             }
             received = reader.read_buf(incoming) => {
-                return Ok(received.map_err(LinkError::Broken)? > 0);
+                return Ok(received.map_err(gone)? > 0);
             }
             () = wait_until(deadline) => return Ok(true),
         }
+    }
+}
+
+/// Why a link is gone. TCP calls a close a reset where something that the other end had not read was under way.
+fn gone(error: io::Error) -> LinkError {
+    match error.kind() {
+        ErrorKind::ConnectionReset | ErrorKind::ConnectionAborted | ErrorKind::BrokenPipe => {
+            LinkError::Closed
+        }
+        _ => LinkError::Broken(error),
     }
 }
 

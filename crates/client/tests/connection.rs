@@ -5,6 +5,7 @@ use std::time::Duration;
 use dobot_client::{Address, Connection, LinkError, OpenError};
 use dobot_wire::{JointJog, JointJogAxis, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt, duplex};
+use tokio::net::{TcpListener, TcpStream};
 
 /// Rear arm upright, forearm level.
 const STATUS: Status = Status {
@@ -52,6 +53,25 @@ async fn a_peer_that_closes_in_the_middle_of_a_status_is_told() {
     theirs.write_all(&bytes[..20]).await.expect("it is open");
     drop(theirs);
     let error = arm.next_status().await.expect_err("there is none");
+    assert!(matches!(error, LinkError::Closed), "{error}");
+}
+
+#[tokio::test]
+async fn a_peer_that_closes_without_having_read_everything_has_closed_too() {
+    let listener = TcpListener::bind("127.0.0.1:0").await.expect("one is free");
+    let address = listener.local_addr().expect("it is bound");
+    let ours = TcpStream::connect(address).await.expect("it listens");
+    let (mut theirs, _) = listener.accept().await.expect("somebody is there");
+    let mut arm = Connection::over_stream(ours, None);
+    arm.send(LASER_OFF).expect("it is allowed");
+    let bytes = STATUS.emit().to_bytes();
+    theirs.write_all(&bytes).await.expect("it is open");
+    arm.next_status().await.expect("it was sent");
+    let waiting = tokio::spawn(async move { arm.next_status().await });
+    theirs.peek(&mut [0]).await.expect("laser off comes");
+    drop(theirs);
+    let answer = waiting.await.expect("it ends");
+    let error = answer.expect_err("there is none");
     assert!(matches!(error, LinkError::Closed), "{error}");
 }
 
