@@ -137,8 +137,8 @@ pub fn spelled(input: &[u8], words: &[&str]) -> Vec<u8> {
 /// # Panics
 ///
 /// If it does not.
-pub fn read(source: dobot_draw::Source) {
-    if let Ok((artwork, _)) = source.read(&dobot_draw::ReadOptions::default()) {
+pub fn read(source: dobot_source::Source) {
+    if let Ok((artwork, _)) = source.read(&dobot_source::ReadOptions::default()) {
         assert!(artwork.points().next().is_some());
         for p in artwork.points() {
             // Twice as far as allowed from the origin: the page begins at the ink.

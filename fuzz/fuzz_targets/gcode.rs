@@ -1,7 +1,7 @@
 //! G-code of any kind: an error, or ink within the limits, but never a panic.
 #![no_main]
 
-use dobot_draw::Source;
+use dobot_source::Source;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {

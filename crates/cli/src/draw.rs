@@ -12,10 +12,8 @@ mod work;
 
 use std::path::Path;
 
-use dobot_draw::{
-    Colors, Deviation, FrameShape, InkLine, Picture, Prepared, Settings, Stroke, View, Worst,
-    deviation, frame, ink_seen,
-};
+use dobot_draw::{Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen};
+use dobot_geometry::{Deviation, Stroke, Worst, deviation};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::StationClient;
 use dobot_wire::{Dialect, Status};

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use dobot_draw::{Material, Materials, Tool};
+use dobot_draw::{Material, Materials};
+use dobot_plan::Tool;
 
 use crate::draw::materials;
 use crate::failure::Failure;

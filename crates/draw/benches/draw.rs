@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use dobot_draw::{
-    Cornering, Machine, Paper, Pass, Placement, Plan, Point, ReadOptions, Run, Search, Settings,
-    Size, Source, Stroke, Text, Tool, Travel, deviation, order, prepare, simplify,
-};
+use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
+use dobot_geometry::{Point, Stroke, deviation};
+use dobot_plan::{Cornering, Machine, Paper, Pass, Plan, Run, Tool};
+use dobot_source::{ReadOptions, Source, Text};
 
 fn main() {
     divan::main();

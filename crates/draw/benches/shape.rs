@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use dobot_draw::{Area, FillRule, Hatch, Point, Stroke, hatch, merge, simplify};
+use dobot_draw::{Hatch, hatch, merge, simplify};
+use dobot_geometry::{Area, FillRule, Point, Stroke};
 
 fn main() {
     divan::main();

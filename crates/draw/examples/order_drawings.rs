@@ -8,7 +8,9 @@ use std::error::Error;
 use std::fs;
 use std::time::Instant;
 
-use dobot_draw::{Point, ReadOptions, Search, Source, Stroke, Travel, order};
+use dobot_draw::{Search, Travel, order};
+use dobot_geometry::{Point, Stroke};
+use dobot_source::{ReadOptions, Source};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

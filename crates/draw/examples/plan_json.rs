@@ -7,9 +7,9 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 
-use dobot_draw::{
-    LinkRate, Machine, MoveKind, Plan, Settings, Size, Source, acceleration, prepare,
-};
+use dobot_draw::{Settings, Size, prepare};
+use dobot_plan::{LinkRate, Machine, MoveKind, Plan, acceleration};
+use dobot_source::Source;
 use dobot_wire::Dialect;
 
 fn main() -> Result<(), Box<dyn Error>> {

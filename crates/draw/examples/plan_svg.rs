@@ -6,7 +6,9 @@ use std::error::Error;
 use std::fs;
 
 use dobot_arm::Position;
-use dobot_draw::{Colors, InkLine, MoveKind, Picture, Settings, Source, View, prepare};
+use dobot_draw::{Colors, InkLine, Picture, Settings, View, prepare};
+use dobot_plan::MoveKind;
+use dobot_source::Source;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

@@ -3,12 +3,11 @@
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
+use dobot_geometry::{Bounds, Point, Stroke};
 use dobot_lettering::{Anchor, lettering, width};
+use dobot_plan::{Laser, Pass, Tool};
+use dobot_source::{LayersBy, ReadOptions, Source};
 use thiserror::Error;
-
-use crate::plan::{Laser, Pass, Tool};
-use crate::point::{Bounds, Point, Stroke};
-use crate::source::{LayersBy, ReadOptions, Source};
 
 /// A grid of small hatched squares, each burned with another speed and number of passes. Below each
 /// square is a line, which shows where the material is cut through.

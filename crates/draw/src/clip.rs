@@ -1,6 +1,6 @@
 //! Lines end where the arm or the paper does.
 
-use crate::point::{Bounds, Point, Stroke};
+use dobot_geometry::{Bounds, Point, Stroke};
 
 /// What is left of strokes that were cut.
 #[derive(Clone, Debug, Default, PartialEq)]

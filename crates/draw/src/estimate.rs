@@ -1,10 +1,10 @@
 //! The figures of a plan as a virtual arm carried it out.
 
+use dobot_plan::{PlannedPass, Tool};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::ink::point;
-use crate::plan::{PlannedPass, Tool};
 use crate::trace::{Ink, Trace};
 
 /// The figures of a drawing: the estimate of a later run is the run of a virtual arm.

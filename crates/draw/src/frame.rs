@@ -1,7 +1,7 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
-use crate::plan::{Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, Tool};
-use crate::point::{Bounds, Point, Stroke};
+use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_plan::{Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, Tool};
 
 /// What is gone around.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -131,7 +131,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::plan::Laser;
+    use dobot_plan::Laser;
 
     fn cross() -> Vec<Stroke> {
         let line = |points: [(f64, f64); 2]| {

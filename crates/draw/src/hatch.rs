@@ -6,12 +6,11 @@ mod scan;
 #[cfg(test)]
 mod tests;
 
-use thiserror::Error;
-
-use crate::artwork::Area;
-use crate::point::{Point, Stroke};
+use dobot_geometry::Area;
+use dobot_geometry::{Point, Stroke};
 use join::Joined;
 use scan::Scan;
+use thiserror::Error;
 
 /// How an area is filled with lines.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,9 @@
 //! What the tool left on the paper.
 
 use dobot_arm::Position;
-
-use crate::deviation::Near;
-use crate::plan::{Paper, Plan};
-use crate::point::{Point, Stroke};
+use dobot_geometry::Near;
+use dobot_geometry::{Point, Stroke};
+use dobot_plan::{Paper, Plan};
 
 /// A line on the paper, and how far it lies from what was wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,7 +73,7 @@ const TOUCHING_MM: f64 = 0.05;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::{Laser, Machine, Pass, Tool};
+    use dobot_plan::{Laser, Machine, Pass, Tool};
 
     fn plan(tool: Tool) -> Plan {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);

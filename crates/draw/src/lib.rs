@@ -1,10 +1,10 @@
-//! Drawings for the original Dobot Arm: SVG to strokes to vectors that arm and link can carry.
+//! Strokes on the paper: what the readers of `dobot-source` give is placed, hatched, clipped, merged,
+//! ordered and simplified, and planned by `dobot-plan`; then it is estimated, or shown as a picture.
 //!
 //! ```text
-//!   SVG text -> Drawing -> Placement -> order -> simplify -> Plan -> vectors for the arm
-//!               (svg)      (place)      (order)  (simplify)  (plan, lookahead)
+//!   source -> Artwork -> place -> hatch -> clip -> merge -> order -> simplify -> plan
 //!
-//!   wanted strokes + what the arm drew -> deviation, Picture
+//!   wanted strokes + what the arm drew -> Trace, Picture
 //! ```
 //!
 //! Everything here is pure: no files, no clock, no arm. [`prepare()`] goes the whole way:
@@ -31,34 +31,26 @@
 //! so that together they keep it. Arcs come from the SVG reader as cubic curves, which lie within
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
-mod artwork;
 mod card;
 mod clip;
-mod deviation;
 mod estimate;
 mod frame;
 mod hatch;
-mod index;
 mod ink;
 mod material;
 mod merge;
 mod order;
 mod picture;
 mod place;
-mod plan;
-mod point;
 mod prepare;
 mod sample;
 mod simplify;
-mod source;
 mod start;
 mod timeline;
 mod trace;
 
-pub use artwork::{Area, Artwork, FillRule, Layer};
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_area, clip_to_reach};
-pub use deviation::{Deviation, Worst, deviation};
 pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
@@ -68,20 +60,9 @@ pub use merge::merge;
 pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
-pub use plan::{
-    Begin, Break, Cornering, Joint, Laser, LinkRate, Machine, MoveKind, Paper, PaperError, Pass,
-    Pen, Plan, PlanError, PlannedPass, PlannedVector, Run, Summary, Tool, acceleration,
-    end_speed_mm_s, respeed,
-};
-pub use point::{Bounds, Point, Stroke};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use sample::Sample;
 pub use simplify::{MIN_VECTOR_MM, simplify};
-pub use source::{
-    Align, Font, ImageError, LayersBy, Place, ReadOptions, Shading, Source, SourceError,
-    StrokeFont, Style, SvgError, Text, TextError, Warning,
-};
 pub use start::{StartError, StartFrom};
 pub use timeline::{Moves, Path, Timeline};
 pub use trace::{NeverBegan, Trace};
-pub use usvg::fontdb;

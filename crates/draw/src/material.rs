@@ -6,7 +6,7 @@ mod read;
 use std::collections::BTreeMap;
 
 pub use self::error::{MaterialError, UnknownMaterial};
-use crate::plan::Tool;
+use dobot_plan::Tool;
 
 /// How a pen or a laser is used on a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,8 @@ pub struct Material {
 /// A file of materials is TOML, in which each has a table of its own:
 ///
 /// ```
-/// use dobot_draw::{Materials, Tool};
+/// use dobot_draw::Materials;
+/// use dobot_plan::Tool;
 ///
 /// let mine = Materials::from_toml("
 ///     [materials.plywood-3mm]
@@ -106,7 +107,7 @@ impl Materials {
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::{Laser, Pen};
+    use dobot_plan::{Laser, Pen};
 
     #[test]
     fn the_built_in_materials_are_a_few_pens_and_a_few_for_the_laser() {

@@ -1,6 +1,6 @@
 //! Strokes that meet become one: the pen need not be lifted between them.
 
-use crate::point::{Point, Stroke};
+use dobot_geometry::{Point, Stroke};
 
 /// Joins strokes the ends of which lie within `tolerance_mm` of each other, reversed where needed;
 /// what comes back to its begin is closed. Where several ends meet, those go together that go on

@@ -25,7 +25,7 @@ use self::random::Random;
 use self::search::Settling;
 pub use self::travel::{Travel, travel_mm};
 use self::way::{Stop, cost, drawn, given, turn_loops};
-use crate::point::{Point, Stroke};
+use dobot_geometry::{Point, Stroke};
 
 /// What to search for, and for how long.
 ///

@@ -15,8 +15,8 @@ use self::lines::{by_class, group, on_picture, points};
 use self::page::{frame, scale_bar, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
-use crate::plan::{MoveKind, Plan};
-use crate::point::{Bounds, Point, Stroke};
+use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_plan::{MoveKind, Plan};
 
 /// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
 #[derive(Clone, Debug)]
@@ -110,7 +110,7 @@ impl Picture<'_> {
             return Err(PictureError::Width { width_px });
         }
         let render = |reason: String| PictureError::Render { reason };
-        let tree = usvg::Tree::from_str(&self.to_svg(), &usvg::Options::default());
+        let tree = resvg::usvg::Tree::from_str(&self.to_svg(), &resvg::usvg::Options::default());
         let tree = tree.map_err(|error| render(error.to_string()))?;
         #[expect(clippy::cast_precision_loss, reason = "at most 16384")]
         let scale = width_px as f32 / tree.size().width();
@@ -191,7 +191,7 @@ const PLANNED: &str = r##"stroke="#cfc8b8" stroke-width="0.3""##;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::{Machine, Paper, Pass, Tool};
+    use dobot_plan::{Machine, Paper, Pass, Tool};
 
     fn strokes() -> Vec<Stroke> {
         let line = |points: &[(f64, f64)]| {
@@ -227,10 +227,10 @@ mod tests {
 
     #[test]
     fn both_views_are_svg_files_of_their_size() {
-        let options = usvg::Options::default();
+        let options = resvg::usvg::Options::default();
         let size = |view| {
             let svg = picture(view, Picture::to_svg);
-            usvg::Tree::from_str(&svg, &options).unwrap().size()
+            resvg::usvg::Tree::from_str(&svg, &options).unwrap().size()
         };
         assert!(size(View::Reach).width() > size(View::Paper).width());
     }

@@ -3,11 +3,10 @@
 use std::fmt;
 
 use dobot_arm::Position;
+use dobot_geometry::{Bounds, Point};
+use dobot_plan::{Paper, Plan};
+use dobot_source::{Artwork, Layer};
 use thiserror::Error;
-
-use crate::artwork::{Artwork, Layer};
-use crate::plan::{Paper, Plan};
-use crate::point::{Bounds, Point};
 
 /// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
 pub const AREA: Bounds = Bounds {
@@ -235,8 +234,8 @@ const STEP_MM: f64 = 2.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::{Machine, Pass, Tool};
-    use crate::point::Stroke;
+    use dobot_geometry::Stroke;
+    use dobot_plan::{Machine, Pass, Tool};
 
     fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
         let layer = Layer {

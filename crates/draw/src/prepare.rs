@@ -10,17 +10,17 @@ use dobot_arm::Position;
 use thiserror::Error;
 
 pub use self::settings::Settings;
-use crate::artwork::{Artwork, Layer};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
-use crate::plan::{Pass, Plan, PlanError, Tool};
-use crate::point::{Point, Stroke};
 use crate::simplify::simplify;
-use crate::source::{ReadOptions, Source, SourceError, Warning};
 use crate::start::StartError;
+use dobot_geometry::{Point, Stroke};
+use dobot_plan::{Pass, Plan, PlanError, Tool};
+use dobot_source::{Artwork, Layer};
+use dobot_source::{ReadOptions, Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
@@ -286,9 +286,9 @@ const SAME_SCALE: f64 = 0.05;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::deviation::deviation;
     use crate::place::Size;
-    use crate::plan::MoveKind;
+    use dobot_geometry::deviation;
+    use dobot_plan::MoveKind;
 
     const EXAMPLES: [&str; 3] = [
         include_str!("../../../examples/drawings/harbour.svg"),

@@ -9,7 +9,7 @@ mod wedge;
 #[cfg(test)]
 mod oracle;
 
-use crate::point::{Point, Stroke};
+use dobot_geometry::{Point, Stroke};
 use search::fewest;
 use tube::Tube;
 
@@ -86,7 +86,7 @@ mod tests {
 
     use super::oracle::fewest_between_points;
     use super::*;
-    use crate::deviation::deviation;
+    use dobot_geometry::deviation;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())

@@ -2,10 +2,9 @@
 
 use std::fmt;
 
+use dobot_geometry::Stroke;
+use dobot_plan::Pass;
 use thiserror::Error;
-
-use crate::plan::Pass;
-use crate::point::Stroke;
 
 /// Where to begin, so that a drawing can be finished that was broken off.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,8 +155,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::plan::Tool;
-    use crate::point::Point;
+    use dobot_geometry::Point;
+    use dobot_plan::Tool;
 
     fn line(from: f64, to: f64) -> Stroke {
         Stroke::open(vec![Point::new(from, 0.0), Point::new(to, 0.0)])

@@ -2,11 +2,11 @@
 
 mod thin;
 
+use dobot_plan::MoveKind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::estimate::{Estimate, PassFigures};
-use crate::plan::MoveKind;
 use crate::trace::{Ink, Moment, Trace};
 
 /// A drawing in time, for a page that lets a person go to any moment of it.

@@ -5,12 +5,12 @@ mod follow;
 use std::time::Duration;
 
 use dobot_arm::Position;
+use dobot_geometry::Near;
+use dobot_geometry::Stroke;
+use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 
-use crate::deviation::Near;
 use crate::ink::{InkLine, point, writes};
-use crate::plan::{Paper, Plan};
-use crate::point::Stroke;
 use crate::sample::Sample;
 
 /// A plan as a virtual arm carried it out.

@@ -6,9 +6,8 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_draw::{
-    Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Point, Stroke, Tool, deviation, respeed,
-};
+use dobot_geometry::{Point, Stroke, deviation};
+use dobot_plan::{Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Tool, respeed};
 use dobot_wire::{Command, WriteVector};
 
 /// What the arm does in a tick: where it is behind it, and whether it burned.

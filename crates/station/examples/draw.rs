@@ -8,7 +8,9 @@ mod support;
 use std::error::Error;
 use std::fs;
 
-use dobot_draw::{Machine, Paper, Settings, Source, prepare};
+use dobot_draw::{Settings, prepare};
+use dobot_plan::{Machine, Paper};
+use dobot_source::Source;
 use dobot_station::{Heard, JobKind, JobPhase, NewJob, News, Reply, Request};
 
 #[tokio::main(flavor = "current_thread")]

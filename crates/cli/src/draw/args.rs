@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use dobot_draw::{Align, LayersBy, Machine, Settings, StartFrom, Style};
+use dobot_draw::{Settings, StartFrom};
+use dobot_plan::Machine;
+use dobot_source::{Align, LayersBy, Style};
 
 use crate::connect::To;
 use crate::jog::laser_seconds;

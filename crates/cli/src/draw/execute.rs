@@ -6,7 +6,7 @@ use std::time::Duration;
 use anyhow::anyhow;
 use dobot_client::position;
 use dobot_course::Model;
-use dobot_draw::Plan;
+use dobot_plan::Plan;
 use dobot_station::{
     JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State, StationClient,
 };

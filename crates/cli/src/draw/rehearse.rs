@@ -4,7 +4,8 @@
 use std::time::Duration;
 
 use dobot_controller::PowerUp;
-use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Stroke, Timeline, Trace};
+use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Timeline, Trace};
+use dobot_geometry::Stroke;
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
 use dobot_station::StationClient;
@@ -23,7 +24,7 @@ pub(super) struct Carried {
     pub(super) timeline: Timeline,
     pub(super) ink: Vec<InkLine>,
     /// The wanted path was not drawn there, where that is worse than what was drawn astray.
-    pub(super) deviation: dobot_draw::Deviation,
+    pub(super) deviation: dobot_geometry::Deviation,
 }
 
 impl Carried {
@@ -37,7 +38,7 @@ impl Carried {
         Some(Self {
             estimate: trace.estimate(),
             timeline: trace.timeline(),
-            deviation: dobot_draw::deviation(&wanted, &drawn),
+            deviation: dobot_geometry::deviation(&wanted, &drawn),
             ink,
         })
     }

@@ -7,10 +7,12 @@ use std::sync::Arc;
 use anyhow::Context;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_draw::{
-    Align, Card, Font, Hatch, Laser, Machine, Material, Materials, Paper, Pass, Pen, PlaceError,
-    Placement, Point, PrepareError, Prepared, Settings, Shading, Size, Source, SourceError, Text,
-    Tool, UnknownMaterial, fontdb, prepare, prepare_passes,
+    Card, Hatch, Material, Materials, PlaceError, Placement, PrepareError, Prepared, Settings,
+    Size, UnknownMaterial, prepare, prepare_passes,
 };
+use dobot_geometry::Point;
+use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Tool};
+use dobot_source::{Align, Font, Shading, Source, SourceError, Text, fontdb};
 use dobot_wire::Dialect;
 
 use super::args::{Args, Spacing};

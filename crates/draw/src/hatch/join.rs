@@ -1,8 +1,9 @@
 //! Lines of a hatch, joined to strokes to and fro.
 
+use dobot_geometry::SegmentIndex;
+use dobot_geometry::{Bounds, Point, Stroke};
+
 use super::scan::Span;
-use crate::index::SegmentIndex;
-use crate::point::{Bounds, Point, Stroke};
 
 /// Strokes in the making, line by line.
 #[derive(Debug)]

@@ -1,8 +1,9 @@
 //! Which parts of parallel lines lie inside of rings.
 
+use dobot_geometry::FillRule;
+use dobot_geometry::Point;
+
 use super::HatchError;
-use crate::artwork::FillRule;
-use crate::point::Point;
 
 /// Rings cut by lines along x. The lines to draw have even numbers; halfway between them lie odd
 /// ones, which tell whether the way from one to the next is inside.

@@ -1,9 +1,9 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+use dobot_geometry::FillRule;
 use proptest::prelude::*;
 
 use super::*;
-use crate::artwork::FillRule;
 
 fn ring(corners: &[(f64, f64)]) -> Vec<Point> {
     corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
@@ -107,7 +107,7 @@ fn an_inset_keeps_the_lines_away_from_the_border() {
         ..along_x(0.5)
     };
     let strokes = hatch(&area(&[SQUARE, HOLE], FillRule::EvenOdd), &inset).unwrap();
-    let bounds = crate::point::Bounds::of_strokes(&strokes);
+    let bounds = dobot_geometry::Bounds::of_strokes(&strokes);
     assert!((bounds.min.x - 0.8).abs() < 1e-9 && (bounds.max.x - 9.2).abs() < 1e-9);
     assert!(bounds.min.y >= 0.8 && bounds.max.y <= 9.2);
     let corners = strokes.iter().flat_map(|s| &s.points);

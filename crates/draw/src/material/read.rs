@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use dobot_plan::{Laser, Pen, Tool};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Material, MaterialError};
-use crate::plan::{Laser, Pen, Tool};
 
 /// The materials of a file.
 pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, MaterialError> {

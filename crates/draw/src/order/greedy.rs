@@ -1,7 +1,8 @@
 //! A tour to begin with: the shortest ways first.
 
+use dobot_geometry::SegmentIndex;
+
 use super::nodes::Nodes;
-use crate::index::SegmentIndex;
 
 /// Joins nodes with the shortest ways between neighbours, as long as no node gets more than two and
 /// no ring closes, and then the pieces, each time the nearest.

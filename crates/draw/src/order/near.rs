@@ -1,7 +1,8 @@
 //! The neighbours that a search tries to join a node with.
 
+use dobot_geometry::{Bounds, Point};
+
 use super::point_tree::PointTree;
-use crate::point::{Bounds, Point};
 
 /// The nearest few of every node, the nearest first, and then the nearest in each direction where
 /// none of them lies: a dense cloud has to know its surroundings. Never the node's mate; where there

@@ -1,10 +1,11 @@
 //! The ends of the strokes as the nodes of a tour.
 
+use dobot_geometry::{Point, Stroke};
+
 use super::near::{NEAR, near};
 use super::point_tree::PointTree;
 use super::travel::Travel;
 use super::way::Stop;
-use crate::point::{Point, Stroke};
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
 /// one for where the pen comes from, and one that ends the tour.

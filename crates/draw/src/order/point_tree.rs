@@ -1,6 +1,6 @@
 //! A tree of nodes over points, for the nearest few of each.
 
-use crate::point::{Bounds, Point};
+use dobot_geometry::{Bounds, Point};
 
 /// Points, sorted so that every box of the tree holds a range of them; this order keeps
 /// neighbours together in memory too.

@@ -1,6 +1,6 @@
 //! What a way with the pen up costs.
 
-use crate::point::{Point, Stroke};
+use dobot_geometry::{Point, Stroke};
 
 /// What counts when strokes are put in order.
 #[derive(Clone, Copy, Debug, PartialEq)]

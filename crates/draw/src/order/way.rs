@@ -1,7 +1,8 @@
 //! An order of strokes, each with the point where it is begun.
 
+use dobot_geometry::{Point, Stroke};
+
 use super::travel::Travel;
-use crate::point::{Point, Stroke};
 
 /// A stroke and the point of it where it is begun: one of the ends, or any corner where it is
 /// closed.

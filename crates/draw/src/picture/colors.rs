@@ -1,7 +1,8 @@
 //! What the colours of a picture mean.
 
+use dobot_plan::Plan;
+
 use crate::ink::InkLine;
-use crate::plan::Plan;
 
 /// What the colours of the ink mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,8 +97,8 @@ const DARKER: f64 = 130.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::plan::{Machine, Paper, Pass, Tool};
-    use crate::point::{Point, Stroke};
+    use dobot_geometry::{Point, Stroke};
+    use dobot_plan::{Machine, Paper, Pass, Tool};
 
     #[test]
     fn a_place_is_green_amber_or_red() {

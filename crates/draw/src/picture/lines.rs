@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use dobot_geometry::{Point, Stroke};
+
 use crate::ink::InkLine;
-use crate::point::{Point, Stroke};
 
 /// X up, Y to the left.
 pub(super) fn on_picture(p: Point) -> Point {

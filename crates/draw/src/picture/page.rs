@@ -1,10 +1,10 @@
 //! The page under the lines: the paper, what the arm reaches, and how long 50 mm are.
 
+use dobot_geometry::Bounds;
 use dobot_lettering::{Anchor, lettering};
 
 use super::lines::on_picture;
 use super::{MUTED, REACH_MM, unit};
-use crate::point::Bounds;
 
 /// The ring that the arm reaches, its base, and the drawing area.
 pub(super) fn workspace(area: Bounds, paper: Bounds) -> String {

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
+use dobot_geometry::{Bounds, Point};
 use dobot_lettering::{Anchor, lettering, width};
 
 use super::colors::pass_color;
 use super::{Colors, INK, MUTED, Picture, TRAVEL, unit};
 use crate::estimate::PassFigures;
-use crate::point::{Bounds, Point};
 
 impl Picture<'_> {
     /// Title, legend, figures and passes around the paper.

@@ -1,8 +1,9 @@
 //! Which layers are drawn, with what, one after the other.
 
+use dobot_plan::{Pass, Tool};
+use dobot_source::Layer;
+
 use super::{PrepareError, Settings};
-use crate::artwork::Layer;
-use crate::plan::{Pass, Tool};
 
 /// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
 ///

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use usvg::fontdb;
+use dobot_geometry::Area;
+use dobot_plan::{Machine, Paper, Tool};
+use dobot_source::fontdb;
+use dobot_source::{LayersBy, Shading};
 
 use super::PrepareError;
-use crate::artwork::Area;
 use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
-use crate::plan::{Machine, Paper, Tool};
 use crate::simplify::MIN_VECTOR_MM;
-use crate::source::{LayersBy, Shading};
 use crate::start::StartFrom;
 
 /// How a drawing is to be made.

@@ -1,7 +1,8 @@
 //! The fewest vectors between points of the stroke itself, by trying all of them.
 
+use dobot_geometry::Point;
+
 use super::MIN_VECTOR_MM;
-use crate::point::Point;
 
 /// How many vectors the shortest path takes (after Imai and Iri): from point to point of the
 /// stroke, hitting the discs of all points between in order. No vector

@@ -8,10 +8,11 @@
 //! with the way done, only those follow that could spoil the promise to be no worse than the best
 //! choice among the stroke's own points; once a second one is used up, none. So the whole is linear.
 
+use dobot_geometry::Point;
+
 use super::settle::put_on_the_stroke;
 use super::sight::Sight;
 use super::tube::Tube;
-use crate::point::Point;
 
 /// The corners of the path with the fewest vectors; `None` if there is none without vectors
 /// that are too short.

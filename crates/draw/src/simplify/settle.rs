@@ -1,9 +1,10 @@
 //! Corners that cost nothing go back to where the stroke has them.
 
+use dobot_geometry::Point;
+
 use super::MIN_VECTOR_MM;
 use super::search::Corner;
 use super::tube::Tube;
-use crate::point::Point;
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without
 /// another vector. Both ends stay.

@@ -1,10 +1,11 @@
 //! How far one vector may go from a corner.
 
+use dobot_geometry::Point;
+
 use super::MIN_VECTOR_MM;
 use super::search::Corner;
 use super::tube::Tube;
 use super::wedge::Wedge;
-use crate::point::Point;
 
 /// What is seen from a corner on the way along the stroke.
 pub(super) struct Sight<'a> {

@@ -1,6 +1,6 @@
 //! One vector and the points it has to pass.
 
-use crate::point::Point;
+use dobot_geometry::Point;
 
 /// A stroke, and how far from its points a vector may pass.
 #[derive(Debug)]

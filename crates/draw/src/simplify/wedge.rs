@@ -1,6 +1,6 @@
 //! The directions from a point that pass others within the tolerance.
 
-use crate::point::Point;
+use dobot_geometry::Point;
 
 /// What lies between two edges that are less than half a turn apart.
 #[derive(Clone, Copy, Debug)]

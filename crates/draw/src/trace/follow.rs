@@ -1,9 +1,9 @@
 //! Which sample belongs to which vector.
 
 use dobot_arm::Position;
+use dobot_plan::{Plan, PlannedVector};
 
 use super::NeverBegan;
-use crate::plan::{Plan, PlannedVector};
 use crate::sample::Sample;
 
 /// The last sample before the arm leaves the plan's start for the first time.

@@ -12,8 +12,8 @@ use std::time::Duration;
 
 use dobot_client::CommandId;
 use dobot_course::Model;
-use dobot_draw::{Machine, end_speed_mm_s};
 use dobot_journal::{Adjustment, Behind, Window, model_at, window_end};
+use dobot_plan::{Machine, end_speed_mm_s};
 use dobot_wire::{Command, Status};
 
 use super::Keeper;

@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use dobot_controller::Personality;
-use dobot_draw::{Laser, Paper, Pass, Plan, Point, Stroke, Tool, deviation};
+use dobot_geometry::{Point, Stroke, deviation};
+use dobot_plan::{Laser, Paper, Pass, Plan, Tool};
 use dobot_station::{ClientId, JobKind, NewJob, News, Rehearsal, Request};
 
 use crate::drawing::rehearsal;

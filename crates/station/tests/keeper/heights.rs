@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_controller::Personality;
-use dobot_draw::Stroke;
+use dobot_geometry::Stroke;
 use dobot_station::{ClientId, JobKind, NewJob, Rehearsal, Request};
 use dobot_wire::{Command, Packet};
 use proptest::prelude::*;

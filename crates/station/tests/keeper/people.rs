@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_controller::Personality;
-use dobot_draw::{Point, Stroke};
+use dobot_geometry::{Point, Stroke};
 use dobot_station::{JobPause, JobPhase, NewJob, Request};
 
 use crate::drawing;

@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use dobot_arm::Position;
 use dobot_controller::Personality;
-use dobot_draw::{Deviation, Machine, Paper, Pass, Pen, Plan, Point, Stroke, Tool, deviation};
+use dobot_geometry::{Deviation, Point, Stroke, deviation};
+use dobot_plan::{Machine, Paper, Pass, Pen, Plan, Tool};
 use dobot_sim::Sample;
 use dobot_station::{ClientId, JobKind, JobPause, JobView, NewJob, Rehearsal, Request};
 

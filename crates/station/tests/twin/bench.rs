@@ -5,7 +5,9 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_client::position;
 use dobot_controller::{Personality, PowerUp};
-use dobot_draw::{Laser, Machine, Paper, Pass, Pen, Plan, Point, Sample, Stroke, Tool};
+use dobot_draw::Sample;
+use dobot_geometry::{Point, Stroke};
+use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Plan, Tool};
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::{

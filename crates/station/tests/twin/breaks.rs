@@ -1,7 +1,8 @@
 //! Changing pens, and being stopped.
 
 use dobot_controller::Personality;
-use dobot_draw::{Pass, Trace};
+use dobot_draw::Trace;
+use dobot_plan::Pass;
 use dobot_station::JobPhase;
 
 use crate::bench::{Bench, PAPER, line, pen, plan, square};

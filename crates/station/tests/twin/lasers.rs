@@ -1,7 +1,8 @@
 //! Burning.
 
 use dobot_controller::Personality;
-use dobot_draw::{Trace, deviation};
+use dobot_draw::Trace;
+use dobot_geometry::deviation;
 use dobot_station::JobPhase;
 
 use crate::bench::{Bench, PAPER, laser, line, plan, square};

@@ -2,7 +2,9 @@
 
 use dobot_arm::Position;
 use dobot_controller::Personality;
-use dobot_draw::{Estimate, Pass, Plan, Stroke, Timeline, ToolKind, Trace, ink_seen};
+use dobot_draw::{Estimate, Timeline, ToolKind, Trace, ink_seen};
+use dobot_geometry::Stroke;
+use dobot_plan::{Pass, Plan};
 
 use crate::bench::{Bench, PAPER, laser, line, pen, plan, square};
 
@@ -185,7 +187,7 @@ async fn the_statuses_show_the_ink_and_not_where_the_arm_stood_before() {
         bench.draw(&plan).await;
         let seen = bench.seen.iter().copied();
         let dots = ink_seen(seen, &plan, &PAPER);
-        let worst = dobot_draw::deviation(&wanted(&passes), &dots).astray;
+        let worst = dobot_geometry::deviation(&wanted(&passes), &dots).astray;
         assert!(dots.len() > 10 && worst.distance_mm < 0.1, "{worst:?}");
     }
 }

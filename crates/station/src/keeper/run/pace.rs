@@ -1,7 +1,7 @@
 //! At which speeds the vectors go that are not sent yet.
 
 use dobot_course::burns;
-use dobot_draw::{Begin, Machine, respeed};
+use dobot_plan::{Begin, Machine, respeed};
 use dobot_wire::{Command, WriteVector};
 
 use crate::keeper::JobPlan;

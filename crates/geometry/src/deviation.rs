@@ -1,0 +1,246 @@
+//! How well the drawn path matches the wanted one.
+
+use crate::SegmentIndex;
+use crate::{Point, Stroke};
+
+/// How far two paths lie apart: each way, since ink in the wrong place and ink that is missing are
+/// two different faults.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// The drawn point that lies farthest from what was wanted.
+    pub astray: Worst,
+    /// The wanted point that lies farthest from what was drawn.
+    pub missed: Worst,
+}
+
+impl Deviation {
+    /// The larger of the two distances, in millimetres.
+    #[must_use]
+    pub fn largest_mm(&self) -> f64 {
+        self.astray.distance_mm.max(self.missed.distance_mm)
+    }
+}
+
+/// The worst place of a path.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// How far it lies from the other path; infinite where the other is empty.
+    pub distance_mm: f64,
+    /// Where it is.
+    pub at: Point,
+}
+
+/// Compares the path wanted with the path drawn, at every corner and at least every half
+/// millimetre.
+#[must_use]
+pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
+    Deviation {
+        astray: farthest(drawn, wanted),
+        missed: farthest(wanted, drawn),
+    }
+}
+
+/// A path that can be asked how far away it is.
+///
+/// It remembers which of its segments was the nearest: whoever asks along another path finds the
+/// next one close to it.
+#[derive(Debug)]
+pub struct Near {
+    index: SegmentIndex,
+    last: u32,
+}
+
+impl Near {
+    /// Gets ready to be asked for distances from this path.
+    #[must_use]
+    pub fn new(path: &[Stroke]) -> Self {
+        Self {
+            index: SegmentIndex::new(short(once(path))),
+            last: 0,
+        }
+    }
+
+    /// The distance in mm; infinite where there is no path. Less than a ten-thousandth of a
+    /// millimetre is not told apart.
+    pub fn distance_mm(&mut self, p: Point) -> f64 {
+        self.distance_from_mm(p, NEGLIGIBLE_MM)
+    }
+
+    /// As [`distance_mm`](Self::distance_mm); where it is at most `enough_mm`, any number up to that.
+    fn distance_from_mm(&mut self, p: Point, enough_mm: f64) -> f64 {
+        match self.index.nearest_from(self.last, p, enough_mm * enough_mm) {
+            Some((item, distance2)) => {
+                self.last = item;
+                distance2.sqrt()
+            }
+            None => f64::INFINITY,
+        }
+    }
+}
+
+/// The point of `path` that lies farthest from `other`.
+fn farthest(path: &[Stroke], other: &[Stroke]) -> Worst {
+    let mut near = Near::new(other);
+    farthest_from(path, &mut near)
+}
+
+fn farthest_from(path: &[Stroke], near: &mut Near) -> Worst {
+    let points = path
+        .iter()
+        .flat_map(pieces)
+        .flat_map(|(from, to)| from.steps_to(to, STEP_MM));
+    points.fold(Worst::default(), |worst, at| {
+        // How much nearer than the farthest so far does not matter.
+        let enough_mm = worst.distance_mm.max(NEGLIGIBLE_MM);
+        let distance_mm = near.distance_from_mm(at, enough_mm);
+        if distance_mm > worst.distance_mm {
+            Worst { distance_mm, at }
+        } else {
+            worst
+        }
+    })
+}
+
+/// The segments of a path, each once, whichever way it is drawn: among many that are the same a
+/// search would have to look at all.
+fn once(path: &[Stroke]) -> Vec<(Point, Point)> {
+    let order = |a: &Point, b: &Point| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
+    let one_way = |(a, b): (Point, Point)| {
+        if order(&a, &b).is_le() {
+            (a, b)
+        } else {
+            (b, a)
+        }
+    };
+    let mut segments: Vec<_> = path.iter().flat_map(pieces).map(one_way).collect();
+    segments.sort_unstable_by(|a, b| order(&a.0, &b.0).then(order(&a.1, &b.1)));
+    segments.dedup();
+    segments
+}
+
+/// Segments cut into short ones: the boxes around long ones would lie on each other.
+fn short(segments: Vec<(Point, Point)>) -> Vec<(Point, Point)> {
+    let length_mm: f64 = segments.iter().map(|(a, b)| a.distance(*b)).sum();
+    let most_mm = SHORT_MM.max(length_mm / MOST_PIECES);
+    let cut = |(a, b): (Point, Point)| {
+        let ends: Vec<Point> = a.steps_to(b, most_mm).collect();
+        let pieces = ends.windows(2).map(|it| (it[0], it[1]));
+        pieces.collect::<Vec<_>>()
+    };
+    segments.into_iter().flat_map(cut).collect()
+}
+
+/// The segments of a stroke; of a dot its point.
+fn pieces(stroke: &Stroke) -> impl Iterator<Item = (Point, Point)> {
+    let dot = stroke.points.first().filter(|_| stroke.points.len() == 1);
+    stroke.segments().chain(dot.map(|&p| (p, p)))
+}
+
+const STEP_MM: f64 = 0.5;
+/// No arm and no eye tells such distances apart.
+const NEGLIGIBLE_MM: f64 = 1e-4;
+const SHORT_MM: f64 = 1.0;
+/// About so many pieces become of cut segments at most.
+const MOST_PIECES: f64 = 500_000.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(points: &[(f64, f64)]) -> Stroke {
+        Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
+    #[test]
+    fn tells_ink_astray_from_ink_that_is_missing() {
+        let wanted = [line(&[(0.0, 0.0), (10.0, 0.0)])];
+        let drawn = [line(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)])];
+        let found = deviation(&wanted, &drawn);
+        assert_eq!(
+            found.astray,
+            Worst {
+                distance_mm: 3.0,
+                at: Point::new(4.0, 3.0)
+            }
+        );
+        assert_eq!(
+            found.missed,
+            Worst {
+                distance_mm: 6.0,
+                at: Point::new(10.0, 0.0)
+            }
+        );
+        assert_eq!(found.largest_mm(), 6.0);
+    }
+
+    #[test]
+    fn the_same_line_in_other_pieces_does_not_deviate() {
+        let wanted = [line(&[(0.0, 0.0), (8.0, 0.0)]), line(&[(1.0, 1.0)])];
+        let drawn = [
+            line(&[(1.0, 1.0)]),
+            line(&[(8.0, 0.0), (2.0, 0.0)]),
+            line(&[(0.0, 0.0), (3.0, 0.0)]),
+        ];
+        assert_eq!(deviation(&wanted, &drawn).largest_mm(), 0.0);
+    }
+
+    #[test]
+    fn nothing_drawn_is_infinitely_wrong_and_nothing_wanted_is_right() {
+        let wanted = [line(&[(0.0, 0.0), (8.0, 0.0)])];
+        assert_eq!(deviation(&wanted, &[]).missed.distance_mm, f64::INFINITY);
+        assert_eq!(deviation(&[], &[]).largest_mm(), 0.0);
+    }
+
+    /// How many distances to segments it takes to compare paths, for each point compared.
+    fn visits(path: &[Stroke], other: &[Stroke]) -> f64 {
+        let steps = |(a, b): (Point, Point)| a.steps_to(b, STEP_MM).count();
+        let points: usize = path.iter().flat_map(pieces).map(steps).sum();
+        let mut near = Near::new(other);
+        farthest_from(path, &mut near);
+        let mut each = Near::new(other);
+        for stroke in path {
+            let steps = stroke.segments().flat_map(|(a, b)| a.steps_to(b, STEP_MM));
+            steps.for_each(|p| assert!(each.distance_mm(p) < 1.0));
+        }
+        let visits = near.index.visits.get().max(each.index.visits.get());
+        f64::from(u32::try_from(visits).unwrap_or(u32::MAX))
+            / f64::from(u32::try_from(points).unwrap_or(u32::MAX))
+    }
+
+    /// As an arm draws it: a little beside what was wanted, every time elsewhere.
+    fn drawn(wanted: &[Stroke]) -> Vec<Stroke> {
+        let beside = |i: usize, p: Point| {
+            let share = |count: usize| f64::from(u32::try_from(i % count).unwrap_or(0));
+            p + Point::new(0.0011 * share(13), 0.0007 * share(29))
+        };
+        let stroke = |(i, it): (usize, &Stroke)| {
+            let points = it.points.iter().enumerate();
+            Stroke::open(points.map(|(j, &p)| beside(i + 7 * j, p)).collect())
+        };
+        wanted.iter().enumerate().map(stroke).collect()
+    }
+
+    #[test]
+    fn strokes_on_each_other_are_compared_with_few_of_them() {
+        let wanted = vec![line(&[(0.0, 0.0), (11.0, 17.0), (20.0, 3.0)]); 4000];
+        let drawn = drawn(&wanted);
+        for (path, other) in [(&drawn, &wanted), (&wanted, &drawn), (&wanted, &wanted)] {
+            let visits = visits(path, other);
+            assert!(visits < 200.0, "{visits} for each point");
+        }
+    }
+
+    #[test]
+    fn a_fan_is_compared_with_few_of_its_lines() {
+        let ray = |i: u32| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 3000.0).sin_cos();
+            line(&[(0.0, 0.0), (15.0 * cos, 15.0 * sin)])
+        };
+        let wanted: Vec<Stroke> = (0..3000).map(ray).collect();
+        let drawn = drawn(&wanted);
+        for (path, other) in [(&drawn, &wanted), (&wanted, &drawn)] {
+            let visits = visits(path, other);
+            assert!(visits < 200.0, "{visits} for each point");
+        }
+    }
+}

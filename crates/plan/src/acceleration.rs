@@ -1,0 +1,111 @@
+//! How much a planned motion accelerates, measured from the motion itself.
+
+use crate::Plan;
+use crate::commands::write;
+use crate::seen::{at_ticks, second_difference};
+use crate::ticker::Ticker;
+use crate::ticks::TICK_S;
+
+/// The largest acceleration of a plan's motion in mm/s2, as seen by somebody who looks where the
+/// tool is each `apart_s` seconds.
+///
+/// ```text
+///   p(t - h) ---> p(t)          |p(t + h) - 2 p(t) + p(t - h)| / h2
+///                   \
+///                    v p(t + h)
+/// ```
+///
+/// Looked at often enough a sharp corner has any acceleration; each 80 ms is how a stock arm tells
+/// where it is. Looked at four times as often as `apart_s` says, so that no moment is missed.
+#[must_use]
+pub fn acceleration(plan: &Plan, apart_s: f64) -> f64 {
+    let places = places(plan, apart_s / LOOKS);
+    let looks = 2 * AHEAD;
+    places
+        .windows(looks + 1)
+        .map(|seen| second_difference(seen[0], seen[AHEAD], seen[looks]) / (apart_s * apart_s))
+        .fold(0.0, f64::max)
+}
+
+/// Where the tool is each `step_s` seconds.
+fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
+    if plan.machine().has_ticks {
+        between(&ticks(plan), step_s / f64::from(TICK_S))
+    } else {
+        smooth(plan, step_s)
+    }
+}
+
+/// Where the tool is at each tick of a stock arm.
+fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
+    let mut ticker = Ticker::new(plan.machine(), 0.0);
+    let (mut places, mut from) = (vec![plan.start], plan.start);
+    for (vector, to) in plan.moves.iter().zip(plan.positions()) {
+        let (way, length_mm) = (vector.increments(), vector.length_mm());
+        let direction = way.map(|it| it / length_mm);
+        places.extend(at_ticks(from, direction, &ticker.run(&write(vector))));
+        from = to;
+    }
+    places
+}
+
+/// So many places from the first to the last of these, so many of them apart.
+fn between(places: &[[f64; 3]], apart: f64) -> Vec<[f64; 3]> {
+    let at = |index: u32| {
+        let place = f64::from(index) * apart;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "an index"
+        )]
+        let before = place as usize;
+        let (a, b) = (places.get(before)?, places.get(before + 1)?);
+        let share = place.fract();
+        Some([0, 1, 2].map(|i| a[i] + share * (b[i] - a[i])))
+    };
+    (0..).map_while(at).collect()
+}
+
+/// Where the tool is if it follows its profiles without ticks.
+fn smooth(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
+    let acceleration = plan.machine().acceleration_mm_s2;
+    let (mut places, mut from, mut t_s) = (Vec::new(), plan.start, 0.0);
+    for (vector, to) in plan.moves.iter().zip(plan.positions()) {
+        let profile = vector.profile(acceleration);
+        let way = vector.increments();
+        while t_s < profile.duration_s() {
+            let share = profile.distance_at(t_s) / profile.distance();
+            places.push([0, 1, 2].map(|i| from[i] + share * way[i]));
+            t_s += step_s;
+        }
+        t_s -= profile.duration_s();
+        from = to;
+    }
+    places
+}
+
+const LOOKS: f64 = 4.0;
+const AHEAD: usize = 4;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::{Machine, Paper, Pass, Tool};
+    use dobot_geometry::{Point, Stroke};
+
+    #[test]
+    fn a_lone_line_accelerates_as_much_as_it_may() {
+        let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(260.0, 0.0)]);
+        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let machine = Machine {
+            acceleration_mm_s2: 50.0,
+            ..Machine::default()
+        };
+        let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+        for apart_s in [0.02, 0.08] {
+            let found = acceleration(&plan, apart_s);
+            assert!((found - 50.0).abs() < 0.01, "{found}");
+        }
+    }
+}

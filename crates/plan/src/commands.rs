@@ -1,0 +1,123 @@
+//! A plan in the words of the protocol.
+
+use dobot_wire::{
+    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode,
+    WriteVector,
+};
+
+use crate::{MoveKind, Plan, PlannedVector};
+
+impl Plan {
+    /// All that the arm is told for this drawing, in order: laser off, which tool it has, the
+    /// acceleration, to the start, and the vectors; behind a laser, laser off once more.
+    pub fn commands(&self) -> impl Iterator<Item = Command> {
+        approach(self)
+            .into_iter()
+            .chain([to_start(self).into()])
+            .chain(self.moves.iter().map(|vector| write(vector).into()))
+            .chain(self.burns().then(|| LASER_OFF.into()))
+    }
+
+    /// Where the arm waits for a person: the index in [`commands`](Self::commands) of the command
+    /// that has to wait, and what the person is told.
+    pub fn breaks_in_commands(&self) -> impl Iterator<Item = (usize, &str)> {
+        let breaks = self.breaks.iter();
+        breaks.map(|it| (self.command_of(it.before), it.message.as_str()))
+    }
+
+    /// The index in [`commands`](Self::commands) of a vector.
+    #[must_use]
+    pub const fn command_of(&self, vector: usize) -> usize {
+        APPROACH_LEN + 1 + vector
+    }
+}
+
+/// What has to be told before the arm goes to the start.
+pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
+    let tool = Configuration::EndEffector {
+        tool: if plan.burns() {
+            EndEffector::Laser
+        } else {
+            EndEffector::SuctionCup
+        },
+    };
+    let acceleration = Configuration::Writing {
+        acceleration_mm_s2: single(plan.machine().acceleration_mm_s2),
+    };
+    [LASER_OFF.into(), tool.into(), acceleration.into()]
+}
+
+/// To where the first vector begins.
+pub(crate) fn to_start(plan: &Plan) -> MoveTo {
+    let [x_mm, y_mm, z_mm] = plan.start.map(single);
+    MoveTo {
+        x_mm,
+        y_mm,
+        z_mm,
+        rotation_deg: y_mm.atan2(x_mm).to_degrees(),
+        suction: false,
+        mode: MovingMode::Jump,
+        gripper_deg: 0.0,
+        pause_s: 0.0,
+    }
+}
+
+/// The packet's contents for a planned vector (state 4; Table 2.6).
+///
+/// Only in laser mode does a stock arm look at the laser at all, and it leaves it as it was set
+/// (note N48). So the vector behind a stroke is in laser mode too, with the laser off, and all
+/// other ways are in writing mode: in laser mode with the laser off it would accelerate a
+/// hundredfold.
+pub(crate) const fn write(vector: &PlannedVector) -> WriteVector {
+    let mode = match vector.kind {
+        MoveKind::Burn | MoveKind::RunOut => WriteMode::Laser,
+        _ => WriteMode::Writing,
+    };
+    WriteVector {
+        mode,
+        x_mm: vector.x_mm,
+        y_mm: vector.y_mm,
+        z_mm: vector.z_mm,
+        laser: matches!(vector.kind, MoveKind::Burn),
+        start_speed_mm_s: vector.start_speed_mm_s,
+        end_speed_mm_s: vector.end_speed_mm_s,
+        max_speed_mm_s: vector.max_speed_mm_s,
+        stop: false,
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+pub(crate) const fn single(value: f64) -> f32 {
+    value as f32
+}
+
+pub(crate) const LASER_OFF: JointJog = JointJog {
+    axis: JointJogAxis::LaserOff,
+    speed_percent: 0.0,
+};
+
+const APPROACH_LEN: usize = 3;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::{Machine, Paper, Pass, Tool};
+    use dobot_geometry::{Point, Stroke};
+
+    #[test]
+    fn a_drawing_begins_with_the_laser_off_and_goes_to_its_start_before_it_draws() {
+        let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
+        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let commands: Vec<_> = plan.commands().collect();
+        assert_eq!(commands[0], LASER_OFF.into());
+        let moves = |it: &Command| matches!(it, Command::MoveTo(_) | Command::WriteVector(_));
+        let first = commands.iter().find(|it| moves(it)).unwrap();
+        match first {
+            Command::MoveTo(to) => assert_eq!((to.x_mm, to.y_mm), (200.0, 0.0)),
+            other => panic!("{other:?}"),
+        }
+        assert_eq!(commands.len(), 4 + plan.moves.len());
+    }
+}

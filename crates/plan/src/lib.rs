@@ -1,0 +1,52 @@
+//! Strokes to vectors that arm and link can carry.
+//!
+//! A [`Plan`] has every vector with its speeds: the pen goes up and down, a laser runs up and out, the
+//! speeds look ahead, and each vector lasts as long as the link needs for the next. [`respeed`] makes
+//! the speeds of a chain of vectors anew when a job goes on in its middle.
+//!
+//! ```
+//! use dobot_geometry::{Point, Stroke};
+//! use dobot_plan::{Machine, Paper, Pass, Pen, Plan, Tool};
+//! use dobot_wire::Dialect;
+//!
+//! let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(240.0, 0.0)]);
+//! let pass = Pass::new(Tool::Pen(Pen::default()), vec![line]);
+//! let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(Dialect::SPECIFICATION))?;
+//! assert_eq!(plan.summary().vectors, 3); // lower, draw, lift
+//! # Ok::<(), dobot_plan::PlanError>(())
+//! ```
+
+mod acceleration;
+mod burn;
+mod commands;
+mod error;
+mod joints;
+mod landing;
+mod link;
+mod lookahead;
+mod machine;
+mod pace;
+mod paper;
+mod pass;
+mod plan;
+mod planner;
+mod respeed;
+mod seen;
+mod summary;
+mod ticker;
+mod ticks;
+mod tool;
+mod vector;
+mod ways;
+
+pub use acceleration::acceleration;
+pub use error::PlanError;
+pub use lookahead::{Cornering, Joint, Run};
+pub use machine::{LinkRate, Machine};
+pub use paper::{Paper, PaperError};
+pub use pass::{Break, Pass, PlannedPass};
+pub use plan::Plan;
+pub use respeed::{Begin, end_speed_mm_s, respeed};
+pub use summary::Summary;
+pub use tool::{Laser, Pen, Tool};
+pub use vector::{MoveKind, PlannedVector};

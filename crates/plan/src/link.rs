@@ -1,0 +1,66 @@
+//! How many vectors the arm has in hand.
+
+use crate::LinkRate;
+
+/// The link brings a vector in each period; what the arm has not begun waits in its queue. So a
+/// vector may be shorter than a period if enough of them wait.
+///
+/// ```text
+///   waiting
+///     2 |----.        ,-.---           the queue takes no more than that
+///       |     `.    ,'   `
+///     0 |_______`--'________ time      none may be over before the next is there
+///         short      long
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "units")]
+pub(super) struct Credit {
+    period_s: f64,
+    /// How much time those that wait took on the link, in s.
+    waiting_s: f64,
+    most_s: f64,
+}
+
+impl Credit {
+    pub(super) fn new(link: LinkRate) -> Self {
+        Self {
+            period_s: link.period_s,
+            waiting_s: 0.0,
+            most_s: link.period_s * MOST_WAITING,
+        }
+    }
+
+    /// How long the next vector has to take at the least.
+    pub(super) fn least_s(&self) -> f64 {
+        (self.period_s - self.waiting_s).max(0.0)
+    }
+
+    /// The next vector takes so long.
+    pub(super) fn take(&mut self, duration_s: f64) {
+        let waiting_s = self.waiting_s + duration_s - self.period_s;
+        self.waiting_s = waiting_s.clamp(0.0, self.most_s);
+    }
+}
+
+/// A stock arm tells its state while fewer than four wait; one is left for where statuses and
+/// vectors begin at different times.
+const MOST_WAITING: f64 = 2.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_vectors_may_follow_a_long_one_until_none_waits() {
+        let mut credit = Credit::new(LinkRate { period_s: 0.08 });
+        assert_eq!(credit.least_s(), 0.08);
+        credit.take(1.0);
+        // Two wait, and a third comes while they are run.
+        assert_eq!(credit.least_s(), 0.0);
+        credit.take(0.04);
+        credit.take(0.04);
+        assert!((credit.least_s() - 0.0).abs() < 1e-12);
+        credit.take(0.04);
+        assert!((credit.least_s() - 0.04).abs() < 1e-12);
+    }
+}

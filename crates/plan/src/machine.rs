@@ -1,0 +1,95 @@
+//! What arm and link can do.
+
+use dobot_wire::Dialect;
+
+use crate::error::{not_negative, positive};
+use crate::{PlanError, Tool};
+
+/// What arm and link can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Machine {
+    /// Largest acceleration of the tool, along its path and across it, in mm/s2.
+    pub acceleration_mm_s2: f64,
+    /// The largest speed of base, rear arm and forearm, in degrees per second. Where a millimetre
+    /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
+    /// planned slower.
+    pub joint_speed_deg_s: f64,
+    /// How far an imagined arc may cut a corner, in mm; best the tolerance of the drawing. See
+    /// [`Cornering`](crate::Cornering).
+    pub corner_deviation_mm: f64,
+    /// How fast vectors come.
+    pub link: LinkRate,
+    /// Whether the arm cuts each vector into whole ticks of 20 ms and begins it with the end speed
+    /// of the one before, as a stock arm does (notes N5 and N48).
+    pub has_ticks: bool,
+}
+
+impl Machine {
+    /// An arm that speaks this dialect.
+    #[must_use]
+    pub fn of(dialect: Dialect) -> Self {
+        Self {
+            has_ticks: !dialect.uses_start_speed,
+            ..Self::default()
+        }
+    }
+
+    /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
+    /// of what a tick changes, and less than half of that is none.
+    pub(super) fn check_keeps(&self, tool: &Tool) -> Result<(), PlanError> {
+        let least = self.acceleration_mm_s2 * HALF_A_TICK_S;
+        let speeds = tool.speeds_mm_s().into_iter();
+        match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {
+            None => Ok(()),
+            Some((name, found)) => Err(PlanError::TooSlow {
+                name,
+                found,
+                least,
+                acceleration: self.acceleration_mm_s2,
+            }),
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), PlanError> {
+        positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
+        positive("joint speed", self.joint_speed_deg_s, "deg/s")?;
+        positive("corner deviation", self.corner_deviation_mm, "mm")?;
+        self.link.check()
+    }
+}
+
+impl Default for Machine {
+    /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s
+    /// as in a stock arm's own moves.
+    fn default() -> Self {
+        Self {
+            acceleration_mm_s2: 100.0,
+            joint_speed_deg_s: 100.0,
+            corner_deviation_mm: 0.05,
+            link: LinkRate::default(),
+            has_ticks: false,
+        }
+    }
+}
+
+/// How fast the link brings vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkRate {
+    /// Seconds from one vector to the next; 0 where the link does not matter.
+    pub period_s: f64,
+}
+
+impl LinkRate {
+    fn check(self) -> Result<(), PlanError> {
+        not_negative("link period", self.period_s, "s")
+    }
+}
+
+impl Default for LinkRate {
+    /// One vector per status, which a stock arm sends every 80 ms.
+    fn default() -> Self {
+        Self { period_s: 0.08 }
+    }
+}
+
+const HALF_A_TICK_S: f64 = 0.01;

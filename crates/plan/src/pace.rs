@@ -1,0 +1,239 @@
+//! How fast the chain of vectors between two rests is run, so that neither the acceleration nor the
+//! link is overdriven.
+
+use crate::Machine;
+use crate::link::Credit;
+use crate::lookahead::{Cornering, Joint, Run};
+use crate::seen::{Seen, WINDOW_S};
+
+/// Speeds for a chain: reused from chain to chain.
+#[derive(Clone, Debug)]
+pub(super) struct Pace {
+    cornering: Cornering,
+    begin_mm_s: f64,
+    /// Seconds from packet to packet.
+    period_s: f64,
+    /// Vectors that the arm has in hand.
+    credit: Credit,
+    joints: Vec<Joint>,
+    /// How long each vector is to take, in s.
+    wanted_s: Vec<f64>,
+}
+
+/// The speeds of one vector, in mm/s, and how long it takes with them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "units")]
+pub(super) struct Speeds {
+    pub start_mm_s: f64,
+    pub end_mm_s: f64,
+    pub max_mm_s: f64,
+    /// The largest speed that is reached.
+    pub peak_mm_s: f64,
+    /// The largest that would be allowed.
+    pub limit_mm_s: f64,
+    pub duration_s: f64,
+}
+
+impl Pace {
+    pub(super) fn new(machine: &Machine) -> Self {
+        Self {
+            cornering: Cornering {
+                // The spared part keeps rounded speeds within the acceleration.
+                acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
+                deviation_mm: machine.corner_deviation_mm,
+                window_s: WINDOW_S,
+            },
+            begin_mm_s: 0.0,
+            period_s: machine.link.period_s,
+            credit: Credit::new(machine.link),
+            joints: Vec::new(),
+            wanted_s: Vec::new(),
+        }
+    }
+
+    /// The speeds of the chain's vectors, from rest to rest. Its limits are lowered where the link
+    /// needs that.
+    pub(super) fn plan<'a>(
+        &'a mut self,
+        chain: &'a mut [Run],
+    ) -> impl Iterator<Item = Speeds> + 'a {
+        self.plan_from(0.0, chain)
+    }
+
+    /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
+    /// than there is way, they are as if it did not.
+    pub(super) fn plan_from<'a>(
+        &'a mut self,
+        begin_mm_s: f64,
+        chain: &'a mut [Run],
+    ) -> impl Iterator<Item = Speeds> + 'a {
+        self.begin_mm_s = begin_mm_s;
+        if self.period_s > 0.0 {
+            self.lower_to_link(chain);
+            self.plan_with_link(chain);
+        } else {
+            self.plan_without_link(chain);
+        }
+        (0..chain.len()).map(|i| self.speeds(chain, i))
+    }
+
+    /// Evens the limits out: a short vector between long ones may be fast, because others come
+    /// meanwhile.
+    fn lower_to_link(&self, chain: &mut [Run]) {
+        let lengths: Vec<f64> = chain.iter().map(|run| run.length_mm).collect();
+        for (i, run) in chain.iter_mut().enumerate() {
+            let near = &lengths[i.saturating_sub(REACH)..lengths.len().min(i + REACH + 1)];
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            let packets_s = near.len() as f64 * self.period_s;
+            let even_mm_s = near.iter().sum::<f64>() / packets_s;
+            let alone_mm_s = run.length_mm / self.period_s;
+            run.limit_mm_s = run.limit_mm_s.min(even_mm_s.max(alone_mm_s));
+        }
+    }
+
+    fn plan_with_link(&mut self, chain: &mut [Run]) {
+        for _ in 0..ROUNDS {
+            self.plan_motion(chain);
+            let credit = self.credit;
+            let keeps_up = self.wait_for_link(chain);
+            if !self.ease_corners(chain) && keeps_up {
+                return;
+            }
+            self.credit = credit;
+        }
+        // Slow enough whatever the others do.
+        for run in chain.iter_mut() {
+            run.limit_mm_s = run.limit_mm_s.min(run.length_mm / self.period_s);
+        }
+        self.plan_motion(chain);
+        self.wait_for_link(chain);
+    }
+
+    fn plan_without_link(&mut self, chain: &mut [Run]) {
+        for _ in 0..ROUNDS {
+            self.plan_motion(chain);
+            if !self.ease_corners(chain) {
+                return;
+            }
+        }
+        self.plan_motion(chain);
+    }
+
+    /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
+    /// may: several corners may lie within the time over which that is measured. Whether any had
+    /// to be eased.
+    fn ease_corners(&self, chain: &mut [Run]) -> bool {
+        if chain.len() < 2 {
+            return false;
+        }
+        let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
+        let a = self.cornering.acceleration_mm_s2;
+        let mut shares = vec![1.0_f64; chain.len()];
+        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
+        Seen::new(chain, &speeds, a).too_much(LEAST_SHARE, note);
+        let mut eased = false;
+        for (corner, share) in shares.into_iter().enumerate().filter(|it| it.1 < 1.0) {
+            chain[corner].corner_mm_s = speeds[corner].end_mm_s * share;
+            eased = true;
+        }
+        eased
+    }
+
+    fn plan_motion(&mut self, chain: &[Run]) {
+        self.cornering
+            .speeds(self.begin_mm_s, chain, &mut self.joints);
+        let joints = self.joints.windows(2).zip(chain);
+        self.wanted_s.clear();
+        self.wanted_s
+            .extend(joints.map(|(pair, run)| self.cornering.duration_s(&pair[0], run, &pair[1])));
+    }
+
+    /// Gives vectors the time that the link needs; where a vector cannot be as slow between the
+    /// speeds of its ends, its limit is lowered. Whether none had to be.
+    fn wait_for_link(&mut self, chain: &mut [Run]) -> bool {
+        let (mut credit, mut done) = (self.credit, true);
+        for i in 0..chain.len() {
+            let least_s = credit.least_s();
+            if self.wanted_s[i] < least_s {
+                self.wanted_s[i] = least_s;
+            }
+            let can_s = self.speeds(chain, i).duration_s;
+            if can_s < least_s * (1.0 - 1e-9) {
+                let run = &mut chain[i];
+                run.limit_mm_s = run.limit_mm_s.min(run.length_mm / least_s) * SLOWER;
+                done = false;
+            }
+            credit.take(can_s.max(least_s));
+        }
+        if done {
+            self.credit = credit;
+        }
+        done
+    }
+
+    /// The largest speed in between is chosen so that the vector takes the time wanted, as nearly
+    /// as can be.
+    fn speeds(&self, chain: &[Run], i: usize) -> Speeds {
+        let (run, a) = (&chain[i], self.cornering.acceleration_mm_s2);
+        let [start, end] = [i, i + 1].map(|at| self.joints[at].speed_mm_s());
+        let wanted_s = self.wanted_s[i];
+        // Accelerate to the speed v, keep it, brake:
+        // wanted = (2 v - start - end) / a + (length - (2 v2 - start2 - end2) / 2 a) / v
+        let time = a * wanted_s + start + end;
+        let way = a * run.length_mm + 0.5 * (start * start + end * end);
+        let root = (time * time - 4.0 * way).max(0.0).sqrt();
+        let even = 2.0 * way / (time + root);
+        let max = even.clamp(start.max(end), run.limit_mm_s.max(start).max(end));
+        Speeds::of(run.length_mm, [start, end, max], run.limit_mm_s, a)
+    }
+}
+
+impl Speeds {
+    /// A vector with these speeds: at its start, at its end, and the largest, in mm/s.
+    pub(super) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
+        let [start_mm_s, end_mm_s, max_mm_s] = speeds;
+        Self {
+            start_mm_s,
+            end_mm_s,
+            max_mm_s,
+            peak_mm_s: peak_mm_s(length_mm, speeds, acceleration),
+            limit_mm_s,
+            duration_s: duration_s(length_mm, speeds, acceleration),
+        }
+    }
+
+    /// How far along the vector the tool is after a time, with these speeds.
+    pub(super) fn distance_mm(&self, length_mm: f64, a: f64, t_s: f64) -> f64 {
+        let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
+        let up_s = (peak - start) / a;
+        if t_s <= up_s {
+            return (start + 0.5 * a * t_s) * t_s;
+        }
+        let up_mm = 0.5 * (start + peak) * up_s;
+        let down_mm = 0.5 * (end + peak) * (peak - end) / a;
+        let even_s = (length_mm - up_mm - down_mm).max(0.0) / peak;
+        if t_s <= up_s + even_s {
+            return up_mm + peak * (t_s - up_s);
+        }
+        let braking_s = t_s - up_s - even_s;
+        up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
+    }
+}
+
+fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
+    let peak = peak_mm_s(length_mm, [start, end, max], a);
+    let ramps_mm = (peak * peak - 0.5 * (start * start + end * end)) / a;
+    (2.0 * peak - start - end) / a + (length_mm - ramps_mm).max(0.0) / peak
+}
+
+fn peak_mm_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
+    let meet_v2 = 0.5 * (start * start + end * end) + a * length_mm;
+    max.min(meet_v2.sqrt()).max(start).max(end)
+}
+
+/// How many vectors before and behind count for how fast one may be.
+const REACH: usize = 1;
+const ROUNDS: usize = 60;
+const SLOWER: f64 = 0.999;
+/// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
+pub(super) const LEAST_SHARE: f64 = 0.994;

@@ -1,0 +1,179 @@
+//! Where the paper lies.
+
+use dobot_arm::Position;
+use dobot_geometry::Point;
+use thiserror::Error;
+
+/// The plane of the paper, as Z of the wrist in the base frame where the tool is right: where the
+/// pen touches, or where the laser is in focus.
+///
+/// ```text
+///   z = z0 + slope_x x + slope_y y          X forward, Y to the left (Figure 3.1)
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paper {
+    z0_mm: f64,
+    slope_x: f64,
+    slope_y: f64,
+}
+
+impl Paper {
+    /// Paper that is as high everywhere.
+    #[must_use]
+    pub const fn level(z_mm: f64) -> Self {
+        Self {
+            z0_mm: z_mm,
+            slope_x: 0.0,
+            slope_y: 0.0,
+        }
+    }
+
+    /// The plane through three points that the tool has touched: X, Y, Z in mm.
+    ///
+    /// # Errors
+    ///
+    /// [`PaperError`] where the points lie on one line or nearly so (seen from above), or the plane
+    /// is steeper than 10 degrees.
+    pub fn through([a, b, c]: [[f64; 3]; 3]) -> Result<Self, PaperError> {
+        let [[ux, uy, uz], [vx, vy, vz]] = [b, c].map(|p| [0, 1, 2].map(|i| p[i] - a[i]));
+        let area2 = ux * vy - uy * vx;
+        let sides2 = [ux * ux + uy * uy, vx * vx + vy * vy];
+        let width_mm = area2.abs() / sides2[0].max(sides2[1]).sqrt();
+        if width_mm.is_nan() || width_mm < LEAST_WIDTH_MM {
+            return Err(PaperError::Collinear { width_mm });
+        }
+        let slope_x = (uz * vy - uy * vz) / area2;
+        let slope_y = (ux * vz - uz * vx) / area2;
+        let slope_deg = slope_x.hypot(slope_y).atan().to_degrees();
+        if slope_deg.is_nan() || slope_deg > STEEPEST_DEG {
+            return Err(PaperError::TooSteep { slope_deg });
+        }
+        let z0_mm = a[2] - slope_x * a[0] - slope_y * a[1];
+        Ok(Self {
+            z0_mm,
+            slope_x,
+            slope_y,
+        })
+    }
+
+    /// Z of the paper at a place, in mm.
+    #[must_use]
+    pub fn z_at(&self, place: Point) -> f64 {
+        self.z0_mm + self.slope_x * place.x + self.slope_y * place.y
+    }
+
+    /// The paper, higher by so much; a negative number is lower.
+    #[must_use]
+    pub const fn raised(self, offset_mm: f64) -> Self {
+        Self {
+            z0_mm: self.z0_mm + offset_mm,
+            ..self
+        }
+    }
+
+    /// How high a place is above the paper, in mm.
+    #[must_use]
+    pub fn height_mm(&self, place: Position) -> f64 {
+        place.z.0 - self.z_at(Point::new(place.x.0, place.y.0))
+    }
+
+    /// Whether it is as high everywhere.
+    #[must_use]
+    pub const fn is_level(&self) -> bool {
+        self.slope_x == 0.0 && self.slope_y == 0.0
+    }
+
+    pub(super) fn check(&self) -> Result<(), PaperError> {
+        if self.z0_mm.is_finite() {
+            return Ok(());
+        }
+        Err(PaperError::Height { z_mm: self.z0_mm })
+    }
+}
+
+impl Default for Paper {
+    /// Level, at -40 mm.
+    fn default() -> Self {
+        Self::level(-40.0)
+    }
+}
+
+/// Why that is no paper to draw on.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PaperError {
+    /// The points do not span a plane.
+    #[error(
+        "the three touched points lie within {width_mm:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
+    )]
+    Collinear {
+        /// How far the third is from the line through the others.
+        width_mm: f64,
+    },
+    /// Nobody draws on a wall.
+    #[error(
+        "the paper through the touched points slopes by {slope_deg:.1} degrees; at most 10 are allowed: touch them again"
+    )]
+    TooSteep {
+        /// How steep it is.
+        slope_deg: f64,
+    },
+    /// The height makes no sense.
+    #[error("the paper is at {z_mm} mm; it must be a finite number")]
+    Height {
+        /// What it is.
+        z_mm: f64,
+    },
+}
+
+const LEAST_WIDTH_MM: f64 = 10.0;
+const STEEPEST_DEG: f64 = 10.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_plane_goes_through_the_three_touched_points() {
+        let touched = [
+            [150.0, -80.0, -41.0],
+            [150.0, 80.0, -39.5],
+            [270.0, 0.0, -42.0],
+        ];
+        let paper = Paper::through(touched).unwrap();
+        for [x, y, z] in touched {
+            let found = paper.z_at(Point::new(x, y));
+            assert!((found - z).abs() < 1e-9, "{found} instead of {z}");
+            assert!(paper.height_mm(Position::new(x, y, z + 2.0)) - 2.0 < 1e-9);
+        }
+        let raised = paper.raised(0.25).z_at(Point::new(150.0, 80.0));
+        assert!((raised + 39.25).abs() < 1e-9);
+        assert!(!paper.is_level());
+    }
+
+    #[test]
+    fn points_on_a_line_steep_ones_and_numbers_that_are_none_are_refused() {
+        let on_a_line = [
+            [150.0, 0.0, -40.0],
+            [200.0, 1.0, -40.0],
+            [250.0, 0.0, -40.0],
+        ];
+        assert_eq!(
+            Paper::through(on_a_line).unwrap_err().to_string(),
+            "the three touched points lie within 1.0 mm of one line; touch three corners of the \
+             paper, at least 10 mm off the line"
+        );
+        let steep = [
+            [150.0, 0.0, -40.0],
+            [250.0, 0.0, -20.0],
+            [150.0, 50.0, -40.0],
+        ];
+        assert_eq!(
+            Paper::through(steep).unwrap_err().to_string(),
+            "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed: \
+             touch them again"
+        );
+        assert!(Paper::through([[f64::NAN; 3]; 3]).is_err());
+    }
+}

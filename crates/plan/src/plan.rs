@@ -1,0 +1,464 @@
+//! A drawing planned, vector by vector.
+
+use dobot_geometry::{Point, Stroke};
+
+use crate::landing::Landing;
+use crate::planner::Planner;
+use crate::{Break, Machine, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector, Tool};
+
+/// Everything the arm does for a drawing, vector by vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Where the first vector begins, pen up or laser off: X, Y, Z in the base frame, in mm. The
+    /// arm must be brought here before.
+    pub start: [f64; 3],
+    /// The vectors in order; each begins where the one before ends.
+    pub moves: Vec<PlannedVector>,
+    /// The passes that have strokes, in order.
+    pub passes: Vec<PlannedPass>,
+    /// Where the arm waits for a person: before each pass that has a message.
+    pub breaks: Vec<Break>,
+    machine: Machine,
+}
+
+impl Plan {
+    /// Plans the passes in their order, on this paper.
+    ///
+    /// 1. A pen stands still before and after it is lowered or lifted, and draws each stroke in
+    ///    one go, with the corner speeds of [`Cornering::speeds`]. A laser is switched on and off
+    ///    in full motion, on straight ways into the stroke and out of it.
+    /// 2. A vector costs one packet: however short vectors are, the arm never waits for the link in
+    ///    the middle of a stroke. A few that the arm has in hand may follow one another faster.
+    /// 3. Every number is rounded to single precision as the packet will hold it, before speeds
+    ///    are planned; each increment aims from where the rounded ones before it really lead, so
+    ///    that rounding does not add up.
+    /// 4. Speeds are rounded down, and the start speed of a vector is exactly the end speed of
+    ///    the one before.
+    /// 5. Base, rear arm and forearm turn no faster than the machine's
+    ///    [`joint_speed_deg_s`](Machine::joint_speed_deg_s): near the axis and with the arm stretched a
+    ///    vector is slower for that.
+    /// 6. A vector shorter than a micrometre is left out; the next one makes up for it.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where there is nothing to draw, a setting makes no sense, a laser is to burn
+    /// on a slope, or the passes mix pens and lasers.
+    pub fn new(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
+        check(passes, paper, machine)?;
+        let start = start(passes, paper)?;
+        let mut planner = Planner::new(start, &passes[0].tool, paper, machine);
+        let mut plan = Self {
+            start,
+            moves: Vec::new(),
+            passes: Vec::new(),
+            breaks: Vec::new(),
+            machine: *machine,
+        };
+        for (number, pass) in (0..).zip(passes.iter().filter(|it| it.has_strokes())) {
+            let before = planner.moves.len();
+            planner.pass(number, pass);
+            let message = pass.message.clone();
+            plan.breaks
+                .extend(message.map(|message| Break { before, message }));
+            plan.passes.push(PlannedPass {
+                name: pass.name.clone(),
+                color: pass.color,
+                tool: pass.tool,
+                moves: before..planner.moves.len(),
+            });
+        }
+        plan.moves = planner.moves;
+        Ok(plan)
+    }
+
+    /// How long each vector takes, in seconds.
+    pub fn durations(&self) -> impl Iterator<Item = f64> {
+        self.moves.iter().map(|vector| vector.duration_s.into())
+    }
+
+    /// How high above the paper the pen travels at most, in mm; 0 for a laser.
+    #[must_use]
+    pub fn lift_mm(&self) -> f64 {
+        let lift_mm = |pass: &PlannedPass| match pass.tool {
+            Tool::Pen(pen) => pen.lift_mm,
+            Tool::Laser(_) => 0.0,
+        };
+        self.passes.iter().map(lift_mm).fold(0.0, f64::max)
+    }
+
+    /// What it was planned for.
+    #[must_use]
+    pub const fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// Whether it burns with a laser; otherwise it draws with a pen.
+    #[must_use]
+    pub fn burns(&self) -> bool {
+        matches!(self.passes[0].tool, Tool::Laser(_))
+    }
+
+    /// How long the whole plan takes, in seconds.
+    #[must_use]
+    pub fn duration_s(&self) -> f64 {
+        self.durations().sum()
+    }
+
+    /// Where each vector leads: X, Y, Z in the base frame, in mm.
+    pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
+        let landing = Landing::new(&self.machine, &self.passes[0].tool);
+        self.moves.iter().scan(self.start, move |here, vector| {
+            *here = landing.of(*here, [vector.x_mm, vector.y_mm, vector.z_mm]);
+            Some(*here)
+        })
+    }
+
+    /// The paths along which the pen goes as `kind`, joined where they follow one another.
+    #[must_use]
+    pub fn paths(&self, kind: MoveKind) -> Vec<Stroke> {
+        let mut paths: Vec<Stroke> = Vec::new();
+        let mut here = Point::new(self.start[0], self.start[1]);
+        let mut goes_on = false;
+        for (vector, [x, y, _]) in self.moves.iter().zip(self.positions()) {
+            let there = Point::new(x, y);
+            match paths.last_mut().filter(|_| goes_on) {
+                _ if vector.kind != kind => {}
+                Some(path) => path.points.push(there),
+                None => paths.push(Stroke::open(vec![here, there])),
+            }
+            goes_on = vector.kind == kind;
+            here = there;
+        }
+        paths
+    }
+}
+
+/// Where the first stroke begins, pen up or laser off.
+fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
+    let mut firsts = passes.iter().flat_map(|pass| {
+        let points = pass
+            .strokes
+            .iter()
+            .filter_map(|stroke| stroke.points.first());
+        points.map(|&first| (pass.tool, first))
+    });
+    let (tool, first) = firsts.next().ok_or(PlanError::NoStrokes)?;
+    let above_mm = match tool {
+        Tool::Pen(pen) => pen.lift_mm,
+        Tool::Laser(_) => 0.0,
+    };
+    Ok([first.x, first.y, paper.z_at(first) + above_mm])
+}
+
+fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanError> {
+    machine.check()?;
+    paper.check()?;
+    let burns = |pass: &Pass| matches!(pass.tool, Tool::Laser(_));
+    for (pass, it) in (1..).zip(passes) {
+        it.tool.check()?;
+        machine.check_keeps(&it.tool)?;
+        if burns(it) && !paper.is_level() {
+            return Err(PlanError::SlopingLaser { pass });
+        }
+        if burns(it) != burns(&passes[0]) {
+            return Err(PlanError::MixedTools { pass });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::commands::{LASER_OFF, write};
+    use crate::{Laser, LinkRate, Pen};
+
+    const NO_LINK: LinkRate = LinkRate { period_s: 0.0 };
+
+    fn line(points: &[(f64, f64)]) -> Stroke {
+        Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
+    fn plan(strokes: &[Stroke], link: LinkRate) -> Plan {
+        let machine = Machine {
+            link,
+            ..Machine::default()
+        };
+        let pass = Pass::new(Tool::default(), strokes.to_vec());
+        Plan::new(&[pass], &Paper::default(), &machine).unwrap()
+    }
+
+    #[test]
+    fn the_pen_is_lowered_for_every_stroke_and_lifted_after_it() {
+        use MoveKind::{Draw, Lift, Lower, Travel};
+        let strokes = [
+            line(&[(200.0, 0.0), (210.0, 0.0), (210.0, 10.0)]),
+            line(&[(220.0, 0.0)]),
+        ];
+        let plan = plan(&strokes, LinkRate::default());
+        let kinds: Vec<MoveKind> = plan.moves.iter().map(|v| v.kind).collect();
+        assert_eq!(kinds, [Lower, Draw, Draw, Lift, Travel, Lower, Lift]);
+        assert_eq!(plan.start, [200.0, 0.0, -30.0]);
+        let ends: Vec<[f64; 3]> = plan.positions().collect();
+        assert_eq!(ends[0], [200.0, 0.0, -40.0]);
+        assert_eq!(ends[6], [220.0, 0.0, -30.0]);
+        assert_eq!(plan.paths(Draw), [strokes[0].clone()]);
+        assert_eq!(plan.paths(Travel), [line(&[(210.0, 10.0), (220.0, 0.0)])]);
+    }
+
+    #[test]
+    fn a_lone_line_takes_what_the_trapezoid_says() {
+        // 40 mm at 40 mm/s and 100 mm/s2: 0.4 s up, 0.4 s down over 8 mm each, 24 mm at full speed.
+        let plan = plan(&[line(&[(200.0, 0.0), (240.0, 0.0)])], NO_LINK);
+        let durations: Vec<f64> = plan.durations().collect();
+        assert!((durations[1] - 1.4).abs() < 1e-5, "{durations:?}");
+        // 10 mm down at the same acceleration never reach 40 mm/s: 2 sqrt(10 / 100) s.
+        assert!((durations[0] - 0.632_455_532).abs() < 1e-5, "{durations:?}");
+        let summary = plan.summary();
+        assert_eq!((summary.strokes, summary.vectors), (1, 3));
+        assert_eq!((summary.drawn_mm, summary.travelled_mm), (40.0, 0.0));
+    }
+
+    #[test]
+    fn short_vectors_are_as_slow_as_the_link() {
+        let points: Vec<(f64, f64)> = (0..100)
+            .map(|i| (200.0 + 0.1 * f64::from(i), 0.0))
+            .collect();
+        let plan = plan(&[line(&points)], LinkRate::default());
+        // 0.1 mm in 80 ms each; the first two wait in the arm when it begins.
+        assert!(plan.duration_s() > 0.08 * 100.0);
+        assert!(plan.duration_s() < 0.08 * 102.0 + 2.0);
+    }
+
+    #[test]
+    fn rounding_to_single_precision_does_not_add_up() {
+        let points: Vec<(f64, f64)> = (0..50_000)
+            .map(|i| (200.0 + f64::from(i) / 997.0, 0.0))
+            .collect();
+        let plan = plan(&[line(&points)], NO_LINK);
+        let end = plan.positions().last().unwrap();
+        assert!((end[0] - points[points.len() - 1].0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn on_a_slope_the_pen_keeps_its_height_above_the_paper() {
+        let touched = [
+            [150.0, 0.0, -40.0],
+            [250.0, 0.0, -38.0],
+            [150.0, 50.0, -41.0],
+        ];
+        let paper = Paper::through(touched).unwrap();
+        let strokes = vec![line(&[(150.0, 0.0), (250.0, 50.0)]), line(&[(200.0, 0.0)])];
+        let pass = Pass::new(Tool::default(), strokes);
+        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        for ([x, y, z], vector) in plan.positions().zip(&plan.moves) {
+            let above = paper.height_mm(dobot_arm::Position::new(x, y, z));
+            let wanted = match vector.kind {
+                MoveKind::Draw | MoveKind::Lower => 0.0,
+                _ => 10.0,
+            };
+            assert!((above - wanted).abs() < 1e-5, "{vector:?} ends at {above}");
+        }
+    }
+
+    #[test]
+    fn a_pass_with_a_message_begins_behind_a_break() {
+        let mut red = Pass::new(Tool::default(), vec![line(&[(200.0, 0.0), (210.0, 0.0)])]);
+        let mut blue = red.clone();
+        red.name = "red".into();
+        blue.message = Some("put the blue pen in".into());
+        let plan = Plan::new(&[red, blue], &Paper::default(), &Machine::default()).unwrap();
+        assert_eq!(plan.passes[0].name, "red");
+        // Lower, draw, lift; travel, lower, draw, lift.
+        assert_eq!(plan.passes[1].moves, 3..7);
+        let breaks: Vec<_> = plan.breaks_in_commands().collect();
+        assert_eq!(breaks, [(7, "put the blue pen in")]);
+        let waits = plan.commands().nth(7).unwrap();
+        assert_eq!(waits, write(&plan.moves[3]).into());
+    }
+
+    fn burned(strokes: Vec<Stroke>, times: u32) -> Plan {
+        let laser = Laser {
+            times,
+            ..Laser::default()
+        };
+        let pass = Pass::new(Tool::Laser(laser), strokes);
+        Plan::new(&[pass], &Paper::level(-50.0), &Machine::default()).unwrap()
+    }
+
+    #[test]
+    fn a_laser_gets_to_its_speed_before_a_stroke_and_loses_it_behind() {
+        use MoveKind::{Brake, Burn, RunOut, RunUp, Travel};
+        let plan = burned(vec![line(&[(200.0, 0.0), (210.0, 0.0)])], 2);
+        let kinds: Vec<MoveKind> = plan.moves.iter().map(|it| it.kind).collect();
+        let once = [Travel, RunUp, Burn, RunOut, Brake];
+        assert_eq!(kinds, [once, once].concat());
+        for vector in plan.moves.iter().filter(|it| it.kind == Burn) {
+            let speeds = [
+                vector.start_speed_mm_s,
+                vector.end_speed_mm_s,
+                vector.max_speed_mm_s,
+            ];
+            assert!(speeds.iter().all(|v| (v - 10.0).abs() < 1e-5), "{speeds:?}");
+            assert_eq!([vector.x_mm, vector.y_mm, vector.z_mm], [10.0, 0.0, 0.0]);
+        }
+        let [least, most] = plan.summary().burn_share.unwrap();
+        assert!(least > 0.99999 && most < 1.00001, "{least} {most}");
+        assert_eq!(plan.summary().strokes, 2);
+        assert_eq!(plan.commands().last(), Some(LASER_OFF.into()));
+    }
+
+    #[test]
+    fn a_laser_on_a_slope_and_a_laser_beside_a_pen_are_refused() {
+        let strokes = vec![line(&[(200.0, 0.0), (210.0, 0.0)])];
+        let laser = Pass::new(Tool::Laser(Laser::default()), strokes.clone());
+        let touched = [
+            [150.0, 0.0, -40.0],
+            [250.0, 0.0, -38.0],
+            [150.0, 50.0, -41.0],
+        ];
+        let slope = Paper::through(touched).unwrap();
+        let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
+        assert_eq!(error, Err(PlanError::SlopingLaser { pass: 1 }));
+        let passes = [Pass::new(Tool::default(), strokes), laser];
+        let error = Plan::new(&passes, &Paper::default(), &Machine::default());
+        assert_eq!(error, Err(PlanError::MixedTools { pass: 2 }));
+    }
+
+    #[test]
+    fn settings_that_make_no_sense_are_refused_with_what_was_found() {
+        let refused = |tool: Tool, machine: Machine| {
+            let pass = Pass::new(tool, vec![line(&[(200.0, 0.0)])]);
+            Plan::new(&[pass], &Paper::default(), &machine)
+                .unwrap_err()
+                .to_string()
+        };
+        let pen = |change: fn(&mut Pen)| {
+            let mut pen = Pen::default();
+            change(&mut pen);
+            refused(Tool::Pen(pen), Machine::default())
+        };
+        assert_eq!(
+            pen(|it| it.draw_speed_mm_s = 0.0),
+            "draw speed is 0 mm/s; it must be a number above 0"
+        );
+        assert_eq!(
+            pen(|it| it.lift_mm = -1.0),
+            "the pen is lifted by -1 mm; it must be at least 0.1 mm"
+        );
+        let laser = Laser {
+            times: 0,
+            ..Laser::default()
+        };
+        assert_eq!(
+            refused(Tool::Laser(laser), Machine::default()),
+            "number of times to burn is 0; it must be a number above 0"
+        );
+        let machine = Machine {
+            acceleration_mm_s2: f64::NAN,
+            ..Machine::default()
+        };
+        assert_eq!(
+            refused(Tool::default(), machine),
+            "acceleration is NaN mm/s2; it must be a number above 0"
+        );
+        let machine = Machine {
+            link: LinkRate { period_s: -1.0 },
+            ..Machine::default()
+        };
+        assert_eq!(
+            refused(Tool::default(), machine),
+            "link period is -1 s; it must be a number from 0 up"
+        );
+    }
+
+    #[test]
+    fn what_a_stock_arm_is_too_coarse_for_is_refused() {
+        let strokes = [line(&[(200.0, 0.0), (210.0, 0.0)])];
+        let plan = |speed_mm_s, has_ticks| {
+            let pass = Pass::new(Tool::default().at_speed(speed_mm_s), strokes.to_vec());
+            let machine = Machine {
+                has_ticks,
+                ..Machine::default()
+            };
+            Plan::new(&[pass], &Paper::default(), &machine)
+        };
+        assert_eq!(
+            plan(0.5, true).unwrap_err().to_string(),
+            "draw speed is 0.5 mm/s; a stock arm keeps no less than 1 mm/s at an acceleration of 100 mm/s2 (note N48)"
+        );
+        assert!(plan(1.0, true).is_ok() && plan(0.5, false).is_ok());
+    }
+
+    #[test]
+    fn nothing_to_draw_is_refused() {
+        let planned = Plan::new(&[], &Paper::default(), &Machine::default());
+        assert_eq!(planned, Err(PlanError::NoStrokes));
+    }
+
+    fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
+        let point = (150.0..300.0_f64, -100.0..100.0_f64).prop_map(|(x, y)| Point::new(x, y));
+        let near = (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(|(x, y)| Point::new(x, y));
+        let stroke = (point, proptest::collection::vec(near, 0..40)).prop_map(|(start, steps)| {
+            let mut points = vec![start];
+            points.extend(steps.iter().scan(start, |here, step| {
+                *here = *here + *step;
+                Some(*here)
+            }));
+            Stroke::open(points)
+        });
+        proptest::collection::vec(stroke, 1..6)
+    }
+
+    proptest! {
+        #[test]
+        fn speeds_meet_and_neither_arm_nor_link_is_overdriven(
+            strokes in strokes(),
+            period_s in prop_oneof![Just(0.0), Just(0.08)],
+        ) {
+            let plan = plan(&strokes, LinkRate { period_s });
+            let mut speed = 0.0_f32;
+            let mut behind_s = 0.0_f64;
+            for (vector, duration) in plan.moves.iter().zip(plan.durations()) {
+                prop_assert_eq!(vector.start_speed_mm_s, speed);
+                speed = vector.end_speed_mm_s;
+                if vector.kind != MoveKind::Draw {
+                    prop_assert_eq!(speed, 0.0);
+                }
+                prop_assert!(vector.start_speed_mm_s.max(speed) <= vector.max_speed_mm_s);
+                let v2 = |v: f32| f64::from(v) * f64::from(v);
+                let needed = (v2(speed) - v2(vector.start_speed_mm_s)).abs() / (2.0 * vector.length_mm());
+                prop_assert!(needed <= plan.machine().acceleration_mm_s2, "{needed}");
+                prop_assert!(vector.max_speed_mm_s <= 80.0);
+                // However long it is watched, no more than two vectors too many are over.
+                behind_s = (behind_s + period_s - duration).max(0.0);
+                prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
+                prop_assert!(vector.length_mm() >= crate::planner::LEAST_VECTOR_MM);
+            }
+            prop_assert_eq!(speed, 0.0);
+        }
+
+        #[test]
+        fn the_tool_is_never_seen_to_accelerate_more_than_it_may(
+            strokes in strokes(),
+            period_s in prop_oneof![Just(0.0), Just(0.08)],
+        ) {
+            let plan = plan(&strokes, LinkRate { period_s });
+            let seen = crate::acceleration(&plan, 0.08) / plan.machine().acceleration_mm_s2;
+            // It is looked at eleven moments around each corner, and something lies between them.
+            prop_assert!(seen <= 1.02, "{seen}");
+        }
+
+        #[test]
+        fn every_stroke_is_drawn_where_it_was_wanted(strokes in strokes()) {
+            let plan = plan(&strokes, NO_LINK);
+            let wanted: Vec<Stroke> = strokes.into_iter().filter(|s| s.length_mm() > 1.0).collect();
+            let drawn = plan.paths(MoveKind::Draw);
+            let missed = dobot_geometry::deviation(&wanted, &drawn).missed;
+            prop_assert!(missed.distance_mm <= 0.0011, "{missed:?}");
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! From strokes to vectors: the ways of the tool, chain by chain.
+
+use dobot_geometry::{Point, Stroke};
+
+use crate::joints::JointSpeeds;
+use crate::landing::Landing;
+use crate::lookahead::Run;
+use crate::pace::{LEAST_SHARE, Pace, Speeds};
+use crate::seen::Ticks;
+use crate::ticker::Ticker;
+use crate::ticks::OVER;
+use crate::vector::length;
+use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
+
+/// Plans one way after the other. A chain is a way between two rests.
+pub(super) struct Planner<'a> {
+    paper: &'a Paper,
+    pub(super) machine: &'a Machine,
+    pub(super) pace: Pace,
+    /// Where the arm has ticks.
+    pub(super) ticker: Option<Ticker>,
+    /// Where the vectors so far lead, rounding included.
+    pub(super) here: [f64; 3],
+    landing: Landing,
+    joints: JointSpeeds,
+    pub(super) moves: Vec<PlannedVector>,
+    /// Which stroke and pass the next vectors belong to.
+    pub(super) stroke: u32,
+    pass: u32,
+    /// The runs since the last rest; reused.
+    pub(super) chain: Vec<Run>,
+}
+
+impl<'a> Planner<'a> {
+    pub(super) fn new(
+        start: [f64; 3],
+        tool: &Tool,
+        paper: &'a Paper,
+        machine: &'a Machine,
+    ) -> Self {
+        Self {
+            paper,
+            machine,
+            pace: Pace::new(machine),
+            ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
+            here: start,
+            landing: Landing::new(machine, tool),
+            joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
+            moves: Vec::new(),
+            stroke: 0,
+            pass: 0,
+            chain: Vec::new(),
+        }
+    }
+
+    pub(super) fn pass(&mut self, number: u32, pass: &Pass) {
+        self.pass = number;
+        let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
+        match &pass.tool {
+            Tool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
+            Tool::Laser(laser) => (0..laser.times)
+                .flat_map(|_| strokes.clone())
+                .for_each(|stroke| self.burn(stroke, laser)),
+        }
+    }
+
+    /// ```text
+    ///   up    ----> Travel ----.                     .---- Travel ---->
+    ///                          | Lower          Lift |
+    ///   down                   '-- Draw Draw Draw ---'
+    /// ```
+    fn draw(&mut self, stroke: &Stroke, pen: &Pen) {
+        let (first, last) = (stroke.points[0], stroke.points[stroke.points.len() - 1]);
+        self.go(MoveKind::Travel, first, pen.lift_mm, pen.travel_speed_mm_s);
+        self.rest();
+        if pen.touch_mm > 0.0 && pen.touch_mm < pen.lift_mm {
+            self.go(MoveKind::Lower, first, pen.touch_mm, pen.lift_speed_mm_s);
+            let slow_mm_s = pen.touch_speed_mm_s.min(pen.lift_speed_mm_s);
+            self.go(MoveKind::Lower, first, 0.0, slow_mm_s);
+        } else {
+            self.go(MoveKind::Lower, first, 0.0, pen.lift_speed_mm_s);
+        }
+        self.rest();
+        for &p in &stroke.points[1..] {
+            self.go(MoveKind::Draw, p, 0.0, pen.draw_speed_mm_s);
+        }
+        self.rest();
+        self.go(MoveKind::Lift, last, pen.lift_mm, pen.lift_speed_mm_s);
+        self.rest();
+        self.stroke += 1;
+    }
+
+    /// A vector to a place so high above the paper.
+    pub(super) fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
+        let to = [to.x, to.y, self.paper.z_at(to) + above_mm];
+        let here = self.here;
+        #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+        let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
+        let way = [x_mm, y_mm, z_mm].map(f64::from);
+        let length_mm = length(way);
+        if length_mm < LEAST_VECTOR_MM {
+            return;
+        }
+        self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
+        let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
+        self.chain.push(Run {
+            direction: way.map(|d| d / length_mm),
+            length_mm,
+            limit_mm_s,
+            corner_mm_s: f64::INFINITY,
+        });
+        self.moves.push(PlannedVector {
+            x_mm,
+            y_mm,
+            z_mm,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: 0.0,
+            duration_s: 0.0,
+            kind,
+            stroke: self.stroke,
+            pass: self.pass,
+        });
+    }
+
+    /// The chain ends: its speeds can be planned.
+    pub(super) fn rest(&mut self) {
+        let begin = self.moves.len() - self.chain.len();
+        self.even_burning(begin);
+        if let Some(ticker) = self.ticker.take() {
+            self.plan_in_ticks(begin, &ticker);
+        } else {
+            let speeds = self.pace.plan(&mut self.chain);
+            for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
+                set(vector, speeds);
+            }
+        }
+        self.chain.clear();
+    }
+}
+
+/// A chain in ticks.
+impl Planner<'_> {
+    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
+    /// are taken slower, and all is planned again. A laser keeps its even speed.
+    fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker) {
+        let draws = self.moves[begin..]
+            .iter()
+            .any(|it| it.kind == MoveKind::Draw);
+        let rounds = if draws { MOST_ROUNDS } else { 0 };
+        let mut over = vec![OVER; self.chain.len()];
+        for left in (0..=rounds).rev() {
+            let attempt = self.attempt(begin, ticker.clone(), &over);
+            if left == 0 || attempt.shares.iter().all(|it| *it >= 1.0) {
+                self.pace = attempt.pace;
+                self.ticker = Some(attempt.ticker);
+                return;
+            }
+            self.take_slower(&attempt, &mut over);
+        }
+    }
+
+    fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64]) -> Attempt {
+        let mut pace = self.pace.clone();
+        let speeds: Vec<Speeds> = pace.plan(&mut self.chain).collect();
+        let mut ticks = Ticks::default();
+        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
+            let cut = ticker.set(vector, speeds[i], over[i]);
+            ticks.push(&self.chain[i], &cut);
+        }
+        let mut shares = vec![1.0_f64; self.chain.len()];
+        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
+        ticks.too_much(self.machine.acceleration_mm_s2, LEAST_SHARE, note);
+        Attempt {
+            pace,
+            ticker,
+            speeds,
+            shares,
+        }
+    }
+
+    /// Corners that are too fast, round after round more so; those that are hardly faster than one
+    /// tick becomes a stop in the end.
+    fn take_slower(&mut self, attempt: &Attempt, over: &mut [f64]) {
+        let step_mm_s = f64::from(attempt.ticker.step_mm_s());
+        let shares = attempt.shares.iter().enumerate();
+        for (i, share) in shares.filter(|it| *it.1 < 1.0) {
+            over[i] = (2.0 * over[i]).min(MOST_OVER);
+            let slower_mm_s = attempt.speeds[i].end_mm_s * share;
+            let stops = over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
+        }
+    }
+}
+
+/// A chain as it comes out in ticks.
+struct Attempt {
+    pace: Pace,
+    ticker: Ticker,
+    /// What was wanted of each vector.
+    speeds: Vec<Speeds>,
+    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    shares: Vec<f64>,
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+fn set(vector: &mut PlannedVector, speeds: Speeds) {
+    vector.start_speed_mm_s = round_down(speeds.start_mm_s);
+    vector.end_speed_mm_s = round_down(speeds.end_mm_s);
+    vector.max_speed_mm_s = round_down(speeds.max_mm_s);
+    vector.duration_s = speeds.duration_s as f32;
+}
+
+/// The largest single-precision number that is not above `value`.
+pub(super) fn round_down(value: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
+    let nearest = value as f32;
+    if f64::from(nearest) > value {
+        nearest.next_down()
+    } else {
+        nearest
+    }
+}
+
+pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
+/// How often a chain is planned again for the ticks of a stock arm.
+const MOST_ROUNDS: u32 = 12;
+/// How much an end speed above the one wanted counts at the most.
+const MOST_OVER: f64 = 128.0;

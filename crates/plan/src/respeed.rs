@@ -1,0 +1,366 @@
+//! Other speeds for vectors that are planned already: faster or slower while the arm draws.
+
+use dobot_arm::Position;
+use dobot_wire::WriteVector;
+
+use crate::Machine;
+use crate::joints::JointSpeeds;
+use crate::lookahead::Run;
+use crate::pace::Pace;
+use crate::planner::round_down;
+use crate::ticker::Ticker;
+use crate::vector::length;
+
+/// The arm where some vectors begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Begin {
+    /// The speed that it has, or keeps for them, in mm/s.
+    pub speed_mm_s: f32,
+    /// Where its tool is.
+    pub position: Position,
+    /// Which tool that is.
+    pub tool: dobot_arm::Tool,
+}
+
+/// The same vectors at `share` times their speeds, from the speed at which the vector before them
+/// ends.
+///
+/// 1. Slower (a share below 1): all speeds are that share of those planned. Faster: the largest
+///    speeds are multiplied, and the rest is planned again, within the joint speeds, the
+///    acceleration, the corners and the link of the machine; speeds that a person wanted as the
+///    largest do not count.
+/// 2. Where the arm is too fast or too slow for that, it brakes or accelerates with the
+///    acceleration of the machine until it is not. A vector that was planned to end at rest does
+///    so, as long as the vectors up to there are long enough to brake in.
+/// 3. Where each vector leads, what it does with the laser, and a stop stay as they are.
+///
+/// A share of 1 from the speed that the first vector was planned to begin with changes nothing,
+/// unless the vectors have another length by now, and a stock arm would miss their ends.
+#[must_use]
+pub fn respeed(
+    vectors: &[WriteVector],
+    begin: &Begin,
+    share: f64,
+    machine: &Machine,
+) -> Vec<WriteVector> {
+    let Begin {
+        speed_mm_s,
+        position,
+        tool,
+    } = *begin;
+    let mut respeeding = Respeeding {
+        machine,
+        share,
+        speed_mm_s,
+        here: [position.x.0, position.y.0, position.z.0],
+        joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach().0),
+        ticker: machine.has_ticks.then(|| Ticker::new(machine, speed_mm_s)),
+    };
+    vectors
+        .split_inclusive(|it| it.end_speed_mm_s == 0.0)
+        .flat_map(|chain| respeeding.chain(chain))
+        .collect()
+}
+
+/// The speed that an arm has behind a vector, in mm/s, if it had this one before: a stock arm ends
+/// a vector at another speed than it says, and begins the next one with that (note N48).
+#[must_use]
+pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
+    if machine.has_ticks {
+        Ticker::new(machine, begin_speed_mm_s).run(vector).end_mm_s
+    } else {
+        vector.end_speed_mm_s
+    }
+}
+
+struct Respeeding<'a> {
+    machine: &'a Machine,
+    share: f64,
+    /// The end speed of the vector before.
+    speed_mm_s: f32,
+    /// Where that ended, in mm.
+    here: [f64; 3],
+    joints: JointSpeeds,
+    ticker: Option<Ticker>,
+}
+
+impl Respeeding<'_> {
+    /// Other speeds up to the next rest.
+    fn chain(&mut self, chain: &[WriteVector]) -> Vec<WriteVector> {
+        if self.share == 1.0 && self.runs_as_planned(chain) {
+            for vector in chain {
+                self.follow(vector);
+            }
+            return chain.to_vec();
+        }
+        let targets = if self.share > 1.0 {
+            self.faster(chain)
+        } else {
+            slower(chain, self.share)
+        };
+        let pairs = chain.iter().zip(targets);
+        pairs
+            .map(|(vector, targets)| self.vector(vector, targets))
+            .collect()
+    }
+
+    /// Whether the vectors lead where they should from this speed, without a jerk.
+    fn runs_as_planned(&self, chain: &[WriteVector]) -> bool {
+        let Some(ticker) = &self.ticker else {
+            return (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
+        };
+        let begin_mm_s = self.speed_mm_s.min(chain[0].max_speed_mm_s);
+        let is_near = (chain[0].start_speed_mm_s - begin_mm_s).abs() < ticker.step_mm_s();
+        is_near && ticker.runs_true(chain)
+    }
+
+    fn vector(&mut self, vector: &WriteVector, targets: [f64; 2]) -> WriteVector {
+        let acceleration_mm_s2 = self.machine.acceleration_mm_s2;
+        let mut next = from_speed(vector, self.speed_mm_s.into(), targets, acceleration_mm_s2);
+        if let Some(ticker) = &mut self.ticker {
+            ticker.respeed(&mut next, vector.end_speed_mm_s == 0.0, acceleration_mm_s2);
+        }
+        self.follow(&next);
+        next
+    }
+
+    /// The end speed and the largest speed of each vector.
+    fn faster(&self, chain: &[WriteVector]) -> Vec<[f64; 2]> {
+        let mut here = self.here;
+        let mut runs: Vec<Run> = Vec::with_capacity(chain.len());
+        for vector in chain {
+            let way = way(vector);
+            let wanted_mm_s = self.share * f64::from(vector.max_speed_mm_s);
+            runs.push(run(way, self.joints.cap(here, way, wanted_mm_s)));
+            here = [0, 1, 2].map(|i| here[i] + way[i]);
+        }
+        let mut pace = Pace::new(self.machine);
+        let speeds = pace.plan_from(self.speed_mm_s.into(), &mut runs);
+        speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
+    }
+
+    /// A vector is run as it is.
+    fn follow(&mut self, vector: &WriteVector) {
+        let way = way(vector);
+        self.here = [0, 1, 2].map(|i| self.here[i] + way[i]);
+        self.speed_mm_s = match &mut self.ticker {
+            Some(ticker) => ticker.run(vector).end_mm_s,
+            None => vector.end_speed_mm_s,
+        };
+    }
+}
+
+/// The same where they are slower.
+fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
+    let scaled = |vector: &WriteVector| {
+        [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
+    };
+    chain.iter().map(scaled).collect()
+}
+
+fn run(way: [f64; 3], limit_mm_s: f64) -> Run {
+    let length_mm = length(way);
+    Run {
+        direction: way.map(|part| part / length_mm),
+        length_mm,
+        limit_mm_s,
+        corner_mm_s: f64::INFINITY,
+    }
+}
+
+fn way(vector: &WriteVector) -> [f64; 3] {
+    [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from)
+}
+
+/// The vector, with the speeds nearest to those wanted that can be had from this begin speed.
+fn from_speed(
+    vector: &WriteVector,
+    begin_mm_s: f64,
+    [end, max]: [f64; 2],
+    acceleration_mm_s2: f64,
+) -> WriteVector {
+    let change_v2 = 2.0 * acceleration_mm_s2 * length(way(vector));
+    let begin_v2 = begin_mm_s * begin_mm_s;
+    let least = (begin_v2 - change_v2).max(0.0).sqrt();
+    let most = (begin_v2 + change_v2).sqrt();
+    let end_speed_mm_s = round_down(end.clamp(least, most));
+    WriteVector {
+        start_speed_mm_s: round_down(begin_mm_s),
+        end_speed_mm_s,
+        max_speed_mm_s: round_down(max.max(begin_mm_s).max(end_speed_mm_s.into())),
+        ..*vector
+    }
+}
+
+/// Speeds that differ by less are the same.
+const SAME_MM_S: f32 = 1e-3;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_wire::Command;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Paper, Pass, Plan, Tool};
+    use dobot_geometry::{Point, Stroke};
+
+    fn planned(points: &[(f64, f64)]) -> Vec<WriteVector> {
+        let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let vectors = plan.commands().filter_map(|command| match command {
+            Command::WriteVector(vector) => Some(vector),
+            _ => None,
+        });
+        vectors.collect()
+    }
+
+    /// In the middle of where it reaches: no joint comes near to its limit.
+    fn begin(speed_mm_s: f32) -> Begin {
+        Begin {
+            speed_mm_s,
+            position: Position::new(200.0, 0.0, 0.0),
+            tool: dobot_arm::Tool::SuctionCup,
+        }
+    }
+
+    #[test]
+    fn no_joint_is_overdriven_however_fast_it_is_to_be() {
+        // Past the axis of the base at 70 mm, where 100 degrees a second are 122 mm/s.
+        let sideways = WriteVector {
+            y_mm: 200.0,
+            ..planned(&[(200.0, 0.0), (210.0, 0.0)])[1]
+        };
+        let sideways = WriteVector {
+            x_mm: 0.0,
+            max_speed_mm_s: 80.0,
+            ..sideways
+        };
+        let near = Begin {
+            position: Position::new(70.0, -100.0, 0.0),
+            ..begin(0.0)
+        };
+        let machine = Machine {
+            link: crate::LinkRate { period_s: 0.0 },
+            acceleration_mm_s2: 500.0,
+            ..Machine::default()
+        };
+        let far = Begin {
+            position: Position::new(230.0, -100.0, 0.0),
+            ..begin(0.0)
+        };
+        let fastest = |begin: &Begin| respeed(&[sideways], begin, 2.0, &machine)[0].max_speed_mm_s;
+        assert_eq!(fastest(&far), 160.0);
+        let allowed_mm_s = 70.0 * 100.0_f32.to_radians();
+        assert!(fastest(&near) <= allowed_mm_s, "{}", fastest(&near));
+    }
+
+    #[test]
+    fn half_the_speed_is_half_of_every_speed() {
+        let planned = planned(&[(200.0, 0.0), (240.0, 0.0), (250.0, 5.0), (250.0, 6.0)]);
+        for (half, whole) in respeed(&planned, &begin(0.0), 0.5, &Machine::default())
+            .iter()
+            .zip(&planned)
+        {
+            assert_eq!(half.end_speed_mm_s, 0.5 * whole.end_speed_mm_s);
+            assert_eq!(half.max_speed_mm_s, 0.5 * whole.max_speed_mm_s);
+        }
+    }
+
+    #[test]
+    fn a_long_line_at_twice_the_speed_gets_twice_as_fast() {
+        let planned = planned(&[(150.0, 0.0), (250.0, 0.0)]);
+        assert_eq!(planned[1].max_speed_mm_s, 40.0);
+        let faster = respeed(&planned, &begin(0.0), 2.0, &Machine::default());
+        assert_eq!(faster[1].max_speed_mm_s, 80.0);
+        assert_eq!(
+            (faster[1].start_speed_mm_s, faster[1].end_speed_mm_s),
+            (0.0, 0.0)
+        );
+    }
+
+    #[test]
+    fn a_stock_arm_gets_half_the_speed_in_whole_ticks() {
+        let machine = Machine {
+            has_ticks: true,
+            ..Machine::default()
+        };
+        let points = [(200.0, 0.0), (203.0, 0.0), (206.0, 0.5), (209.0, 1.5)];
+        let stroke = Stroke::open(points.map(|(x, y)| Point::new(x, y)).to_vec());
+        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+        let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
+        assert_eq!(respeed(&planned, &begin(0.0), 1.0, &machine), planned);
+        let slower = respeed(&planned, &begin(0.0), 0.5, &machine);
+        let mut ticker = Ticker::new(&machine, 0.0);
+        for (vector, was) in slower.iter().zip(&planned) {
+            assert!(vector.max_speed_mm_s <= 0.5 * was.max_speed_mm_s + 2.0);
+            assert_eq!(vector.end_speed_mm_s == 0.0, was.end_speed_mm_s == 0.0);
+            let stored = ticker.run(vector).end_mm_s;
+            assert!(
+                (0.0..=0.5 * was.max_speed_mm_s + 2.0).contains(&stored),
+                "{stored}"
+            );
+        }
+    }
+
+    fn strokes() -> impl Strategy<Value = Vec<(f64, f64)>> {
+        proptest::collection::vec((150.0..250.0_f64, -50.0..50.0_f64), 2..20)
+    }
+
+    proptest! {
+        #[test]
+        fn a_share_of_one_from_rest_changes_nothing(points in strokes()) {
+            let planned = planned(&points);
+            prop_assert_eq!(respeed(&planned, &begin(0.0), 1.0, &Machine::default()), planned);
+        }
+
+        #[test]
+        fn a_stock_arm_makes_vectors_of_another_length_as_long_as_they_are(
+            points in strokes(), slope in -0.05..0.05_f32, at_mm_s in 0.0..1.5_f32,
+        ) {
+            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
+            let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+            let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+            let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
+            let steeper = |it: &WriteVector| {
+                let z_mm = it.z_mm + slope * it.x_mm.hypot(it.y_mm);
+                WriteVector { z_mm, ..*it }
+            };
+            let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
+            let next = respeed(&steeper, &begin(at_mm_s), 1.0, &machine);
+            prop_assert!(Ticker::new(&machine, at_mm_s).runs_true(&next));
+            let same = next.iter().zip(&steeper);
+            prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
+            let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;
+            prop_assert!(same.clone().all(|(it, was)| ends(it) == ends(was)));
+        }
+
+        #[test]
+        fn speeds_meet_and_can_be_had_and_the_end_is_a_rest(
+            points in strokes(), share in 0.1..2.0_f64, at in 0.0..1.0_f64, before in 0.1..2.0_f64,
+        ) {
+            let machine = Machine::default();
+            let planned = planned(&points);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "an index")]
+            let at = (at * planned.len() as f64) as usize;
+            let running = respeed(&planned, &begin(0.0), before, &machine);
+            let mut speed = running[at].start_speed_mm_s;
+            let next = respeed(&planned[at..], &begin(speed), share, &machine);
+            prop_assert_eq!(next.len(), planned.len() - at);
+            for (vector, was) in next.iter().zip(&planned[at..]) {
+                prop_assert_eq!(vector.start_speed_mm_s, speed);
+                speed = vector.end_speed_mm_s;
+                prop_assert_eq!([vector.x_mm, vector.y_mm, vector.z_mm], [was.x_mm, was.y_mm, was.z_mm]);
+                prop_assert!(vector.start_speed_mm_s.max(speed) <= vector.max_speed_mm_s);
+                let v2 = |v: f32| f64::from(v) * f64::from(v);
+                let change = (v2(speed) - v2(vector.start_speed_mm_s)).abs();
+                let needed = change / (2.0 * length(way(vector)));
+                prop_assert!(needed <= machine.acceleration_mm_s2 * 1.001, "{needed}");
+            }
+            prop_assert!(speed < 0.01, "{speed}");
+        }
+    }
+}

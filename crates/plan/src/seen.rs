@@ -1,0 +1,179 @@
+//! How a motion is seen to accelerate by somebody who looks where the tool is every now and then.
+
+use dobot_motion::Cut;
+
+use crate::lookahead::Run;
+use crate::pace::Speeds;
+use crate::ticks::TICK_S;
+use crate::vector::length;
+
+/// A chain of vectors in motion: when the tool is at its corners, and where.
+#[derive(Debug)]
+pub(super) struct Seen<'a> {
+    chain: &'a [Run],
+    speeds: &'a [Speeds],
+    acceleration_mm_s2: f64,
+    /// When each vector begins, in s, and where, in mm; last, where the chain ends.
+    begins: Vec<(f64, [f64; 3])>,
+}
+
+impl<'a> Seen<'a> {
+    pub(super) fn new(chain: &'a [Run], speeds: &'a [Speeds], acceleration_mm_s2: f64) -> Self {
+        let mut begins = Vec::with_capacity(chain.len() + 1);
+        let (mut t_s, mut place) = (0.0, [0.0; 3]);
+        begins.push((t_s, place));
+        for (run, speeds) in chain.iter().zip(speeds) {
+            t_s += speeds.duration_s;
+            place = on(place, run, run.length_mm);
+            begins.push((t_s, place));
+        }
+        Self {
+            chain,
+            speeds,
+            acceleration_mm_s2,
+            begins,
+        }
+    }
+
+    /// Calls `found` with a corner, by the number of the vector before it, and the share of the
+    /// acceleration seen there that is allowed, wherever that share is below `least`.
+    ///
+    /// It is looked at each corner, and around it as far as the corner is seen.
+    pub(super) fn too_much(&self, least: f64, mut found: impl FnMut(usize, f64)) {
+        for corner in 1..self.chain.len() {
+            let at_s = self.begins[corner].0;
+            for share_of_window in AROUND {
+                let t_s = at_s + share_of_window * WINDOW_S;
+                let share = self.acceleration_mm_s2 / self.acceleration(t_s, corner);
+                if share < least {
+                    found(self.nearest(t_s, corner) - 1, share);
+                }
+            }
+        }
+    }
+
+    /// The acceleration seen at a moment, in mm/s2.
+    fn acceleration(&self, t_s: f64, near: usize) -> f64 {
+        let [before, now, after] = [-WINDOW_S, 0.0, WINDOW_S].map(|it| self.at(t_s + it, near));
+        second_difference(before, now, after) / (WINDOW_S * WINDOW_S)
+    }
+
+    /// Where the tool is at a moment, not far from a corner. Before the chain it came straight on,
+    /// behind it it stands.
+    fn at(&self, t_s: f64, near: usize) -> [f64; 3] {
+        let last = self.chain.len() - 1;
+        let mut i = near.min(last);
+        while i > 0 && self.begins[i].0 > t_s {
+            i -= 1;
+        }
+        while i < last && self.begins[i + 1].0 <= t_s {
+            i += 1;
+        }
+        let (begin_s, place) = self.begins[i];
+        let (run, speeds) = (&self.chain[i], &self.speeds[i]);
+        let since_s = t_s - begin_s;
+        let gone_mm = if since_s < 0.0 {
+            since_s * speeds.start_mm_s
+        } else if since_s >= speeds.duration_s {
+            run.length_mm
+        } else {
+            speeds.distance_mm(run.length_mm, self.acceleration_mm_s2, since_s)
+        };
+        on(place, run, gone_mm)
+    }
+
+    /// The corner that is nearest to a moment.
+    fn nearest(&self, t_s: f64, near: usize) -> usize {
+        let corners = 1..self.chain.len();
+        let away_s = |corner: usize| (self.begins[corner].0 - t_s).abs();
+        let mut nearest = near;
+        while corners.contains(&(nearest - 1)) && away_s(nearest - 1) < away_s(nearest) {
+            nearest -= 1;
+        }
+        while corners.contains(&(nearest + 1)) && away_s(nearest + 1) < away_s(nearest) {
+            nearest += 1;
+        }
+        nearest
+    }
+}
+
+/// A chain of vectors in ticks: where the tool is at each.
+#[derive(Debug)]
+pub(super) struct Ticks {
+    /// In mm from where it begins.
+    places: Vec<[f64; 3]>,
+    /// At which tick each vector ends.
+    ends: Vec<usize>,
+}
+
+impl Default for Ticks {
+    fn default() -> Self {
+        Self {
+            places: vec![[0.0; 3]],
+            ends: Vec::new(),
+        }
+    }
+}
+
+impl Ticks {
+    /// The next vector, as the arm runs it.
+    pub(super) fn push(&mut self, run: &Run, cut: &Cut) {
+        let begin = self.places[self.places.len() - 1];
+        self.places.extend(at_ticks(begin, run.direction, cut));
+        self.ends.push(self.places.len() - 1);
+    }
+
+    /// As [`Seen::too_much`]. The tool stands before the chain and behind it.
+    pub(super) fn too_much(
+        &self,
+        acceleration_mm_s2: f64,
+        least: f64,
+        mut found: impl FnMut(usize, f64),
+    ) {
+        let allowed_mm = acceleration_mm_s2 * WINDOW_S * WINDOW_S;
+        let last = self.places.len() - 1;
+        let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
+        let mut corner = 0;
+        for tick in (0..=last).take_while(|_| !corners.is_empty()) {
+            let away = |corner: usize| corners.get(corner).map(|it| it.abs_diff(tick));
+            if away(corner + 1).is_some_and(|next| Some(next) <= away(corner)) {
+                corner += 1;
+            }
+            let before = self.places[tick.saturating_sub(WINDOW_TICKS)];
+            let after = self.places[(tick + WINDOW_TICKS).min(last)];
+            let seen_mm = second_difference(before, self.places[tick], after);
+            if allowed_mm / seen_mm < least {
+                found(corner, allowed_mm / seen_mm);
+            }
+        }
+    }
+}
+
+/// Where the tool is at each tick of a vector that it runs from there in this direction.
+pub(super) fn at_ticks(
+    begin: [f64; 3],
+    direction: [f64; 3],
+    cut: &Cut,
+) -> impl Iterator<Item = [f64; 3]> {
+    cut.speeds_mm_s().scan(0.0, move |gone_mm, speed_mm_s| {
+        *gone_mm += f64::from(speed_mm_s * TICK_S);
+        Some([0, 1, 2].map(|i| begin[i] + *gone_mm * direction[i]))
+    })
+}
+
+pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
+    length([0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]))
+}
+
+fn on(place: [f64; 3], run: &Run, way_mm: f64) -> [f64; 3] {
+    [0, 1, 2].map(|i| place[i] + way_mm * run.direction[i])
+}
+
+/// The time between two statuses of a stock arm: how the arm itself is seen to move.
+pub(super) const WINDOW_S: f64 = 0.08;
+/// Where around a corner it is looked.
+const AROUND: [f64; 11] = [
+    -0.9, -0.8, -0.65, -0.45, -0.25, 0.0, 0.25, 0.45, 0.65, 0.8, 0.9,
+];
+/// The same in ticks.
+const WINDOW_TICKS: usize = 4;

@@ -1,0 +1,237 @@
+//! Speeds for a stock arm, which cuts each vector into whole ticks (note N48).
+
+use dobot_motion::Cut;
+
+use crate::pace::Speeds;
+
+/// How many ticks to try: what the processor makes of them is told by [`Cut`].
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "what is too large is found untrue"
+)]
+fn count(value: f32) -> i16 {
+    if value.is_finite() { value as i16 } else { 0 }
+}
+
+/// What a vector should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Wish {
+    pub length_mm: f32,
+    pub speeds: Speeds,
+    /// How long it should take, what the vectors before were too long or too short included, in
+    /// ticks.
+    pub ticks: f64,
+    /// How many ticks the link needs at the least.
+    pub least_ticks: i16,
+    /// The arm is to rest behind it.
+    pub rests: bool,
+    pub acceleration_mm_s2: f32,
+    /// How much an end speed above the one wanted counts.
+    pub over: f64,
+}
+
+/// The end speed and the largest speed for the packet, and what becomes of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Fit {
+    pub end_mm_s: f32,
+    pub max_mm_s: f32,
+    pub cut: Cut,
+    cost: f64,
+}
+
+impl Wish {
+    /// The speeds that come nearest to the wish, behind a vector that left this speed.
+    ///
+    /// The controller takes an end speed and a largest one, and finds counts of ticks. So counts
+    /// near to those wanted are tried, each with the two speeds that should lead to it; what
+    /// really becomes of them is calculated as the controller does.
+    pub(super) fn fit(&self, stored_mm_s: f32) -> Fit {
+        let mut best = None;
+        self.try_slower(stored_mm_s, &mut best);
+        self.try_faster(stored_mm_s, &mut best);
+        let slow = || self.crawl(stored_mm_s);
+        best.unwrap_or_else(slow)
+    }
+
+    /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
+    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+        let change = self.acceleration_mm_s2 * TICK_S;
+        let wanted = self.ticks.max(f64::from(self.least_ticks));
+        let about = count(single(wanted));
+        for ticks in (about - 1).max(1).max(self.least_ticks)..=(about + 2).max(self.least_ticks) {
+            let even_mm_s = 50.0 * self.length_mm / f32::from(ticks);
+            let drop = 2.0 * (even_mm_s - single(self.speeds.end_mm_s)) / change;
+            let about = count(drop.clamp(0.0, f32::from(ticks)));
+            for down in (about - 2).max(0)..=(about + 2).min(ticks) {
+                let downs = f32::from(down);
+                let sum = change * downs * (downs + 1.0) / 2.0;
+                let begin = (50.0 * self.length_mm + sum) / f32::from(ticks) * (1.0 - SPARE);
+                let max = begin.min(stored_mm_s);
+                self.consider(stored_mm_s, max - (downs - NEAR) * change, max, best);
+            }
+        }
+    }
+
+    /// Some ticks accelerate, from the speed that is stored.
+    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+        let change = self.acceleration_mm_s2 * TICK_S;
+        let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
+        let up = count(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
+        let down = count(((peak - end) / change).clamp(0.0, 3000.0));
+        // Before a rest the end speed is 0, whatever the counts are meant to be.
+        let downs = if self.rests {
+            down..=down
+        } else {
+            (down - 3).max(0)..=down + 2
+        };
+        let fewest = (up - if self.over > OVER { 8 } else { 3 }).max(1);
+        for up in fewest..=up + 2 {
+            for down in downs.clone() {
+                for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
+                    let max = stored_mm_s + (f32::from(up) - near) * change;
+                    self.consider(
+                        stored_mm_s,
+                        max - (f32::from(down) - NEAR) * change,
+                        max,
+                        best,
+                    );
+                }
+            }
+        }
+    }
+
+    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<Fit>) {
+        let least = if self.rests { 0.0 } else { LEAST_END_MM_S };
+        let end_mm_s = if self.rests {
+            0.0
+        } else {
+            end_mm_s.min(max_mm_s).max(least)
+        };
+        if max_mm_s < LEAST_END_MM_S {
+            return;
+        }
+        let cut = Cut::of(
+            self.length_mm,
+            stored_mm_s,
+            end_mm_s,
+            max_mm_s,
+            self.acceleration_mm_s2,
+        );
+        if !cut.is_true() || cut.ticks() < self.least_ticks {
+            return;
+        }
+        let cost = self.cost(stored_mm_s, &cut);
+        if best.is_none_or(|best| cost < best.cost) {
+            *best = Some(Fit {
+                end_mm_s,
+                max_mm_s,
+                cut,
+                cost,
+            });
+        }
+    }
+
+    /// In steps of speed, squared: what is too fast counts more than what is too slow.
+    fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
+        let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
+        let late = f64::from(cut.ticks()) - self.ticks;
+        let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
+        let first = if cut.counts[0] == 0 && cut.counts[1] == 0 {
+            cut.first_mm_s - cut.change_mm_s
+        } else {
+            cut.first_mm_s
+        };
+        let jump = steps(f64::from(first - stored_mm_s)).abs();
+        let jump = (jump - 1.0).max(0.0);
+        let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
+        let weight = if over > 0.0 { self.over } else { UNDER };
+        late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
+    }
+
+    /// As slow as it has to be, so that it becomes as long as it should: nothing else did.
+    fn crawl(&self, stored_mm_s: f32) -> Fit {
+        let change = self.acceleration_mm_s2 * TICK_S;
+        let mut best = None;
+        for ticks in self.least_ticks.max(1)..i16::MAX {
+            let even_mm_s = 50.0 * self.length_mm / f32::from(ticks) * (1.0 - SPARE);
+            for max in [
+                even_mm_s.min(stored_mm_s.max(LEAST_END_MM_S)),
+                even_mm_s + 0.49 * change,
+            ] {
+                self.consider(stored_mm_s, max, max, &mut best);
+            }
+            if let Some(fit) = best {
+                return fit;
+            }
+        }
+        let max_mm_s = single(self.speeds.limit_mm_s);
+        let cut = Cut::of(
+            self.length_mm,
+            stored_mm_s,
+            0.0,
+            max_mm_s,
+            self.acceleration_mm_s2,
+        );
+        Fit {
+            end_mm_s: 0.0,
+            max_mm_s,
+            cut,
+            cost: f64::INFINITY,
+        }
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
+const fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// The control tick.
+pub(super) const TICK_S: f32 = 0.02;
+/// By how much begin speeds are lower and corrections smaller than they could be, for rounding.
+const SPARE: f32 = 1e-5;
+/// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
+const NEAR: f32 = 0.4;
+pub(super) const OVER: f64 = 8.0;
+const UNDER: f64 = 0.5;
+const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
+/// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
+const LEAST_END_MM_S: f32 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn wish(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> Wish {
+        let end = if rests { 0.0 } else { end };
+        let speeds = Speeds::of(length_mm.into(), [start, end, max], max, 100.0);
+        Wish {
+            length_mm,
+            speeds,
+            ticks: speeds.duration_s / f64::from(TICK_S),
+            least_ticks: 1,
+            rests,
+            acceleration_mm_s2: 100.0,
+            over: OVER,
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_vector_is_as_long_as_it_should_be(
+            length_mm in 0.002..150.0_f32,
+            stored in 0.0..60.0_f32,
+            end in 0.0..60.0_f64,
+            max in 1.0..80.0_f64,
+            rests: bool,
+        ) {
+            let max = max.max(stored.into()).max(end);
+            let fit = wish(length_mm, [stored.into(), end, max], rests).fit(stored);
+            prop_assert!(fit.cut.is_true(), "{fit:?}");
+            prop_assert_eq!(fit.end_mm_s == 0.0, rests);
+            prop_assert!(fit.max_mm_s > 0.0);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! What draws: a pen or a laser.
+
+use crate::PlanError;
+use crate::error::{not_negative, positive};
+
+/// What draws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tool {
+    /// A pen, lifted between strokes.
+    Pen(Pen),
+    /// A laser, off between strokes.
+    Laser(Laser),
+}
+
+impl Tool {
+    /// The same tool, drawing or burning at this speed, in mm/s.
+    #[must_use]
+    pub const fn at_speed(self, speed_mm_s: f64) -> Self {
+        match self {
+            Self::Pen(pen) => Self::Pen(Pen {
+                draw_speed_mm_s: speed_mm_s,
+                ..pen
+            }),
+            Self::Laser(laser) => Self::Laser(Laser {
+                burn_speed_mm_s: speed_mm_s,
+                ..laser
+            }),
+        }
+    }
+
+    /// How far it reaches beyond the wrist, in mm.
+    pub(super) const fn reach_mm(&self) -> f64 {
+        match self {
+            Self::Pen(_) => dobot_arm::Tool::SuctionCup.reach().0,
+            Self::Laser(_) => dobot_arm::Tool::Laser.reach().0,
+        }
+    }
+
+    /// Its speeds by name, in mm/s.
+    pub(super) fn speeds_mm_s(&self) -> Vec<(&'static str, f64)> {
+        match self {
+            Self::Pen(pen) => {
+                let touches = pen.touch_mm > 0.0;
+                let touch = touches.then_some(("touch speed", pen.touch_speed_mm_s));
+                let speeds = [
+                    ("draw speed", pen.draw_speed_mm_s),
+                    ("travel speed", pen.travel_speed_mm_s),
+                    ("lift speed", pen.lift_speed_mm_s),
+                ];
+                speeds.into_iter().chain(touch).collect()
+            }
+            Self::Laser(laser) => vec![
+                ("burn speed", laser.burn_speed_mm_s),
+                ("travel speed", laser.travel_speed_mm_s),
+            ],
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), PlanError> {
+        match self {
+            Self::Pen(pen) => pen.check(),
+            Self::Laser(laser) => laser.check(),
+        }
+    }
+}
+
+impl Default for Tool {
+    fn default() -> Self {
+        Self::Pen(Pen::default())
+    }
+}
+
+/// How a pen is moved.
+///
+/// It settles on the paper by touching it slowly: the last part of the way down is a vector of its
+/// own. The protocol has no wait that is safe everywhere: a pause belongs to a target, and a target
+/// where the arm stands makes a stock arm lose its pose (note N34).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pen {
+    /// How high above the paper it travels, in mm; from 0.1 up.
+    pub lift_mm: f64,
+    /// Largest speed while drawing, in mm/s.
+    pub draw_speed_mm_s: f64,
+    /// Largest speed while travelling, in mm/s.
+    pub travel_speed_mm_s: f64,
+    /// Largest speed up and down, in mm/s.
+    pub lift_speed_mm_s: f64,
+    /// Over how much of the way down it touches the paper slowly, in mm; 0 for not at all.
+    pub touch_mm: f64,
+    /// How slowly, in mm/s.
+    pub touch_speed_mm_s: f64,
+}
+
+impl Pen {
+    fn check(&self) -> Result<(), PlanError> {
+        positive("draw speed", self.draw_speed_mm_s, "mm/s")?;
+        positive("travel speed", self.travel_speed_mm_s, "mm/s")?;
+        positive("lift speed", self.lift_speed_mm_s, "mm/s")?;
+        positive("touch speed", self.touch_speed_mm_s, "mm/s")?;
+        not_negative("touch way", self.touch_mm, "mm")?;
+        let lift_mm = self.lift_mm;
+        if lift_mm >= LEAST_LIFT_MM && lift_mm.is_finite() {
+            return Ok(());
+        }
+        Err(PlanError::Lift { lift_mm })
+    }
+}
+
+impl Default for Pen {
+    /// 10 mm up; 40 mm/s to draw and to lift, 80 mm/s to travel. It touches the paper as it comes to
+    /// rest there anyway; a soft one may want `touch_mm` of 1 at 10 mm/s.
+    fn default() -> Self {
+        Self {
+            lift_mm: 10.0,
+            draw_speed_mm_s: 40.0,
+            travel_speed_mm_s: 80.0,
+            lift_speed_mm_s: 40.0,
+            touch_mm: 0.0,
+            touch_speed_mm_s: 10.0,
+        }
+    }
+}
+
+/// How a laser is moved. It is on or off: its power on the material is set by the speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laser {
+    /// Speed while burning, in mm/s: the same all along a stroke, where its corners allow that.
+    pub burn_speed_mm_s: f64,
+    /// Largest speed between strokes, laser off, in mm/s.
+    pub travel_speed_mm_s: f64,
+    /// How often everything is burned, one time after the other; from 1 up.
+    pub times: u32,
+}
+
+impl Laser {
+    fn check(&self) -> Result<(), PlanError> {
+        positive("burn speed", self.burn_speed_mm_s, "mm/s")?;
+        positive("travel speed", self.travel_speed_mm_s, "mm/s")?;
+        positive("number of times to burn", f64::from(self.times), "")
+    }
+}
+
+impl Default for Laser {
+    /// Once, at 10 mm/s; 80 mm/s to travel.
+    fn default() -> Self {
+        Self {
+            burn_speed_mm_s: 10.0,
+            travel_speed_mm_s: 80.0,
+            times: 1,
+        }
+    }
+}
+
+const LEAST_LIFT_MM: f64 = 0.1;

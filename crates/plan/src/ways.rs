@@ -1,0 +1,128 @@
+//! The way of a laser through a stroke: it gets to its speed before, and loses it behind.
+
+use dobot_geometry::{Point, Stroke};
+
+use crate::planner::LEAST_VECTOR_MM;
+use crate::ticks::TICK_S;
+use crate::{Laser, Machine};
+
+/// Where a laser gets to its speed before a stroke, and where it loses it behind.
+pub(super) struct Ways {
+    pub run_up: Point,
+    /// Along the stroke up to where it is switched on.
+    pub off_to: Vec<Point>,
+    /// On from there, up to where it is switched off.
+    pub on_to: Vec<Point>,
+    pub run_out: Point,
+    pub brake: Point,
+}
+
+/// How far before the end of a vector the laser is switched with the vector behind it, in mm: a stock
+/// arm does that a tick before its motors begin that vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Early {
+    pub on_mm: f64,
+    pub off_mm: f64,
+}
+
+impl Early {
+    /// As long as the laser's speed is kept.
+    pub(super) fn at_speed(laser: &Laser, machine: &Machine) -> Self {
+        let mm = if machine.has_ticks {
+            laser.burn_speed_mm_s * f64::from(TICK_S)
+        } else {
+            0.0
+        };
+        Self {
+            on_mm: mm,
+            off_mm: mm,
+        }
+    }
+
+    pub(super) fn distance_mm(self, other: Self) -> f64 {
+        let off_mm = (self.off_mm - other.off_mm).abs();
+        (self.on_mm - other.on_mm).abs().max(off_mm)
+    }
+
+    pub(super) fn half_way(self, to: Self) -> Self {
+        Self {
+            on_mm: 0.5 * (self.on_mm + to.on_mm),
+            off_mm: 0.5 * (self.off_mm + to.off_mm),
+        }
+    }
+}
+
+impl Ways {
+    pub(super) fn of(
+        stroke: &Stroke,
+        here: [f64; 3],
+        speed_mm_s: f64,
+        early: Early,
+        machine: &Machine,
+    ) -> Self {
+        let points = &stroke.points;
+        let (first, last) = (points[0], points[points.len() - 1]);
+        let come = Point::new(first.x - here[0], first.y - here[1]);
+        let into = way_of(stroke.segments()).or_else(|| unit(come));
+        let into = into.unwrap_or(Point::new(1.0, 0.0));
+        let out = way_of(
+            stroke
+                .points
+                .windows(2)
+                .rev()
+                .map(|pair| (pair[0], pair[1])),
+        )
+        .unwrap_or(into);
+        let end = if points.len() == 1 {
+            first + into * DOT_MM
+        } else {
+            last
+        };
+        let off = end + out * early.off_mm;
+        let mut path = points[..points.len().max(2) - 1].to_vec();
+        path.push(off);
+        let (off_to, on_to) = split(&path, early.on_mm);
+        let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
+        let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
+        let gain_mm = gain_mm.max(packet_mm);
+        let run_out = off + out * packet_mm.max(LEAST_RUN_OUT_MM);
+        Self {
+            run_up: first - into * gain_mm,
+            off_to,
+            on_to,
+            run_out,
+            brake: run_out + out * gain_mm,
+        }
+    }
+}
+
+/// Where a path leads up to a place so far along it, and on from there.
+fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
+    let (mut left_mm, mut before) = (at_mm, Vec::new());
+    for (i, pair) in path.windows(2).enumerate() {
+        let length_mm = pair[0].distance(pair[1]);
+        if left_mm < length_mm {
+            before.push(pair[0] + (pair[1] - pair[0]) * (left_mm / length_mm));
+            return (before, path[i + 1..].to_vec());
+        }
+        left_mm -= length_mm;
+        before.push(pair[1]);
+    }
+    (before, Vec::new())
+}
+
+/// The direction of the first piece that has one.
+fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Point> {
+    segments.find_map(|(a, b)| unit(b - a))
+}
+
+fn unit(way: Point) -> Option<Point> {
+    let length = way.length();
+    (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
+}
+
+/// A laser burns a dot as a line, as long as its spot is wide.
+const DOT_MM: f64 = 0.1;
+const LEAST_RUN_OUT_MM: f64 = 0.1;
+/// Ways to get faster and slower are a little longer than they have to be, for rounding.
+const RUN_SPARE: f64 = 1.01;

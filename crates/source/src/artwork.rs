@@ -1,0 +1,64 @@
+//! What a file shows: lines and areas in layers, on a page.
+
+use dobot_geometry::{Area, Point, Stroke};
+
+/// A page with layers of lines and areas: x to the right, y down, in millimetres.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Artwork {
+    /// The page's width in millimetres; that of the ink where the file knows no page.
+    pub width_mm: f64,
+    /// The page's height in millimetres.
+    pub height_mm: f64,
+    /// What to draw, in the order of the file; each becomes a pass of its own.
+    pub layers: Vec<Layer>,
+}
+
+impl Artwork {
+    /// The corners of all lines and areas.
+    pub fn points(&self) -> impl Iterator<Item = Point> {
+        self.layers.iter().flat_map(Layer::points)
+    }
+}
+
+/// What is drawn with one pen, or burned with one speed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layer {
+    /// What a person calls it: the label of a group, the name of a colour, a pen's number.
+    pub name: String,
+    /// Red, green and blue, where the file tells a colour.
+    pub color: Option<[u8; 3]>,
+    /// How fast the file wants it drawn, in mm/s, where it says so (F of G-code).
+    pub speed_mm_s: Option<f64>,
+    /// The lines to draw.
+    pub strokes: Vec<Stroke>,
+    /// What is filled; hatching makes lines of it.
+    pub areas: Vec<Area>,
+}
+
+impl Layer {
+    /// Whether there is nothing in it.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.strokes.is_empty() && self.areas.is_empty()
+    }
+
+    /// The corners of its lines and areas.
+    pub fn points(&self) -> impl Iterator<Item = Point> {
+        let lines = self.strokes.iter().flat_map(|it| it.points.iter().copied());
+        let areas = self
+            .areas
+            .iter()
+            .flat_map(|it| it.rings.iter().flatten().copied());
+        lines.chain(areas)
+    }
+
+    /// The corners of its lines and areas, to be moved.
+    pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
+        let lines = self.strokes.iter_mut().flat_map(|it| &mut it.points);
+        lines.chain(
+            self.areas
+                .iter_mut()
+                .flat_map(|it| it.rings.iter_mut().flatten()),
+        )
+    }
+}

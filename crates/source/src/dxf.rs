@@ -1,0 +1,45 @@
+//! Reading DXF, the text format of `AutoCAD`, as other programs write it too.
+//!
+//! A reader of our own: those there are skip what they do not know in silence, hatches among it.
+
+mod content;
+mod entity;
+mod file;
+mod frame;
+mod hatch;
+mod pairs;
+mod shapes;
+mod spline;
+mod text;
+mod walk;
+
+use self::file::File;
+use self::walk::Walk;
+use crate::artwork::Artwork;
+use crate::error::{SourceError, Warning};
+use crate::options::ReadOptions;
+use crate::sketch::{Sketch, Y};
+
+/// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as the
+/// ink and upright (Y points up), in the units that the file tells.
+pub(crate) fn read(
+    text: &[u8],
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut sketch = Sketch::new(text, options)?;
+    let file = File::read(text)?;
+    let unit_mm = file.unit_mm.unwrap_or_else(|| {
+        let instead = "taken for millimetres";
+        let warnings = sketch.warnings();
+        warnings.add(None, "file without a unit ($INSUNITS)", instead);
+        1.0
+    });
+    let mut walk = Walk::new(&mut sketch, &file);
+    walk.all(unit_mm)?;
+    sketch.finish(Y::Up, "no lines in the file")
+}
+
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod text_tests;

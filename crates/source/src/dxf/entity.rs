@@ -1,0 +1,86 @@
+//! What an entity says of itself.
+
+use dobot_geometry::Point;
+
+use super::file::Span;
+use super::pairs::{Pair, pairs};
+use crate::error::SourceError;
+use crate::sketch::found_at;
+
+/// The groups of an entity.
+#[derive(Debug)]
+pub(super) struct Entity<'a> {
+    pub(super) text: &'a [u8],
+    pub(super) kind: &'a [u8],
+    pub(super) at: usize,
+    pub(super) pairs: Vec<Pair<'a>>,
+}
+
+impl<'a> Entity<'a> {
+    pub(super) fn read(text: &'a [u8], span: Span<'a>) -> Result<Self, SourceError> {
+        let within = &text[..span.end];
+        Ok(Self {
+            text,
+            kind: span.kind,
+            at: span.at,
+            pairs: pairs(within, span.begin).collect::<Result<_, _>>()?,
+        })
+    }
+
+    pub(super) fn name(&self) -> String {
+        String::from_utf8_lossy(self.kind).into_owned()
+    }
+
+    pub(super) fn find(&self, code: i32) -> Option<&Pair<'a>> {
+        self.pairs.iter().find(|it| it.code == code)
+    }
+
+    /// A number that has to be there.
+    pub(super) fn number(&self, code: i32) -> Result<f64, SourceError> {
+        let missing = || self.refused(format!("{} without group {code}", self.name()), "a number");
+        self.find(code).ok_or_else(missing)?.number(self.text)
+    }
+
+    pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, SourceError> {
+        self.find(code)
+            .map_or(Ok(default), |it| it.number(self.text))
+    }
+
+    /// The bits of a group of flags.
+    pub(super) fn flags(&self, code: i32) -> Result<u32, SourceError> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a few bits; saturates"
+        )]
+        Ok(self.number_or(code, 0.0)? as u32)
+    }
+
+    /// A point whose x has that code, and its y one ten higher.
+    pub(super) fn point(&self, code: i32) -> Result<Point, SourceError> {
+        Ok(Point::new(self.number(code)?, self.number(code + 10)?))
+    }
+
+    /// All values of a group.
+    pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
+        let pairs = self.pairs.iter().filter(|it| it.code == code);
+        pairs.map(|it| it.number(self.text)).collect()
+    }
+
+    /// All points whose x has that code.
+    pub(super) fn points(&self, code: i32) -> Result<Vec<Point>, SourceError> {
+        let (x, y) = (self.numbers(code)?, self.numbers(code + 10)?);
+        if x.len() != y.len() {
+            let found = format!("{} x and {} y coordinates", x.len(), y.len());
+            return Err(self.refused(found, "points"));
+        }
+        Ok(x.into_iter()
+            .zip(y)
+            .map(|(x, y)| Point::new(x, y))
+            .collect())
+    }
+
+    pub(super) fn refused(&self, found: impl Into<String>, expected: &str) -> SourceError {
+        found_at(self.text, self.at, found, expected)
+    }
+}

@@ -1,0 +1,277 @@
+//! The sections of a file: its unit, its layers, its blocks and its entities.
+
+use std::collections::HashMap;
+
+use super::pairs::{Pair, pairs};
+use crate::error::SourceError;
+use crate::sketch::found_at;
+
+/// Where things stand in a file.
+#[derive(Debug)]
+pub(super) struct File<'a> {
+    pub(super) text: &'a [u8],
+    /// How many millimetres a unit is; `None` where the file does not say.
+    pub(super) unit_mm: Option<f64>,
+    pub(super) layers: HashMap<String, LayerInfo>,
+    pub(super) blocks: HashMap<&'a [u8], Block<'a>>,
+    pub(super) entities: Vec<Span<'a>>,
+}
+
+/// What the table of layers says of one.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LayerInfo {
+    /// `AutoCAD`'s number; below 0 for a layer that is off.
+    pub(super) color: Option<i32>,
+    /// Red, green and blue in one number.
+    pub(super) true_color: Option<u32>,
+    pub(super) is_frozen: bool,
+}
+
+impl LayerInfo {
+    pub(super) fn is_hidden(&self) -> bool {
+        self.is_frozen || self.color.is_some_and(|it| it < 0)
+    }
+
+    pub(super) fn rgb(&self) -> Option<[u8; 3]> {
+        if let Some(color) = self.true_color {
+            let [_, red, green, blue] = color.to_be_bytes();
+            return Some([red, green, blue]);
+        }
+        Some(match self.color?.abs() {
+            1 => [255, 0, 0],
+            2 => [255, 255, 0],
+            3 => [0, 255, 0],
+            4 => [0, 255, 255],
+            5 => [0, 0, 255],
+            6 => [255, 0, 255],
+            // White on the screen is black on paper.
+            7 => [0, 0, 0],
+            8 => [128, 128, 128],
+            9 => [192, 192, 192],
+            _ => return None,
+        })
+    }
+}
+
+/// Entities that are drawn wherever an INSERT says.
+#[derive(Debug, Default)]
+pub(super) struct Block<'a> {
+    pub(super) base: [f64; 2],
+    pub(super) entities: Vec<Span<'a>>,
+}
+
+/// Where an entity stands in the text: from behind its name to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span<'a> {
+    pub(super) kind: &'a [u8],
+    pub(super) at: usize,
+    pub(super) begin: usize,
+    pub(super) end: usize,
+}
+
+impl<'a> File<'a> {
+    pub(super) fn read(text: &'a [u8]) -> Result<Self, SourceError> {
+        refuse_binary(text)?;
+        let start = if text.starts_with(b"\xEF\xBB\xBF") {
+            3
+        } else {
+            0
+        };
+        let mut reader = Reader::new(text);
+        for pair in pairs(text, start) {
+            let pair = pair?;
+            if pair.is(0, b"EOF") {
+                reader.end_entity(pair.at);
+                return Ok(reader.file);
+            }
+            reader.pair(pair)?;
+        }
+        let end = text.len();
+        Err(found_at(
+            text,
+            end,
+            "the end of the file",
+            "0 and EOF: the file is cut off",
+        ))
+    }
+}
+
+fn refuse_binary(text: &[u8]) -> Result<(), SourceError> {
+    let expected = "a DXF file in text; save it as ASCII DXF";
+    if text.starts_with(b"AutoCAD Binary DXF") {
+        return Err(found_at(text, 0, "a binary DXF file", expected));
+    }
+    if text.starts_with(b"AC10") {
+        return Err(found_at(text, 0, "a DWG file", expected));
+    }
+    Ok(())
+}
+
+struct Reader<'a> {
+    file: File<'a>,
+    section: &'a [u8],
+    /// The name of the last variable of the header.
+    variable: &'a [u8],
+    /// The entity in hand, its end not known.
+    entity: Option<Span<'a>>,
+    /// The block in hand, with its name.
+    block: Option<(&'a [u8], Block<'a>)>,
+    /// The layer in hand, with its name.
+    layer: Option<(String, LayerInfo)>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(text: &'a [u8]) -> Self {
+        Self {
+            file: File {
+                text,
+                unit_mm: None,
+                layers: HashMap::new(),
+                blocks: HashMap::new(),
+                entities: Vec::new(),
+            },
+            section: b"",
+            variable: b"",
+            entity: None,
+            block: None,
+            layer: None,
+        }
+    }
+
+    fn pair(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
+        if pair.code == 0 {
+            self.end_entity(pair.at);
+        }
+        match (pair.code, pair.value) {
+            (0, b"SECTION" | b"ENDSEC") => {
+                self.section = b"";
+                return Ok(());
+            }
+            (2, name) if self.section.is_empty() => {
+                self.section = name;
+                return Ok(());
+            }
+            _ => {}
+        }
+        match self.section {
+            b"HEADER" => self.header(pair),
+            b"TABLES" => self.table(pair),
+            b"BLOCKS" => self.block(pair),
+            b"ENTITIES" => {
+                self.entity_pair(pair);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn header(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
+        if pair.code == 9 {
+            self.variable = pair.value;
+        } else if self.variable == b"$INSUNITS" {
+            let code = pair.number(self.file.text)?;
+            self.file.unit_mm = unit_mm(code);
+            // 0 is a file that does not tell.
+            if code != 0.0 && self.file.unit_mm.is_none() {
+                let found = format!("$INSUNITS {code}");
+                let expected = "a unit of length that is drawn: 1, 2, 4 to 6, 8 to 10, 13 or 14";
+                return Err(found_at(self.file.text, pair.value_at, found, expected));
+            }
+        }
+        Ok(())
+    }
+
+    fn table(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
+        if pair.code == 0 {
+            self.layer = (pair.value == b"LAYER").then(Default::default);
+            return Ok(());
+        }
+        let Some((name, info)) = &mut self.layer else {
+            return Ok(());
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "numbers of colours and flags; saturates"
+        )]
+        match pair.code {
+            2 => *name = pair.text().into_owned(),
+            62 => info.color = Some(pair.number(self.file.text)? as i32),
+            70 => info.is_frozen = pair.number(self.file.text)? as i32 & 1 != 0,
+            420 => info.true_color = Some(pair.number(self.file.text)? as u32),
+            _ => return Ok(()),
+        }
+        let info = *info;
+        self.file.layers.insert(name.clone(), info);
+        Ok(())
+    }
+
+    fn block(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
+        match (pair.code, pair.value) {
+            (0, b"BLOCK") => self.block = Some((b"", Block::default())),
+            (0, b"ENDBLK") => {
+                if let Some((name, block)) = self.block.take() {
+                    self.file.blocks.insert(name, block);
+                }
+            }
+            _ if self.entity.is_some() || pair.code == 0 => self.entity_pair(pair),
+            (code, value) => {
+                let Some((name, block)) = &mut self.block else {
+                    return Ok(());
+                };
+                match code {
+                    2 => *name = value,
+                    10 => block.base[0] = pair.number(self.file.text)?,
+                    20 => block.base[1] = pair.number(self.file.text)?,
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn entity_pair(&mut self, pair: Pair<'a>) {
+        if pair.code == 0 {
+            self.entity = Some(Span {
+                kind: pair.value,
+                at: pair.at,
+                begin: pair.value_at,
+                end: pair.value_at,
+            });
+        }
+    }
+
+    fn end_entity(&mut self, end: usize) {
+        if let Some(mut span) = self.entity.take() {
+            span.end = end;
+            // Behind the line with its name.
+            let rest = &self.file.text[span.begin..];
+            span.begin += rest
+                .iter()
+                .position(|&it| it == b'\n')
+                .map_or(rest.len(), |it| it + 1);
+            match &mut self.block {
+                Some((_, block)) => block.entities.push(span),
+                None => self.file.entities.push(span),
+            }
+        }
+    }
+}
+
+/// The unit that a value of `$INSUNITS` stands for.
+fn unit_mm(code: f64) -> Option<f64> {
+    const CODES: [(f64, f64); 11] = [
+        (1.0, 25.4),
+        (2.0, 304.8),
+        (4.0, 1.0),
+        (5.0, 10.0),
+        (6.0, 1000.0),
+        (8.0, 25.4e-6),
+        (9.0, 0.0254),
+        (10.0, 914.4),
+        (13.0, 0.001),
+        (14.0, 100.0),
+        (21.0, 304.800_609_601_219),
+    ];
+    CODES.iter().find(|it| it.0 == code).map(|it| it.1)
+}

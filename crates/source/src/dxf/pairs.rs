@@ -1,0 +1,102 @@
+//! A DXF file is pairs of lines: a group code, which tells what the value below it is.
+
+use std::borrow::Cow;
+
+use crate::error::SourceError;
+use crate::sketch::{MAX_NUMBER, excerpt, found_at, shortened};
+
+/// A group code with its value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<'a> {
+    pub(super) code: i32,
+    pub(super) value: &'a [u8],
+    /// Where the code stands in the text.
+    pub(super) at: usize,
+    /// Where the value stands.
+    pub(super) value_at: usize,
+}
+
+impl<'a> Pair<'a> {
+    pub(super) fn is(&self, code: i32, value: &[u8]) -> bool {
+        self.code == code && self.value == value
+    }
+
+    /// The value as a number.
+    pub(super) fn number(&self, text: &[u8]) -> Result<f64, SourceError> {
+        let number = std::str::from_utf8(self.value)
+            .ok()
+            .and_then(|it| it.parse().ok());
+        let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
+        number.ok_or_else(|| {
+            let found = format!("{:?} for group {}", shortened(&self.text()), self.code);
+            found_at(text, self.value_at, found, "a number from -1e9 to 1e9")
+        })
+    }
+
+    /// The value as text: Windows' western letters where it is no UTF-8, as before 2007.
+    pub(super) fn text(&self) -> Cow<'a, str> {
+        decoded(self.value)
+    }
+
+    /// The same with the spaces around it, from the text of the file.
+    pub(super) fn whole_text<'t>(&self, text: &'t [u8]) -> Cow<'t, str> {
+        let rest = &text[self.value_at..];
+        let line = rest.split(|&byte| byte == b'\n').next();
+        let line = line.unwrap_or_default();
+        decoded(line.strip_suffix(b"\r").unwrap_or(line))
+    }
+}
+
+fn decoded(value: &[u8]) -> Cow<'_, str> {
+    match std::str::from_utf8(value) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(value.iter().copied().map(char::from).collect()),
+    }
+}
+
+/// The pairs of a text, from an offset on.
+pub(super) fn pairs(
+    text: &[u8],
+    from: usize,
+) -> impl Iterator<Item = Result<Pair<'_>, SourceError>> {
+    let mut at = from;
+    std::iter::from_fn(move || {
+        if at >= text.len() || text[at..].iter().all(u8::is_ascii_whitespace) {
+            return None;
+        }
+        let code_at = at;
+        let code = next_line(text, &mut at);
+        let parsed = std::str::from_utf8(code)
+            .ok()
+            .and_then(|it| it.parse().ok());
+        let Some(code) = parsed else {
+            at = text.len();
+            let found = excerpt(text, code_at);
+            return Some(Err(found_at(
+                text,
+                code_at,
+                found,
+                "a group code such as 0 or 10",
+            )));
+        };
+        let value_at = at;
+        if at >= text.len() {
+            let expected = "the value of the group";
+            return Some(Err(found_at(text, at, "the end of the file", expected)));
+        }
+        Some(Ok(Pair {
+            code,
+            value: next_line(text, &mut at),
+            at: code_at,
+            value_at,
+        }))
+    })
+}
+
+/// A line without the spaces around it.
+fn next_line<'a>(text: &'a [u8], at: &mut usize) -> &'a [u8] {
+    let rest = &text[*at..];
+    let length = rest.iter().position(|&byte| byte == b'\n');
+    *at += length.map_or(rest.len(), |length| length + 1);
+    rest[..length.unwrap_or(rest.len())].trim_ascii()
+}

@@ -1,0 +1,227 @@
+//! The entities that are lines.
+
+use std::f64::consts::TAU;
+
+use dobot_geometry::Point;
+use dobot_geometry::{Area, FillRule};
+
+use super::entity::Entity;
+use super::file::Span;
+use super::frame::Frame;
+use super::spline::Spline;
+use super::walk::Walk;
+use crate::error::MAX_SEGMENTS;
+use crate::error::SourceError;
+use crate::sketch::Arc;
+
+/// A corner of a polyline, and how the way to the next bulges: the tangent of a quarter of its angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) at: Point,
+    pub(super) bulge: f64,
+}
+
+impl Walk<'_, '_> {
+    pub(super) fn straight(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let [a, b] = [10, 11].map(|code| self.place(it, frame, it.point(code)?));
+        self.sketch.line(a?, b?)
+    }
+
+    pub(super) fn dot(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let at = self.place(it, frame, it.point(10)?)?;
+        self.sketch.dot(at)
+    }
+
+    pub(super) fn circle(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let (center, radius) = (it.point(10)?, it.number(40)?);
+        let (from_rad, sweep_rad) = match it.kind {
+            b"ARC" => {
+                let (from_deg, to_deg) = (it.number(50)?, it.number(51)?);
+                let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
+                let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
+                (from_deg.to_radians(), sweep_deg.to_radians())
+            }
+            _ => (0.0, TAU),
+        };
+        let (across, along) = (Point::new(radius, 0.0), Point::new(0.0, radius));
+        self.round(it, frame, [center, across, along], [from_rad, sweep_rad])
+    }
+
+    pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let (center, across) = (it.point(10)?, it.point(11)?);
+        let side = if it.number_or(230, 1.0)? < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        let along = Point::new(-across.y, across.x) * (it.number(40)? * side);
+        let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
+        let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
+        // Files round the end of a whole one.
+        let is_whole = !(1e-6..=TAU - 1e-6).contains(&sweep_rad);
+        let sweep_rad = if is_whole { TAU } else { sweep_rad };
+        self.round(it, frame, [center, across, along], [from_rad, sweep_rad])
+    }
+
+    fn round(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Frame,
+        [center, across, along]: [Point; 3],
+        [from_rad, sweep_rad]: [f64; 2],
+    ) -> Result<(), SourceError> {
+        let center = self.place(it, frame, center)?;
+        let (across, along) = (frame.way(across), frame.way(along));
+        for end in [center + across, center + along] {
+            self.sketch.check(it.at, end)?;
+        }
+        self.sketch
+            .arc(&Arc::ellipse(center, across, along, from_rad, sweep_rad))
+    }
+
+    pub(super) fn light_polyline(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Frame,
+    ) -> Result<(), SourceError> {
+        let mut corners: Vec<Corner> = Vec::new();
+        for pair in &it.pairs {
+            match (pair.code, corners.last_mut()) {
+                (10, _) => corners.push(Corner {
+                    at: Point::new(pair.number(it.text)?, 0.0),
+                    bulge: 0.0,
+                }),
+                (20, Some(last)) => last.at.y = pair.number(it.text)?,
+                (42, Some(last)) => last.bulge = pair.number(it.text)?,
+                _ => {}
+            }
+        }
+        let is_closed = it.flags(70)? & 1 != 0;
+        let points = self.bulged(it, frame, &corners, is_closed)?;
+        self.sketch.stroke(points)
+    }
+
+    /// The older kind, with its corners as entities.
+    pub(super) fn polyline(
+        &mut self,
+        it: &Entity<'_>,
+        vertices: &[Span<'_>],
+        frame: Frame,
+    ) -> Result<(), SourceError> {
+        let flags = it.flags(70)?;
+        if flags & (MESH | POLYFACE) != 0 {
+            self.left_out(it, "left out, for its faces are no lines");
+            return Ok(());
+        }
+        let mut corners = Vec::new();
+        for &span in vertices {
+            let vertex = Entity::read(it.text, span)?;
+            if vertex.flags(70)? & SPLINE_CONTROL == 0 {
+                corners.push(Corner {
+                    at: vertex.point(10)?,
+                    bulge: vertex.number_or(42, 0.0)?,
+                });
+            }
+        }
+        let points = self.bulged(it, frame, &corners, flags & 1 != 0)?;
+        self.sketch.stroke(points)
+    }
+
+    /// The line through corners, some ways between them arcs.
+    pub(super) fn bulged(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Frame,
+        corners: &[Corner],
+        is_closed: bool,
+    ) -> Result<Vec<Point>, SourceError> {
+        let Some(first) = corners.first() else {
+            return Ok(Vec::new());
+        };
+        let mut points = vec![self.place(it, frame, first.at)?];
+        let next = corners.iter().skip(1).chain(is_closed.then_some(first));
+        for (from, to) in corners.iter().zip(next) {
+            let end = self.place(it, frame, to.at)?;
+            if from.bulge == 0.0 || from.at == to.at {
+                points.push(end);
+                continue;
+            }
+            let arc = bulge_arc(frame, from, to.at);
+            let arc = self.sketch.arc_points(&arc)?;
+            for &p in &arc {
+                self.sketch.check(it.at, p)?;
+            }
+            points.extend(&arc[1..arc.len() - 1]);
+            points.push(end);
+            if points.len() > MAX_SEGMENTS {
+                self.sketch.spend(points.len())?;
+            }
+        }
+        Ok(points)
+    }
+
+    pub(super) fn spline(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let controls = it.points(10)?;
+        let fits = it.points(11)?;
+        if controls.is_empty() && !fits.is_empty() {
+            self.left_out(it, "by points alone: drawn as straight lines between them");
+            let points = fits.iter().map(|&p| self.place(it, frame, p));
+            let points = points.collect::<Result<_, _>>()?;
+            return self.sketch.stroke(points);
+        }
+        let placed = controls.iter().map(|&p| self.place(it, frame, p));
+        let placed: Vec<Point> = placed.collect::<Result<_, _>>()?;
+        let degree = usize::try_from(it.flags(71)?).unwrap_or(usize::MAX);
+        let spline = Spline::new(degree, it.numbers(40)?, &placed, &it.numbers(41)?);
+        let expected = "degree 1 to 15, knots for each control point and degree + 1 more";
+        let spline = spline.map_err(|found| it.refused(found, expected))?;
+        let points = spline.points(self.sketch.tolerance_mm(), MAX_SEGMENTS);
+        let limit = MAX_SEGMENTS;
+        self.sketch
+            .stroke(points.ok_or(SourceError::TooManySegments { limit })?)
+    }
+
+    /// Four corners, the last two crossed over.
+    pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+        let mut ring = Vec::new();
+        let fourth = if it.find(13).is_some() { 13 } else { 12 };
+        for code in [10, 11, fourth, 12] {
+            ring.push(self.place(it, frame, it.point(code)?)?);
+        }
+        self.sketch.area(Area {
+            rings: vec![ring],
+            rule: FillRule::NonZero,
+        })
+    }
+
+    pub(super) fn place(
+        &self,
+        it: &Entity<'_>,
+        frame: Frame,
+        p: Point,
+    ) -> Result<Point, SourceError> {
+        self.sketch.check(it.at, frame.point(p))
+    }
+}
+
+/// The arc from a corner that bulges: by four times the arc tangent of its bulge.
+///
+/// ```text
+///   bulge = tan(angle / 4)     the center lies at chord (1 / bulge - bulge) / 4 beside the
+///                              middle of the chord, to the left where the bulge is above 0
+/// ```
+fn bulge_arc(frame: Frame, from: &Corner, to: Point) -> Arc {
+    let way = to - from.at;
+    let left = Point::new(-way.y, way.x);
+    let center = from.at.lerp(to, 0.5) + left * ((1.0 / from.bulge - from.bulge) / 4.0);
+    let out = from.at - center;
+    let (across, along) = (frame.way(out), frame.way(Point::new(-out.y, out.x)));
+    let sweep_rad = 4.0 * from.bulge.atan();
+    Arc::ellipse(frame.point(center), across, along, 0.0, sweep_rad)
+}
+
+/// Flags of a POLYLINE.
+const MESH: u32 = 16;
+const POLYFACE: u32 = 64;
+/// Flag of a VERTEX.
+const SPLINE_CONTROL: u32 = 16;

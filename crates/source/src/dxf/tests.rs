@@ -1,0 +1,461 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use dobot_geometry::{Bounds, Point, Stroke};
+use proptest::prelude::*;
+
+use super::*;
+
+/// A file from pairs written in a line: `0 LINE 10 1.5`, in millimetres.
+pub(super) fn file(tables: &str, blocks: &str, entities: &str) -> String {
+    let section = |name: &str, pairs: &str| format!("0 SECTION 2 {name} {pairs} 0 ENDSEC ");
+    let header = section("HEADER", "9 $INSUNITS 70 4");
+    let all = header + &section("TABLES", tables) + &section("BLOCKS", blocks);
+    let all = all + &section("ENTITIES", entities) + "0 EOF";
+    all.split_whitespace()
+        .map(|it| it.to_owned() + "\n")
+        .collect()
+}
+
+pub(super) fn draw_text(text: &str) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+pub(super) fn draw(entities: &str) -> (Artwork, Vec<String>) {
+    draw_text(&file("", "", entities))
+}
+
+fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
+    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    strokes.map(corners).collect()
+}
+
+fn error(text: &[u8]) -> String {
+    let read = super::read(text, &ReadOptions::default());
+    read.unwrap_err().to_string()
+}
+
+#[test]
+fn lines_and_polylines_lie_upright() {
+    let triangle = [[(0.0, 20.0), (10.0, 20.0), (10.0, 0.0), (0.0, 20.0)]];
+    for entities in [
+        "0 LWPOLYLINE 8 0 90 3 70 1 10 5 20 5 10 15 20 5 10 15 20 25",
+        "0 POLYLINE 8 0 66 1 70 1 0 VERTEX 10 5 20 5 0 VERTEX 10 15 20 5 0 VERTEX 10 15 20 25 0 SEQEND",
+    ] {
+        let (artwork, warnings) = draw(entities);
+        assert_eq!(corners(&artwork), triangle, "{entities}");
+        assert!(artwork.layers[0].strokes[0].closed && warnings.is_empty());
+    }
+    let (artwork, _) =
+        draw("0 LINE 10 0 20 0 11 9 21 9 0 LINE 10 9 20 9 11 18 21 0 0 POINT 10 4 20 4");
+    assert_eq!(
+        corners(&artwork),
+        [
+            vec![(0.0, 9.0), (9.0, 0.0)],
+            vec![(9.0, 0.0), (18.0, 9.0)],
+            vec![(4.0, 5.0)]
+        ]
+    );
+}
+
+#[test]
+fn the_unit_of_the_file_counts() {
+    let line = "0 SECTION 2 ENTITIES 0 LINE 10 0 20 0 11 1 21 0 0 ENDSEC 0 EOF";
+    for (unit, wanted, has_warning) in [
+        ("9 $INSUNITS 70 1", 25.4, false),
+        ("9 $INSUNITS 70 4", 1.0, false),
+        ("9 $INSUNITS 70 5", 10.0, false),
+        ("9 $INSUNITS 70 6", 1000.0, false),
+        ("9 $INSUNITS 70 0", 1.0, true),
+        ("9 $ACADVER 1 AC1009", 1.0, true),
+    ] {
+        let text = format!("0 SECTION 2 HEADER {unit} 0 ENDSEC {line}").replace(' ', "\r\n");
+        let (artwork, warnings) = draw_text(&text);
+        assert!((artwork.width_mm - wanted).abs() < 1e-9, "{unit}");
+        let expected: &[&str] = &["1 file without a unit ($INSUNITS): taken for millimetres"];
+        assert_eq!(warnings, &expected[..usize::from(has_warning)], "{unit}");
+    }
+}
+
+/// How far lines leave a circle of that radius about the middle of their page, and their length.
+fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
+    let strokes = &artwork.layers[0].strokes;
+    let center = Bounds::of_strokes(strokes).center();
+    let middles = strokes
+        .iter()
+        .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+    let off = middles
+        .map(|p| (p.distance(center) - radius).abs())
+        .fold(0.0, f64::max);
+    (off, strokes.iter().map(Stroke::length_mm).sum())
+}
+
+#[test]
+fn circles_stay_within_the_tolerance_however_they_are_written() {
+    // A circle of nine control points, of which every second weighs the cosine of 45 degrees.
+    let spline = "0 SPLINE 70 11 71 2 72 12 73 9
+        40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4
+        41 1 41 0.7071067811865476 41 1 41 0.7071067811865476 41 1
+        41 0.7071067811865476 41 1 41 0.7071067811865476 41 1
+        10 10 20 0 10 10 20 10 10 0 20 10 10 -10 20 10 10 -10 20 0
+        10 -10 20 -10 10 0 20 -10 10 10 20 -10 10 10 20 0";
+    for entities in [
+        "0 CIRCLE 10 3 20 4 40 10",
+        "0 ARC 10 3 20 4 40 10 50 90 51 90",
+        "0 ARC 10 3 20 4 40 10 50 0 51 90 0 ARC 10 3 20 4 40 10 50 90 51 360",
+        "0 ELLIPSE 10 3 20 4 11 6 21 8 40 1",
+        "0 LWPOLYLINE 70 1 10 -10 20 0 42 1 10 10 20 0 42 1",
+        "0 LWPOLYLINE 70 1 210 0 220 0 230 -1 10 -10 20 0 42 -1 10 10 20 0 42 -1",
+        "0 LWPOLYLINE 10 10 20 0 42 0.41421356237 10 0 20 10 42 2.41421356237 10 10 20 0",
+        spline,
+    ] {
+        let (artwork, _) = draw(entities);
+        let (off, length) = on_circle(&artwork, 10.0);
+        assert!(off < 0.011, "{entities}: {off}");
+        assert!((length - 20.0 * PI).abs() < 0.1, "{entities}: {length}");
+    }
+}
+
+#[test]
+fn arcs_and_ellipses_turn_counterclockwise() {
+    let (artwork, _) = draw("0 ARC 10 0 20 0 40 10 50 270 51 0");
+    let ends = &artwork.layers[0].strokes[0].points;
+    let (first, last) = (ends[0], ends[ends.len() - 1]);
+    assert!(first.distance(Point::new(0.0, 10.0)) < 1e-6, "{first:?}");
+    assert!(last.distance(Point::new(10.0, 0.0)) < 1e-6, "{last:?}");
+    let (artwork, _) = draw("0 ELLIPSE 10 0 20 0 11 20 21 0 40 0.5 41 0 42 1.5707963267948966");
+    assert!((artwork.width_mm - 20.0).abs() < 1e-6 && (artwork.height_mm - 10.0).abs() < 1e-6);
+}
+
+#[test]
+fn splines_follow_their_control_points() {
+    // A Bézier curve: y = x (1 - x), 40 mm wide.
+    let entities = "0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 20 20 20 10 40 20 0";
+    let (artwork, _) = draw(entities);
+    for p in &artwork.layers[0].strokes[0].points {
+        assert!(
+            (10.0 - p.y - p.x * (40.0 - p.x) / 40.0).abs() < 0.006,
+            "{p:?}"
+        );
+    }
+}
+
+#[test]
+fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
+    let tables =
+        "0 TABLE 2 LAYER 0 LAYER 2 cut 70 0 62 1 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 ice 70 1 62 5
+        0 LAYER 2 true 62 7 420 16744448 0 ENDTAB";
+    let entities = "0 LINE 8 cut 10 0 20 0 11 1 21 0 0 LINE 8 off 10 0 20 0 11 9 21 0
+        0 LINE 8 ice 10 0 20 0 11 9 21 0 0 LINE 8 true 10 0 20 0 11 2 21 0 0 LINE 60 1 10 0 20 0 11 9 21 0
+        0 LINE 67 1 10 0 20 0 11 9 21 0 0 LINE 8 cut 10 0 20 1 11 1 21 1";
+    let (artwork, warnings) = draw_text(&file(tables, "", entities));
+    let found: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|it| (it.name.as_str(), it.color, it.strokes.len()))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("cut", Some([255, 0, 0]), 2),
+            ("true", Some([255, 128, 0]), 1)
+        ]
+    );
+    assert_eq!(warnings.len(), 2);
+    assert!(
+        warnings[0].ends_with("2 hidden objects: left out, for its layer is off or frozen"),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn blocks_are_drawn_where_they_are_inserted() {
+    let blocks = "0 BLOCK 8 0 2 tick 10 1 20 1 0 LINE 8 0 10 1 20 1 11 2 21 1 0 ENDBLK
+        0 BLOCK 2 pair 10 0 20 0 0 INSERT 2 tick 10 0 20 0 0 INSERT 2 tick 10 0 20 5 50 90 0 ENDBLK";
+    let (artwork, _) = draw_text(&file(
+        "",
+        blocks,
+        "0 INSERT 8 marks 2 pair 10 10 20 10 41 2 42 2",
+    ));
+    assert_eq!(artwork.layers[0].name, "marks");
+    assert_eq!(
+        corners(&artwork),
+        [[(0.0, 12.0), (2.0, 12.0)], [(0.0, 2.0), (0.0, 0.0)]]
+    );
+    let rows = "0 INSERT 2 tick 10 0 20 0 70 3 71 2 44 10 45 20";
+    assert_eq!(
+        draw_text(&file("", blocks, rows)).0.layers[0].strokes.len(),
+        6
+    );
+    let mirrored = "0 INSERT 2 tick 10 0 20 0 230 -1 210 0 220 0 0 POINT 10 0 20 0";
+    let (artwork, _) = draw_text(&file("", blocks, mirrored));
+    assert_eq!(corners(&artwork)[0], [(1.0, 0.0), (0.0, 0.0)]);
+}
+
+#[test]
+fn hatches_and_solids_are_areas() {
+    let hatch = "0 HATCH 10 0 20 0 30 0 2 SOLID 70 1 71 0 91 2
+        92 3 72 0 73 1 93 4 10 0 20 0 10 9 20 0 10 9 20 9 10 0 20 9 97 0
+        92 2 72 1 73 1 93 2 10 2 20 4 42 1 10 4 20 4 42 1 97 0 75 0 76 1 98 1 10 5 20 5";
+    let (artwork, warnings) = draw(hatch);
+    let area = &artwork.layers[0].areas[0];
+    assert_eq!(
+        (area.rings.len(), area.rings[0].len(), warnings.len()),
+        (2, 5, 0)
+    );
+    assert!(area.rings[1].len() > 10);
+    let (artwork, _) = draw("0 SOLID 10 0 20 0 11 9 21 0 12 0 22 9 13 9 23 9");
+    let ring = &artwork.layers[0].areas[0].rings[0];
+    let ring: Vec<_> = ring.iter().map(|p| (p.x, p.y)).collect();
+    assert_eq!(ring, [(0.0, 9.0), (9.0, 9.0), (9.0, 0.0), (0.0, 0.0)]);
+}
+
+#[test]
+fn the_edges_of_areas_are_drawn_once() {
+    let solid = "0 SOLID 10 0 20 0 11 9 21 0 12 0 22 9 13 9 23 9";
+    let outline = "0 LWPOLYLINE 70 1 10 9 20 9 10 9 20 0 10 0 20 0 10 0 20 9";
+    for entities in [solid.to_owned(), format!("{solid} {outline}")] {
+        let (artwork, _) = draw(&entities);
+        let layer = &artwork.layers[0];
+        assert_eq!((layer.areas.len(), layer.strokes.len()), (1, 1));
+        assert!(layer.strokes[0].closed);
+        assert_eq!(layer.strokes[0].length_mm(), 36.0);
+    }
+}
+
+#[test]
+fn a_hatch_may_be_bounded_by_arcs_and_lines() {
+    let circle = |side| {
+        format!(
+            "0 HATCH 91 1 92 1 93 1 72 2 10 50 20 40 40 10 50 0 51 360 73 {side} 97 0 75 0 98 1 10 5 20 5"
+        )
+    };
+    for side in [0, 1] {
+        let (artwork, warnings) = draw(&circle(side));
+        assert!(warnings.is_empty(), "{warnings:?}");
+        let length_mm = artwork.layers[0].strokes[0].length_mm();
+        assert!(
+            (length_mm - 20.0 * std::f64::consts::PI).abs() < 0.05,
+            "{length_mm}"
+        );
+    }
+    // The upper half of a disc, to the left and, its angles counted clockwise, to the right.
+    for arc in ["50 0 51 180 73 1", "50 180 51 360 73 0"] {
+        let line = if arc.ends_with('1') {
+            "10 -5 20 0 11 5 21 0"
+        } else {
+            "10 5 20 0 11 -5 21 0"
+        };
+        let half =
+            format!("0 HATCH 91 1 92 1 93 2 72 2 10 0 20 0 40 5 {arc} 72 1 {line} 97 0 75 0");
+        let (artwork, _) = draw(&half);
+        let length_mm = artwork.layers[0].strokes[0].length_mm();
+        assert!(
+            (length_mm - 10.0 - 5.0 * std::f64::consts::PI).abs() < 0.05,
+            "{length_mm}"
+        );
+        let lowest = artwork.layers[0].areas[0].rings[0]
+            .iter()
+            .filter(|p| p.y > 4.99);
+        assert!(lowest.count() >= 2 && artwork.height_mm < 5.01);
+    }
+}
+
+#[test]
+fn what_is_left_out_is_named_with_its_count() {
+    let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
+        0 TEXT 10 0 20 0 40 1 1 %%u漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
+        0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
+        0 DIMENSION 2 *D1 10 0 20 0 0 LEADER 76 2
+        0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 3 10 0 20 0 11 1 21 0 40 1
+        0 POLYLINE 70 64 0 VERTEX 10 0 20 0 0 SEQEND 0 SPLINE 71 3 11 0 21 0 11 5 21 5 0 VIEWPORT 10 0";
+    let (_, warnings) = draw(entities);
+    let texts: Vec<&str> = warnings
+        .iter()
+        .map(|it| it.split_once(": ").unwrap().1)
+        .collect();
+    assert_eq!(
+        texts,
+        [
+            "1 3DSOLID: not known, left out",
+            "2 formatted texts: written plainly: in one height, nothing underlined, fractions in a row",
+            "2 characters: not in the sans letters, left out; the first is '漢'",
+            "2 TEXTs: left out, for its letters have no size",
+            "1 MTEXT: left out, for its letters have no size",
+            "1 DIMENSION: left out, for its picture is not in the file",
+            "1 LEADER: not known, left out",
+            "1 tilted object: left out, for only what lies in the plane XY is drawn",
+            "1 HATCH: a boundary by ellipses or splines, left out",
+            "1 POLYLINE: left out, for its faces are no lines",
+            "1 SPLINE: by points alone: drawn as straight lines between them",
+        ]
+    );
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused_with_its_place() {
+    let in_text = |entities: &str| file("", "", entities);
+    for (text, expected) in [
+        (
+            String::new(),
+            "1:1: found the end of the file; expected 0 and EOF: the file is cut off",
+        ),
+        (
+            "AutoCAD Binary DXF\r\n\u{1a}\0".into(),
+            "1:1: found a binary DXF file; expected a DXF file in text; save it as ASCII DXF",
+        ),
+        (
+            "AC1032\0\0".into(),
+            "1:1: found a DWG file; expected a DXF file in text; save it as ASCII DXF",
+        ),
+        (
+            "hello\nworld\n".into(),
+            "1:1: found \"hello\"; expected a group code such as 0 or 10",
+        ),
+        (
+            "0\nSECTION\n2".into(),
+            "3:2: found the end of the file; expected the value of the group",
+        ),
+        (in_text(""), "nothing to draw: no lines in the file"),
+        (
+            in_text("0 LINE 10 0 20 0 11 1"),
+            "27:1: found LINE without group 21; expected a number",
+        ),
+        (
+            in_text("0 LINE 10 0 20 zero 11 1 21 1"),
+            "32:1: found \"zero\" for group 20; expected a number from -1e9 to 1e9",
+        ),
+        (
+            in_text("0 LINE 10 nan 20 0 11 1 21 1"),
+            "30:1: found \"nan\" for group 10; expected a number from -1e9 to 1e9",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 1 a"),
+            "27:1: found TEXT without group 40; expected a number",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 40 1 72 1 1 a"),
+            "27:1: found TEXT without group 11; expected a number",
+        ),
+        (
+            in_text("0 ATTRIB 10 0 20 0 40 1 72 1 74 4 1 a"),
+            "27:1: found ATTRIB justified 1 across and 4 up; expected 0 to 5 across (72) and 0 to 3 up (73, of attributes 74)",
+        ),
+        (
+            in_text("0 MTEXT 10 0 20 0 40 1 71 10 1 a"),
+            "27:1: found MTEXT attached at 10; expected an attachment point from 1 to 9",
+        ),
+        (
+            in_text("0 TEXT 10 0 20 0 40 2100000 1 H"),
+            "27:1: leads to (-400000, 2100000) mm; at most 1000000 mm from the origin are allowed",
+        ),
+        (
+            in_text("0 CIRCLE 10 0 20 0 40 9000000"),
+            "27:1: leads to (9000000, 0) mm; at most 1000000 mm from the origin are allowed",
+        ),
+        (
+            in_text("0 SPLINE 71 3 10 0 20 0"),
+            "27:1: found a spline of degree 3 with 1 control points and 0 knots; expected degree 1 to 15, knots for each control point and degree + 1 more",
+        ),
+        (
+            in_text("0 INSERT 2 none 10 0 20 0"),
+            "27:1: found INSERT of block \"none\"; expected a block that is in the file",
+        ),
+    ] {
+        assert_eq!(error(text.as_bytes()), expected, "{text}");
+    }
+    let unit = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n20\n";
+    assert_eq!(
+        error(unit.as_bytes()),
+        "8:1: found $INSUNITS 20; expected a unit of length that is drawn: 1, 2, 4 to 6, 8 to 10, 13 or 14"
+    );
+}
+
+#[test]
+fn blocks_in_blocks_end_somewhere() {
+    let itself = file(
+        "",
+        "0 BLOCK 2 a 0 INSERT 2 a 10 0 20 0 0 ENDBLK",
+        "0 INSERT 2 a 10 0 20 0",
+    );
+    assert!(
+        error(itself.as_bytes()).contains("found a block in itself"),
+        "{}",
+        error(itself.as_bytes())
+    );
+    let mut blocks = "0 BLOCK 2 b0 0 ENDBLK ".to_owned();
+    for i in 1..20 {
+        let one = format!("0 INSERT 2 b{} 10 0 20 0 ", i - 1);
+        write!(blocks, "0 BLOCK 2 b{i} {} 0 ENDBLK ", one.repeat(20)).unwrap();
+    }
+    let laughs = file("", &blocks, "0 INSERT 2 b19 10 0 20 0");
+    assert!(error(laughs.as_bytes()).contains(
+        "found one copy too many; expected copies of blocks (INSERT) of less than 200 MB together"
+    ));
+    let rows = file(
+        "",
+        "0 BLOCK 2 a 0 ENDBLK",
+        "0 INSERT 2 a 10 0 20 0 70 1000000000 71 1000000000",
+    );
+    assert!(error(rows.as_bytes()).contains("found one copy too many"));
+}
+
+#[test]
+fn names_of_old_files_are_western() {
+    let text = file("", "", "0 LINE 8 Fr?ser 10 0 20 0 11 9 21 0");
+    let bytes: Vec<u8> = text
+        .bytes()
+        .map(|it| if it == b'?' { 0xE4 } else { it })
+        .collect();
+    let (artwork, _) = super::read(&bytes, &ReadOptions::default()).unwrap();
+    assert_eq!(artwork.layers[0].name, "Fräser");
+}
+
+#[test]
+fn a_file_cut_anywhere_is_refused() {
+    let text = file(
+        "",
+        "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK",
+        "0 INSERT 2 a 10 0 20 0 0 LINE 10 0 20 0 11 9 21 0 0 TEXT 10 0 20 0 40 1 1 a%%d 0 MTEXT 10 0 20 0 40 1 1 a\\Pb",
+    );
+    for end in 0..text.len() - 1 {
+        super::read(&text.as_bytes()[..end], &ReadOptions::default()).unwrap_err();
+    }
+}
+
+proptest! {
+    #[test]
+    fn lines_come_back_as_they_were_written(lines in prop::collection::vec(prop::collection::vec((-1e3..1e3, -1e3..1e3), 2..9), 1..9)) {
+        let mut entities = String::new();
+        for line in &lines {
+            entities += "0 LWPOLYLINE ";
+            for (x, y) in line {
+                write!(entities, "10 {x} 20 {y} ").unwrap();
+            }
+        }
+        let (artwork, _) = draw(&entities);
+        let wanted: Vec<Point> = lines.iter().flatten().map(|&(x, y): &(f64, f64)| Point::new(x, -y)).collect();
+        let found: Vec<Point> = artwork.points().collect();
+        prop_assert_eq!(found.len(), wanted.len());
+        let shift = wanted[0] - found[0];
+        for (found, wanted) in found.iter().zip(wanted) {
+            prop_assert!((*found + shift).distance(wanted) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn no_text_makes_it_panic(text in ".{0,200}", pairs in prop::collection::vec((0..100, "[-0-9.]{1,4}|LINE|ARC|SPLINE|HATCH|INSERT|TEXT|MTEXT|ATTDEF|DIMENSION|a"), 0..40)) {
+        let _ = super::read(text.as_bytes(), &ReadOptions::default());
+        let pairs: Vec<String> = pairs.iter().map(|(code, value)| format!("{code} {value}")).collect();
+        let pairs = pairs.join(" ");
+        let text = file("", "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK", &pairs);
+        if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
+            prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
+        }
+    }
+}

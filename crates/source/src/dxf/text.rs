@@ -1,0 +1,327 @@
+//! TEXT, MTEXT and attributes: in plain letters.
+
+use dobot_geometry::Point;
+
+use super::content::{Content, line, lines};
+use super::entity::Entity;
+use super::frame::Frame;
+use super::walk::Walk;
+use crate::error::SourceError;
+use crate::text::{CAPITAL, Lettering, Pose};
+
+/// A line of text in units of the letters' grid.
+#[derive(Clone, Copy, Debug, Default)]
+struct Extent {
+    /// Where the ink of its first letter begins.
+    begin: f64,
+    /// Where that of its last ends.
+    end: f64,
+    /// Where a further letter would stand.
+    advance: f64,
+}
+
+impl Extent {
+    fn of(text: &str, lettering: &mut Lettering) -> Self {
+        let mut extent = Self::default();
+        let rooms = text.chars().filter_map(|it| lettering.room(it));
+        for (i, room) in rooms.enumerate() {
+            if i == 0 {
+                extent.begin = room.ink[0];
+            }
+            extent.end = extent.advance + room.ink[1];
+            extent.advance += room.advance;
+        }
+        extent
+    }
+
+    /// With another behind it.
+    fn and(self, next: Self) -> Self {
+        Self {
+            begin: self.begin,
+            end: self.advance + next.end,
+            advance: self.advance + next.advance,
+        }
+    }
+
+    fn width(self) -> f64 {
+        self.end - self.begin
+    }
+}
+
+impl Walk<'_, '_> {
+    /// TEXT, ATTRIB and ATTDEF: a line.
+    pub(super) fn text(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Frame,
+        is_in_block: bool,
+    ) -> Result<(), SourceError> {
+        let Some(code) = shown(it, is_in_block)? else {
+            return Ok(());
+        };
+        let Some(pair) = it.find(code) else {
+            return Ok(());
+        };
+        let content = line(&pair.whole_text(it.text));
+        self.tell_plainer(it, &content);
+        if content.text.trim().is_empty() {
+            return Ok(());
+        }
+        let extent = Extent::of(&content.text, &mut self.lettering);
+        let pose = text_pose(it, extent)?;
+        if !has_size(it, &pose)? {
+            self.left_out(it, "left out, for its letters have no size");
+            return Ok(());
+        }
+        self.write(it, frame, &content.text, pose)
+    }
+
+    /// MTEXT: lines. Its point and its direction are the world's.
+    pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Frame) -> Result<(), SourceError> {
+        let content = lines(&whole_text(it));
+        self.tell_plainer(it, &content);
+        let unit = it.number(40)? / CAPITAL;
+        let (right, up) = paragraph_directions(it)?;
+        let pose = Pose {
+            at: it.point(10)?,
+            across: right * unit,
+            up: up * unit,
+        };
+        if !has_size(it, &pose)? {
+            self.left_out(it, "left out, for its letters have no size");
+            return Ok(());
+        }
+        let (column, row) = attachment(it)?;
+        let lines = self.wrapped(&content.text, it.number_or(41, 0.0)? / unit);
+        let spacing = it.number_or(44, 1.0)? * LINE * CAPITAL;
+        #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
+        let below = spacing * (lines.len() - 1) as f64;
+        let mut y = (CAPITAL + below) * row - CAPITAL;
+        for line in lines {
+            let extent = Extent::of(&line, &mut self.lettering);
+            let x = -extent.width() * column - extent.begin;
+            let at = pose.at + pose.across * x + pose.up * y;
+            self.write(it, world, &line, Pose { at, ..pose })?;
+            y -= spacing;
+        }
+        Ok(())
+    }
+
+    /// The lines of a text, at least one, broken between words where they are wider than `room`,
+    /// in units of the grid; 0 for as wide as they are.
+    fn wrapped(&mut self, text: &str, room: f64) -> Vec<String> {
+        let space = Extent::of(" ", &mut self.lettering);
+        let mut lines = Vec::new();
+        for paragraph in text.split('\n') {
+            let mut line = String::new();
+            let mut extent = Extent::default();
+            for (i, word) in paragraph.split(' ').enumerate() {
+                let own = Extent::of(word, &mut self.lettering);
+                let longer = extent.and(space).and(own);
+                if i > 0 && (room <= 0.0 || longer.width() <= room) {
+                    line.extend([" ", word]);
+                    extent = longer;
+                    continue;
+                }
+                if i > 0 {
+                    lines.push(std::mem::take(&mut line));
+                }
+                line.push_str(word);
+                extent = own;
+            }
+            lines.push(line);
+        }
+        lines
+    }
+
+    fn write(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Frame,
+        text: &str,
+        mut pose: Pose,
+    ) -> Result<(), SourceError> {
+        for character in text.chars() {
+            let letter = Pose {
+                at: frame.point(pose.at),
+                across: frame.way(pose.across),
+                up: frame.way(pose.up),
+            };
+            self.lettering
+                .write(self.sketch, it.at, character, &letter)?;
+            let advance = self.lettering.room(character).unwrap_or_default().advance;
+            pose.at = pose.at + pose.across * advance;
+        }
+        Ok(())
+    }
+
+    fn tell_plainer(&mut self, it: &Entity<'_>, content: &Content) {
+        if content.is_plainer {
+            let instead = "written plainly: in one height, nothing underlined, fractions in a row";
+            let warnings = self.sketch.warnings();
+            warnings.add(it.at, "formatted text", instead);
+        }
+    }
+}
+
+/// The group of what is shown: of a definition its tag, or in a block its value where all copies
+/// share it. `None` where nothing is.
+fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
+    let flags = it.flags(70)?;
+    Ok(match it.kind {
+        b"ATTRIB" | b"ATTDEF" if flags & INVISIBLE != 0 => None,
+        b"ATTDEF" if is_in_block => (flags & CONSTANT != 0).then_some(1),
+        b"ATTDEF" => Some(2),
+        _ => Some(1),
+    })
+}
+
+/// How the letters of a line lie about its points.
+fn text_pose(it: &Entity<'_>, extent: Extent) -> Result<Pose, SourceError> {
+    let (column, row) = justification(it)?;
+    let pose = match column {
+        ALIGNED | FIT => spanning_pose(it, extent, column)?,
+        _ => {
+            let (right, up) = directions(it)?;
+            let tall = it.number(40)? / CAPITAL;
+            let is_at_start = (column, row) == (0, 0);
+            Pose {
+                at: it.point(if is_at_start { 10 } else { 11 })?,
+                across: right * (tall * it.number_or(41, 1.0)?),
+                up: up * tall,
+            }
+        }
+    };
+    let made = it.flags(71)?;
+    let side = |flag: u32| if made & flag == 0 { 1.0 } else { -1.0 };
+    let lean = it.number_or(51, 0.0)?.to_radians().tan();
+    let tall = pose.up.length();
+    let leaning = pose.across * (lean * tall / pose.across.length());
+    let across = pose.across * side(BACKWARD);
+    let up = (pose.up + leaning) * side(UPSIDE_DOWN);
+    let before = extent.begin + extent.width() * before(column);
+    let at = pose.at - across * before - up * below(column, row);
+    Ok(Pose { at, across, up })
+}
+
+/// From one point to another: as tall as that makes it, or as said.
+fn spanning_pose(it: &Entity<'_>, extent: Extent, column: u32) -> Result<Pose, SourceError> {
+    let at = it.point(10)?;
+    let way = it.point(11)? - at;
+    // A single I has no width.
+    let width = if extent.width() > 0.0 {
+        extent.width()
+    } else {
+        extent.advance
+    };
+    let across = way * (1.0 / width);
+    let tall = if column == ALIGNED {
+        across.length() / it.number_or(41, 1.0)?
+    } else {
+        it.number(40)? / CAPITAL
+    };
+    let up = Point::new(-way.y, way.x) * (tall / way.length());
+    Ok(Pose { at, across, up })
+}
+
+/// Across and up.
+fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
+    let vertical = if it.kind == b"TEXT" { 73 } else { 74 };
+    let (column, row) = (it.flags(72)?, it.flags(vertical)?);
+    if column > FIT || row > TOP {
+        let found = format!("{} justified {column} across and {row} up", it.name());
+        let expected = "0 to 5 across (72) and 0 to 3 up (73, of attributes 74)";
+        return Err(it.refused(found, expected));
+    }
+    Ok((column, row))
+}
+
+/// How much of a line lies before its point.
+const fn before(column: u32) -> f64 {
+    match column {
+        CENTER | MIDDLE => 0.5,
+        RIGHT => 1.0,
+        _ => 0.0,
+    }
+}
+
+/// How far the base line lies below its point, on the letters' grid.
+const fn below(column: u32, row: u32) -> f64 {
+    match (column, row) {
+        (MIDDLE, _) | (_, HALF) => 0.5 * CAPITAL,
+        (_, BOTTOM) => -DESCENT,
+        (_, TOP) => CAPITAL,
+        _ => 0.0,
+    }
+}
+
+/// To the right along a line of text, and up.
+fn directions(it: &Entity<'_>) -> Result<(Point, Point), SourceError> {
+    let (sin, cos) = it.number_or(50, 0.0)?.to_radians().sin_cos();
+    Ok((Point::new(cos, sin), Point::new(-sin, cos)))
+}
+
+/// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
+/// seen from behind.
+fn paragraph_directions(it: &Entity<'_>) -> Result<(Point, Point), SourceError> {
+    let side = if it.number_or(230, 1.0)? < 0.0 {
+        -1.0
+    } else {
+        1.0
+    };
+    let right = if it.find(11).is_some() {
+        let way = it.point(11)?;
+        way * (1.0 / way.length())
+    } else {
+        let (right, _) = directions(it)?;
+        Point::new(right.x * side, right.y)
+    };
+    Ok((right, Point::new(-right.y, right.x) * side))
+}
+
+/// Where the point of an MTEXT lies: how much of it is before and how much is above.
+fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
+    let number = it.number_or(71, 1.0)?;
+    let index = (1..=9_u8).find(|&it| f64::from(it) == number);
+    let index = index.ok_or_else(|| {
+        let found = format!("MTEXT attached at {number}");
+        it.refused(found, "an attachment point from 1 to 9")
+    })? - 1;
+    Ok((f64::from(index % 3) * 0.5, f64::from(index / 3) * 0.5))
+}
+
+/// The text of an MTEXT, which is in pieces where it is long.
+fn whole_text(it: &Entity<'_>) -> String {
+    let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
+    let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
+    pieces.map(|pair| pair.whole_text(it.text)).collect()
+}
+
+fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
+    let area = pose.across.cross(pose.up);
+    Ok(it.number(40)? > 0.0 && area != 0.0 && area.is_finite())
+}
+
+/// Flags of attributes.
+const INVISIBLE: u32 = 1;
+const CONSTANT: u32 = 2;
+/// Kinds of justification across, among them: between two points, as tall as fits; in the middle
+/// of everything; between two points, as tall as said.
+const CENTER: u32 = 1;
+const RIGHT: u32 = 2;
+const ALIGNED: u32 = 3;
+const MIDDLE: u32 = 4;
+const FIT: u32 = 5;
+/// And up; 0 is the base line.
+const BOTTOM: u32 = 1;
+const HALF: u32 = 2;
+const TOP: u32 = 3;
+/// Flags of how letters are made.
+const BACKWARD: u32 = 2;
+const UPSIDE_DOWN: u32 = 4;
+/// How far letters reach below the base line, on their grid.
+const DESCENT: f64 = 7.0;
+/// From line to line, in heights of capitals.
+const LINE: f64 = 5.0 / 3.0;
+/// What follows repeats the entity for newer programs.
+const EMBEDDED: i32 = 101;

@@ -1,0 +1,279 @@
+//! Through all entities of a file, and into its blocks.
+
+use dobot_geometry::Point;
+
+use super::entity::Entity;
+use super::file::{Block, File, LayerInfo, Span};
+use super::frame::Frame;
+use super::pairs::Pair;
+use crate::artwork::Layer;
+use crate::error::SourceError;
+use crate::error::printable;
+use crate::sketch::Sketch;
+use crate::text::Lettering;
+
+/// A walk that draws.
+#[derive(Debug)]
+pub(super) struct Walk<'s, 'a> {
+    pub(super) sketch: &'s mut Sketch<'a>,
+    file: &'s File<'a>,
+    /// How many bytes of copied entities may still be read.
+    copies_left: usize,
+    /// The layer that the sketch uses.
+    layer: Option<String>,
+    pub(super) lettering: Lettering,
+}
+
+/// Where a block is drawn.
+#[derive(Clone, Copy, Debug)]
+struct Copy<'l> {
+    frame: Frame,
+    /// How many blocks it is in.
+    depth: u32,
+    /// The layer of the INSERT, which is that of entities on layer 0.
+    layer: &'l str,
+}
+
+impl<'s, 'a> Walk<'s, 'a> {
+    pub(super) fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>) -> Self {
+        Self {
+            sketch,
+            file,
+            copies_left: MOST_COPIED,
+            layer: None,
+            lettering: Lettering::default(),
+        }
+    }
+
+    pub(super) fn all(&mut self, unit_mm: f64) -> Result<(), SourceError> {
+        let copy = Copy {
+            frame: Frame::scaled(unit_mm),
+            depth: 0,
+            layer: "0",
+        };
+        self.entities(&self.file.entities, copy)
+    }
+
+    fn entities(&mut self, spans: &[Span<'a>], copy: Copy<'_>) -> Result<(), SourceError> {
+        let mut spans = spans.iter();
+        while let Some(&span) = spans.next() {
+            if copy.depth > 0 {
+                self.spend(span)?;
+            }
+            let mut vertices = Vec::new();
+            if span.kind == b"POLYLINE" {
+                let parts = spans
+                    .as_slice()
+                    .iter()
+                    .take_while(|it| it.kind == b"VERTEX");
+                vertices = parts.copied().collect();
+                spans = spans.as_slice()[vertices.len()..].iter();
+            }
+            self.entity(span, &vertices, copy)?;
+        }
+        Ok(())
+    }
+
+    /// Copies of copies may be many, although the file is small.
+    fn spend(&mut self, span: Span<'_>) -> Result<(), SourceError> {
+        if let Some(left) = self.copies_left.checked_sub(span.end - span.at) {
+            self.copies_left = left;
+            return Ok(());
+        }
+        let expected = "copies of blocks (INSERT) of less than 200 MB together";
+        Err(self.sketch.found(span.at, "one copy too many", expected))
+    }
+
+    fn entity(
+        &mut self,
+        span: Span<'a>,
+        vertices: &[Span<'a>],
+        copy: Copy<'_>,
+    ) -> Result<(), SourceError> {
+        let it = Entity::read(self.file.text, span)?;
+        let own = it.find(8).map_or_else(|| "0".into(), Pair::text);
+        let layer = if own == "0" { copy.layer } else { &own };
+        if self.is_hidden(&it, layer)? {
+            return Ok(());
+        }
+        match it.kind {
+            b"INSERT" => return self.insert(&it, copy, layer),
+            b"DIMENSION" => return self.dimension(&it, copy, layer),
+            _ => {}
+        }
+        let Some(frame) = self.seen(&it, copy.frame)? else {
+            return Ok(());
+        };
+        self.use_layer(layer)?;
+        self.sketch.lift();
+        match it.kind {
+            b"LINE" => self.straight(&it, copy.frame),
+            b"POINT" => self.dot(&it, copy.frame),
+            b"CIRCLE" | b"ARC" => self.circle(&it, frame),
+            b"ELLIPSE" => self.ellipse(&it, copy.frame),
+            b"LWPOLYLINE" => self.light_polyline(&it, frame),
+            b"POLYLINE" => self.polyline(&it, vertices, frame),
+            b"SPLINE" => self.spline(&it, copy.frame),
+            b"SOLID" | b"TRACE" => self.solid(&it, frame),
+            b"HATCH" => self.hatch(&it, frame),
+            // The end of a POLYLINE, and the window of a sheet.
+            b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(&it, frame, copy.depth > 0),
+            b"MTEXT" => self.paragraphs(&it, copy.frame),
+            _ => {
+                self.left_out(&it, "not known, left out");
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn left_out(&mut self, it: &Entity<'_>, instead: &str) {
+        self.sketch.warnings().add(it.at, &it.name(), instead);
+    }
+
+    fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
+        // What a dimension is measured between is seen on the screen alone.
+        let is_measured = it.kind == b"POINT" && layer.eq_ignore_ascii_case("Defpoints");
+        if it.flags(60)? == 1 || is_measured {
+            return Ok(true);
+        }
+        let info = self.file.layers.get(layer);
+        let (what, instead) = if info.is_some_and(LayerInfo::is_hidden) {
+            ("hidden object", "left out, for its layer is off or frozen")
+        } else if it.flags(67)? == 1 {
+            ("paper space object", "left out")
+        } else {
+            return Ok(false);
+        };
+        self.sketch.warnings().add(it.at, what, instead);
+        Ok(true)
+    }
+
+    /// The frame as the entity's extrusion has it; `None` where it is tilted out of the plane.
+    fn seen(&mut self, it: &Entity<'_>, frame: Frame) -> Result<Option<Frame>, SourceError> {
+        let out = [
+            it.number_or(210, 0.0)?,
+            it.number_or(220, 0.0)?,
+            it.number_or(230, 1.0)?,
+        ];
+        if out[0].hypot(out[1]) > 1e-6 {
+            let instead = "left out, for only what lies in the plane XY is drawn";
+            self.sketch.warnings().add(it.at, "tilted object", instead);
+            return Ok(None);
+        }
+        Ok(Some(if out[2] < 0.0 {
+            frame.mirrored()
+        } else {
+            frame
+        }))
+    }
+
+    fn use_layer(&mut self, name: &str) -> Result<(), SourceError> {
+        if self.layer.as_deref() == Some(name) {
+            return Ok(());
+        }
+        self.layer = Some(name.to_owned());
+        self.sketch.use_layer(Layer {
+            name: printable(name),
+            color: self.file.layers.get(name).and_then(LayerInfo::rgb),
+            ..Layer::default()
+        })
+    }
+
+    /// A block, drawn once or in rows and columns.
+    fn insert(&mut self, it: &Entity<'a>, copy: Copy<'_>, layer: &str) -> Result<(), SourceError> {
+        let name = it.find(2).map_or(&b""[..], |it| it.value);
+        let Some(block) = self.file.blocks.get(name) else {
+            let found = format!("INSERT of block {:?}", String::from_utf8_lossy(name));
+            return Err(it.refused(found, "a block that is in the file"));
+        };
+        let Some(frame) = self.seen(it, copy.frame)? else {
+            return Ok(());
+        };
+        let base = Point::new(block.base[0], block.base[1]);
+        let (columns, rows) = (it.flags(70)?.max(1), it.flags(71)?.max(1));
+        let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
+        {
+            let shift = Point::new(f64::from(column) * wide, f64::from(row) * high);
+            let frame = frame.within(&placed(it, base, shift)?);
+            self.block(
+                it,
+                block,
+                Copy {
+                    frame,
+                    layer,
+                    ..copy
+                },
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The picture of a dimension, which is a block that lies where it belongs.
+    fn dimension(
+        &mut self,
+        it: &Entity<'a>,
+        copy: Copy<'_>,
+        layer: &str,
+    ) -> Result<(), SourceError> {
+        let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
+            self.left_out(it, "left out, for its picture is not in the file");
+            return Ok(());
+        };
+        let base = Point::new(block.base[0], block.base[1]);
+        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - base;
+        let frame = Frame {
+            origin: copy.frame.point(shift),
+            ..copy.frame
+        };
+        self.block(
+            it,
+            block,
+            Copy {
+                frame,
+                layer,
+                ..copy
+            },
+        )
+    }
+
+    /// A block in a frame, one deeper than what it is drawn for.
+    fn block(
+        &mut self,
+        it: &Entity<'a>,
+        block: &'s Block<'a>,
+        copy: Copy<'_>,
+    ) -> Result<(), SourceError> {
+        if copy.depth == MOST_DEPTH {
+            return Err(it.refused("a block in itself", "blocks in at most 32 others"));
+        }
+        self.spend(Span {
+            kind: b"",
+            at: it.at,
+            begin: it.at,
+            end: it.at + LEAST_COPY,
+        })?;
+        let depth = copy.depth + 1;
+        self.entities(&block.entities, Copy { depth, ..copy })
+    }
+}
+
+/// Where an INSERT puts its block.
+fn placed(it: &Entity<'_>, base: Point, shift: Point) -> Result<Frame, SourceError> {
+    let (sin, cos) = it.number_or(50, 0.0)?.to_radians().sin_cos();
+    let turned = |p: Point| Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
+    let across = turned(Point::new(it.number_or(41, 1.0)?, 0.0));
+    let along = turned(Point::new(0.0, it.number_or(42, 1.0)?));
+    let at = it.point(10)? + turned(shift);
+    Ok(Frame {
+        origin: at - across * base.x - along * base.y,
+        across,
+        along,
+    })
+}
+
+const MOST_COPIED: usize = 200_000_000;
+/// What a copy counts at least, were its block empty.
+const LEAST_COPY: usize = 100;
+const MOST_DEPTH: u32 = 32;

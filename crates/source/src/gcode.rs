@@ -1,0 +1,59 @@
+//! Reading G-code: what laser programs, plotter posts and mills write, as lines.
+//!
+//! G-code moves a machine and does not say what leaves ink. It is told from the whole file, see
+//! [`census::Style`].
+
+mod arc;
+mod block;
+mod census;
+mod codes;
+mod ink;
+mod machine;
+
+use self::census::Census;
+use self::ink::Inker;
+use self::machine::{Machine, Move};
+use crate::artwork::Artwork;
+use crate::error::{SourceError, Warning};
+use crate::options::ReadOptions;
+use crate::sketch::{Sketch, Warnings, Y};
+
+/// Reads G-code: lines and arcs of the plane XY, upright (Y points up), moved so that the ink
+/// begins at the page's corner.
+///
+/// Each tool is a layer; for a laser each power and speed is one.
+pub(crate) fn read(
+    text: &[u8],
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut sketch = Sketch::new(text, options)?;
+    let mut census = Census::default();
+    run(text, sketch.warnings(), |it| {
+        census.count(it);
+        Ok(())
+    })?;
+    let style = census.style();
+    if let Some((what, instead)) = style.assumed() {
+        sketch.warnings().add(None, what, &instead);
+    }
+    let mut inker = Inker::new(&mut sketch, style);
+    run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
+    inker.finish()?;
+    sketch.finish(Y::Up, style.nothing())
+}
+
+/// Runs the program and hands on all of its moves.
+fn run<'a>(
+    text: &'a [u8],
+    warnings: &mut Warnings<'a>,
+    mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
+) -> Result<(), SourceError> {
+    let mut machine = Machine::new(text, warnings);
+    block::blocks(text).try_for_each(|block| match machine.handle(&block?)? {
+        Some(it) => hand_on(&it),
+        None => Ok(()),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,79 @@
+//! Arcs of G2 and G3: by center or by radius.
+//!
+//! ```text
+//!          end                       the center lies beside the middle of the chord,
+//!         /   \                      h = sqrt(r^2 - (chord / 2)^2) away: to the left for a
+//!   chord       \                    short way counterclockwise, to the right for a long
+//!       /        center              one or one clockwise
+//!    start
+//! ```
+
+use std::f64::consts::TAU;
+
+use dobot_geometry::Point;
+
+use crate::sketch::SAME_MM;
+
+/// The center of an arc by its radius; negative takes the long way. An error says what is wrong.
+pub(super) fn center_by_radius(
+    start: Point,
+    end: Point,
+    radius: f64,
+    clockwise: bool,
+) -> Result<Point, String> {
+    let way = end - start;
+    let half = way.length() / 2.0;
+    if half < SAME_MM {
+        return Err("an arc by radius that ends where it begins".to_owned());
+    }
+    if differ(half.max(radius.abs()), radius.abs()) {
+        return Err(format!(
+            "an arc of radius {:.3} mm between points that are {:.3} mm apart",
+            radius.abs(),
+            2.0 * half
+        ));
+    }
+    let height = (radius * radius - half * half).max(0.0).sqrt();
+    let side = if clockwise == (radius > 0.0) {
+        -1.0
+    } else {
+        1.0
+    };
+    let left = Point::new(-way.y, way.x) * (1.0 / way.length());
+    Ok(start.lerp(end, 0.5) + left * (side * height))
+}
+
+/// By what angle an arc goes about its center, below 0 for clockwise; a whole turn where it ends
+/// where it begins. An error says what is wrong.
+pub(super) fn sweep_rad(
+    center: Point,
+    start: Point,
+    end: Point,
+    clockwise: bool,
+) -> Result<f64, String> {
+    let (a, b) = (start - center, end - center);
+    let (begins, ends) = (a.length(), b.length());
+    if begins < SAME_MM {
+        return Err("an arc whose center is its start".to_owned());
+    }
+    if differ(begins, ends) {
+        return Err(format!(
+            "an arc that begins {begins:.3} mm from its center and ends {ends:.3} mm from it"
+        ));
+    }
+    let turn = a.cross(b).atan2(a.dot(b));
+    let is_whole = start.distance(end) < SAME_MM;
+    Ok(match (clockwise, is_whole) {
+        (true, true) => -TAU,
+        (false, true) => TAU,
+        (true, false) if turn > 0.0 => turn - TAU,
+        (false, false) if turn < 0.0 => turn + TAU,
+        _ => turn,
+    })
+}
+
+/// Radii that no rounding makes different: by more than 0.01 mm and half a percent.
+fn differ(a: f64, b: f64) -> bool {
+    let by = (a - b).abs();
+    by > 0.01 && by > 0.005 * a.max(b)
+}

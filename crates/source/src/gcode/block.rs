@@ -1,0 +1,236 @@
+//! The words of a line of G-code.
+
+use crate::error::SourceError;
+use crate::sketch::{decimal, excerpt, found_at};
+
+/// A line: its G and M codes in their order, and the values of its other letters.
+#[derive(Debug, Default)]
+pub(super) struct Block {
+    /// Where its first word stands.
+    pub(super) at: usize,
+    /// Codes in tenths with their places: `G90.1` is 901.
+    pub(super) g: Codes,
+    pub(super) m: Codes,
+    /// A `$` line, which speaks to GRBL and not of the drawing.
+    pub(super) is_setting: bool,
+    /// It begins with `/`.
+    pub(super) is_optional: bool,
+    values: [f64; 26],
+    places: [u32; 26],
+    /// The letters with a value, a bit for each.
+    letters: u32,
+}
+
+impl Block {
+    /// The value of a letter.
+    pub(super) fn value(&self, letter: u8) -> Option<f64> {
+        let i = usize::from(letter - b'A');
+        (self.letters & (1 << i) != 0).then(|| self.values[i])
+    }
+
+    /// Where a letter stands, or else the line.
+    pub(super) fn place(&self, letter: u8) -> usize {
+        match self.value(letter) {
+            Some(_) => self.at + self.places[usize::from(letter - b'A')] as usize,
+            None => self.at,
+        }
+    }
+
+    pub(super) fn has_any(&self, letters: &[u8]) -> bool {
+        letters.iter().any(|&it| self.value(it).is_some())
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.letters == 0 && self.g.0.is_empty() && self.m.0.is_empty()
+    }
+
+    /// Whether letters stand alone here: `G28 X` names an axis.
+    fn allows_bare_letters(&self) -> bool {
+        let homes = self.g.0.iter().any(|it| [280, 300].contains(&it.1));
+        homes || self.m.0.iter().any(|it| it.1 > 90)
+    }
+
+    fn add(&mut self, text: &[u8], at: usize, letter: u8, value: f64) -> Result<(), SourceError> {
+        let codes = match letter {
+            b'G' => &mut self.g,
+            b'M' => &mut self.m,
+            _ => return self.set(text, at, letter, value),
+        };
+        let tenths = (value * 10.0).round();
+        if !(0.0..=99_999.0).contains(&value) || (tenths - value * 10.0).abs() > 1e-6 {
+            return Err(found_at(
+                text,
+                at,
+                excerpt(text, at),
+                "a code such as G1 or G90.1",
+            ));
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number below a million"
+        )]
+        codes.0.push((at, tenths as u32));
+        Ok(())
+    }
+
+    fn set(&mut self, text: &[u8], at: usize, letter: u8, value: f64) -> Result<(), SourceError> {
+        let i = usize::from(letter - b'A');
+        if self.letters & (1 << i) != 0 {
+            let once = format!("{} once in a line", char::from(letter));
+            return Err(found_at(text, at, excerpt(text, at), &once));
+        }
+        self.letters |= 1 << i;
+        self.values[i] = value;
+        // Lines of four gigabytes have failed before.
+        self.places[i] = u32::try_from(at - self.at).unwrap_or(u32::MAX);
+        Ok(())
+    }
+}
+
+/// Codes with their places.
+#[derive(Debug, Default)]
+pub(super) struct Codes(pub(super) Vec<(usize, u32)>);
+
+impl Codes {
+    pub(super) fn has(&self, code: u32) -> bool {
+        self.0.iter().any(|it| it.1 == code)
+    }
+
+    pub(super) fn first(&self, codes: &[u32]) -> Option<(usize, u32)> {
+        self.0.iter().copied().find(|it| codes.contains(&it.1))
+    }
+}
+
+/// The lines that hold words.
+pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Result<Block, SourceError>> {
+    let start = if text.starts_with(BOM) { BOM.len() } else { 0 };
+    let mut lines = Lexer { text, at: start };
+    std::iter::from_fn(move || lines.next_block())
+}
+
+struct Lexer<'a> {
+    text: &'a [u8],
+    at: usize,
+}
+
+impl Lexer<'_> {
+    fn next_block(&mut self) -> Option<Result<Block, SourceError>> {
+        while self.at < self.text.len() {
+            match self.line() {
+                Ok(block) if block.is_empty() && !block.is_setting => {}
+                Ok(block) => return Some(Ok(block)),
+                Err(error) => {
+                    self.at = self.text.len();
+                    return Some(Err(error));
+                }
+            }
+        }
+        None
+    }
+
+    fn line(&mut self) -> Result<Block, SourceError> {
+        let begin = self.at;
+        let mut block = Block {
+            at: begin,
+            ..Block::default()
+        };
+        while let Some(byte) = self.peek() {
+            match byte {
+                b'\n' | b'\r' => {
+                    self.at += 1;
+                    break;
+                }
+                b' ' | b'\t' => self.at += 1,
+                b'(' => self.comment()?,
+                b';' => self.skip_line(),
+                b'%' if block.is_empty() => self.skip_line(),
+                b'$' if block.is_empty() => {
+                    (block.at, block.is_setting) = (self.at, true);
+                    self.skip_line();
+                }
+                b'/' if block.is_empty() => {
+                    block.is_optional = true;
+                    self.at += 1;
+                }
+                b'*' => self.checksum(begin)?,
+                _ => self.word(&mut block)?,
+            }
+        }
+        Ok(block)
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.text.get(self.at).copied()
+    }
+
+    fn skip_line(&mut self) {
+        let rest = &self.text[self.at..];
+        let end = rest.iter().position(|byte| b"\r\n".contains(byte));
+        self.at += end.unwrap_or(rest.len());
+    }
+
+    fn comment(&mut self) -> Result<(), SourceError> {
+        let begin = self.at;
+        self.skip_line();
+        let line = &self.text[begin..self.at];
+        let end = line.iter().position(|&byte| byte == b')');
+        let Some(end) = end else {
+            return Err(self.found(begin, "a comment that ends with ) in its line"));
+        };
+        self.at = begin + end + 1;
+        Ok(())
+    }
+
+    /// `*71` after a line: the exclusive or of its bytes.
+    fn checksum(&mut self, begin: usize) -> Result<(), SourceError> {
+        let line = &self.text[begin..self.at];
+        let expected = line.iter().fold(0, |sum, byte| sum ^ byte);
+        let found = decimal(&self.text[self.at + 1..]);
+        match found {
+            Some((sum, length)) if sum == f64::from(expected) => self.at += 1 + length,
+            _ => {
+                let sum = format!("*{expected}, the exclusive or of the line's bytes");
+                return Err(self.found(self.at, &sum));
+            }
+        }
+        Ok(())
+    }
+
+    fn word(&mut self, block: &mut Block) -> Result<(), SourceError> {
+        let at = self.at;
+        let letter = self.text[at].to_ascii_uppercase();
+        if !letter.is_ascii_uppercase() || letter == b'O' {
+            return Err(self.found(at, WORD));
+        }
+        if block.is_empty() {
+            block.at = at;
+        }
+        self.at += 1;
+        while matches!(self.peek(), Some(b' ' | b'\t')) {
+            self.at += 1;
+        }
+        let Some((value, length)) = decimal(&self.text[self.at..]) else {
+            if block.allows_bare_letters() {
+                return block.set(self.text, at, letter, 0.0);
+            }
+            return Err(self.found(at, WORD));
+        };
+        self.at += length;
+        // A message may hold anything.
+        if letter == b'M' && [117.0, 118.0].contains(&value) {
+            self.skip_line();
+        }
+        if letter == b'N' {
+            return Ok(());
+        }
+        block.add(self.text, at, letter, value)
+    }
+
+    fn found(&self, at: usize, expected: &str) -> SourceError {
+        found_at(self.text, at, excerpt(self.text, at), expected)
+    }
+}
+
+const BOM: &[u8] = b"\xEF\xBB\xBF";
+const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";

@@ -1,0 +1,461 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+
+use dobot_geometry::{Point, Stroke};
+use proptest::prelude::*;
+
+use super::*;
+use crate::artwork::Layer;
+
+fn draw(text: &str) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+fn layers(text: &str) -> Vec<Layer> {
+    draw(text).0.layers
+}
+
+/// The corners of the strokes of all layers.
+fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
+    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    let layers = layers(text);
+    let strokes = layers.iter().flat_map(|it| &it.strokes);
+    strokes.map(corners).collect()
+}
+
+fn error(text: &str) -> String {
+    let read = super::read(text.as_bytes(), &ReadOptions::default());
+    read.unwrap_err().to_string()
+}
+
+/// How far a layer's lines leave the circle of that radius about the middle of a page as large.
+fn leaves_circle_by(layer: &Layer, radius: f64) -> f64 {
+    let center = Point::new(radius, radius);
+    let strokes = layer.strokes.iter();
+    let middles = strokes.flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+    let off = middles
+        .chain(layer.points())
+        .map(|p| (p.distance(center) - radius).abs());
+    off.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_laser_burns_while_m3_or_m4_hold_with_power_and_never_in_g0() {
+    let text =
+        "G21 G90\nM4 S0\nG0 X10 Y10\nG1 X20 S500 F1200\nG1 Y0\nG0 X0\nG1 Y10 S0\nM5\nG1 X3\n";
+    let (artwork, warnings) = draw(text);
+    assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0)]]);
+    assert_eq!(artwork.layers[0].name, "S500 F1200");
+    assert_eq!(artwork.layers[0].speed_mm_s, Some(20.0));
+    assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 10.0]);
+    assert_eq!(warnings, Vec::<String>::new());
+}
+
+#[test]
+fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
+    let text = "M3\nG1 X9 S1000 F600\nG0 Y1\nG1 X0 S300\nG0 Y2\nG1 X9 S1000\nG0 Y3\nG1 X0 F60\n";
+    let (artwork, warnings) = draw(text);
+    let names: Vec<_> = artwork.layers.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["S1000 F600", "S300 F600", "S1000 F60"]);
+    let strokes: Vec<_> = artwork.layers.iter().map(|it| it.strokes.len()).collect();
+    assert_eq!(strokes, [2, 1, 1]);
+    assert_eq!(
+        warnings,
+        [
+            "4:1: 1 weaker layer: burned at full power, for this laser is on or off; draw it faster instead"
+        ]
+    );
+}
+
+#[test]
+fn a_laser_that_waits_burns_a_dot() {
+    let text = "M3 S0\nG0 X1 Y1\nS9\nG4 P0.1\nS0\nG0 X5\nS9\nG4 P.1\nM5";
+    assert_eq!(corners(text), [[(0.0, 0.0)], [(4.0, 0.0)]]);
+}
+
+#[test]
+fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
+    let text =
+        "G0 X1 Y1\nM3 S90\nG4 P0.2\nG1 X5 F1000\nM5\nG4 P0.2\nG0 X7\nM3 S90\nG4 P0.2\nG1 X9\nM5";
+    assert_eq!(
+        corners(text),
+        [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (8.0, 0.0)]]
+    );
+    let (artwork, _) = draw(text);
+    let names: Vec<_> = artwork.layers.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["S90 F1000"]);
+}
+
+#[test]
+fn a_pen_draws_below_zero_and_dots_where_it_only_dips() {
+    let text =
+        "G0 Z5\nG0 X10 Y0\nG1 Z-0.1 F100\nG1 X20 F600\nG0 Z5\nG0 X15 Y5\nG1 Z-0.1\nG0 Z5\nG0 X0 Y0";
+    let (artwork, warnings) = draw(text);
+    assert_eq!(
+        corners(text),
+        [vec![(0.0, 5.0), (10.0, 5.0)], vec![(5.0, 0.0)]]
+    );
+    assert_eq!(artwork.layers[0].speed_mm_s, Some(10.0));
+    assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+#[test]
+fn a_pen_that_never_goes_below_zero_draws_below_its_travels() {
+    let text = "G0 Z3\nG0 X1 Y0\nG1 Z0.4\nG1 X5\nG1 Z0.3\nG1 Y5\nG0 Z3\nG0 X0 Y0\nG0 Z50\nG0 X9";
+    let (_, warnings) = draw(text);
+    assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
+    assert_eq!(
+        warnings,
+        ["1 file that never goes below Z 0: drawn where Z is below 3.00 mm"]
+    );
+    let only_g1 = text.replace("G0", "G1").replace("0.4", "0.3");
+    let (_, warnings) = draw(&only_g1);
+    assert_eq!(corners(&only_g1), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
+    assert_eq!(
+        warnings,
+        ["1 file that never goes below Z 0: drawn where Z is below 0.40 mm"]
+    );
+}
+
+#[test]
+fn a_mill_draws_where_it_is_down_although_its_spindle_turns_on_the_way() {
+    let text = "M3 S10000\nG0 Z5\nG0 X1 Y1\nG1 Z-1\nG1 X4\nG1 Z2\nG1 X9\nG0 Z5\nG0 X0 Y0\nM5";
+    assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
+}
+
+#[test]
+fn the_focus_of_a_laser_is_no_pen() {
+    let text = "M3 S0\nG0 Z0\nG0 X1\nG1 X4 S9\nG0 Z-1\nG0 X1 S0\nG1 X4 S9\nM5";
+    assert_eq!(corners(text).len(), 2);
+}
+
+#[test]
+fn a_servo_is_up_as_in_the_first_move() {
+    let text = "M280 P0 S90\nG1 X5 Y5\nM280 P0 S30\nG1 X8\nM280 P0 S90\nG1 X0 Y0";
+    assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
+    let (_, warnings) = draw(text);
+    assert_eq!(
+        warnings,
+        ["1 pen lifted by a servo (M280): S90 taken for up, as the first move has it"]
+    );
+}
+
+#[test]
+fn a_file_without_pen_or_laser_draws_with_g1_and_says_so() {
+    let text = "G0 X1 Y1\nG1 X2\nX3\nG0 X0";
+    assert_eq!(corners(text), [[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]]);
+    let (_, warnings) = draw(text);
+    assert_eq!(
+        warnings,
+        ["1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels"]
+    );
+}
+
+#[test]
+fn each_tool_is_a_layer() {
+    let text = "T1 M6\nG1 X5\nT2 M6\nG0 Y1\nG1 X0\nM0\nT1 M6\nG0 Y2\nG1 X5";
+    let layers = layers(text);
+    let found: Vec<_> = layers
+        .iter()
+        .map(|it| (it.name.as_str(), it.strokes.len()))
+        .collect();
+    assert_eq!(found, [("T1", 2), ("T2", 1)]);
+    assert!(
+        draw(text)
+            .1
+            .contains(&"6:1: 1 M0 code: drawn without a pause".to_owned())
+    );
+}
+
+#[test]
+fn y_points_up_in_the_file_and_down_on_the_page() {
+    assert_eq!(
+        corners("G0 X5 Y5\nG1 X5 Y9\nX7"),
+        [[(0.0, 4.0), (0.0, 0.0), (2.0, 0.0)]]
+    );
+}
+
+#[test]
+fn inches_relative_ways_and_moved_origins_are_millimetres() {
+    let same = [
+        "G1 X25.4\nY12.7\nX0\nY0",
+        "G20\nG1 X1\nY.5\nX0\nY0",
+        "g20g91g1x1\ny.5\nx-1\ny-.5",
+        "G92 X100 Y-7\nG1 X125.4\nY5.7\nX100\nY-7",
+        "G1 X25.4\nG92 X0\nY12.7\nX-25.4\nG92.1\nY0",
+        "N10 G1 X 25.4 (right; so it is) Y0 ; comment (\n%\n/N20Y12.7\r\nX+0\n  Y-0. M2",
+    ];
+    for text in same {
+        let found = corners(text);
+        let square = [
+            (0.0, 12.7),
+            (25.4, 12.7),
+            (25.4, 0.0),
+            (0.0, 0.0),
+            (0.0, 12.7),
+        ];
+        assert_eq!(found, [square], "{text}");
+        assert!(layers(text)[0].strokes[0].closed, "{text}");
+    }
+}
+
+#[test]
+fn speeds_in_inches_are_told_in_millimetres_per_second() {
+    let layers = layers("G20 M3 S1\nG1 X1 F60");
+    assert_eq!(
+        (layers[0].name.as_str(), layers[0].speed_mm_s),
+        ("S1 F60", Some(25.4))
+    );
+}
+
+#[test]
+fn circles_stay_within_the_tolerance_however_they_are_written() {
+    let circles = [
+        "G0 X20 Y10\nG2 I-10",
+        "G0 X20 Y10\nG3 X20 Y10 I-10 J0",
+        "G0 X20 Y10\nG90.1 G3 X20 Y10 I10 J10",
+        "G0 X20 Y10\nG91\nG2 X-20 R10\nX20 R10",
+        "G0 X20 Y10\nG3 X0 R10 Z5 K1\nX20 I10.001",
+        "G0 X20 Y10\nG3 X10 Y20 R10\nX20 Y10 R-10",
+    ];
+    for text in circles {
+        let (artwork, _) = draw(text);
+        let layer = &artwork.layers[0];
+        let (length, off) = (layer.strokes[0].length_mm(), leaves_circle_by(layer, 10.0));
+        assert!(off < 0.006, "{text}: {off}");
+        assert!((length - 20.0 * PI).abs() < 0.1, "{text}: {length}");
+        assert!(
+            layer.strokes[0].closed && layer.strokes.len() == 1,
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn arcs_turn_the_way_they_say() {
+    // A quarter from the right to the top: short counterclockwise, three quarters clockwise.
+    let length = |text: &str| layers(text)[0].strokes[0].length_mm();
+    let quarter = 10.0 * TAU / 4.0;
+    for (text, quarters) in [
+        ("G0 X10\nG3 X0 Y10 I-10", 1.0),
+        ("G0 X10\nG2 X0 Y10 I-10", 3.0),
+        ("G0 X10\nG3 X0 Y10 R10", 1.0),
+        ("G0 X10\nG3 X0 Y10 R-10", 3.0),
+        ("G0 X10\nG2 X0 Y10 R-10", 3.0),
+    ] {
+        let found = length(text);
+        assert!((found - quarters * quarter).abs() < 0.05, "{text}: {found}");
+    }
+    let rightmost = |text: &str| draw(text).0.width_mm;
+    assert!((rightmost("G0 X10\nG3 X0 Y10 R10") - 10.0).abs() < 0.01);
+    assert!((rightmost("G0 X10\nG3 X0 Y10 R-10") - 20.0).abs() < 0.01);
+}
+
+#[test]
+fn what_is_left_out_is_named_with_its_place_and_count() {
+    let text = "M117 Hello (world\n$H\nG54\nM999\nG1 X1 E5\nM999\nG55\nG1 X2 E6\nG93\nG28\nG53 G0 Z0\nM30\nG1 X9\n";
+    let (_, warnings) = draw(text);
+    assert_eq!(
+        warnings,
+        [
+            "1:1: 1 M117 code: its message is not shown",
+            "2:1: 1 machine setting: left out ($)",
+            "4:1: 2 M999 codes: not known, left out",
+            "5:7: 2 E words: left out, for only X and Y are drawn",
+            "7:1: 1 G55 coordinate system: drawn as if it lay where G54 lies",
+            "9:1: 1 G93 code: speeds are taken for those by minute",
+            "10:1: 1 G28 or G30 homing: taken for a travel to X 0, Y 0",
+            "11:1: 1 G53 move: taken for a travel with the pen up",
+            "13:1: 1 unreached line: left out, after the end (M2 or M30)",
+            "1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+        ]
+    );
+}
+
+#[test]
+fn what_would_draw_something_else_is_refused_with_its_place() {
+    let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";
+    for (text, expected) in [
+        (
+            "",
+            "nothing to draw: no moves by G1, G2 or G3; 1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+        ),
+        (
+            "G0 X1\nM5",
+            "nothing to draw: no moves by G1, G2 or G3; 1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+        ),
+        ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
+        ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),
+        ("#1=5", &format!("1:1: found \"#1=5\"; {word}")),
+        ("o100 sub", &format!("1:1: found \"o100 sub\"; {word}")),
+        ("G1 X[1+2]", &format!("1:4: found \"X[1+2]\"; {word}")),
+        ("G1 XNaN", &format!("1:4: found \"XNaN\"; {word}")),
+        (
+            "G1 X9999999999",
+            &format!("1:4: found \"X9999999999\"; {word}"),
+        ),
+        ("G1 X--5", &format!("1:4: found \"X--5\"; {word}")),
+        (
+            "G1 X1 (open",
+            "1:7: found \"(open\"; expected a comment that ends with ) in its line",
+        ),
+        ("G1 X1 X2", "1:7: found \"X2\"; expected X once in a line"),
+        (
+            "G1 G2 X1",
+            "1:4: found G2; expected one of G0 to G3 in a line",
+        ),
+        (
+            "G1.25 X1",
+            "1:1: found \"G1.25 X1\"; expected a code such as G1 or G90.1",
+        ),
+        (
+            "G-1 X1",
+            "1:1: found \"G-1 X1\"; expected a code such as G1 or G90.1",
+        ),
+        (
+            "G1 X2000000",
+            "1:1: leads to (2000000, 0) mm; at most 1000000 mm from the origin are allowed",
+        ),
+        (
+            "G5 X1",
+            "1:1: found G5; expected moves by G0 to G3: splines are not read; have them written as lines or arcs",
+        ),
+        (
+            "G18",
+            "1:1: found G18; expected moves by G0 to G3: only the plane XY (G17) can be drawn",
+        ),
+        (
+            "G41 D1",
+            "1:1: found G41; expected moves by G0 to G3: cutter compensation is not read; have the path written as the tool goes",
+        ),
+        (
+            "G81 X1 Z-1 R1",
+            "1:1: found G81; expected moves by G0 to G3: canned cycles are not read; have them written as single moves",
+        ),
+        (
+            "M98 P1",
+            "1:1: found M98; expected moves by G0 to G3: subroutines are not read; have them written out",
+        ),
+        ("G92", "1:1: found G92 alone; expected X, Y or Z with it"),
+        (
+            "G1 X1 I1",
+            "1:7: found the center of an arc with G1; expected I, J and R with G2 or G3 only",
+        ),
+        (
+            "G2 X1",
+            "1:1: found G2 without a center; expected I and J, or R",
+        ),
+        (
+            "G2 X10 I4",
+            "1:1: found an arc that begins 4.000 mm from its center and ends 6.000 mm from it; expected ends that fit the arc",
+        ),
+        (
+            "G2 X10 I0 J0",
+            "1:1: found an arc whose center is its start; expected ends that fit the arc",
+        ),
+        (
+            "G2 X10 R4",
+            "1:8: found an arc of radius 4.000 mm between points that are 10.000 mm apart; expected a radius of at least half their distance",
+        ),
+        (
+            "G2 X0 R4",
+            "1:7: found an arc by radius that ends where it begins; expected a radius of at least half their distance",
+        ),
+        (
+            "G2 I5 P2",
+            "1:7: found an arc of 2 turns (P); expected at most one turn",
+        ),
+        (
+            "N1 G1 X1*5",
+            "1:9: found \"*5\"; expected *96, the exclusive or of the line's bytes",
+        ),
+    ] {
+        assert_eq!(error(text), expected, "{text}");
+    }
+    let sum = "N1 G1 X1".bytes().fold(0, |sum, byte| sum ^ byte);
+    assert_eq!(layers(&format!("N1 G1 X1*{sum}")).len(), 1);
+}
+
+#[test]
+fn what_would_fill_the_memory_is_refused() {
+    let many = "G91\n".to_owned() + &"G2 I400000\n".repeat(1000);
+    assert_eq!(
+        error(&many),
+        "the drawing has more than 2000000 line segments; simplify it or allow a larger tolerance"
+    );
+    let mut speeds = "M3 S1\n".to_owned();
+    for i in 0..1001 {
+        writeln!(speeds, "G1 X{i} F{}", i + 1).unwrap();
+        writeln!(speeds, "G1 X{i}.5").unwrap();
+    }
+    assert_eq!(
+        error(&speeds),
+        "the drawing has more than 1000 layers (pens, or speeds and powers of a laser)"
+    );
+}
+
+/// As a laser program writes them.
+fn written(strokes: &[Vec<(i32, i32)>]) -> String {
+    let mut text = "G21 G90 M4\n".to_owned();
+    for stroke in strokes {
+        for (i, (x, y)) in stroke.iter().enumerate() {
+            let word = if i == 0 { "G0" } else { "G1" };
+            let [x, y] = [x, y].map(|it| f64::from(*it) / 100.0);
+            writeln!(text, "{word} X{x} Y{y} S{}", i.min(1) * 255).unwrap();
+        }
+    }
+    text + "M5\n"
+}
+
+fn strokes() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
+    let corner = (-10_000..10_000, -10_000..10_000);
+    prop::collection::vec(prop::collection::vec(corner, 2..9), 1..9)
+}
+
+proptest! {
+    #[test]
+    fn strokes_come_back_as_they_were_written(strokes in strokes()) {
+        let (artwork, _) = draw(&written(&strokes));
+        let all = || strokes.iter().flatten();
+        let left = all().map(|it| it.0).min().unwrap();
+        let top = all().map(|it| it.1).max().unwrap();
+        let wanted = strokes.iter().flat_map(|stroke| stroke.windows(2)).filter(|it| it[0] != it[1]);
+        let found = artwork.layers.iter().flat_map(|it| &it.strokes).flat_map(Stroke::segments);
+        let place = |&(x, y): &(i32, i32)| Point::new(f64::from(x - left), f64::from(top - y)) * 0.01;
+        let wanted: Vec<_> = wanted.map(|it| (place(&it[0]), place(&it[1]))).collect();
+        let found: Vec<_> = found.collect();
+        prop_assert_eq!(found.len(), wanted.len());
+        for (found, wanted) in found.iter().zip(&wanted) {
+            prop_assert!(found.0.distance(wanted.0) < 1e-6 && found.1.distance(wanted.1) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn no_text_makes_it_panic(text in ".{0,200}") {
+        let _ = super::read(text.as_bytes(), &ReadOptions::default());
+    }
+
+    #[test]
+    fn no_words_make_it_panic(text in "([GMXYZIJRPSFT]-?[0-9.]{1,4}[ \n*(;]?){0,60}") {
+        if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
+            prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_anywhere_gives_less_or_an_error() {
+    let text = "(made by hand)\nG21 G90\nM4 S0\nG0 X10 Y10\nG1 X20 S500 F1200\nG3 X10 Y20 I-10\nM5\nG0 X0 Y0\n%";
+    let whole = layers(text)[0].strokes[0].length_mm();
+    for end in 0..text.len() {
+        if let Ok((artwork, _)) = super::read(&text.as_bytes()[..end], &ReadOptions::default()) {
+            let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+            let length: f64 = strokes.map(Stroke::length_mm).sum();
+            assert!(length <= whole + 1e-9, "{end}: {length}");
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! How the characters of labels are: SI, SR, DI, DR, SL, ES, LO.
+//!
+//! ```text
+//!   + - - - - - - - - +     a cell: 1.5 characters wide, 2 high; ES adds to it
+//!   |                 |
+//!   +-----------+     |
+//!   | #       # |     |
+//!   | ######### |           a character: as wide and tall as SI says
+//!   | #       # |     |
+//!   o-----------+ - - +     o: where the pen stands (LO 1), which goes on to the next cell
+//! ```
+
+use dobot_geometry::Point;
+
+use super::frame::{Frame, UNIT_MM};
+use crate::text::{CAPITAL, Pose};
+
+/// What the file has said of characters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Characters {
+    pub(super) size: Size,
+    pub(super) direction: Direction,
+    /// The tangent of the angle by which they lean to the right.
+    pub(super) slant: f64,
+    /// What is added to a cell, in cells.
+    pub(super) extra: Point,
+    pub(super) origin: Origin,
+}
+
+/// Width and height of a character; below 0 it is mirrored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Size {
+    /// The file has not said.
+    Default,
+    /// In centimetres.
+    Absolute(Point),
+    /// In hundredths of the way from P1 to P2.
+    Relative(Point),
+}
+
+/// Where the next character is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Direction {
+    Absolute(Point),
+    /// In hundredths of the way from P1 to P2.
+    Relative(Point),
+}
+
+/// Where a label lies about the pen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Origin {
+    /// How much of it lies before the pen, and how much below: 0, 0.5 or 1.
+    share: Point,
+    /// How far it keeps from the pen, in heights of a character.
+    gap: f64,
+}
+
+/// The cell of a character, as ways on the paper in millimetres.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    /// A millimetre in the direction of the label, and one up from it.
+    units: [Point; 2],
+    /// The character's width and height.
+    pub(super) across: Point,
+    pub(super) up: Point,
+    /// To the next character.
+    pub(super) advance: Point,
+    /// To the line above.
+    pub(super) line: Point,
+    slant: f64,
+    origin: Origin,
+}
+
+impl Default for Characters {
+    fn default() -> Self {
+        Self {
+            size: Size::Default,
+            direction: Direction::Absolute(Point::new(1.0, 0.0)),
+            slant: 0.0,
+            extra: Point::default(),
+            origin: Origin::PEN,
+        }
+    }
+}
+
+impl Characters {
+    pub(super) fn cell(&self, frame: &Frame) -> Cell {
+        let [p1, p2] = frame.corners;
+        let percent = |it: Point| Point::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
+        let size_mm = match self.size {
+            Size::Default => DEFAULT_CM * MM_PER_CM,
+            Size::Absolute(cm) => cm * MM_PER_CM,
+            Size::Relative(it) => percent(it) * UNIT_MM,
+        };
+        let way = match self.direction {
+            Direction::Absolute(way) => way,
+            Direction::Relative(it) => percent(it),
+        };
+        let right = frame.turned(way * (1.0 / way.length()));
+        let units = [right, Point::new(-right.y, right.x)];
+        let (across, up) = (units[0] * size_mm.x, units[1] * size_mm.y);
+        Cell {
+            units,
+            across,
+            up,
+            advance: across * (1.5 * (1.0 + self.extra.x)),
+            line: up * (2.0 * (1.0 + self.extra.y)),
+            slant: self.slant,
+            origin: self.origin,
+        }
+    }
+}
+
+impl Origin {
+    /// On the base line where the label begins.
+    const PEN: Self = Self {
+        share: Point::new(0.0, 0.0),
+        gap: 0.0,
+    };
+
+    /// ```text
+    ///   3   6   9         13  16  19
+    ///   2   5   8         12  15  18     the same, half a character away
+    ///   1   4   7         11  14  17
+    /// ```
+    ///
+    /// The pen stands there on the label.
+    pub(super) fn of(number: f64) -> Option<Self> {
+        let (base, gap) = if number > 10.0 {
+            (number - 10.0, 0.5)
+        } else {
+            (number, 0.0)
+        };
+        let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
+        let share = Point::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
+        Some(Self { share, gap })
+    }
+}
+
+impl Cell {
+    /// From the pen to where a label of that many columns begins.
+    pub(super) fn start(&self, columns: f64) -> Point {
+        let Origin { share, gap } = self.origin;
+        let gap_mm = gap * self.up.length();
+        let away = |share: f64| (1.0 - 2.0 * share) * gap_mm;
+        let aside = self.units[0] * away(share.x) + self.units[1] * away(share.y);
+        aside - self.length(columns) * share.x - self.up * share.y
+    }
+
+    /// Whether labels follow each other: else each is placed for itself.
+    pub(super) const fn goes_on(&self) -> bool {
+        self.origin.share.x == 0.0
+    }
+
+    /// Of a label, without the gap behind its last character.
+    fn length(&self, columns: f64) -> Point {
+        if columns > 0.0 {
+            self.advance * (columns - 1.0) + self.across
+        } else {
+            Point::default()
+        }
+    }
+
+    /// A letter in its place: narrow ones stand in its middle, wide ones are squeezed into it.
+    pub(super) fn pose(&self, at: Point, ink: [f64; 2]) -> Pose {
+        let width = ink[1] - ink[0];
+        let unit = 1.0 / width.max(CAPITAL_WIDTH);
+        let before = (1.0 - width * unit) / 2.0 - ink[0] * unit;
+        let leaning = self.units[0] * (self.slant * self.up.dot(self.units[1]));
+        Pose {
+            at: at + self.across * before,
+            across: self.across * unit,
+            up: (self.up + leaning) * (1.0 / CAPITAL),
+        }
+    }
+}
+
+/// On a sheet of A4 or smaller.
+const DEFAULT_CM: Point = Point::new(0.187, 0.269);
+const MM_PER_CM: f64 = 10.0;
+/// Of the ink of H, on the letters' grid.
+const CAPITAL_WIDTH: f64 = 14.0;

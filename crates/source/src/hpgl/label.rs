@@ -1,0 +1,309 @@
+//! Labels: texts in letters (LB, BL, PB, CP), and marks at places (SM).
+
+use dobot_geometry::Point;
+
+use super::characters::{Cell, Characters, Direction, Origin, Size};
+use super::command::Command;
+use super::plotter::Plotter;
+use crate::error::SourceError;
+use crate::text::Lettering;
+
+/// What a plotter knows of texts.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    characters: Characters,
+    /// Where a carriage return leads, on the paper; `None` for where the pen is.
+    pub(super) margin_mm: Option<Point>,
+    /// What SM marks places with.
+    symbol: Option<char>,
+    /// What BL keeps for PB.
+    kept: String,
+    /// What is not written as the file says, where it writes at all: place, what, instead.
+    unlike: Vec<(usize, &'static str, &'static str)>,
+    lettering: Lettering,
+}
+
+/// The pen while it writes, on the paper in millimetres.
+#[derive(Clone, Copy, Debug)]
+struct Cursor {
+    at: Point,
+    margin: Point,
+}
+
+impl Plotter<'_> {
+    /// The commands of texts.
+    pub(super) fn text(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        match &it.name {
+            b"LB" => self.write(it, &decoded(it.bytes)),
+            b"PB" => self.write(it, &self.labels.kept.clone()),
+            b"CP" => self.skip_cells(it),
+            b"SI" | b"SR" => self.set_size(it),
+            b"DI" | b"DR" => self.set_direction(it),
+            b"LO" => self.set_origin(it),
+            _ => self.set_style(it),
+        }
+    }
+
+    /// What concerns texts and nothing else.
+    fn set_style(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let numbers = it.numbers.as_slice();
+        let first = it.number(0).unwrap_or_default();
+        let labels = &mut self.labels;
+        let mut unlike = |what, instead| labels.unlike.push((it.at, what, instead));
+        match &it.name {
+            b"BL" => labels.kept = decoded(it.bytes),
+            b"SM" => labels.symbol = decoded(it.bytes).chars().find(|it| *it > ' '),
+            b"SL" => labels.characters.slant = first,
+            b"ES" if numbers.len() < 3 => {
+                labels.characters.extra = Point::new(first, it.number(1).unwrap_or_default());
+            }
+            b"ES" => return Err(self.refused(it, "the extra width and height of cells")),
+            b"CS" | b"CA" if first != 0.0 => unlike(
+                "character set",
+                "taken for Roman-8, or for UTF-8 where it is (CS)",
+            ),
+            b"SD" | b"AD" if !numbers.is_empty() => unlike(
+                "font",
+                "written in plain letters, as large as SI or SR says (SD)",
+            ),
+            b"DV" if first != 0.0 => unlike("text path", "written to the right (DV)"),
+            b"TD" if first != 0.0 => unlike(
+                "transparent label",
+                "its control characters are obeyed (TD)",
+            ),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn set_size(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let is_relative = &it.name == b"SR";
+        self.labels.characters.size = match *it.numbers.as_slice() {
+            [] if is_relative => Size::Relative(DEFAULT_PERCENT),
+            [] => Size::Default,
+            [width, height] if width != 0.0 && height != 0.0 => {
+                let size = Point::new(width, height);
+                if is_relative {
+                    Size::Relative(size)
+                } else {
+                    Size::Absolute(size)
+                }
+            }
+            _ => return Err(self.refused(it, "a width and a height, none of them 0")),
+        };
+        Ok(())
+    }
+
+    fn set_direction(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let way = match *it.numbers.as_slice() {
+            [] => Point::new(1.0, 0.0),
+            [run, rise] => Point::new(run, rise),
+            _ => return Err(self.refused(it, "a direction as run,rise")),
+        };
+        if way.length() == 0.0 {
+            self.warn(it, "zero direction", "left as it was (DI or DR)");
+            return Ok(());
+        }
+        self.labels.characters.direction = if &it.name == b"DR" {
+            Direction::Relative(way)
+        } else {
+            Direction::Absolute(way)
+        };
+        self.labels.margin_mm = None;
+        Ok(())
+    }
+
+    fn set_origin(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let mut number = it.number(0).unwrap_or(1.0);
+        if number == PCL_ORIGIN {
+            let instead = "taken for LO 1 (LO 21)";
+            self.labels
+                .unlike
+                .push((it.at, "PCL label origin", instead));
+            number = 1.0;
+        }
+        let origin = Origin::of(number)
+            .ok_or_else(|| self.refused(it, "an origin from 1 to 9 or from 11 to 19"))?;
+        self.labels.characters.origin = origin;
+        self.labels.margin_mm = None;
+        Ok(())
+    }
+
+    /// CP: so many cells to the right and so many up, or to the next line.
+    fn skip_cells(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let cell = self.cell(it);
+        let mut cursor = self.cursor();
+        match *it.numbers.as_slice() {
+            [] => {
+                cursor.lines(&cell, -1.0);
+                cursor.at = cursor.margin;
+            }
+            [spaces, lines] => {
+                cursor.at = cursor.at + cell.advance * spaces;
+                cursor.lines(&cell, lines);
+            }
+            _ => return Err(self.refused(it, "how many spaces and lines, or nothing")),
+        }
+        self.put_pen(it, cursor)
+    }
+
+    /// Writes from the pen on, which goes on behind the label.
+    fn write(&mut self, it: &Command<'_>, text: &str) -> Result<(), SourceError> {
+        if text.is_empty() {
+            return Ok(());
+        }
+        let cell = self.cell(it);
+        let has_pen = self.select(it)?;
+        let mut cursor = self.cursor();
+        for line in text.split_inclusive('\r') {
+            let pen = cursor.at;
+            let start = cell.start(columns(line));
+            cursor.at = pen + start;
+            for character in line.chars() {
+                self.character(it, character, &cell, &mut cursor, has_pen)?;
+            }
+            if !line.ends_with('\r') {
+                cursor.at = if cell.goes_on() {
+                    cursor.at - start
+                } else {
+                    cursor.margin
+                };
+            }
+        }
+        self.put_pen(it, cursor)
+    }
+
+    fn character(
+        &mut self,
+        it: &Command<'_>,
+        character: char,
+        cell: &Cell,
+        cursor: &mut Cursor,
+        has_pen: bool,
+    ) -> Result<(), SourceError> {
+        match character {
+            '\r' => cursor.at = cursor.margin,
+            '\n' => cursor.lines(cell, -1.0),
+            '\u{8}' => cursor.at = cursor.at - cell.advance,
+            '\t' => {
+                cursor.at = cursor.at + cell.advance * TAB;
+                self.warn(it, "label tab", "taken for five spaces");
+            }
+            it if it.is_control() => {}
+            _ => {
+                if has_pen {
+                    self.letter(it, character, cell, cursor.at)?;
+                }
+                cursor.at = cursor.at + cell.advance;
+            }
+        }
+        Ok(())
+    }
+
+    fn letter(
+        &mut self,
+        it: &Command<'_>,
+        character: char,
+        cell: &Cell,
+        at: Point,
+    ) -> Result<(), SourceError> {
+        let lettering = &mut self.labels.lettering;
+        let ink = lettering.room(character).unwrap_or_default().ink;
+        let pose = cell.pose(at, ink);
+        lettering.write(&mut self.sketch, it.at, character, &pose)
+    }
+
+    /// SM: marks the place of the pen.
+    pub(super) fn mark(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let Some(symbol) = self.labels.symbol.filter(|_| !self.polygon.is_open) else {
+            return Ok(());
+        };
+        let cell = self.cell(it);
+        if self.select(it)? {
+            let at = self.frame.point(self.at) - (cell.across + cell.up) * 0.5;
+            self.letter(it, symbol, &cell, at)?;
+        }
+        Ok(())
+    }
+
+    /// The cell of a character that is about to be written.
+    fn cell(&mut self, it: &Command<'_>) -> Cell {
+        for (at, what, instead) in std::mem::take(&mut self.labels.unlike) {
+            self.sketch.warnings().add(at, what, instead);
+        }
+        let characters = self.labels.characters;
+        if characters.size == Size::Default {
+            let instead = "written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
+            self.warn(it, "sizeless text", instead);
+        }
+        characters.cell(&self.frame)
+    }
+
+    fn cursor(&self) -> Cursor {
+        let at = self.frame.point(self.at);
+        let margin = self.labels.margin_mm.unwrap_or(at);
+        Cursor { at, margin }
+    }
+
+    fn put_pen(&mut self, it: &Command<'_>, cursor: Cursor) -> Result<(), SourceError> {
+        self.sketch.check(it.at, cursor.margin)?;
+        self.at = self.frame.point_at(self.sketch.check(it.at, cursor.at)?);
+        self.labels.margin_mm = Some(cursor.margin);
+        self.sketch.lift();
+        self.is_dot = false;
+        Ok(())
+    }
+
+    /// IN and DF: as if nothing had been said.
+    pub(super) fn reset_labels(&mut self) {
+        let lettering = std::mem::take(&mut self.labels.lettering);
+        self.labels = Labels {
+            lettering,
+            ..Labels::default()
+        };
+    }
+}
+
+impl Cursor {
+    /// So many lines up, where a carriage return leads too.
+    fn lines(&mut self, cell: &Cell, count: f64) {
+        let way = cell.line * count;
+        (self.at, self.margin) = (self.at + way, self.margin + way);
+    }
+}
+
+/// How many cells wide a line is.
+fn columns(line: &str) -> f64 {
+    line.chars().fold(0.0, |columns: f64, it| match it {
+        '\u{8}' => (columns - 1.0).max(0.0),
+        '\t' => columns + TAB,
+        it if it.is_control() => columns,
+        _ => columns + 1.0,
+    })
+}
+
+/// UTF-8 where it is, else Roman-8, in which plotters write.
+fn decoded(bytes: &[u8]) -> String {
+    let roman = |byte: u8| match byte {
+        0..0x80 => char::from(byte),
+        0x80..0xA0 => char::REPLACEMENT_CHARACTER,
+        _ => ROMAN_8
+            .chars()
+            .nth(usize::from(byte) - 0xA0)
+            .unwrap_or(char::REPLACEMENT_CHARACTER),
+    };
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().copied().map(roman).collect(),
+    }
+}
+
+/// Where PCL, the language of printers, places a text.
+const PCL_ORIGIN: f64 = 21.0;
+/// What SR without numbers stands for.
+const DEFAULT_PERCENT: Point = Point::new(0.75, 1.5);
+/// In cells; the reference leaves it open, printers of HP do so.
+const TAB: f64 = 5.0;
+/// From 160 on.
+const ROMAN_8: &str = "\u{A0}ÀÂÈÊËÎÏ´ˋˆ¨˜ÙÛ₤¯Ýý°ÇçÑñ¡¿¤£¥§ƒ¢âêôûáéóúàèòùäëöü\
+    ÅîØÆåíøæÄìÖÜÉïßÔÁÃãÐðÍÌÓÒÕõŠšÚŸÿÞþ·µ¶¾—¼½ªº«■»±";

@@ -1,0 +1,378 @@
+//! A plotter that draws into a sketch.
+
+use dobot_geometry::Point;
+use dobot_geometry::{Area, FillRule};
+
+use super::command::Command;
+use super::encoded::{Item, items};
+use super::frame::Frame;
+use super::label::Labels;
+use super::names::left_out;
+use super::polygon::Polygon;
+use crate::artwork::Layer;
+use crate::error::SourceError;
+use crate::sketch::{Sketch, excerpt};
+
+/// The state of a plotter.
+#[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
+pub(super) struct Plotter<'a> {
+    pub(super) sketch: Sketch<'a>,
+    pub(super) frame: Frame,
+    /// Where the pen is, in the user's units.
+    pub(super) at: Point,
+    pub(super) is_down: bool,
+    is_relative: bool,
+    pen: Pen,
+    speed_mm_s: Option<f64>,
+    /// The pen was lowered and has drawn nothing yet.
+    pub(super) is_dot: bool,
+    /// The sketch uses the layer of the pen, at its speed.
+    is_selected: bool,
+    pub(super) has_drawn: bool,
+    /// PG came since.
+    is_new_page: bool,
+    /// P1 and P2 are told by the file (IP).
+    pub(super) knows_corners: bool,
+    pub(super) polygon: Polygon,
+    pub(super) labels: Labels,
+}
+
+/// What the plotter holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Pen {
+    /// The file has not chosen.
+    Any,
+    /// SP 0: nothing.
+    None,
+    Number(f64),
+}
+
+impl<'a> Plotter<'a> {
+    pub(super) fn new(sketch: Sketch<'a>) -> Self {
+        Self {
+            sketch,
+            frame: Frame::DEFAULT,
+            at: Point::default(),
+            is_down: false,
+            is_relative: false,
+            pen: Pen::Any,
+            speed_mm_s: None,
+            is_dot: false,
+            is_selected: false,
+            has_drawn: false,
+            is_new_page: false,
+            knows_corners: false,
+            polygon: Polygon::default(),
+            labels: Labels::default(),
+        }
+    }
+
+    pub(super) fn finish(mut self) -> Result<Sketch<'a>, SourceError> {
+        let end = Command {
+            at: 0,
+            name: *b"PU",
+            numbers: Vec::new(),
+            bytes: &[],
+        };
+        self.lift(&end)?;
+        Ok(self.sketch)
+    }
+
+    pub(super) fn handle(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        match &it.name {
+            b"IN" | b"DF" => self.reset(it),
+            b"PU" => {
+                self.lift(it)?;
+                self.go(it)
+            }
+            b"PD" => {
+                self.lower();
+                self.go(it)
+            }
+            b"PA" | b"PR" => {
+                self.is_relative = &it.name == b"PR";
+                self.go(it)
+            }
+            b"PE" => self.go_encoded(it),
+            b"SP" => self.take_pen(it),
+            b"VS" => self.set_speed(it),
+            b"IP" => self.set_corners(it),
+            b"SC" => self.set_scale(it),
+            b"RO" => self.turn(it),
+            b"IR" => self.relative_corners(it),
+            b"CI" => self.circle(it),
+            b"AA" | b"AR" => self.arc(it),
+            b"AT" | b"RT" => self.arc_through(it),
+            b"BZ" | b"BR" => self.beziers(it),
+            b"EA" | b"ER" | b"RA" | b"RR" => self.rectangle(it),
+            b"EW" | b"WG" => self.wedge(it),
+            b"PM" => self.polygon_mode(it),
+            b"EP" | b"FP" => self.draw_polygon(it),
+            b"LB" | b"BL" | b"PB" | b"CP" | b"SI" | b"SR" | b"DI" | b"DR" | b"SL" | b"ES"
+            | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(it),
+            b"LT" | b"FT" | b"IW" => {
+                self.style(it);
+                Ok(())
+            }
+            b"PG" => {
+                self.is_new_page = true;
+                Ok(())
+            }
+            name => {
+                if let Some(instead) = left_out(*name) {
+                    self.warn(it, &format!("{} command", it.letters()), instead);
+                }
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn warn(&mut self, it: &Command<'_>, what: &str, instead: &str) {
+        self.sketch.warnings().add(it.at, what, instead);
+    }
+
+    pub(super) fn refused(&self, it: &Command<'_>, expected: &str) -> SourceError {
+        self.sketch.found(it.at, it.text(), expected)
+    }
+
+    /// IN forgets everything, DF keeps the corners and the turn.
+    fn reset(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        self.lift(it)?;
+        self.is_relative = false;
+        self.polygon = Polygon::default();
+        self.reset_labels();
+        let mut frame = Frame::DEFAULT;
+        if &it.name == b"IN" {
+            (self.speed_mm_s, self.is_selected) = (None, false);
+            self.knows_corners = false;
+        } else {
+            (frame.corners, frame.quarters) = (self.frame.corners, self.frame.quarters);
+        }
+        self.use_frame(frame);
+        Ok(())
+    }
+
+    /// The pen stays where it is on the paper.
+    pub(super) fn use_frame(&mut self, frame: Frame) {
+        if self.frame != frame {
+            self.at = frame.point_at(self.frame.point(self.at));
+            self.frame = frame;
+        }
+    }
+
+    /// A pen that only touched the paper leaves a dot.
+    fn lift(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let is_dot = std::mem::take(&mut self.is_dot) && !self.polygon.is_open;
+        if is_dot && self.pen != Pen::None && self.select(it)? {
+            let at = self.frame.point(self.at);
+            self.sketch.check(it.at, at)?;
+            self.sketch.dot(at)?;
+        }
+        self.is_down = false;
+        self.sketch.lift();
+        Ok(())
+    }
+
+    const fn lower(&mut self) {
+        self.is_dot |= !self.is_down;
+        self.is_down = true;
+    }
+
+    fn go(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        if !it.numbers.len().is_multiple_of(2) {
+            return Err(self.refused(it, "pairs of coordinates x,y"));
+        }
+        for pair in it.numbers.chunks_exact(2) {
+            let from = if self.is_relative {
+                self.at
+            } else {
+                Point::default()
+            };
+            self.go_to(it, from + Point::new(pair[0], pair[1]))?;
+            self.mark(it)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn go_to(&mut self, it: &Command<'_>, to: Point) -> Result<(), SourceError> {
+        let from_mm = self.sketch.check(it.at, self.frame.point(self.at))?;
+        let to_mm = self.sketch.check(it.at, self.frame.point(to))?;
+        self.at = to;
+        self.labels.margin_mm = None;
+        if self.polygon.is_open {
+            if !self.is_down && self.polygon.rings.last().is_some_and(|it| it.len() > 1) {
+                self.warn(it, "hidden polygon edge", "drawn as the others");
+            }
+            self.polygon.point(to_mm);
+            return self.sketch.spend(1);
+        }
+        if self.is_down && from_mm != to_mm {
+            self.ink(it, &[from_mm, to_mm])?;
+        }
+        Ok(())
+    }
+
+    /// Draws with the pen in hand, be it up or down.
+    pub(super) fn ink(&mut self, it: &Command<'_>, points: &[Point]) -> Result<(), SourceError> {
+        self.is_dot = false;
+        if self.select(it)? {
+            let mut lines = points.windows(2);
+            lines.try_for_each(|it| self.sketch.line(it[0], it[1]))?;
+        }
+        Ok(())
+    }
+
+    /// Draws a line of its own.
+    pub(super) fn outline(
+        &mut self,
+        it: &Command<'_>,
+        points: &[Point],
+    ) -> Result<(), SourceError> {
+        self.sketch.lift();
+        self.ink(it, points)?;
+        self.sketch.lift();
+        Ok(())
+    }
+
+    pub(super) fn fill(&mut self, it: &Command<'_>, area: Area) -> Result<(), SourceError> {
+        if self.select(it)? {
+            self.sketch.area(area)?;
+        }
+        Ok(())
+    }
+
+    /// Uses the pen's layer; whether there is a pen.
+    pub(super) fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
+        if self.pen == Pen::None {
+            self.warn(it, "penless line", "left out (SP 0)");
+            return Ok(false);
+        }
+        if std::mem::take(&mut self.is_new_page) && self.has_drawn {
+            self.warn(it, "further page", "drawn onto the same sheet (PG)");
+        }
+        if !self.is_selected {
+            self.select_layer(it)?;
+        }
+        Ok(true)
+    }
+
+    fn select_layer(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        (self.is_selected, self.has_drawn) = (true, true);
+        let name = match self.pen {
+            Pen::Number(number) => format!("pen {number}"),
+            Pen::Any | Pen::None => String::new(),
+        };
+        self.sketch.use_layer(Layer {
+            name,
+            speed_mm_s: self.speed_mm_s,
+            ..Layer::default()
+        })?;
+        if self.sketch.layer().speed_mm_s != self.speed_mm_s {
+            self.warn(
+                it,
+                "speed change",
+                "drawn with the first speed of its pen (VS)",
+            );
+        }
+        Ok(())
+    }
+
+    fn take_pen(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        self.lift(it)?;
+        self.pen = match it.number(0) {
+            None | Some(0.0) => Pen::None,
+            Some(number) => Pen::Number(number),
+        };
+        self.is_selected = false;
+        Ok(())
+    }
+
+    /// VS, in centimetres per second.
+    fn set_speed(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let speed_mm_s = it.number(0).map(|cm_s| cm_s * 10.0);
+        if speed_mm_s.is_some_and(|it| it <= 0.0) {
+            return Err(self.refused(it, "a speed above 0 cm/s"));
+        }
+        if self.speed_mm_s != speed_mm_s {
+            self.is_selected = false;
+            self.speed_mm_s = speed_mm_s;
+        }
+        Ok(())
+    }
+
+    /// How lines and fills look and where they end, of which nothing is shown.
+    fn style(&mut self, it: &Command<'_>) {
+        match (&it.name, it.number(0)) {
+            (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),
+            (b"FT", Some(kind)) if kind > 2.0 => {
+                self.warn(it, "fill pattern", "filled as all areas are (FT)");
+            }
+            (b"IW", Some(_)) => self.warn(it, "clip window", "nothing is cut off by it (IW)"),
+            _ => {}
+        }
+    }
+
+    fn polygon_mode(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        match it.number(0) {
+            None | Some(0.0) => self.polygon.begin(self.frame.point(self.at)),
+            Some(1.0) => self.polygon.close_ring(),
+            Some(2.0) => self.polygon.end(),
+            _ => return Err(self.refused(it, "PM 0, PM 1 or PM 2")),
+        }
+        self.is_dot = false;
+        Ok(())
+    }
+
+    fn draw_polygon(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let rings = self.polygon.rings.clone();
+        if &it.name == b"EP" {
+            return rings.iter().try_for_each(|ring| self.outline(it, ring));
+        }
+        let rule = match it.number(0) {
+            Some(1.0) => FillRule::NonZero,
+            _ => FillRule::EvenOdd,
+        };
+        self.fill(it, Area { rings, rule })
+    }
+
+    fn go_encoded(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        for item in items(it.bytes) {
+            let found = |(at, expected)| {
+                let text = excerpt(it.bytes, at);
+                self.sketch.found(it.at + 2 + at, text, expected)
+            };
+            match item.map_err(found)? {
+                Item::Pen(number) => {
+                    self.lift(it)?;
+                    self.pen = if number == 0.0 {
+                        Pen::None
+                    } else {
+                        Pen::Number(number)
+                    };
+                    self.is_selected = false;
+                }
+                Item::Go {
+                    x,
+                    y,
+                    is_absolute,
+                    is_up,
+                } => {
+                    if is_up {
+                        self.lift(it)?;
+                    } else {
+                        self.lower();
+                    }
+                    let from = if is_absolute {
+                        Point::default()
+                    } else {
+                        self.at
+                    };
+                    self.go_to(it, from + Point::new(x, y))?;
+                    self.mark(it)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

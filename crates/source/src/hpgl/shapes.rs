@@ -1,0 +1,225 @@
+//! Circles, arcs, curves, rectangles and wedges.
+
+use std::f64::consts::TAU;
+
+use dobot_geometry::Point;
+use dobot_geometry::{Area, FillRule};
+
+use super::command::Command;
+use super::plotter::Plotter;
+use crate::error::SourceError;
+use crate::sketch::Arc;
+
+impl Plotter<'_> {
+    /// CI: a circle about the pen, which stays where it is.
+    pub(super) fn circle(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let radius = it.number(0).ok_or_else(|| self.refused(it, "a radius"))?;
+        let arc = self.round(it, self.at, radius, 0.0, TAU)?;
+        if self.polygon.is_open {
+            self.sketch.spend(arc.len())?;
+            self.polygon.ring(arc);
+            return Ok(());
+        }
+        self.outline(it, &arc)
+    }
+
+    /// AA and AR: an arc about a center by an angle.
+    pub(super) fn arc(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let (&[x, y, sweep_deg] | &[x, y, sweep_deg, _]) = it.numbers.as_slice() else {
+            return Err(self.refused(it, "x,y of the center, and an angle"));
+        };
+        let from = if &it.name == b"AR" {
+            self.at
+        } else {
+            Point::default()
+        };
+        let sweep_rad = self.angle_rad(it, sweep_deg)?;
+        self.sweep(it, from + Point::new(x, y), sweep_rad)
+    }
+
+    /// AT and RT: an arc through a point to another.
+    pub(super) fn arc_through(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let (&[x1, y1, x2, y2] | &[x1, y1, x2, y2, _]) = it.numbers.as_slice() else {
+            return Err(self.refused(it, "x,y of a point between, and of the end"));
+        };
+        let from = if &it.name == b"RT" {
+            self.at
+        } else {
+            Point::default()
+        };
+        let (middle, end) = (from + Point::new(x1, y1), from + Point::new(x2, y2));
+        match circle_through(self.at, middle, end) {
+            Some((center, sweep_rad)) => self.sweep(it, center, sweep_rad),
+            None => self.go_to(it, end),
+        }
+    }
+
+    /// BZ and BR: cubic curves, each by two control points and its end.
+    pub(super) fn beziers(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let numbers = it.numbers.chunks_exact(6);
+        if !numbers.remainder().is_empty() {
+            return Err(self.refused(it, "six numbers for each curve"));
+        }
+        for curve in numbers {
+            let from = if &it.name == b"BR" {
+                self.at
+            } else {
+                Point::default()
+            };
+            let point = |i: usize| from + Point::new(curve[i], curve[i + 1]);
+            let [b, c, end] = [0, 2, 4].map(point);
+            let corners = [self.at, b, c, end].map(|p| self.frame.point(p));
+            for p in corners {
+                self.sketch.check(it.at, p)?;
+            }
+            let points = self.sketch.cubic_points(corners)?;
+            self.follow(it, points, end)?;
+        }
+        Ok(())
+    }
+
+    /// EA, ER, RA, RR: a rectangle from the pen to its opposite corner.
+    pub(super) fn rectangle(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let &[x, y] = it.numbers.as_slice() else {
+            return Err(self.refused(it, "x,y of the opposite corner"));
+        };
+        let is_relative = it.name[1] == b'R';
+        let a = self.at;
+        let b = if is_relative {
+            a + Point::new(x, y)
+        } else {
+            Point::new(x, y)
+        };
+        let corners = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y), a];
+        self.shape(it, corners.map(|p| self.frame.point(p)).to_vec())
+    }
+
+    /// EW, WG: a piece of cake about the pen.
+    pub(super) fn wedge(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let (&[radius, from_deg, sweep_deg] | &[radius, from_deg, sweep_deg, _]) =
+            it.numbers.as_slice()
+        else {
+            return Err(self.refused(it, "a radius, and the angles of start and sweep"));
+        };
+        let sweep_rad = self.angle_rad(it, sweep_deg)?;
+        let arc = self.round(it, self.at, radius, from_deg.to_radians(), sweep_rad)?;
+        let center = self.frame.point(self.at);
+        let is_whole = sweep_rad.abs() >= TAU;
+        let tip = (!is_whole).then_some(center);
+        self.shape(it, tip.into_iter().chain(arc).chain(tip).collect())
+    }
+
+    /// E* draws an edge, others fill.
+    fn shape(&mut self, it: &Command<'_>, ring: Vec<Point>) -> Result<(), SourceError> {
+        for &p in &ring {
+            self.sketch.check(it.at, p)?;
+        }
+        if it.name[0] == b'E' {
+            return self.outline(it, &ring);
+        }
+        let rule = FillRule::EvenOdd;
+        let rings = vec![ring];
+        self.fill(it, Area { rings, rule })
+    }
+
+    /// An arc from the pen about a center.
+    fn sweep(
+        &mut self,
+        it: &Command<'_>,
+        center: Point,
+        sweep_rad: f64,
+    ) -> Result<(), SourceError> {
+        let out = self.at - center;
+        let from_rad = out.y.atan2(out.x);
+        let mut points = self.round(it, center, out.length(), from_rad, sweep_rad)?;
+        let end = if sweep_rad.abs() >= TAU {
+            self.at
+        } else {
+            let (sin, cos) = (from_rad + sweep_rad).sin_cos();
+            center + Point::new(cos, sin) * out.length()
+        };
+        if let [first, .., last] = points.as_mut_slice() {
+            (*first, *last) = (self.frame.point(self.at), self.frame.point(end));
+        }
+        self.follow(it, points, end)
+    }
+
+    /// Goes along a line to a place, which stands in the user's units.
+    fn follow(
+        &mut self,
+        it: &Command<'_>,
+        points: Vec<Point>,
+        to: Point,
+    ) -> Result<(), SourceError> {
+        self.at = to;
+        self.labels.margin_mm = None;
+        if self.polygon.is_open {
+            self.sketch.spend(points.len())?;
+            points
+                .into_iter()
+                .skip(1)
+                .for_each(|p| self.polygon.point(p));
+            return Ok(());
+        }
+        if self.is_down {
+            self.ink(it, &points)?;
+        }
+        Ok(())
+    }
+
+    fn round(
+        &self,
+        it: &Command<'_>,
+        center: Point,
+        radius: f64,
+        from_rad: f64,
+        sweep_rad: f64,
+    ) -> Result<Vec<Point>, SourceError> {
+        let across = self.frame.way(Point::new(radius, 0.0));
+        let along = self.frame.way(Point::new(0.0, radius));
+        let center = self.frame.point(center);
+        for end in [
+            center + across,
+            center - across,
+            center + along,
+            center - along,
+        ] {
+            self.sketch.check(it.at, end)?;
+        }
+        let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
+        self.sketch.arc_points(&arc)
+    }
+
+    fn angle_rad(&self, it: &Command<'_>, angle_deg: f64) -> Result<f64, SourceError> {
+        if angle_deg.abs() <= 360.0 {
+            return Ok(angle_deg.to_radians());
+        }
+        Err(self.refused(it, "an angle from -360 to 360 degrees"))
+    }
+}
+
+/// Center and angle of the arc through three points; `None` where they lie on a line.
+fn circle_through(start: Point, middle: Point, end: Point) -> Option<(Point, f64)> {
+    let (b, c) = (middle - start, end - start);
+    if c == Point::default() {
+        return Some((start.lerp(middle, 0.5), TAU));
+    }
+    let area = 2.0 * b.cross(c);
+    if area.abs() <= 1e-12 * b.length() * c.length() {
+        return None;
+    }
+    let x = (c.y * b.length2() - b.y * c.length2()) / area;
+    let y = (b.x * c.length2() - c.x * b.length2()) / area;
+    let center = start + Point::new(x, y);
+    let (from, to) = (start - center, end - center);
+    let turn = from.cross(to).atan2(from.dot(to));
+    let turns_left = area > 0.0;
+    Some((
+        center,
+        match turns_left {
+            true if turn < 0.0 => turn + TAU,
+            false if turn > 0.0 => turn - TAU,
+            _ => turn,
+        },
+    ))
+}

@@ -1,0 +1,491 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use dobot_geometry::{Bounds, Point, Stroke};
+use proptest::prelude::*;
+
+use super::*;
+use crate::artwork::Layer;
+
+pub(super) fn draw(text: &str) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+pub(super) fn strokes(text: &str) -> Vec<Stroke> {
+    let layers = draw(text).0.layers;
+    layers.into_iter().flat_map(|it| it.strokes).collect()
+}
+
+pub(super) fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
+    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    strokes(text).iter().map(corners).collect()
+}
+
+fn error(text: &[u8]) -> String {
+    let read = super::read(text, &ReadOptions::default());
+    read.unwrap_err().to_string()
+}
+
+#[test]
+fn forty_units_are_a_millimetre_and_y_points_up() {
+    let text = "IN;SP1;PU400,400;PD800,400,800,1200;PU;SP0;";
+    assert_eq!(corners(text), [[(0.0, 20.0), (10.0, 20.0), (10.0, 0.0)]]);
+    let (artwork, warnings) = draw(text);
+    assert_eq!((artwork.width_mm, artwork.height_mm), (10.0, 20.0));
+    assert_eq!(artwork.layers[0].name, "pen 1");
+    assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+#[test]
+fn a_square_is_the_same_however_it_is_written() {
+    for text in [
+        "PA0,0;PD;PA40,0;PA40,40;PA0,40;PA0,0;PU;",
+        "pu0 0pd40 0 40 40 0 40 0 0pu",
+        "PD;PR40,0,0,40,-40,0,0,-40",
+        "IN\nPU 0,0\nPD 40 , 0\nPD40,40,0,40\r\nPD+0.0,0",
+        "ER40,40;",
+        "PA40,40;EA0,0",
+        "PM0;PD40,0,40,40,0,40;PM2;EP;",
+        "PM;PR40,0,0,40,-40,0,0,-40;PM2;EP",
+        "\u{1b}.(;IN;SP1;\u{1b}.I81;;17:PA0,0PD40,0,40,40,0,40,0,0",
+        "\u{1b}%-12345X@PJL ENTER LANGUAGE=HPGL2\n\u{1b}EPA0,0PD40,0,40,40,0,40,0,0\u{1b}%0A",
+        "IP0,0,40,40;SC0,1,0,1;PA0,0PD1,0,1,1,0,1,0,0",
+        "IP0,0,80,40;SC0,1,0,1,1;PA0,0PD1,0,1,1,0,1,0,0",
+        "SC0,4,0,4,2;PA0,0PD10,0,10,10,0,10,0,0",
+    ] {
+        let strokes = strokes(text);
+        assert_eq!(strokes.len(), 1, "{text}");
+        let bounds = Bounds::of_strokes(&strokes);
+        assert!((bounds.width() - 1.0).abs() < 1e-9, "{text}: {bounds:?}");
+        assert!((bounds.height() - 1.0).abs() < 1e-9, "{text}: {bounds:?}");
+        assert!(
+            (strokes[0].length_mm() - 4.0).abs() < 1e-9 && strokes[0].closed,
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn scaled_units_are_stretched_into_their_corners() {
+    let text = "IP1000,1000,5000,3000;SC0,100,0,100;PU0,0PD100,0,100,100";
+    assert_eq!(corners(text), [[(0.0, 50.0), (100.0, 50.0), (100.0, 0.0)]]);
+    // The pen stays where it is when the units change.
+    let text = "IP0,0,4000,4000;SC0,100,0,100;PU50,50;SC;PD4000,2000";
+    assert_eq!(corners(text), [[(0.0, 0.0), (50.0, 0.0)]]);
+    let (_, warnings) = draw("SC0,1,0,1;PD1,1");
+    assert_eq!(
+        warnings,
+        ["1:1: 1 cornerless scale: taken for that of a sheet of A4 (SC without IP)"]
+    );
+}
+
+#[test]
+fn a_turned_plot_lies_counterclockwise() {
+    assert_eq!(
+        corners("RO90;PD400,0,400,40"),
+        [[(1.0, 10.0), (1.0, 0.0), (0.0, 0.0)]]
+    );
+    assert_eq!(
+        corners("RO180;PD400,0,400,40"),
+        [[(10.0, 0.0), (0.0, 0.0), (0.0, 1.0)]]
+    );
+    assert_eq!(
+        corners("RO270;PD400,0,400,40"),
+        [[(0.0, 0.0), (0.0, 10.0), (1.0, 10.0)]]
+    );
+}
+
+#[test]
+fn each_pen_is_a_layer_with_its_speed() {
+    let text = "SP1;VS20;PD40,0;PU;SP2;VS5;PD40,40;PU;SP1;VS20;PD0,0;PU;SP;PD9,9;";
+    let (artwork, warnings) = draw(text);
+    let found: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|it| (it.name.as_str(), it.speed_mm_s))
+        .collect();
+    assert_eq!(found, [("pen 1", Some(200.0)), ("pen 2", Some(50.0))]);
+    assert_eq!(artwork.layers[0].strokes.len(), 2);
+    assert_eq!(warnings, ["1:60: 1 penless line: left out (SP 0)"]);
+}
+
+#[test]
+fn a_pen_that_only_touches_leaves_a_dot() {
+    assert_eq!(
+        corners("PU40,40;PD;PU;PA80,40;PD80,40;PU120,40"),
+        [[(0.0, 0.0)], [(1.0, 0.0)]]
+    );
+}
+
+/// How far lines leave a circle, and their length.
+fn on_circle(strokes: &[Stroke], center: Point, radius: f64) -> (f64, f64) {
+    let middles = strokes
+        .iter()
+        .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+    let off = middles
+        .map(|p| (p.distance(center) - radius).abs())
+        .fold(0.0, f64::max);
+    (off, strokes.iter().map(Stroke::length_mm).sum())
+}
+
+#[test]
+fn circles_arcs_and_wedges_stay_within_the_tolerance() {
+    let center = Point::new(10.0, 10.0);
+    for text in [
+        "PA800,0;CI400;",
+        "PU400,0;PD;AA0,0,360;PU",
+        "PU400,0;PD;AR-400,0,-180,5;AA0,0,-180",
+        "PU400,0PDRT-400,400,-800,0;AT0,-400,400,0",
+        "EW400,30,360;",
+        "PM0;PM1;CI400;PM2;EP",
+    ] {
+        let strokes = strokes(text);
+        let (off, length) = on_circle(&strokes, center, 10.0);
+        // The page begins where the lines do, which may be inside the circle.
+        assert!(off < 0.011, "{text}: {off}");
+        assert!((length - 20.0 * PI).abs() < 0.05, "{text}: {length}");
+        assert!(strokes[0].closed, "{text}");
+    }
+    // Stretched units make ellipses.
+    let (artwork, _) = draw("IP0,0,800,400;SC-1,1,-1,1;CI1");
+    assert!((artwork.width_mm - 20.0).abs() < 0.01 && (artwork.height_mm - 10.0).abs() < 0.01);
+    // A quarter of a cake: two straight sides and a quarter of the way around.
+    let cake = strokes("EW400,0,90");
+    let wanted = 20.0 + 5.0 * PI;
+    assert!(cake[0].closed && (cake[0].length_mm() - wanted).abs() < 0.02);
+}
+
+#[test]
+fn curves_follow_their_control_points() {
+    // A parabola raised to a cubic: y = x (1 - x) between 0 and 1, 40 mm wide.
+    let text = "PD;BZ533.3333333,533.3333333,1066.6666667,533.3333333,1600,0";
+    let strokes = strokes(text);
+    let height = |p: &Point| (40.0 - p.x) * p.x / 40.0;
+    for p in &strokes[0].points {
+        assert!((10.0 - p.y - height(p)).abs() < 0.006, "{p:?}");
+    }
+    let relative = "PU80,80;PD;BR533.3333333,533.3333333,1066.6666667,533.3333333,1600,0";
+    assert!((draw(relative).0.height_mm - 10.0).abs() < 0.006);
+}
+
+#[test]
+fn filled_shapes_are_areas() {
+    let areas = |text: &str| -> Vec<_> {
+        let layers: Vec<Layer> = draw(text).0.layers;
+        layers.into_iter().flat_map(|it| it.areas).collect()
+    };
+    assert_eq!(areas("RR40,40")[0].rings[0].len(), 5);
+    assert_eq!(areas("PA40,0RA0,80WG400,0,90").len(), 2);
+    let ring = areas("PM0;PD400,0,400,400,0,400;PM1;PU100,100;PD300,100,300,300;PM2;FP");
+    let lengths: Vec<_> = ring[0].rings.iter().map(Vec::len).collect();
+    assert_eq!(lengths, [5, 4]);
+}
+
+#[test]
+fn the_edges_of_areas_are_drawn_once() {
+    for text in ["PA40,0RA0,80", "PA40,0RA0,80EA0,80", "PA40,0EA0,80RA0,80"] {
+        let layer = &draw(text).0.layers[0];
+        assert_eq!((layer.areas.len(), layer.strokes.len()), (1, 1), "{text}");
+        // A step is 0.025 mm.
+        assert!((layer.strokes[0].length_mm() - 6.0).abs() < 1e-9);
+    }
+    let polygon = "PM0;PD400,0,400,400,0,400;PM1;PU100,100;PD300,100,300,300;PM2;FP";
+    assert_eq!(draw(polygon).0.layers[0].strokes.len(), 2);
+    assert_eq!(draw(&format!("{polygon};EP")).0.layers[0].strokes.len(), 2);
+}
+
+/// Numbers as PE packs them.
+fn packed(numbers: &[i64], has_7_bits: bool) -> Vec<u8> {
+    let (bits, last) = if has_7_bits { (5, 95) } else { (6, 191) };
+    let mut bytes = Vec::new();
+    for number in numbers {
+        let mut rest = number.unsigned_abs() << 1 | u64::from(*number < 0);
+        while rest >> bits > 0 {
+            bytes.push(63 + u8::try_from(rest & ((1 << bits) - 1)).unwrap());
+            rest >>= bits;
+        }
+        bytes.push(last + u8::try_from(rest).unwrap());
+    }
+    bytes
+}
+
+#[test]
+fn packed_lines_are_read() {
+    // By hand: 40 is 80 doubled, 16 + 1 * 64 in base 64 and 16 + 2 * 32 in base 32.
+    let in_8_bits = b"PU0,0;PE<\xBF\xBF\x4F\xC0\xBF\xBF\x4F\xC0;";
+    let in_7_bits = b"PU0,0;PE7<__O a__Oa;";
+    for text in [in_8_bits.as_slice(), in_7_bits] {
+        let (artwork, _) = super::read(text, &ReadOptions::default()).unwrap();
+        assert_eq!(artwork.layers[0].strokes[0].points.len(), 3);
+        assert_eq!((artwork.width_mm, artwork.height_mm), (1.0, 1.0));
+    }
+    // A pen, an absolute place with the pen up, and a fraction of two bits.
+    let mut text = b"PE:".to_vec();
+    text.extend(packed(&[3], false));
+    text.extend(b"<=");
+    text.extend(packed(&[400, 400], false));
+    text.extend(b">");
+    text.extend(packed(&[2], false));
+    text.extend(packed(&[160, 0], false));
+    let (artwork, _) = super::read(&text, &ReadOptions::default()).unwrap();
+    assert_eq!(
+        (artwork.width_mm, artwork.layers[0].name.as_str()),
+        (1.0, "pen 3")
+    );
+}
+
+#[test]
+fn what_is_left_out_is_named_with_its_place_and_count() {
+    let text = "IN;LT2;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nIW0,0,9,9;FT3;PG;PD0,0;SI.2,.3;RO90;";
+    let (_, warnings) = draw(text);
+    assert_eq!(
+        warnings,
+        [
+            "1:4: 1 dashed line type: drawn solid (LT)",
+            "2:1: 2 sizeless texts: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
+            "2:30: 1 ZZ command: not known, left out",
+            "3:1: 1 clip window: nothing is cut off by it (IW)",
+            "3:11: 1 fill pattern: filled as all areas are (FT)",
+            "3:18: 1 further page: drawn onto the same sheet (PG)",
+            "3:32: 1 late turn: turned about the origin, not on its sheet, whose size is not known (RO)",
+        ]
+    );
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
+fn what_cannot_be_drawn_is_refused_with_its_place() {
+    for (text, expected) in [
+        (
+            &b""[..],
+            "nothing to draw: no command draws with a pen down",
+        ),
+        (
+            b"IN;PU5,5;SP1;",
+            "nothing to draw: no command draws with a pen down",
+        ),
+        (
+            b"SP0;PD5,5;",
+            "nothing to draw: no command draws with a pen down; 1:5: 1 penless line: left out (SP 0)",
+        ),
+        (
+            b"PD1,2;\n1,2",
+            "2:1: found \"1,2\"; expected a command of two letters such as PD",
+        ),
+        (
+            b"PD1,2;P",
+            "1:7: found \"P\"; expected a command of two letters such as PD",
+        ),
+        (
+            b"PD1,2,3;",
+            "1:1: found PD 1,2,3; expected pairs of coordinates x,y",
+        ),
+        (
+            b"PD1,--2;",
+            "1:5: found \"--2;\"; expected a number such as 40 or -2.5",
+        ),
+        (
+            b"PD1,1.2.3;",
+            "1:5: found \"1.2.3;\"; expected a number such as 40 or -2.5",
+        ),
+        (
+            b"PD1,99999999999;",
+            "1:5: found \"99999999999;\"; expected a number such as 40 or -2.5",
+        ),
+        (
+            b"PD1:2",
+            "1:4: found \":2\"; expected a number such as 40 or -2.5",
+        ),
+        (
+            b"PD1,2;\xFF\xFE",
+            "1:7: found \"\u{FFFD}\u{FFFD}\"; expected a command of two letters such as PD",
+        ),
+        (
+            b"\x1B&l1O",
+            "1:1: found \"\\u{1b}&l1O\"; expected an escape sequence of a plotter: ESC . or ESC %",
+        ),
+        (
+            b"PD50000000,0",
+            "1:1: leads to (1250000, 0) mm; at most 1000000 mm from the origin are allowed",
+        ),
+        (
+            b"SC0,0,1,1",
+            "1:1: found SC 0,0,1,1; expected a scale that is not flat",
+        ),
+        (
+            b"SC1,2,3",
+            "1:1: found SC 1,2,3; expected x and y of P1 and P2 as SC x1,x2,y1,y2",
+        ),
+        (
+            b"IP0,0,0,9",
+            "1:1: found IP 0,0,0,9; expected x,y of P1 and of P2, which differ in both",
+        ),
+        (
+            b"IR10,10",
+            "1:1: found IR 10,10; expected IP, for the size of the sheet is not known",
+        ),
+        (
+            b"RO45",
+            "1:1: found RO 45; expected a turn of 0, 90, 180 or 270 degrees",
+        ),
+        (b"VS0", "1:1: found VS 0; expected a speed above 0 cm/s"),
+        (b"CI", "1:1: found CI; expected a radius"),
+        (
+            b"AA1,2",
+            "1:1: found AA 1,2; expected x,y of the center, and an angle",
+        ),
+        (
+            b"AA1,2,500",
+            "1:1: found AA 1,2,500; expected an angle from -360 to 360 degrees",
+        ),
+        (
+            b"AT1,2",
+            "1:1: found AT 1,2; expected x,y of a point between, and of the end",
+        ),
+        (
+            b"BZ1,2",
+            "1:1: found BZ 1,2; expected six numbers for each curve",
+        ),
+        (
+            b"EA1",
+            "1:1: found EA 1; expected x,y of the opposite corner",
+        ),
+        (
+            b"WG1",
+            "1:1: found WG 1; expected a radius, and the angles of start and sweep",
+        ),
+        (b"PM3", "1:1: found PM 3; expected PM 0, PM 1 or PM 2"),
+        (
+            b"PD5,5;\nLBHello",
+            "2:1: found a label without an end; expected ETX (character 3) behind it, or the character that DT sets",
+        ),
+        (
+            b"DT#;BLHello\x03",
+            "1:5: found a label without an end; expected ETX (character 3) behind it, or the character that DT sets",
+        ),
+        (
+            b"SI0,1",
+            "1:1: found SI 0,1; expected a width and a height, none of them 0",
+        ),
+        (
+            b"SR1",
+            "1:1: found SR 1; expected a width and a height, none of them 0",
+        ),
+        (b"DI1", "1:1: found DI 1; expected a direction as run,rise"),
+        (
+            b"LO10",
+            "1:1: found LO 10; expected an origin from 1 to 9 or from 11 to 19",
+        ),
+        (
+            b"CP1",
+            "1:1: found CP 1; expected how many spaces and lines, or nothing",
+        ),
+        (
+            b"ES1,2,3",
+            "1:1: found ES 1,2,3; expected the extra width and height of cells",
+        ),
+        (
+            b"SI999999999,1;LBH\x03",
+            "1:15: leads to (-2857142854, 0) mm; at most 1000000 mm from the origin are allowed",
+        ),
+        (
+            b"LB \x03",
+            "nothing to draw: no command draws with a pen down; 1:1: 1 sizeless text: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
+        ),
+        (
+            b"PE!!;",
+            "1:3: found \"!!\"; expected a digit of an encoded number",
+        ),
+        (
+            b"PE<?;",
+            "1:5: found the end of the file; expected a digit of an encoded number",
+        ),
+    ] {
+        assert_eq!(error(text), expected, "{:?}", String::from_utf8_lossy(text));
+    }
+    let circles = "CI39999999;".repeat(1000);
+    let polygon = format!("PM0;{circles}");
+    for text in [circles, polygon] {
+        assert_eq!(
+            error(text.as_bytes()),
+            "the drawing has more than 2000000 line segments; simplify it or allow a larger tolerance"
+        );
+    }
+}
+
+#[test]
+fn a_file_cut_anywhere_gives_less_or_an_error() {
+    let text =
+        b"IN;SP1;PU0,0;PD400,0,400,400;CI100;PU;SP2;PE<\xBF\xBF\x4F\xC0\xBF;PA0,0;PD;AA0,80,90;PU;\
+        DT#,1;SI.2,.3;DI0,1;LO5;SM*;PU9,9;LBA;\xE4#CP1,-1;BLb#PB;SP0;";
+    for end in 0..text.len() {
+        if let Ok((artwork, _)) = super::read(&text[..end], &ReadOptions::default()) {
+            assert!(artwork.layers.len() <= 2);
+        }
+    }
+}
+
+fn lines() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
+    let corner = (-9_000..9_000, -9_000..9_000);
+    prop::collection::vec(prop::collection::vec(corner, 2..9), 1..9)
+}
+
+/// The segments of a plot, as they come onto the page, in mm.
+fn wanted(lines: &[Vec<(i32, i32)>]) -> Vec<(Point, Point)> {
+    let all = || lines.iter().flatten();
+    let left = all().map(|it| it.0).min().unwrap();
+    let top = all().map(|it| it.1).max().unwrap();
+    let place = |&(x, y): &(i32, i32)| Point::new(f64::from(x - left), f64::from(top - y)) * 0.025;
+    let pairs = lines.iter().flat_map(|line| line.windows(2));
+    pairs.map(|it| (place(&it[0]), place(&it[1]))).collect()
+}
+
+proptest! {
+    #[test]
+    fn lines_come_back_as_they_were_written(lines in lines(), encoded: bool, has_7_bits: bool) {
+        let mut text = b"IN;SP1;".to_vec();
+        let mut here = (0, 0);
+        for line in &lines {
+            if encoded {
+                text.extend(if has_7_bits { b"PE7<" } else { &b"PE<"[..] });
+                for &(x, y) in line {
+                    text.extend(packed(&[i64::from(x - here.0), i64::from(y - here.1)], has_7_bits));
+                    here = (x, y);
+                }
+                text.push(b';');
+            } else {
+                let mut written = String::new();
+                for (i, (x, y)) in line.iter().enumerate() {
+                    write!(written, "{}{x},{y};", if i == 0 { "PU" } else { "PD" }).unwrap();
+                }
+                text.extend(written.as_bytes());
+            }
+        }
+        let (artwork, _) = super::read(&text, &ReadOptions::default()).unwrap();
+        let found: Vec<_> = artwork.layers[0].strokes.iter().flat_map(Stroke::segments).collect();
+        let mut wanted = wanted(&lines);
+        wanted.retain(|it| it.0 != it.1);
+        prop_assert_eq!(found.len(), wanted.len());
+        for (found, wanted) in found.iter().zip(&wanted) {
+            prop_assert!(found.0.distance(wanted.0) < 1e-6 && found.1.distance(wanted.1) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        let _ = super::read(&bytes, &ReadOptions::default());
+    }
+
+    #[test]
+    fn no_commands_make_it_panic(
+        text in "((PU|PD|PA|PR|PE|CI|AA|AR|AT|BZ|EA|RR|EW|WG|PM|EP|FP|IP|SC|RO|SP|IN|DF|SI|SR|DI|DR|SL|ES|LO|CP|SM|DT|DV|SD|PB)[0-9,<.:;?_-]{0,20};?|(LB|BL)[ -~\\t\\r\\n\\x08äß漢]{0,9}[\\x03;#]){0,30}"
+    ) {
+        if let Ok((artwork, _)) = super::read(text.as_bytes(), &ReadOptions::default()) {
+            prop_assert!(artwork.points().all(|p| p.x.is_finite() && p.y.is_finite()));
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! What the numbers of a plot mean: IP, IR, SC, RO.
+
+use dobot_geometry::Point;
+
+use super::command::Command;
+use super::frame::{Frame, Scale, ScaleKind};
+use super::plotter::Plotter;
+use crate::error::SourceError;
+
+impl Plotter<'_> {
+    pub(super) fn set_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let [p1, p2] = Frame::DEFAULT.corners;
+        let corners = match it.numbers.as_slice() {
+            [] => [p1, p2],
+            &[x, y] => {
+                let [old1, old2] = self.frame.corners;
+                let p1 = Point::new(x, y);
+                [p1, p1 + (old2 - old1)]
+            }
+            &[x1, y1, x2, y2] if x1 != x2 && y1 != y2 => [Point::new(x1, y1), Point::new(x2, y2)],
+            _ => return Err(self.refused(it, "x,y of P1 and of P2, which differ in both")),
+        };
+        self.knows_corners = !it.numbers.is_empty();
+        self.use_frame(Frame {
+            corners,
+            ..self.frame
+        });
+        Ok(())
+    }
+
+    pub(super) fn relative_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        if it.numbers.is_empty() {
+            return self.set_corners(it);
+        }
+        Err(self.refused(it, "IP, for the size of the sheet is not known"))
+    }
+
+    pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
+        if scale.is_some() && !self.knows_corners {
+            self.warn(
+                it,
+                "cornerless scale",
+                "taken for that of a sheet of A4 (SC without IP)",
+            );
+        }
+        self.use_frame(Frame {
+            scale,
+            ..self.frame
+        });
+        Ok(())
+    }
+
+    pub(super) fn turn(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let quarters = match it.number(0) {
+            None | Some(0.0) => 0,
+            Some(90.0) => 1,
+            Some(180.0) => 2,
+            Some(270.0) => 3,
+            _ => return Err(self.refused(it, "a turn of 0, 90, 180 or 270 degrees")),
+        };
+        if self.has_drawn && quarters != self.frame.quarters {
+            let instead = "turned about the origin, not on its sheet, whose size is not known (RO)";
+            self.warn(it, "late turn", instead);
+        }
+        self.labels.margin_mm = None;
+        self.use_frame(Frame {
+            quarters,
+            ..self.frame
+        });
+        Ok(())
+    }
+}
+
+/// What SC says; nothing ends the scale.
+fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
+    let share = |percent: f64| (percent / 100.0).clamp(0.0, 1.0);
+    let (ends, kind) = match numbers {
+        [] => return Ok(None),
+        ends | [ends @ .., 0.0] if ends.len() == 4 => (ends, ScaleKind::Stretched),
+        [ends @ .., 2.0] if ends.len() == 4 => (ends, ScaleKind::Factor),
+        [ends @ .., 1.0] if ends.len() == 4 => (ends, EVEN),
+        [ends @ .., 1.0, left, bottom] if ends.len() == 4 => {
+            let (left, bottom) = (share(*left), share(*bottom));
+            (ends, ScaleKind::Even { left, bottom })
+        }
+        _ => return Err("x and y of P1 and P2 as SC x1,x2,y1,y2"),
+    };
+    let (from, to) = (Point::new(ends[0], ends[2]), Point::new(ends[1], ends[3]));
+    let is_flat = match kind {
+        ScaleKind::Factor => to.x == 0.0 || to.y == 0.0,
+        _ => from.x == to.x || from.y == to.y,
+    };
+    if is_flat {
+        return Err("a scale that is not flat");
+    }
+    Ok(Some(Scale { from, to, kind }))
+}
+
+const EVEN: ScaleKind = ScaleKind::Even {
+    left: 0.5,
+    bottom: 0.5,
+};

@@ -1,0 +1,138 @@
+//! What kind of source some bytes are, told from how they begin.
+
+use crate::Source;
+use crate::error::SourceError;
+
+/// The kinds of text that are told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Svg,
+    Json,
+    Dxf,
+    Csv,
+    Hpgl,
+    Gcode,
+}
+
+impl Kind {
+    /// The kind of a text that begins like this; nothing at all is taken for an SVG file, of which
+    /// people know best what is missing.
+    pub(super) fn of_start(bytes: &[u8]) -> Option<Self> {
+        let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
+        let start = start.trim_start_matches('\u{FEFF}').trim_start();
+        if bytes.is_empty() || start.contains("<svg") || start.starts_with("<?xml") {
+            return Some(Self::Svg);
+        }
+        let first = start.lines().next().unwrap_or_default();
+        let kinds = [
+            (Self::Json, start.starts_with(['[', '{'])),
+            (Self::Dxf, is_dxf(start)),
+            (Self::Csv, is_csv(first)),
+            (Self::Hpgl, is_hpgl(start)),
+            (Self::Gcode, is_gcode(start)),
+        ];
+        kinds.into_iter().find(|it| it.1).map(|it| it.0)
+    }
+
+    pub(super) fn source(self, bytes: Vec<u8>) -> Result<Source, SourceError> {
+        Ok(match self {
+            Self::Svg => Source::Svg(text(bytes)?),
+            Self::Json => Source::Json(text(bytes)?),
+            Self::Csv => Source::Csv(text(bytes)?),
+            Self::Dxf => Source::Dxf(bytes),
+            Self::Hpgl => Source::Hpgl(bytes),
+            Self::Gcode => Source::Gcode(bytes),
+        })
+    }
+}
+
+/// Pairs of lines: a section or a comment comes first.
+fn is_dxf(start: &str) -> bool {
+    let mut lines = start.lines().map(str::trim);
+    let first = (lines.next(), lines.next());
+    let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
+    is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")
+}
+
+/// Two numbers, or a header with x and y.
+fn is_csv(first: &str) -> bool {
+    let fields = first
+        .split([',', ';', '\t'])
+        .map(|it| it.trim().to_ascii_lowercase());
+    let fields: Vec<String> = fields.collect();
+    let has = |name: &str| fields.iter().any(|it| it == name);
+    let is_number = |it: &String| it.parse::<f64>().is_ok();
+    (has("x") && has("y")) || (fields.len() >= 2 && fields.iter().all(is_number))
+}
+
+/// A plotter's escape sequence, or a command that plots begin with, and not with other letters.
+fn is_hpgl(start: &str) -> bool {
+    let start = start.trim_start_matches(';');
+    let name = start.get(..2).unwrap_or_default().to_ascii_uppercase();
+    let next = start.get(2..).unwrap_or_default();
+    let is_first = [
+        "BP", "DF", "IN", "IP", "PA", "PD", "PR", "PU", "RO", "SC", "SP", "VS",
+    ]
+    .contains(&name.as_str());
+    let is_word = next.starts_with(|c: char| c.is_ascii_lowercase())
+        && !start.starts_with(|c: char| c.is_ascii_lowercase());
+    start.starts_with('\u{1b}') || (is_first && !is_word)
+}
+
+/// A word such as `G21`, or what may stand before the first.
+fn is_gcode(start: &str) -> bool {
+    let mut letters = start.chars();
+    let first = letters.next().unwrap_or_default().to_ascii_uppercase();
+    let second = letters.find(|it| *it != ' ').unwrap_or_default();
+    "%(;$/".contains(first)
+        || ("FGMNSTXYZ".contains(first) && (second.is_ascii_digit() || "-.".contains(second)))
+}
+
+/// The text in a file.
+pub(crate) fn text(bytes: Vec<u8>) -> Result<String, SourceError> {
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let lines = valid.split(|&byte| byte == b'\n').count();
+        SourceError::NotText { line: lines }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_is_told_from_how_it_begins() {
+        for (start, kind) in [
+            ("", Some(Kind::Svg)),
+            ("\u{FEFF}<?xml version=\"1.0\"?>", Some(Kind::Svg)),
+            ("<!-- made by hand --><svg/>", Some(Kind::Svg)),
+            (" [[[0,0]]]", Some(Kind::Json)),
+            ("{\"strokes\": []}", Some(Kind::Json)),
+            ("  0\r\nSECTION\r\n", Some(Kind::Dxf)),
+            ("999\nmade by hand\n0\nSECTION", Some(Kind::Dxf)),
+            ("AutoCAD Binary DXF\r\n\u{1a}", Some(Kind::Dxf)),
+            ("0,0\n1,1", Some(Kind::Csv)),
+            ("-1.5;2e3\n", Some(Kind::Csv)),
+            ("pen\tX\tY\n", Some(Kind::Csv)),
+            ("IN;SP1;PU0,0", Some(Kind::Hpgl)),
+            ("in;pu;", Some(Kind::Hpgl)),
+            ("PUPA0,0", Some(Kind::Hpgl)),
+            ("\u{1b}.(;IN;", Some(Kind::Hpgl)),
+            ("\u{1b}%-12345X@PJL", Some(Kind::Hpgl)),
+            ("G21\nG90", Some(Kind::Gcode)),
+            ("g0x1", Some(Kind::Gcode)),
+            ("; made by hand\nG0 X1", Some(Kind::Gcode)),
+            ("%\n(drawing)\n", Some(Kind::Gcode)),
+            ("N10 G1 X1", Some(Kind::Gcode)),
+            ("$H\nG0", Some(Kind::Gcode)),
+            ("M3 S100", Some(Kind::Gcode)),
+            ("Dear reader", None),
+            ("Input of the day", None),
+            ("Green", None),
+            ("\u{89}PNG", None),
+        ] {
+            assert_eq!(Kind::of_start(start.as_bytes()), kind, "{start:?}");
+        }
+    }
+}

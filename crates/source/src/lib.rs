@@ -1,0 +1,37 @@
+//! Files, pictures and texts as lines and areas to draw.
+//!
+//! Each reader gives the same: layers of strokes and areas in millimetres of a page. What it cannot read
+//! it refuses with the place, what was found and what is allowed; what a pen cannot show is a warning.
+//!
+//! ```
+//! use dobot_source::{ReadOptions, Source};
+//!
+//! let file = b"x,y\n0,0\n30,0\n30,40\n".to_vec();
+//! let (artwork, warnings) = Source::of_file("lines.csv", file)?.read(&ReadOptions::default())?;
+//! assert_eq!(artwork.layers[0].strokes[0].length_mm(), 70.0);
+//! assert!(warnings.is_empty());
+//! # Ok::<(), dobot_source::SourceError>(())
+//! ```
+
+mod artwork;
+mod dxf;
+mod error;
+mod gcode;
+mod hpgl;
+mod kind;
+mod options;
+mod picture;
+mod points;
+mod sketch;
+mod source;
+mod svg;
+mod text;
+
+pub use artwork::{Artwork, Layer};
+pub use error::{Place, SourceError, Warning};
+pub use options::{LayersBy, ReadOptions};
+pub use picture::{ImageError, Shading, Style};
+pub use source::Source;
+pub use svg::SvgError;
+pub use text::{Align, Font, StrokeFont, Text, TextError};
+pub use usvg::fontdb;

@@ -1,0 +1,49 @@
+//! How a source is read.
+
+use std::sync::Arc;
+
+use usvg::fontdb;
+
+use crate::picture::Shading;
+
+/// How a source is read.
+#[derive(Clone, Debug)]
+pub struct ReadOptions {
+    /// How far a line may leave the curve that it stands for, in millimetres on the page; from
+    /// 1e-6 up.
+    pub tolerance_mm: f64,
+    /// How many millimetres on the paper become of one on the page: what is to be so far apart on
+    /// the paper (the lines of a shaded picture) is that much nearer on the page.
+    pub scale: f64,
+    /// What makes a layer of an SVG file.
+    pub layers: LayersBy,
+    /// The fonts that text is drawn with.
+    pub fonts: Arc<fontdb::Database>,
+    /// How the tones of a picture become lines or dots.
+    pub shading: Shading,
+}
+
+impl Default for ReadOptions {
+    /// 0.005 mm at true size, a layer for each colour, no fonts, pictures hatched.
+    fn default() -> Self {
+        Self {
+            tolerance_mm: 0.005,
+            scale: 1.0,
+            layers: LayersBy::default(),
+            fonts: Arc::default(),
+            shading: Shading::default(),
+        }
+    }
+}
+
+/// What makes a layer of an SVG file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LayersBy {
+    /// Each colour: of the line, or of the fill where there is no line.
+    #[default]
+    Color,
+    /// Each outermost group.
+    Group,
+    /// All of it is one layer.
+    Nothing,
+}

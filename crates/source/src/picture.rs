@@ -1,0 +1,143 @@
+//! PNG and JPEG pictures: their tones as lines or dots.
+//!
+//! ```text
+//!   file -> grey pixels -> tones on a grid -> full range -> outline, lines, stipple or hatch
+//!           (decode, exif)  (resample, tone)   (levels)      (contour)(waves)          (rows)
+//! ```
+
+mod contour;
+mod decode;
+mod error;
+mod exif;
+mod hatch;
+mod levels;
+mod outline;
+mod resample;
+mod rows;
+mod shading;
+mod smooth;
+mod stipple;
+mod tone;
+mod waves;
+
+use self::decode::{Header, header, pixels};
+pub use self::error::ImageError;
+pub use self::shading::{Shading, Style};
+use self::tone::{Tone, count};
+use crate::artwork::{Artwork, Layer};
+use crate::error::{SourceError, Warning};
+use crate::options::ReadOptions;
+use dobot_geometry::{Point, Stroke};
+
+/// Reads a picture as lines or dots, all on its page: 96 pixels to the inch, or what a PNG file
+/// says itself.
+///
+/// The shading's spacing holds on the paper, so that the strokes depend on `options.scale`.
+///
+/// # Errors
+///
+/// [`SourceError::Picture`] where the file is damaged or has more than 100 million pixels, a setting
+/// of the shading is out of range, or the spacing too fine for the size;
+/// [`SourceError::NothingToDraw`] where it leaves no ink.
+pub(crate) fn read(
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let shading = &options.shading;
+    shading.check()?;
+    let spacing_mm = shading.spacing_mm / options.scale;
+    check_size(header(bytes)?.page(), shading.spacing_mm, options.scale)?;
+    let (header, tone) = toned(bytes, shading, spacing_mm)?;
+    let strokes = strokes(&tone, shading, spacing_mm);
+    if strokes.is_empty() {
+        let reason = "the picture is of one light tone, or its dark parts are smaller than the \
+                      spacing"
+            .to_owned();
+        return Err(SourceError::NothingToDraw { reason });
+    }
+    let page = tone.page();
+    let artwork = Artwork {
+        width_mm: page.x,
+        height_mm: page.y,
+        layers: vec![Layer {
+            strokes,
+            ..Layer::default()
+        }],
+    };
+    Ok((artwork, warnings(header)))
+}
+
+/// Whether it begins as a PNG or JPEG file does.
+pub(super) fn is_picture(bytes: &[u8]) -> bool {
+    decode::is_picture(bytes)
+}
+
+/// Width and height of the page in millimetres, without reading the pixels.
+///
+/// # Errors
+///
+/// As [`read`].
+pub(super) fn page(bytes: &[u8]) -> Result<Point, SourceError> {
+    Ok(header(bytes)?.page())
+}
+
+/// The grid is as fine as the spacing asks for, whatever the size of the file.
+fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, Tone), SourceError> {
+    let paper = if shading.invert { 0 } else { 255 };
+    let (header, grey) = pixels(bytes, paper)?;
+    let page = header.stored_page();
+    let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MOST_CELLS).max(2);
+    let tone = resample::resample(
+        &grey,
+        [header.width, header.height],
+        [cells(page.x), cells(page.y)],
+        page,
+    );
+    let tone = tone.oriented(header.orientation);
+    Ok((header, levels::levelled(&tone, shading, spacing_mm)))
+}
+
+fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    match shading.style {
+        Style::Outline => outline::outlines(tone, shading, spacing_mm),
+        Style::Lines => waves::waves(tone, shading, spacing_mm),
+        Style::Stipple => stipple::stippled(tone, shading, spacing_mm),
+        Style::Hatch => hatch::hatched(tone, shading, spacing_mm),
+    }
+}
+
+fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError> {
+    let [width_mm, height_mm] = [page.x, page.y].map(|mm| mm * scale);
+    let least_mm = (width_mm * height_mm / MOST_SPACINGS)
+        .sqrt()
+        .max(width_mm.max(height_mm) * CELLS / count(MOST_CELLS));
+    if spacing_mm >= least_mm {
+        return Ok(());
+    }
+    Err(ImageError::TooFine {
+        spacing_mm,
+        least_mm,
+        width_mm,
+        height_mm,
+    })
+}
+
+fn warnings(header: Header) -> Vec<Warning> {
+    let animation = Warning {
+        place: None,
+        what: "animation".to_owned(),
+        instead: "only its first picture is drawn".to_owned(),
+        count: 1,
+    };
+    header.animated.then_some(animation).into_iter().collect()
+}
+
+/// Cells of the grid to a spacing.
+const CELLS: f64 = 4.0;
+/// The largest number of cells from one side of the page to the other.
+const MOST_CELLS: usize = 100_000;
+/// The largest number of square spacings on a page: 8 million cells.
+const MOST_SPACINGS: f64 = 500_000.0;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,244 @@
+//! PNG and JPEG files to grey pixels.
+
+use std::io::Cursor;
+
+use dobot_geometry::Point;
+use png::{ColorType, Limits, Transformations, Unit};
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
+
+use super::error::ImageError;
+use super::exif::Orientation;
+
+/// What a file says about its picture before the pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Header {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    /// A pixel's width and height, in millimetres.
+    pub(super) pixel: Point,
+    pub(super) orientation: Orientation,
+    /// It is an animation; its first picture counts.
+    pub(super) animated: bool,
+}
+
+impl Header {
+    /// The pixels' rows and columns as they are stored, in millimetres.
+    pub(super) fn stored_page(&self) -> Point {
+        let [width, height] = [self.width, self.height].map(super::tone::count);
+        Point::new(width * self.pixel.x, height * self.pixel.y)
+    }
+
+    /// The page as a person sees it.
+    pub(super) fn page(&self) -> Point {
+        let stored = self.stored_page();
+        if self.orientation.transpose {
+            return Point::new(stored.y, stored.x);
+        }
+        stored
+    }
+
+    fn check(self) -> Result<Self, ImageError> {
+        let (width, height) = (self.width, self.height);
+        if width.saturating_mul(height) <= MOST_PIXELS {
+            return Ok(self);
+        }
+        Err(ImageError::TooManyPixels {
+            width,
+            height,
+            limit: MOST_PIXELS / 1_000_000,
+        })
+    }
+}
+
+/// Whether it begins as a PNG or JPEG file does.
+pub(super) fn is_picture(bytes: &[u8]) -> bool {
+    bytes.starts_with(PNG) || bytes.starts_with(JPEG)
+}
+
+/// Reads the header alone.
+pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
+    match Format::of(bytes)? {
+        Format::Png => png(bytes).map(|(_, header)| header),
+        Format::Jpeg => jpeg(bytes).map(|(_, header)| header),
+    }
+}
+
+/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`.
+pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
+    match Format::of(bytes)? {
+        Format::Png => png_pixels(bytes, paper),
+        Format::Jpeg => jpeg_pixels(bytes),
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Png,
+    Jpeg,
+}
+
+impl Format {
+    /// By the first bytes, whatever the name says.
+    fn of(bytes: &[u8]) -> Result<Self, ImageError> {
+        match bytes {
+            [] => Err(ImageError::EmptyFile),
+            _ if bytes.starts_with(PNG) => Ok(Self::Png),
+            _ if bytes.starts_with(JPEG) => Ok(Self::Jpeg),
+            _ => Err(ImageError::UnknownFormat),
+        }
+    }
+}
+
+type PngReader<'a> = png::Reader<Cursor<&'a [u8]>>;
+
+fn png(bytes: &[u8]) -> Result<(PngReader<'_>, Header), ImageError> {
+    let limits = Limits { bytes: PNG_BYTES };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    decoder.set_transformations(Transformations::normalize_to_color8());
+    let info = decoder.read_header_info().map_err(bad_png)?;
+    let [width, height] = [info.width, info.height].map(|it| it as usize);
+    let mut header = Header {
+        width,
+        height,
+        pixel: Point::new(PIXEL_MM, PIXEL_MM),
+        orientation: Orientation::default(),
+        animated: false,
+    }
+    .check()?;
+    let reader = decoder.read_info().map_err(bad_png)?;
+    let info = reader.info();
+    header.animated = info.is_animated();
+    if let Some(exif) = &info.exif_metadata {
+        header.orientation = Orientation::of_exif(exif);
+    }
+    if let Some(dims) = info.pixel_dims
+        && dims.unit == Unit::Meter
+        && dims.xppu > 0
+        && dims.yppu > 0
+    {
+        header.pixel = Point::new(1000.0 / f64::from(dims.xppu), 1000.0 / f64::from(dims.yppu));
+    }
+    Ok((reader, header))
+}
+
+fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
+    let (mut reader, header) = png(bytes)?;
+    let color = reader.output_color_type().0;
+    let mut grey = Vec::with_capacity(header.width * header.height);
+    if reader.info().interlaced {
+        let size = reader.output_buffer_size();
+        let mut all = vec![0; size.ok_or_else(|| bad_png("too large"))?];
+        reader.next_frame(&mut all).map_err(bad_png)?;
+        add_grey(&mut grey, &all, color, paper);
+    } else {
+        while let Some(row) = reader.next_row().map_err(bad_png)? {
+            add_grey(&mut grey, row.data(), color, paper);
+        }
+    }
+    if grey.len() == header.width * header.height {
+        return Ok((header, grey));
+    }
+    Err(bad_png("it has too few pixels"))
+}
+
+fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
+    let on_paper = |grey: u8, alpha: u8| {
+        let [grey, alpha, paper] = [grey, alpha, paper].map(u32::from);
+        byte((grey * alpha + paper * (255 - alpha) + 127) / 255)
+    };
+    match color {
+        ColorType::Grayscale | ColorType::Indexed => grey.extend_from_slice(row),
+        ColorType::GrayscaleAlpha => {
+            grey.extend(row.chunks_exact(2).map(|it| on_paper(it[0], it[1])));
+        }
+        ColorType::Rgb => grey.extend(row.chunks_exact(3).map(luma)),
+        ColorType::Rgba => {
+            grey.extend(row.chunks_exact(4).map(|it| on_paper(luma(it), it[3])));
+        }
+    }
+}
+
+type Jpeg<'a> = JpegDecoder<ZCursor<&'a [u8]>>;
+
+fn jpeg(bytes: &[u8]) -> Result<(Jpeg<'_>, Header), ImageError> {
+    let options = DecoderOptions::default()
+        .set_strict_mode(true)
+        .set_max_width(usize::from(u16::MAX))
+        .set_max_height(usize::from(u16::MAX));
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    decoder.decode_headers().map_err(bad_jpeg)?;
+    let (width, height) = decoder
+        .dimensions()
+        .ok_or_else(|| bad_jpeg("it has no size"))?;
+    let exif = decoder.exif().map_or(&[][..], Vec::as_slice);
+    let header = Header {
+        width,
+        height,
+        pixel: Point::new(PIXEL_MM, PIXEL_MM),
+        orientation: Orientation::of_exif(exif),
+        animated: false,
+    };
+    Ok((decoder, header.check()?))
+}
+
+fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
+    let (mut decoder, header) = jpeg(bytes)?;
+    // Of the usual colours the first is the grey; others are converted.
+    let grey = matches!(
+        decoder.input_colorspace(),
+        Some(ColorSpace::Luma | ColorSpace::YCbCr)
+    );
+    let color = if grey {
+        ColorSpace::Luma
+    } else {
+        ColorSpace::RGB
+    };
+    decoder.set_options(decoder.options().jpeg_set_out_colorspace(color));
+    let mut pixels = decoder.decode().map_err(bad_jpeg)?;
+    if !grey {
+        pixels = pixels.chunks_exact(3).map(luma).collect();
+    }
+    if pixels.len() == header.width * header.height {
+        return Ok((header, pixels));
+    }
+    Err(bad_jpeg("it has too few pixels"))
+}
+
+/// How light a colour looks: red, green and blue weighted as in JPEG files.
+fn luma(rgb: &[u8]) -> u8 {
+    let [red, green, blue] = [rgb[0], rgb[1], rgb[2]].map(u32::from);
+    byte((299 * red + 587 * green + 114 * blue + 500) / 1000)
+}
+
+fn byte(value: u32) -> u8 {
+    u8::try_from(value).expect("a mean of bytes")
+}
+
+fn bad_png(problem: impl ToString) -> ImageError {
+    damaged("PNG", problem)
+}
+
+fn bad_jpeg(problem: impl ToString) -> ImageError {
+    damaged("JPEG", problem)
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "stands in `map_err`")]
+fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
+    let problem = problem.to_string();
+    let line = problem.lines().next().unwrap_or_default();
+    ImageError::Damaged {
+        format,
+        problem: line.trim_end_matches('.').to_owned(),
+    }
+}
+
+/// 96 to the inch, as browsers take pixels.
+const PIXEL_MM: f64 = 25.4 / 96.0;
+const MOST_PIXELS: usize = 100_000_000;
+/// What else the PNG decoder may allocate: a few rows, colour profiles, texts.
+const PNG_BYTES: usize = 1 << 26;
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+const JPEG: &[u8] = b"\xff\xd8\xff";

@@ -1,0 +1,97 @@
+//! Straight lines, in the more directions the darker it is.
+
+use dobot_geometry::{Point, Stroke};
+
+use super::rows::{Rows, woven};
+use super::shading::Shading;
+use super::smooth::smoothed;
+use super::tone::{Tone, count};
+
+/// Hatches a page: from each level on one more direction, of which first every other line is drawn.
+///
+/// The lines of a direction lie on one grid for the whole page, so that levels fit to each other.
+/// `spacing_mm` is on the page. Pieces and gaps shorter than about a spacing are not drawn.
+pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let tone = smoothed(tone).blurred(SOFTNESS * spacing_mm);
+    let set = |level: u8| {
+        let rows = Rows {
+            page: tone.page(),
+            margin_mm: 0.0,
+            spacing_mm,
+            angle_deg: shading.angle_deg + turn_deg(level),
+        };
+        let steps = [2 * level, 2 * level + 1].map(|it| threshold(it, 2 * shading.levels));
+        let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
+        let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
+        woven(lines.map(pieces).collect(), REACH * spacing_mm)
+    };
+    (0..shading.levels).flat_map(set).collect()
+}
+
+/// The darkness from which on a step of the hatching is drawn.
+fn threshold(step: u8, steps: u8) -> f64 {
+    (f64::from(step) + 0.7) / f64::from(steps)
+}
+
+/// Each direction halves the widest gap between those before: 0, 90, 45, 135, then those between.
+fn turn_deg(level: u8) -> f64 {
+    const TURNS_DEG: [f64; 8] = [0.0, 90.0, 45.0, 135.0, 22.5, 112.5, 67.5, 157.5];
+    TURNS_DEG[usize::from(level) % TURNS_DEG.len()]
+}
+
+fn pieces(tone: &Tone, rows: &Rows, [a, b]: [Point; 2], threshold: f64) -> Vec<Vec<Point>> {
+    let place = |mm: f64| a + rows.along() * mm;
+    let runs = cleaned(runs(tone, [a, b], threshold), rows.spacing_mm);
+    let ends = runs
+        .into_iter()
+        .map(|(from, to)| vec![place(from), place(to)]);
+    ends.collect()
+}
+
+/// Where a line is darker than the threshold: from and to, in millimetres from its start.
+fn runs(tone: &Tone, [a, b]: [Point; 2], threshold: f64) -> Vec<(f64, f64)> {
+    let length_mm = a.distance(b);
+    let cell_mm = tone.cell.x.min(tone.cell.y);
+    let places = a.steps_to(b, cell_mm);
+    let step_mm = length_mm / (length_mm / cell_mm).ceil().max(1.0);
+    let mut runs = Vec::new();
+    let mut began = None;
+    let mut before = tone.at(a);
+    for (i, p) in places.enumerate() {
+        let ink = tone.at(p);
+        let back = ((ink - threshold) / (ink - before)).clamp(0.0, 1.0);
+        let crossing_mm = || step_mm * (count(i) - back);
+        match began {
+            None if i == 0 && ink >= threshold => began = Some(0.0),
+            None if ink >= threshold => began = Some(crossing_mm()),
+            Some(from) if ink < threshold => {
+                runs.push((from, crossing_mm()));
+                began = None;
+            }
+            _ => {}
+        }
+        before = ink;
+    }
+    runs.extend(began.map(|from| (from, length_mm)));
+    runs
+}
+
+/// Bridges short gaps, then drops short pieces.
+fn cleaned(runs: Vec<(f64, f64)>, spacing_mm: f64) -> Vec<(f64, f64)> {
+    let mut whole: Vec<(f64, f64)> = Vec::with_capacity(runs.len());
+    for run in runs {
+        match whole.last_mut() {
+            Some(before) if run.0 - before.1 < SHORTEST_GAP * spacing_mm => before.1 = run.1,
+            _ => whole.push(run),
+        }
+    }
+    whole.retain(|(from, to)| to - from >= spacing_mm);
+    whole
+}
+
+/// How far tones are mixed before they are told apart, in spacings.
+const SOFTNESS: f64 = 0.2;
+/// How far it may be from one piece to the next for the pen to stay down, in spacings.
+const REACH: f64 = 1.6;
+/// Of a gap, in spacings.
+const SHORTEST_GAP: f64 = 0.75;

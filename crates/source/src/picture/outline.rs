@@ -1,0 +1,57 @@
+//! The borders between tones.
+
+use dobot_geometry::{Point, Stroke};
+
+use super::contour::contours;
+use super::levels::Histogram;
+use super::shading::Shading;
+use super::smooth::smoothed;
+use super::tone::{Tone, count};
+
+/// Draws the borders between the tones of a page as smooth lines, closed where they do not end at
+/// the page's border.
+///
+/// Grain finer than `spacing_mm` (on the page) is smoothed, and what is smaller than about that is
+/// left out. So is what only runs along a gentle slope, a sky that grows dark, unless a threshold
+/// asks for it.
+pub(super) fn outlines(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let tone = smoothed(tone);
+    let (thresholds, least) = match shading.threshold {
+        Some(threshold) => (vec![threshold], 0.0),
+        None => (Histogram::of(&tone).thresholds(shading.levels), GENTLE),
+    };
+    let tone = tone.blurred(SOFTNESS * spacing_mm);
+    let lines = thresholds.iter().flat_map(|&it| contours(&tone, it));
+    let seen = lines.filter(|it| is_seen(it, spacing_mm));
+    seen.filter(|it| steepness(&tone, it, spacing_mm) >= least)
+        .collect()
+}
+
+/// Whether it is more than a speck.
+fn is_seen(stroke: &Stroke, spacing_mm: f64) -> bool {
+    if stroke.closed {
+        return area_mm2(&stroke.points) >= SPECK * spacing_mm * spacing_mm;
+    }
+    stroke.length_mm() >= spacing_mm
+}
+
+/// How much the tone changes within a spacing across a line, on the average.
+fn steepness(tone: &Tone, stroke: &Stroke, spacing_mm: f64) -> f64 {
+    let change = |p: Point, way: Point| tone.at(p + way) - tone.at(p - way);
+    let half = spacing_mm / 2.0;
+    let steep =
+        |&p: &Point| change(p, Point::new(half, 0.0)).hypot(change(p, Point::new(0.0, half)));
+    stroke.points.iter().map(steep).sum::<f64>() / count(stroke.points.len())
+}
+
+fn area_mm2(ring: &[Point]) -> f64 {
+    let twice: f64 = ring.windows(2).map(|it| it[0].cross(it[1])).sum();
+    twice.abs() / 2.0
+}
+
+/// How far tones are mixed, in spacings.
+const SOFTNESS: f64 = 0.3;
+/// The smallest area that is drawn, in square spacings: a disc 0.8 spacings wide.
+const SPECK: f64 = 0.5;
+/// The change of tone within a spacing below which there is no border.
+const GENTLE: f64 = 0.025;

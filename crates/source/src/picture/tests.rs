@@ -1,0 +1,556 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::collections::BTreeSet;
+
+use dobot_geometry::Bounds;
+use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder};
+use png::{BitDepth, ColorType};
+use proptest::prelude::*;
+
+use super::*;
+use crate::Source;
+
+/// A PNG file of grey pixels.
+fn grey(width: u32, height: u32, grey: impl Fn(f64, f64) -> f64) -> Vec<u8> {
+    let middle = |i: u32| f64::from(i) + 0.5;
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (middle(x), middle(y))));
+    let pixels: Vec<u8> = places.map(|(x, y)| byte(grey(x, y))).collect();
+    encoded(
+        width,
+        height,
+        ColorType::Grayscale,
+        BitDepth::Eight,
+        &pixels,
+    )
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped"
+)]
+fn byte(value: f64) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+fn encoded(width: u32, height: u32, color: ColorType, depth: BitDepth, pixels: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(color);
+    encoder.set_depth(depth);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(pixels).unwrap();
+    writer.finish().unwrap();
+    file
+}
+
+fn jpeg(width: u16, height: u16, color: JpegColor, pixels: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let encoder = JpegEncoder::new(&mut file, 95);
+    encoder.encode(pixels, width, height, color).unwrap();
+    file
+}
+
+fn options(style: Style) -> ReadOptions {
+    ReadOptions {
+        shading: Shading::new(style),
+        ..ReadOptions::default()
+    }
+}
+
+fn drawn(file: &[u8], options: &ReadOptions) -> Vec<Stroke> {
+    let (mut artwork, warnings) = read(file, options).unwrap();
+    assert_eq!(warnings, []);
+    artwork.layers.remove(0).strokes
+}
+
+/// The grey pixels of a file, row by row.
+fn seen(file: &[u8]) -> Vec<u8> {
+    pixels(file, 255).unwrap().1
+}
+
+/// Black within `radius` of (x, y), white outside, the edge as sharp as pixels can show.
+fn disc(x: f64, y: f64, radius: f64) -> impl Fn(f64, f64) -> f64 {
+    move |px, py| (px - x).hypot(py - y) - radius + 0.5
+}
+
+const PIXEL_MM: f64 = 25.4 / 96.0;
+const STYLES: [Style; 4] = [Style::Outline, Style::Lines, Style::Stipple, Style::Hatch];
+
+#[test]
+fn the_outline_of_a_disc_is_a_circle_of_its_size() {
+    let file = grey(200, 180, disc(101.3, 88.6, 60.0));
+    let strokes = drawn(&file, &options(Style::Outline));
+    assert_eq!(strokes.len(), 1);
+    assert!(strokes[0].closed);
+    for p in &strokes[0].points {
+        let away = (p.x / PIXEL_MM - 101.3).hypot(p.y / PIXEL_MM - 88.6);
+        assert!((away - 60.0).abs() < 0.3, "{away} pixels from the middle");
+    }
+}
+
+#[test]
+fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
+    let big = disc(60.0, 60.0, 30.0);
+    let speck = disc(110.0, 20.0, 1.0);
+    let file = grey(120, 120, |x, y| big(x, y).min(speck(x, y)));
+    assert_eq!(drawn(&file, &options(Style::Outline)).len(), 1);
+    // A cone of tone: black in the middle, white at 40 pixels.
+    let cone = grey(120, 120, |x, y| (x - 60.0).hypot(y - 60.0) / 40.0);
+    let mut wide = options(Style::Outline);
+    wide.shading.threshold = Some(0.2);
+    let mut narrow = options(Style::Outline);
+    narrow.shading.threshold = Some(0.8);
+    let [wide, narrow] = [wide, narrow].map(|it| drawn(&cone, &it));
+    assert_eq!([wide.len(), narrow.len()], [1, 1]);
+    assert!(wide[0].length_mm() > 2.0 * narrow[0].length_mm());
+}
+
+#[test]
+fn a_wall_that_grows_dark_has_no_outline() {
+    let file = grey(400, 100, |x, _| x / 400.0);
+    let error = read(&file, &options(Style::Outline)).unwrap_err();
+    assert!(
+        matches!(error, SourceError::NothingToDraw { .. }),
+        "{error}"
+    );
+}
+
+#[test]
+fn dots_are_shared_out_as_the_tone_is() {
+    for (left, right) in [(0.75, 0.25), (1.0, 0.1), (0.3, 0.2), (0.5, 0.5)] {
+        let ink = (0..160 * 120).map(|i| tone::as_ink(if i % 160 < 80 { left } else { right }));
+        let tone = Tone {
+            width: 160,
+            height: 120,
+            cell: Point::new(0.25, 0.25),
+            ink: ink.collect(),
+        };
+        let dots = stipple::stippled(&tone, &Shading::new(Style::Stipple), 1.0);
+        let on_the_left = dots.iter().filter(|it| it.points[0].x < 20.0).count();
+        let share = count(on_the_left) / count(dots.len());
+        let wanted = left / (left + right);
+        assert!((share / wanted - 1.0).abs() < 0.1, "{share}, not {wanted}");
+        // 600 mm2 each; in the densest packing a dot takes 0.866 mm2.
+        let all = 600.0 * (left + right) / 0.866;
+        assert!(
+            (count(dots.len()) / all - 1.0).abs() < 0.05,
+            "{} of {all}",
+            dots.len()
+        );
+    }
+}
+
+#[test]
+fn dots_keep_apart_and_leave_white_alone() {
+    let checker = |x: f64, y: f64| {
+        let [column, row] = [x, y].map(|it| (it / 40.0).floor());
+        (column + row) % 2.0
+    };
+    let file = grey(160, 160, checker);
+    let dots = drawn(&file, &options(Style::Stipple));
+    assert!(dots.len() > 500);
+    let spacing_mm = Shading::new(Style::Stipple).spacing_mm;
+    for (i, dot) in dots.iter().enumerate() {
+        let p = dot.points[0];
+        let ink_near = [-0.5, 0.5]
+            .iter()
+            .any(|by| checker(p.x / PIXEL_MM + by, p.y / PIXEL_MM + by) < 0.5);
+        assert!(ink_near, "a dot in white at {p:?}");
+        let apart = |other: &Stroke| other.points[0].distance(p);
+        let nearest = dots[i + 1..]
+            .iter()
+            .map(apart)
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest > 0.5 * spacing_mm, "{nearest} mm at {p:?}");
+    }
+}
+
+#[test]
+fn another_seed_scatters_other_dots_and_the_same_the_same() {
+    let file = grey(90, 60, |x, _| x / 90.0);
+    let with = |seed| {
+        let mut options = options(Style::Stipple);
+        options.shading.seed = seed;
+        drawn(&file, &options)
+    };
+    assert_eq!(with(5), with(5));
+    assert_ne!(with(5), with(6));
+}
+
+/// Five bands from white to black, 60 pixels each.
+fn bands() -> Vec<u8> {
+    grey(300, 200, |x, _| 1.0 - (x / 60.0).floor() / 4.0)
+}
+
+/// In which band a place is, unless it is near a border.
+fn band(p: Point) -> Option<usize> {
+    let place = p.x / PIXEL_MM / 60.0;
+    (0..5).find(|&band| (place - count(band) - 0.5).abs() < 0.25)
+}
+
+#[test]
+fn each_darker_tone_is_hatched_in_one_more_direction() {
+    let mut directions = [const { BTreeSet::new() }; 5];
+    for stroke in drawn(&bands(), &options(Style::Hatch)) {
+        let long = stroke.segments().filter(|(a, b)| a.distance(*b) > 3.0);
+        for (a, b) in long {
+            let along = b - a;
+            let turn = along
+                .y
+                .atan2(along.x)
+                .to_degrees()
+                .rem_euclid(180.0)
+                .round();
+            for p in a.steps_to(b, 0.5) {
+                if let Some(band) = band(p) {
+                    directions[band].insert((turn % 180.0).abs().to_string());
+                }
+            }
+        }
+    }
+    assert_eq!(directions.map(|it| it.len()), [0, 1, 2, 3, 4]);
+}
+
+#[test]
+fn waves_leave_the_more_ink_the_darker_it_is() {
+    let mut ink_mm = [0.0; 5];
+    for stroke in drawn(&bands(), &options(Style::Lines)) {
+        for (a, b) in stroke.segments() {
+            if let Some(band) = band(a.lerp(b, 0.5)) {
+                ink_mm[band] += a.distance(b);
+            }
+        }
+    }
+    assert_eq!(ink_mm[0], 0.0);
+    assert!(
+        ink_mm.windows(2).all(|it| it[1] > 1.15 * it[0]),
+        "{ink_mm:?}"
+    );
+}
+
+#[test]
+fn the_spacing_holds_on_the_paper() {
+    let file = grey(100, 100, |_, _| 0.0);
+    let dots = |scale| {
+        let options = ReadOptions {
+            scale,
+            ..options(Style::Stipple)
+        };
+        count(drawn(&file, &options).len())
+    };
+    let times = dots(3.0) / dots(1.0);
+    assert!((times / 9.0 - 1.0).abs() < 0.05, "{times}");
+}
+
+#[test]
+fn a_dull_photo_is_drawn_as_a_rich_one() {
+    let rich = grey(160, 90, |x, y| (x + y) / 250.0);
+    let dull = grey(160, 90, |x, y| 0.4 + 0.3 * (x + y) / 250.0);
+    let length_mm = |file: &[u8]| -> f64 {
+        let strokes = drawn(file, &options(Style::Hatch));
+        strokes.iter().map(Stroke::length_mm).sum()
+    };
+    let times = length_mm(&dull) / length_mm(&rich);
+    assert!((times - 1.0).abs() < 0.1, "{times}");
+}
+
+#[test]
+fn inverted_light_is_drawn_on_black_paper() {
+    let white_disc = grey(120, 120, |x, y| 1.0 - disc(60.0, 60.0, 30.0)(x, y));
+    let mut options = options(Style::Hatch);
+    options.shading.invert = true;
+    let strokes = drawn(&white_disc, &options);
+    let bounds = Bounds::of_strokes(&strokes);
+    assert!(
+        bounds.min.x > 27.5 * PIXEL_MM && bounds.max.x < 92.5 * PIXEL_MM,
+        "{bounds:?}"
+    );
+}
+
+#[test]
+fn transparent_pixels_are_paper() {
+    let pixels: Vec<u8> = (0..4000)
+        .flat_map(|i| [0, if i % 80 < 40 { 255 } else { 0 }])
+        .collect();
+    let file = encoded(80, 50, ColorType::GrayscaleAlpha, BitDepth::Eight, &pixels);
+    let strokes = drawn(&file, &options(Style::Hatch));
+    assert!(Bounds::of_strokes(&strokes).max.x < 42.5 * PIXEL_MM);
+    assert_eq!(self::pixels(&file, 0).unwrap().1[70], 0);
+}
+
+#[test]
+fn every_kind_of_png_is_read() {
+    let eight = [0, 128, 255, 64];
+    let plain = encoded(2, 2, ColorType::Grayscale, BitDepth::Eight, &eight);
+    assert_eq!(seen(&plain), eight);
+    let sixteen: Vec<u8> = eight.iter().flat_map(|&it| [it, it]).collect();
+    let file = encoded(2, 2, ColorType::Grayscale, BitDepth::Sixteen, &sixteen);
+    assert_eq!(seen(&file), eight);
+    let colors = eight.map(|it| [it; 3]).concat();
+    let file = encoded(2, 2, ColorType::Rgb, BitDepth::Eight, &colors);
+    assert_eq!(seen(&file), eight);
+    let bits = encoded(2, 2, ColorType::Grayscale, BitDepth::One, &[0x40, 0x80]);
+    assert_eq!(seen(&bits), [0, 255, 255, 0]);
+    assert_eq!(
+        seen(INTERLACED),
+        (0..64).map(|i| 4 * i).collect::<Vec<u8>>()
+    );
+}
+
+#[test]
+fn every_kind_of_jpeg_is_read() {
+    let near = |file: &[u8], wanted: u8| {
+        let seen = seen(file);
+        assert_eq!(seen.len(), 256);
+        assert!(
+            seen.iter().all(|it| it.abs_diff(wanted) < 4),
+            "{seen:?}, not {wanted}"
+        );
+    };
+    near(&jpeg(16, 16, JpegColor::Luma, &[77; 256]), 77);
+    // The luminance of ITU-R BT.601.
+    let red = [255, 0, 0].repeat(256);
+    near(&jpeg(16, 16, JpegColor::Rgb, &red), 76);
+    // Half of the light is taken by black, all red by cyan.
+    let cyan = [255, 0, 0, 128].repeat(256);
+    for color in [JpegColor::Cmyk, JpegColor::CmykAsYcck] {
+        near(&jpeg(16, 16, color, &cyan), 89);
+    }
+}
+
+#[test]
+fn a_photo_stands_upright_however_the_camera_was_held() {
+    // The upper half is black in the file; number 6: its left edge is the top of the photo.
+    let pixels: Vec<u8> = (0..32 * 16)
+        .map(|i| if i < 256 { 0 } else { 255 })
+        .collect();
+    let mut file = jpeg(32, 16, JpegColor::Luma, &pixels);
+    let exif =
+        b"\xff\xe1\0\x22Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
+    file.splice(2..2, exif.iter().copied());
+    let (artwork, _) = read(&file, &options(Style::Hatch)).unwrap();
+    assert!((artwork.width_mm - 16.0 * PIXEL_MM).abs() < 1e-9);
+    assert!((artwork.height_mm - 32.0 * PIXEL_MM).abs() < 1e-9);
+    // Turned clockwise, what was above is on the right.
+    let bounds: Bounds = artwork.points().collect();
+    assert!(
+        bounds.min.x > 5.5 * PIXEL_MM && bounds.max.x > 15.0 * PIXEL_MM,
+        "{bounds:?}"
+    );
+}
+
+#[test]
+fn a_png_that_knows_its_size_is_drawn_at_that() {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 40, 20);
+    encoder.set_color(ColorType::Grayscale);
+    // 10 pixels to the millimetre.
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: 10_000,
+        yppu: 10_000,
+        unit: png::Unit::Meter,
+    }));
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&[0; 800])
+        .unwrap();
+    let page = Source::Picture(file).picture_page().unwrap();
+    assert_eq!(page, Some(Point::new(4.0, 2.0)));
+}
+
+#[test]
+fn a_file_that_breaks_off_is_refused() {
+    let png = bands();
+    let jpeg = include_bytes!("../../../../examples/drawings/still-life.jpg");
+    for file in [png.as_slice(), jpeg] {
+        for part in [10, 40, 70, 95] {
+            let error =
+                read(&file[..file.len() * part / 100], &ReadOptions::default()).unwrap_err();
+            assert!(
+                matches!(error, SourceError::Picture(ImageError::Damaged { .. })),
+                "{error}"
+            );
+            assert!(
+                error.to_string().ends_with("; save it anew as PNG or JPEG"),
+                "{error}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
+    for name in ["a.jpg", "a.png"] {
+        let told = |bytes: &[u8]| {
+            let source = crate::Source::of_file(name, bytes.to_vec()).unwrap();
+            source.picture_page().unwrap_err().to_string()
+        };
+        assert_eq!(
+            told(b""),
+            "the file is empty; a picture is a PNG or JPEG file"
+        );
+        assert_eq!(
+            told(b"GIF89a"),
+            "the file begins neither as PNG nor as JPEG does; save the picture anew as PNG or JPEG"
+        );
+        assert!(told(b"\xff\xd8\xff").starts_with("the JPEG picture cannot be read: "));
+    }
+}
+
+#[test]
+fn gigapixels_are_refused_before_they_are_read() {
+    let mut file = Vec::new();
+    drop(
+        png::Encoder::new(&mut file, 100_000, 50_000)
+            .write_header()
+            .unwrap(),
+    );
+    let error = read(&file, &ReadOptions::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the picture has 100000 x 50000 pixels; at most 100 million are allowed: make it smaller"
+    );
+}
+
+#[test]
+fn a_spacing_that_would_take_days_is_refused_with_the_least() {
+    let file = grey(100, 50, |_, _| 0.0);
+    let mut options = options(Style::Hatch);
+    options.scale = 8.0;
+    options.shading.spacing_mm = 0.1;
+    assert_eq!(
+        read(&file, &options).unwrap_err().to_string(),
+        "a spacing of 0.1 mm is too fine for a picture of 212 x 106 mm on the paper; it must be \
+         at least 0.21 mm, or the picture smaller"
+    );
+}
+
+#[test]
+fn settings_out_of_range_are_named() {
+    let file = grey(10, 10, |_, _| 0.0);
+    let told = |change: fn(&mut Shading)| {
+        let mut options = ReadOptions::default();
+        change(&mut options.shading);
+        read(&file, &options).unwrap_err().to_string()
+    };
+    assert_eq!(
+        told(|it| it.spacing_mm = f64::NAN),
+        "the spacing of the shading is NaN; it must be a number of mm above 0"
+    );
+    assert_eq!(
+        told(|it| it.levels = 9),
+        "the levels of the shading is 9; it must be from 1 to 8"
+    );
+    assert_eq!(
+        told(|it| it.threshold = Some(1.0)),
+        "the threshold of the shading is 1; it must be between 0 and 1"
+    );
+    assert!(told(|it| it.darkness = 0.0).starts_with("the darkness"));
+    assert!(told(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
+}
+
+#[test]
+fn a_white_page_has_nothing_to_draw() {
+    for style in STYLES {
+        let error = read(&grey(30, 30, |_, _| 1.0), &options(style)).unwrap_err();
+        assert!(
+            matches!(error, SourceError::NothingToDraw { .. }),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn pictures_are_known_by_name_and_by_contents() {
+    let file = grey(2, 2, |_, _| 0.0);
+    for name in ["photo.png", "photo.JPG", "photo.jpeg", "-", "photo"] {
+        let source = Source::of_file(name, file.clone()).unwrap();
+        assert_eq!(source, Source::Picture(file.clone()), "{name}");
+    }
+}
+
+#[test]
+fn the_bundled_photo_is_drawn_in_every_style() {
+    let photo = include_bytes!("../../../../examples/drawings/still-life.jpg");
+    for style in STYLES {
+        let scale = 180.0 / (720.0 * PIXEL_MM);
+        let strokes = drawn(
+            photo,
+            &ReadOptions {
+                scale,
+                ..options(style)
+            },
+        );
+        let points: usize = strokes.iter().map(|it| it.points.len()).sum();
+        assert!(
+            (500..20_000).contains(&points),
+            "{style:?}: {points} points"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn every_stroke_lies_on_the_page_and_comes_again(
+        pixels in prop::collection::vec(any::<u8>(), 1..300),
+        width in 1..30_u32,
+        style in prop::sample::select(STYLES.to_vec()),
+        spacing_mm in 0.2..3.0,
+        angle_deg in -200.0..200.0,
+        scale in 0.3..6.0,
+        invert in any::<bool>(),
+    ) {
+        let height = u32::try_from(pixels.len()).unwrap().div_ceil(width);
+        let mut pixels = pixels;
+        pixels.resize((width * height) as usize, 0);
+        let file = encoded(width, height, ColorType::Grayscale, BitDepth::Eight, &pixels);
+        let shading = Shading { spacing_mm, angle_deg, invert, ..Shading::new(style) };
+        let options = ReadOptions { scale, shading, ..ReadOptions::default() };
+        match read(&file, &options) {
+            Ok((artwork, _)) => {
+                for p in artwork.points() {
+                    prop_assert!((-1e-9..=artwork.width_mm + 1e-9).contains(&p.x), "{:?}", p);
+                    prop_assert!((-1e-9..=artwork.height_mm + 1e-9).contains(&p.y), "{:?}", p);
+                }
+                prop_assert_eq!(read(&file, &options).unwrap().0, artwork);
+            }
+            Err(error) => {
+                let nothing = matches!(error, SourceError::NothingToDraw { .. });
+                prop_assert!(nothing, "{}", error);
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_files_end_in_an_error_or_a_picture(
+        place in 0..100_000_usize, value in any::<u8>(), is_jpeg in any::<bool>(),
+    ) {
+        let mut file = if is_jpeg {
+            jpeg(24, 16, JpegColor::Luma, &[99; 384])
+        } else {
+            grey(24, 16, |x, y| x * y / 400.0)
+        };
+        let place = place % file.len();
+        file[place] = value;
+        // What matters is that it comes back.
+        let _outcome = read(&file, &ReadOptions::default());
+    }
+}
+
+/// 8 x 8 pixels, 0, 4, 8 and so on, stored in the seven passes of Adam7.
+const INTERLACED: &[u8] = &[
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,
+    0x00, 0x00, 0x00, 0x08, 0x00, 0x00, 0x00, 0x08, 0x08, 0x00, 0x00, 0x00, 0x01, 0x96, 0x63, 0xd1,
+    0xc1, 0x00, 0x00, 0x00, 0x5a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x01, 0x4f, 0x00, 0xb0, 0xff,
+    0x00, 0x00, 0x00, 0x10, 0x00, 0x80, 0x90, 0x00, 0x08, 0x18, 0x00, 0x88, 0x98, 0x00, 0x40, 0x48,
+    0x50, 0x58, 0x00, 0xc0, 0xc8, 0xd0, 0xd8, 0x00, 0x04, 0x0c, 0x14, 0x1c, 0x00, 0x44, 0x4c, 0x54,
+    0x5c, 0x00, 0x84, 0x8c, 0x94, 0x9c, 0x00, 0xc4, 0xcc, 0xd4, 0xdc, 0x00, 0x20, 0x24, 0x28, 0x2c,
+    0x30, 0x34, 0x38, 0x3c, 0x00, 0x60, 0x64, 0x68, 0x6c, 0x70, 0x74, 0x78, 0x7c, 0x00, 0xa0, 0xa4,
+    0xa8, 0xac, 0xb0, 0xb4, 0xb8, 0xbc, 0x00, 0xe0, 0xe4, 0xe8, 0xec, 0xf0, 0xf4, 0xf8, 0xfc, 0xb8,
+    0xcc, 0x1f, 0x81, 0x51, 0x76, 0x85, 0x96, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae,
+    0x42, 0x60, 0x82,
+];

@@ -1,0 +1,179 @@
+//! How dark a page is, on a grid.
+
+use dobot_geometry::Point;
+
+use super::exif::Orientation;
+
+/// How much ink a page wants, from 0 (white) to 1 (black), on a grid of cells.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tone {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    /// A cell's width and height, in millimetres.
+    pub(super) cell: Point,
+    /// Row by row, from the upper left corner.
+    pub(super) ink: Vec<f32>,
+}
+
+impl Tone {
+    /// Size of the page in millimetres.
+    pub(super) fn page(&self) -> Point {
+        Point::new(
+            count(self.width) * self.cell.x,
+            count(self.height) * self.cell.y,
+        )
+    }
+
+    /// The ink at a place on the page, between the middles of the cells around it.
+    pub(super) fn at(&self, p: Point) -> f64 {
+        let (x0, x1, tx) = around(p.x / self.cell.x, self.width);
+        let (y0, y1, ty) = around(p.y / self.cell.y, self.height);
+        let ink = |x: usize, y: usize| f64::from(self.ink[y * self.width + x]);
+        let mix = |a: f64, b: f64, t: f64| a + (b - a) * t;
+        mix(
+            mix(ink(x0, y0), ink(x1, y0), tx),
+            mix(ink(x0, y1), ink(x1, y1), tx),
+            ty,
+        )
+    }
+
+    /// The middle of a cell.
+    pub(super) fn middle(&self, x: usize, y: usize) -> Point {
+        Point::new(
+            (count(x) + 0.5) * self.cell.x,
+            (count(y) + 0.5) * self.cell.y,
+        )
+    }
+
+    /// Mixes each cell with those around it, as far as `radius_mm` (one standard deviation).
+    pub(super) fn blurred(&self, radius_mm: f64) -> Self {
+        let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x);
+        let columns = transposed(&rows, self.width);
+        let columns = blur_rows(&columns, self.height, radius_mm / self.cell.y);
+        Self {
+            ink: transposed(&columns, self.height),
+            ..*self
+        }
+    }
+
+    /// Turns and mirrors it as a camera asks for.
+    pub(super) fn oriented(mut self, orientation: Orientation) -> Self {
+        if orientation.transpose {
+            self.ink = transposed(&self.ink, self.width);
+            (self.width, self.height) = (self.height, self.width);
+            self.cell = Point::new(self.cell.y, self.cell.x);
+        }
+        if orientation.mirror_x {
+            let rows = self.ink.chunks_mut(self.width);
+            rows.for_each(<[f32]>::reverse);
+        }
+        if orientation.mirror_y {
+            let rows = self.ink.chunks(self.width).rev();
+            self.ink = rows.flatten().copied().collect();
+        }
+        self
+    }
+
+    pub(super) fn map(&self, tone: impl Fn(f32) -> f32) -> Self {
+        Self {
+            ink: self.ink.iter().map(|&ink| tone(ink)).collect(),
+            ..*self
+        }
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "at most some millions")]
+pub(super) const fn count(n: usize) -> f64 {
+    n as f64
+}
+
+/// The number of the cell that holds a place, which is within the grid or a little outside.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "saturates, and is then cut to the grid"
+)]
+pub(super) fn cell(place: f64, cells: usize) -> usize {
+    (place as usize).min(cells - 1)
+}
+
+/// The two cells whose middles are around a place, and how far it is from the first to the second.
+fn around(place: f64, cells: usize) -> (usize, usize, f64) {
+    let place = (place - 0.5).clamp(0.0, count(cells - 1));
+    let first = cell(place, cells);
+    (first, (first + 1).min(cells - 1), place - count(first))
+}
+
+fn transposed(ink: &[f32], width: usize) -> Vec<f32> {
+    let columns = (0..width).flat_map(|x| ink[x..].iter().step_by(width).copied());
+    columns.collect()
+}
+
+/// Gaussian blur along the rows; beyond the edge it goes on as at the edge.
+fn blur_rows(ink: &[f32], width: usize, sigma: f64) -> Vec<f32> {
+    let bell = bell(sigma);
+    let reach = bell.len() / 2;
+    let mut padded = Vec::with_capacity(width + 2 * reach);
+    let mut out = Vec::with_capacity(ink.len());
+    for row in ink.chunks(width) {
+        padded.clear();
+        padded.extend(std::iter::repeat_n(row[0], reach));
+        padded.extend_from_slice(row);
+        padded.extend(std::iter::repeat_n(row[width - 1], reach));
+        let sums = padded.windows(bell.len()).map(|near| {
+            let parts = near.iter().zip(&bell);
+            parts.map(|(ink, share)| ink * share).sum::<f32>()
+        });
+        out.extend(sums);
+    }
+    out
+}
+
+/// Shares that add up to 1, as far as three standard deviations on both sides.
+fn bell(sigma: f64) -> Vec<f32> {
+    let reach = cell((3.0 * sigma).ceil(), MOST_BLUR);
+    let share = |i: usize| {
+        let away = count(i) - count(reach);
+        (-away * away / (2.0 * sigma * sigma).max(1e-9)).exp()
+    };
+    let shares: Vec<f64> = (0..=2 * reach).map(share).collect();
+    let sum: f64 = shares.iter().sum();
+    shares.iter().map(|share| as_ink(share / sum)).collect()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a tone needs no more")]
+pub(super) const fn as_ink(value: f64) -> f32 {
+    value as f32
+}
+
+const MOST_BLUR: usize = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step() -> Tone {
+        Tone {
+            width: 8,
+            height: 4,
+            cell: Point::new(0.5, 0.5),
+            ink: (0..32).map(|i| f32::from(u8::from(i % 8 > 3))).collect(),
+        }
+    }
+
+    #[test]
+    fn between_the_middles_of_cells_tones_are_mixed() {
+        let tone = step();
+        for (x, wanted) in [(0.0, 0.0), (1.75, 0.0), (2.0, 0.5), (2.25, 1.0), (9.0, 1.0)] {
+            assert_eq!(tone.at(Point::new(x, 1.0)), wanted, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_blur_keeps_the_middle_of_an_edge_and_what_is_far_from_it() {
+        let tone = step().blurred(0.5);
+        assert!((tone.at(Point::new(2.0, 1.0)) - 0.5).abs() < 1e-6);
+        assert!(tone.at(Point::new(0.25, 1.0)) < 0.01);
+        assert!(tone.at(Point::new(3.75, 1.0)) > 0.99);
+    }
+}

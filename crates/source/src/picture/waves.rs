@@ -1,0 +1,118 @@
+//! Lines that swing the wider and the faster the darker it is.
+
+use dobot_geometry::{Point, Stroke};
+
+use super::rows::{Rows, woven};
+use super::shading::Shading;
+use super::tone::Tone;
+
+/// Draws a page with parallel lines, to and fro, each swinging from side to side.
+///
+/// Each swing is one vector, as the arm's link has few: the wave is a zigzag. Where it is light the
+/// lines are straight, where it is lighter every other one is left out, where it is white all are.
+/// `spacing_mm` is on the page.
+pub(super) fn waves(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let tone = tone.blurred(SOFTNESS * spacing_mm);
+    let rows = Rows {
+        page: tone.page(),
+        margin_mm: WIDEST * spacing_mm,
+        spacing_mm,
+        angle_deg: shading.angle_deg,
+    };
+    let line = |(i, [a, b]): (usize, [Point; 2])| Wave::new(&tone, &rows, i, a).pieces(b);
+    let lines = rows.lines().into_iter().enumerate().map(line).collect();
+    woven(lines, REACH * spacing_mm)
+}
+
+/// The wave along one line.
+struct Wave<'a> {
+    tone: &'a Tone,
+    rows: &'a Rows,
+    start: Point,
+    /// The tone from which on this line is drawn.
+    from_ink: f64,
+}
+
+impl<'a> Wave<'a> {
+    fn new(tone: &'a Tone, rows: &'a Rows, line: usize, start: Point) -> Self {
+        Self {
+            tone,
+            rows,
+            start,
+            from_ink: if line.is_multiple_of(2) { FAINT } else { LIGHT },
+        }
+    }
+
+    fn pieces(&self, end: Point) -> Vec<Vec<Point>> {
+        let length_mm = self.start.distance(end);
+        let mut pieces = Vec::new();
+        let mut piece = Vec::new();
+        let (mut at_mm, mut side) = (0.0, 1.0);
+        while at_mm < length_mm {
+            let ink = self.tone.at(self.place(at_mm, 0.0));
+            // A line that is drawn goes on a little longer than it would begin: no dashes.
+            let least = self.from_ink * if piece.is_empty() { 1.0 } else { GO_ON };
+            if ink >= least {
+                piece.push(self.place(at_mm, side * self.swing_mm(ink)));
+            } else {
+                self.finish(&mut pieces, &mut piece);
+            }
+            at_mm += self.step_mm(ink);
+            side = -side;
+        }
+        if !piece.is_empty() {
+            let ink = self.tone.at(end);
+            piece.push(self.place(length_mm, side * self.swing_mm(ink)));
+        }
+        self.finish(&mut pieces, &mut piece);
+        pieces
+    }
+
+    fn finish(&self, pieces: &mut Vec<Vec<Point>>, piece: &mut Vec<Point>) {
+        let piece = std::mem::take(piece);
+        if let [first, .., last] = piece[..]
+            && first.distance(last) >= SHORTEST * self.rows.spacing_mm
+        {
+            pieces.push(piece);
+        }
+    }
+
+    fn place(&self, along_mm: f64, across_mm: f64) -> Point {
+        self.start + self.rows.along() * along_mm + self.rows.across() * across_mm
+    }
+
+    fn swing_mm(&self, ink: f64) -> f64 {
+        self.rows.spacing_mm * WIDEST * strength(ink)
+    }
+
+    /// How far it is from one turn to the next.
+    fn step_mm(&self, ink: f64) -> f64 {
+        let steps = SLOWEST + (FASTEST - SLOWEST) * strength(ink);
+        self.rows.spacing_mm * steps
+    }
+}
+
+/// How much of the full swing a tone takes; the straight line alone is as dark as [`PLAIN`].
+fn strength(ink: f64) -> f64 {
+    ((ink - PLAIN) / (1.0 - PLAIN)).clamp(0.0, 1.0)
+}
+
+/// How far tones are mixed, in spacings.
+const SOFTNESS: f64 = 0.25;
+/// The widest swing to one side, in spacings: neighbours nearly touch.
+const WIDEST: f64 = 0.48;
+/// From one turn to the next, in spacings, where it is light.
+const SLOWEST: f64 = 0.5;
+/// The same where it is black.
+const FASTEST: f64 = 0.26;
+/// The tone of straight lines.
+const PLAIN: f64 = 0.25;
+/// The tone from which on every other line is drawn.
+const FAINT: f64 = 0.06;
+/// The tone from which on every line is drawn.
+const LIGHT: f64 = 0.18;
+const GO_ON: f64 = 0.75;
+/// Of a piece, in spacings.
+const SHORTEST: f64 = 1.0;
+/// How far it may be from one line to the next for the pen to stay down, in spacings.
+const REACH: f64 = 1.7;

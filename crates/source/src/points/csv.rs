@@ -1,0 +1,163 @@
+//! Points in lines.
+//!
+//! ```text
+//!   x,y            a header may name the columns, in any order; without one they are x and y
+//!   0,0            a point for each line, separated by commas, semicolons or tabs
+//!   10,0.5
+//!                  an empty line begins a stroke, and so does a change in a column `stroke`
+//!   20,0           or `pen`; each value of `pen` is a layer
+//! ```
+
+use dobot_geometry::Point;
+
+use crate::artwork::{Artwork, Layer};
+use crate::error::{SourceError, Warning};
+use crate::options::ReadOptions;
+use crate::sketch::{Sketch, Y, excerpt, shortened};
+
+/// Reads points in lines.
+pub(crate) fn read(
+    text: &str,
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut reader = Reader {
+        sketch: Sketch::new(text.as_bytes(), options)?,
+        text,
+        columns: None,
+        points: Vec::new(),
+        key: Vec::new(),
+    };
+    let mut at = if text.starts_with('\u{FEFF}') { 3 } else { 0 };
+    for line in text[at..].split_inclusive('\n') {
+        reader.line(at, line.trim_end_matches(['\r', '\n']))?;
+        at += line.len();
+    }
+    reader.end_stroke()?;
+    reader.sketch.finish(Y::Down, "no points in the file")
+}
+
+struct Reader<'a> {
+    sketch: Sketch<'a>,
+    text: &'a str,
+    columns: Option<Columns>,
+    /// Of the stroke in hand.
+    points: Vec<Point>,
+    /// Its values in the columns `stroke` and `pen`.
+    key: Vec<&'a str>,
+}
+
+/// Which column holds what.
+struct Columns {
+    separator: char,
+    count: usize,
+    x: usize,
+    y: usize,
+    stroke: Option<usize>,
+    pen: Option<usize>,
+}
+
+impl<'a> Reader<'a> {
+    fn line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
+        if line.trim().is_empty() {
+            return self.end_stroke();
+        }
+        let Some(columns) = &self.columns else {
+            return self.first_line(at, line);
+        };
+        let fields: Vec<&str> = line.split(columns.separator).collect();
+        if fields.len() != columns.count {
+            let found = format!("{} fields", fields.len());
+            let expected = format!("{} fields, decimals with a point", columns.count);
+            return Err(self.sketch.found(at, found, &expected));
+        }
+        let [x, y] = [columns.x, columns.y].map(|i| self.number(fields[i]));
+        let point = self.sketch.check(at, Point::new(x?, y?))?;
+        let key = [columns.stroke, columns.pen].into_iter().flatten();
+        let key: Vec<&str> = key.map(|i| fields[i].trim()).collect();
+        let pen = columns.pen.map(|i| fields[i].trim());
+        if self.points.is_empty() || key != self.key {
+            self.end_stroke()?;
+            self.key = key;
+            self.use_pen(pen)?;
+        }
+        self.points.push(point);
+        Ok(())
+    }
+
+    /// A header, or points already.
+    fn first_line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
+        let separators = [';', '\t', ','];
+        let separator = separators.into_iter().find(|&it| line.contains(it));
+        let separator = separator.unwrap_or(',');
+        let names: Vec<String> = line
+            .split(separator)
+            .map(|it| it.trim().to_ascii_lowercase())
+            .collect();
+        let column = |name: &str| names.iter().position(|it| it == name);
+        let (Some(x), Some(y)) = (column("x"), column("y")) else {
+            let is_header = line.contains(|c: char| c.is_alphabetic() && !"eE".contains(c));
+            if is_header || names.len() != 2 {
+                let found = excerpt(self.text.as_bytes(), at);
+                return Err(self.sketch.found(
+                    at,
+                    found,
+                    "a header with x and y, or two numbers x,y",
+                ));
+            }
+            self.columns = Some(Columns {
+                separator,
+                count: 2,
+                x: 0,
+                y: 1,
+                stroke: None,
+                pen: None,
+            });
+            return self.line(at, line);
+        };
+        let known = ["x", "y", "stroke", "pen"];
+        for name in names.iter().filter(|it| !known.contains(&it.as_str())) {
+            let what = format!("column {:?}", shortened(name));
+            self.sketch.warnings().add(at, &what, "left out");
+        }
+        let (stroke, pen) = (column("stroke"), column("pen"));
+        self.columns = Some(Columns {
+            separator,
+            count: names.len(),
+            x,
+            y,
+            stroke,
+            pen,
+        });
+        Ok(())
+    }
+
+    fn number(&self, field: &'a str) -> Result<f64, SourceError> {
+        let field = field.trim();
+        let is_plain = field.bytes().all(|it| b"0123456789+-.eE".contains(&it));
+        let number = field
+            .parse()
+            .ok()
+            .filter(|it: &f64| is_plain && it.is_finite());
+        number.ok_or_else(|| {
+            let at = field.as_ptr() as usize - self.text.as_ptr() as usize;
+            let found = format!("{:?}", shortened(field));
+            self.sketch
+                .found(at, found, "a number such as 12.5, with a decimal point")
+        })
+    }
+
+    fn use_pen(&mut self, pen: Option<&str>) -> Result<(), SourceError> {
+        match pen {
+            Some(pen) => self.sketch.use_layer(Layer {
+                name: format!("pen {pen}"),
+                ..Layer::default()
+            }),
+            None => Ok(()),
+        }
+    }
+
+    fn end_stroke(&mut self) -> Result<(), SourceError> {
+        let points = std::mem::take(&mut self.points);
+        self.sketch.stroke(points)
+    }
+}

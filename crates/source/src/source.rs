@@ -1,0 +1,110 @@
+//! What can be drawn, not yet read.
+
+use dobot_geometry::Point;
+
+use crate::artwork::Artwork;
+use crate::error::{SourceError, Warning};
+use crate::options::ReadOptions;
+use crate::text::Text;
+use crate::{dxf, gcode, hpgl, kind, picture, points, svg};
+
+/// Something to be drawn, not yet read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// An SVG file.
+    Svg(String),
+    /// A PNG or JPEG file.
+    Picture(Vec<u8>),
+    /// G-code: of a laser, a plotter or a mill. Bytes, for its comments may hold anything.
+    Gcode(Vec<u8>),
+    /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
+    Hpgl(Vec<u8>),
+    /// DXF in text. Bytes, for older ones are no UTF-8.
+    Dxf(Vec<u8>),
+    /// Points in lines: x to the right, y down, in mm.
+    Csv(String),
+    /// Points in JSON: lists of strokes, which are lists of points, in mm.
+    Json(String),
+    /// Text, in letters of single lines or outlines.
+    Text(Text),
+}
+
+impl Source {
+    /// Takes the contents of a file for what its name says, or else its first bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
+    /// holds no text.
+    pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        match ending.to_ascii_lowercase().as_str() {
+            "svg" => Ok(Self::Svg(kind::text(bytes)?)),
+            "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
+            "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
+            "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
+            "dxf" => Ok(Self::Dxf(bytes)),
+            "csv" => Ok(Self::Csv(kind::text(bytes)?)),
+            "json" => Ok(Self::Json(kind::text(bytes)?)),
+            _ => Self::of_contents(name, bytes),
+        }
+    }
+
+    /// Whether it says how large it is to be drawn; otherwise it fills the paper.
+    #[must_use]
+    pub const fn has_size(&self) -> bool {
+        !matches!(self, Self::Picture(_))
+    }
+
+    fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        if picture::is_picture(&bytes) {
+            return Ok(Self::Picture(bytes));
+        }
+        match kind::Kind::of_start(&bytes) {
+            Some(kind) => kind.source(bytes),
+            None => Err(SourceError::UnknownKind {
+                name: name.to_owned(),
+            }),
+        }
+    }
+
+    /// Reads it as layers of lines and areas, with what a pen cannot show as warnings.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError`] with the place, what was found there and what is allowed.
+    pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
+        match self {
+            Self::Svg(text) => svg::read(text, options),
+            Self::Text(text) => text.read(options),
+            Self::Gcode(text) => gcode::read(text, options),
+            Self::Hpgl(text) => hpgl::read(text, options),
+            Self::Dxf(text) => dxf::read(text, options),
+            Self::Csv(text) => points::read_csv(text, options),
+            Self::Json(text) => points::read_json(text, options),
+            Self::Picture(bytes) => picture::read(bytes, options),
+        }
+    }
+
+    /// Width and height of a picture's page, in millimetres: what its strokes look like depends on
+    /// how large it becomes, so that this has to be known first. Other sources have none.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError::Picture`] where the file is damaged or too large.
+    pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
+        match self {
+            Self::Picture(bytes) => picture::page(bytes).map(Some),
+            _ => Ok(None),
+        }
+    }
+}
+
+impl From<&str> for Source {
+    fn from(svg: &str) -> Self {
+        Self::Svg(svg.to_owned())
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests;

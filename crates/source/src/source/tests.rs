@@ -1,0 +1,147 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::fs;
+use std::path::Path;
+
+use dobot_geometry::{Bounds, Stroke};
+
+use super::*;
+use crate::artwork::Layer;
+
+/// A drawing that comes with the project; whatever is left out of it would be a mistake in it.
+fn example(name: &str) -> Artwork {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/drawings");
+    let bytes = fs::read(folder.join(name)).unwrap();
+    let named = Source::of_file(name, bytes.clone()).unwrap();
+    assert_eq!(
+        Source::of_file("-", bytes).unwrap(),
+        named,
+        "{name} without its name"
+    );
+    let (artwork, warnings) = named.read(&ReadOptions::default()).unwrap();
+    assert_eq!(warnings, [], "{name}");
+    artwork
+}
+
+/// Name, strokes and closed strokes of each layer.
+fn layers(artwork: &Artwork) -> Vec<(&str, usize, usize)> {
+    let closed = |it: &Layer| it.strokes.iter().filter(|it| it.closed).count();
+    let layers = artwork.layers.iter();
+    layers
+        .map(|it| (it.name.as_str(), it.strokes.len(), closed(it)))
+        .collect()
+}
+
+fn is_large(artwork: &Artwork, width_mm: f64, height_mm: f64) -> bool {
+    let by = (artwork.width_mm - width_mm)
+        .abs()
+        .max((artwork.height_mm - height_mm).abs());
+    by < 0.1
+}
+
+#[test]
+fn the_leaf_has_an_outline_and_slower_veins() {
+    let leaf = example("leaf.gcode");
+    assert!(
+        is_large(&leaf, 110.0, 50.0),
+        "{} x {}",
+        leaf.width_mm,
+        leaf.height_mm
+    );
+    assert_eq!(
+        layers(&leaf),
+        [("S1000 F1200", 1, 1), ("S1000 F600", 15, 0)]
+    );
+    assert_eq!(leaf.layers[0].speed_mm_s, Some(20.0));
+    // Two arcs of radius 62.5 mm, each over twice the angle whose sine is 50 / 62.5.
+    let outline = leaf.layers[0].strokes[0].length_mm();
+    let wanted = 4.0 * 62.5 * (50.0_f64 / 62.5).asin();
+    assert!(
+        (outline - wanted).abs() < 0.05,
+        "{outline}, wanted {wanted}"
+    );
+}
+
+#[test]
+fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
+    let gear = example("gear.plt");
+    assert!(
+        is_large(&gear, 80.0, 80.0),
+        "{} x {}",
+        gear.width_mm,
+        gear.height_mm
+    );
+    assert_eq!(layers(&gear), [("pen 1", 2, 2), ("pen 2", 7, 7)]);
+    assert_eq!(gear.layers[0].strokes[0].points.len(), 24 * 4 + 1);
+}
+
+#[test]
+fn the_dial_has_labels_around_it_and_a_pointer_for_another_pen() {
+    let dial = example("dial.plt");
+    let found: Vec<&str> = dial.layers.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(found, ["pen 1", "pen 2"]);
+    assert!((dial.layers[1].strokes[0].length_mm() - 36.75).abs() < 0.1);
+    assert!(dial.layers[0].strokes.len() > 60);
+}
+
+#[test]
+fn the_bracket_has_an_outline_and_holes() {
+    let bracket = example("bracket.dxf");
+    assert!(
+        is_large(&bracket, 120.0, 80.0),
+        "{} x {}",
+        bracket.width_mm,
+        bracket.height_mm
+    );
+    assert_eq!(layers(&bracket), [("outline", 2, 1), ("holes", 7, 7)]);
+    assert_eq!(bracket.layers[1].color, Some([255, 0, 0]));
+}
+
+#[test]
+fn the_wave_is_fifteen_lines() {
+    let wave = example("wave.csv");
+    assert!((wave.width_mm - 160.0).abs() < 1e-9 && wave.height_mm < 80.0);
+    assert_eq!(layers(&wave), [("", 15, 0)]);
+}
+
+#[test]
+fn the_knot_is_one_line_in_two_rings() {
+    let knot = example("knot.json");
+    assert!(
+        is_large(&knot, 100.0, 100.0),
+        "{} x {}",
+        knot.width_mm,
+        knot.height_mm
+    );
+    assert_eq!(layers(&knot), [("knot", 1, 1), ("ring", 2, 2)]);
+    let ring: f64 = knot.layers[1].strokes.iter().map(Stroke::length_mm).sum();
+    assert!((ring - std::f64::consts::TAU * 97.0).abs() < 0.2, "{ring}");
+}
+
+#[test]
+fn a_name_without_a_known_ending_is_told_with_those_that_are() {
+    let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .png, .jpg, .gcode, .plt, .dxf, .csv and .json files"
+    );
+    let endings = ["gcode", "gco", "g", "nc", "ngc", "tap", "cnc", "NC"];
+    for ending in endings {
+        let source = Source::of_file(&format!("a.{ending}"), Vec::new()).unwrap();
+        assert_eq!(source, Source::Gcode(Vec::new()), "{ending}");
+    }
+    for ending in ["hpgl", "hpg", "plt", "hgl"] {
+        let source = Source::of_file(&format!("a.{ending}"), Vec::new()).unwrap();
+        assert_eq!(source, Source::Hpgl(Vec::new()), "{ending}");
+    }
+}
+
+/// Left, bottom, right and top of all strokes but the first, which is a dot, in millimetres from that
+/// dot, y up.
+pub(crate) fn sides_from_dot(strokes: &[Stroke]) -> [f64; 4] {
+    let origin = strokes[0].points[0];
+    let ink = Bounds::of_strokes(&strokes[1..]);
+    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
+    let from = [origin.x, -origin.y, origin.x, -origin.y];
+    std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
+}

@@ -1,0 +1,261 @@
+//! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
+
+mod affine;
+mod check;
+mod clip;
+mod color;
+mod dash;
+mod entities;
+mod error;
+mod expand;
+mod flatten;
+mod groups;
+mod ink;
+mod layers;
+mod polygon;
+mod sheet;
+mod substitutes;
+mod walk;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use usvg::fontdb::Family;
+use usvg::roxmltree::{Document, ParsingOptions};
+use usvg::{FontResolver, ImageHrefResolver, Tree};
+
+pub use self::error::SvgError;
+use self::error::{Unshown, WarningKind};
+use self::groups::Groups;
+use self::sheet::Sheet;
+use self::substitutes::Substitutes;
+use self::walk::Walk;
+use crate::artwork::Artwork;
+use crate::error::{MAX_SEGMENTS, printable};
+use crate::error::{SourceError, Warning};
+use crate::options::{LayersBy, ReadOptions};
+
+/// Reads an SVG file as a browser does, at 96 dots per inch.
+///
+/// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
+/// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
+/// letters. What a clip path or the edge of the page hides is cut off. What a pen cannot show comes
+/// back as warnings.
+pub(crate) fn read(
+    text: &str,
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let substitutes = Substitutes::default();
+    let (artwork, unshown) = draw(text, options, &substitutes)?;
+    let mut warnings: Vec<Warning> = unshown.into_iter().map(Warning::from).collect();
+    warnings.extend(substitutes.warnings());
+    Ok((artwork, warnings))
+}
+
+fn draw(
+    text: &str,
+    options: &ReadOptions,
+    substitutes: &Substitutes,
+) -> Result<(Artwork, Vec<Unshown>), SvgError> {
+    let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
+    let unseen = Unseen::new(substitutes);
+    let (tree, groups) = parse(text, options, &unseen)?;
+    let mut sheet = Sheet::new(walk::page_mm(&tree), options.layers);
+    Walk::new(&mut sheet, tolerance_mm, &groups).tree(&tree)?;
+    let (artwork, mut warnings) = sheet.finish();
+    unseen.warn(&mut warnings);
+    if artwork.layers.is_empty() {
+        return Err(nothing_to_draw(&warnings));
+    }
+    Ok((artwork, warnings))
+}
+
+pub(super) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
+    let least_mm = 1e-6;
+    if found_mm >= least_mm && found_mm.is_finite() {
+        return Ok(found_mm);
+    }
+    Err(SvgError::Tolerance { found_mm, least_mm })
+}
+
+/// How many segments may still come: the guard against drawings that would fill the memory.
+#[derive(Debug)]
+pub(crate) struct Budget {
+    limit: usize,
+    left: usize,
+}
+
+impl Budget {
+    pub(crate) const fn new(limit: usize) -> Self {
+        Self { limit, left: limit }
+    }
+
+    pub(crate) fn spend(&mut self, segments: usize) -> Result<(), SvgError> {
+        let limit = self.limit as u64;
+        let left = self.left.checked_sub(segments);
+        self.left = left.ok_or(SvgError::TooManySegments { limit })?;
+        Ok(())
+    }
+}
+
+/// What never reaches the tree: counted while it is being built.
+struct Unseen<'a> {
+    images: AtomicUsize,
+    fontless: AtomicUsize,
+    missing_glyphs: AtomicUsize,
+    substitutes: &'a Substitutes,
+}
+
+impl<'a> Unseen<'a> {
+    const fn new(substitutes: &'a Substitutes) -> Self {
+        Self {
+            images: AtomicUsize::new(0),
+            fontless: AtomicUsize::new(0),
+            missing_glyphs: AtomicUsize::new(0),
+            substitutes,
+        }
+    }
+
+    fn image_resolver(&self) -> ImageHrefResolver<'_> {
+        ImageHrefResolver {
+            resolve_data: Box::new(|_, _, _| count(&self.images)),
+            resolve_string: Box::new(|_, _| count(&self.images)),
+        }
+    }
+
+    /// As a browser, takes any font rather than none.
+    fn font_resolver(&self) -> FontResolver<'_> {
+        let by_name = FontResolver::default_font_selector();
+        let by_character = FontResolver::default_fallback_selector();
+        FontResolver {
+            select_font: Box::new(move |font, fonts| {
+                let found = by_name(font, fonts);
+                let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
+                match found {
+                    Some(id) => self.substitutes.note(font, fonts, id),
+                    None => return count(&self.fontless),
+                }
+                found
+            }),
+            select_fallback: Box::new(move |character, used, fonts| {
+                by_character(character, used, fonts).or_else(|| count(&self.missing_glyphs))
+            }),
+        }
+    }
+
+    fn warn(&self, warnings: &mut Vec<Unshown>) {
+        let counts = [
+            (WarningKind::Image, &self.images),
+            (WarningKind::TextWithoutFont, &self.fontless),
+            (WarningKind::MissingGlyph, &self.missing_glyphs),
+        ];
+        let found = counts.map(|(kind, count)| Unshown {
+            kind,
+            count: count.load(Ordering::Relaxed),
+        });
+        warnings.extend(found.into_iter().filter(|warning| warning.count > 0));
+    }
+}
+
+fn count<T>(counter: &AtomicUsize) -> Option<T> {
+    counter.fetch_add(1, Ordering::Relaxed);
+    None
+}
+
+/// The tree of shapes, and the names of its outermost groups where they are layers.
+fn parse(
+    text: &str,
+    options: &ReadOptions,
+    unseen: &Unseen<'_>,
+) -> Result<(Tree, HashMap<String, String>), SvgError> {
+    if text.trim().is_empty() {
+        return Err(SvgError::EmptyFile);
+    }
+    entities::check(text)?;
+    let xml = ParsingOptions {
+        allow_dtd: true,
+        nodes_limit: MAX_NODES,
+        ..ParsingOptions::default()
+    };
+    let doc = Document::parse_with_options(text, xml).map_err(|error| malformed(&error))?;
+    check_root(&doc)?;
+    let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
+    expand::check(&doc, &segments)?;
+    let usvg_options = usvg::Options {
+        font_family: options.fonts.family_name(&Family::Serif).to_owned(),
+        fontdb: Arc::clone(&options.fonts),
+        font_resolver: unseen.font_resolver(),
+        image_href_resolver: unseen.image_resolver(),
+        ..usvg::Options::default()
+    };
+    if options.layers != LayersBy::Group {
+        let tree = Tree::from_xmltree(&doc, &usvg_options).map_err(|error| unreadable(&error));
+        return Ok((tree?, HashMap::new()));
+    }
+    let Groups { names, text } = Groups::new(&doc, text);
+    let tree = match text {
+        Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
+        Cow::Owned(text) => Tree::from_str(&text, &usvg_options),
+    };
+    Ok((tree.map_err(|error| unreadable(&error))?, names))
+}
+
+fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
+    let place = error.pos();
+    let problem = error.to_string();
+    let suffix = format!(" at {place}");
+    SvgError::Malformed {
+        place: place.into(),
+        problem: printable(problem.strip_suffix(&suffix).unwrap_or(&problem)),
+    }
+}
+
+fn check_root(doc: &Document<'_>) -> Result<(), SvgError> {
+    let root = doc.root_element();
+    let name = root.tag_name();
+    if name.name() == "svg" && matches!(name.namespace(), None | Some(SVG_NAMESPACE)) {
+        return Ok(());
+    }
+    Err(SvgError::NotSvg {
+        place: doc.text_pos_at(root.range().start).into(),
+        found: name.name().to_owned(),
+    })
+}
+
+fn unreadable(error: &usvg::Error) -> SvgError {
+    match error {
+        usvg::Error::InvalidSize => SvgError::NoPage,
+        usvg::Error::ParsingFailed(error) => malformed(error),
+        other => SvgError::NothingToDraw {
+            reason: other.to_string(),
+        },
+    }
+}
+
+fn nothing_to_draw(warnings: &[Unshown]) -> SvgError {
+    if warnings.is_empty() {
+        let reason = "no visible shape or text on the page".to_owned();
+        return SvgError::NothingToDraw { reason };
+    }
+    let only_text = |warning: &Unshown| warning.kind == WarningKind::TextWithoutFont;
+    if warnings.iter().all(only_text) {
+        return SvgError::NoFont;
+    }
+    let texts = warnings.iter().map(|it| Warning::from(*it).to_string());
+    let reasons: Vec<String> = texts.collect();
+    SvgError::NothingToDraw {
+        reason: reasons.join("; "),
+    }
+}
+
+const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
+const MAX_NODES: u32 = 2_000_000;
+/// Larger numbers are a mistake, and would overflow further on.
+const MAX_NUMBER: f64 = 1e9;
+
+#[cfg(test)]
+mod layer_tests;
+#[cfg(test)]
+mod tests;

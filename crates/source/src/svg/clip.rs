@@ -1,0 +1,361 @@
+//! Hidden parts: strokes cut at the edges of what shows.
+
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+use dobot_geometry::FillRule;
+use dobot_geometry::SegmentIndex;
+use dobot_geometry::{Bounds, Point, Stroke};
+
+use super::Budget;
+use super::error::SvgError;
+use super::polygon::Polygons;
+
+/// What a clip path shows: the union of some areas.
+#[derive(Debug, Default)]
+pub(crate) struct Region {
+    areas: Vec<Area>,
+    /// The same as polygons, once they are wanted; `None` where they are too entangled.
+    polygons: OnceCell<Option<Polygons>>,
+}
+
+impl Region {
+    pub(crate) fn new(areas: Vec<Area>) -> Self {
+        Self {
+            areas,
+            polygons: OnceCell::new(),
+        }
+    }
+
+    /// What shows, as polygons; `None` where they are too entangled.
+    pub(crate) fn polygons(&self) -> Option<&Polygons> {
+        let all = || {
+            let mut areas = self.areas.iter().map(Area::polygons);
+            areas.try_fold(Polygons::default(), |all, area| all.or(&area?))
+        };
+        self.polygons.get_or_init(all).as_ref()
+    }
+
+    /// The parts of a stroke that show. What runs along an edge shows, as half of its ink does in
+    /// a browser.
+    pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
+        let bounds = Bounds::of(stroke.points.iter().copied()).grown(ON_EDGE_MM);
+        if !self.has_edge_in(bounds) {
+            let shows = self.shows(stroke.points[0]);
+            return Ok(if shows { vec![stroke] } else { Vec::new() });
+        }
+        let mut pieces = self.pieces(&stroke, budget)?;
+        match &mut pieces[..] {
+            [only] => only.closed = stroke.closed && ends(only) == ends(&stroke),
+            [_, .., _] if stroke.closed => join_at_seam(&mut pieces, stroke.points[0]),
+            _ => {}
+        }
+        Ok(pieces)
+    }
+
+    fn pieces(&self, stroke: &Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
+        if stroke.points.len() == 1 {
+            let shows = self.shows(stroke.points[0]);
+            return Ok(if shows {
+                vec![stroke.clone()]
+            } else {
+                Vec::new()
+            });
+        }
+        let mut pieces: Vec<Stroke> = Vec::new();
+        let mut open = false;
+        let mut cuts = Vec::new();
+        for (a, b) in stroke.segments() {
+            self.cuts(a, b, &mut cuts);
+            budget.spend(cuts.len() - 2)?;
+            for t in cuts.windows(2) {
+                let shows = self.shows(a.lerp(b, f64::midpoint(t[0], t[1])));
+                if shows && !open {
+                    pieces.push(Stroke::open(vec![place(a, b, t[0])]));
+                }
+                if let Some(piece) = pieces.last_mut().filter(|_| shows) {
+                    piece.points.push(place(a, b, t[1]));
+                }
+                open = shows;
+            }
+        }
+        // Where an edge is only touched, no more than a speck shows.
+        pieces.retain(|piece| piece.length_mm() > 2.0 * ON_EDGE_MM);
+        Ok(pieces)
+    }
+
+    /// Where the segment meets an edge, as shares of its length in order, with 0 and 1.
+    fn cuts(&self, a: Point, b: Point, cuts: &mut Vec<f64>) {
+        cuts.clear();
+        cuts.extend([0.0, 1.0]);
+        self.each_area(&mut |area| area.cuts(a, b, cuts));
+        cuts.sort_unstable_by(f64::total_cmp);
+        cuts.dedup();
+    }
+
+    pub(crate) fn shows(&self, p: Point) -> bool {
+        self.areas.iter().any(|area| area.shows(p))
+    }
+
+    /// Whether an edge lies in these bounds.
+    pub(crate) fn has_edge_in(&self, bounds: Bounds) -> bool {
+        let mut found = false;
+        self.each_area(&mut |area| area.edges.touching(bounds, &mut |_| found = true));
+        found
+    }
+
+    fn each_area(&self, visit: &mut dyn FnMut(&Area)) {
+        for area in &self.areas {
+            visit(area);
+            for region in &area.within {
+                region.each_area(visit);
+            }
+        }
+    }
+}
+
+/// One filled outline, which may be clipped itself.
+#[derive(Debug)]
+pub(crate) struct Area {
+    rings: Vec<Vec<Point>>,
+    edges: SegmentIndex,
+    rule: FillRule,
+    within: Vec<Rc<Region>>,
+}
+
+impl Area {
+    /// The inside of these outlines; each is closed where it is open, as filling does.
+    pub(crate) fn new(outlines: &[Stroke], rule: FillRule, within: Vec<Rc<Region>>) -> Self {
+        let edges = outlines.iter().flat_map(|outline| {
+            let closing = outline.last().map(|last| (last, outline.points[0]));
+            outline.segments().chain(closing)
+        });
+        Self {
+            rings: outlines.iter().map(|it| it.points.clone()).collect(),
+            edges: SegmentIndex::new(edges.filter(|(a, b)| a != b).collect()),
+            rule,
+            within,
+        }
+    }
+
+    fn polygons(&self) -> Option<Polygons> {
+        let whole = Polygons::new(&self.rings, self.rule);
+        let mut within = self.within.iter();
+        within.try_fold(whole?, |shown, region| shown.and(region.polygons()?))
+    }
+
+    fn shows(&self, p: Point) -> bool {
+        (self.is_inside(p) || self.is_on_edge(p)) && self.within.iter().all(|r| r.shows(p))
+    }
+
+    fn is_inside(&self, p: Point) -> bool {
+        let ray = Bounds {
+            min: p,
+            max: Point::new(f64::INFINITY, p.y),
+        };
+        let mut winding = 0;
+        self.edges.touching(ray, &mut |edge| {
+            winding += crossing(self.edges.segment(edge), p);
+        });
+        match self.rule {
+            FillRule::NonZero => winding != 0,
+            FillRule::EvenOdd => winding % 2 != 0,
+        }
+    }
+
+    fn is_on_edge(&self, p: Point) -> bool {
+        let mut on_edge = false;
+        let around = Bounds { min: p, max: p }.grown(ON_EDGE_MM);
+        self.edges.touching(around, &mut |edge| {
+            let (a, b) = self.edges.segment(edge);
+            on_edge |= p.distance(p.nearest_on(a, b)) <= ON_EDGE_MM;
+        });
+        on_edge
+    }
+
+    fn cuts(&self, a: Point, b: Point, cuts: &mut Vec<f64>) {
+        let around = Bounds::of([a, b]).grown(ON_EDGE_MM);
+        self.edges.touching(around, &mut |edge| {
+            cuts.extend(meeting(a, b, self.edges.segment(edge)));
+        });
+    }
+}
+
+/// +1 or -1 where the edge crosses the ray from `p` towards x, 0 where it does not.
+fn crossing((a, b): (Point, Point), p: Point) -> i32 {
+    if (a.y <= p.y) == (b.y <= p.y) {
+        return 0;
+    }
+    let side = (b - a).cross(p - a);
+    if a.y <= p.y {
+        i32::from(side > 0.0)
+    } else {
+        -i32::from(side < 0.0)
+    }
+}
+
+/// The share of the way at which the segment meets an edge, if it does.
+fn meeting(from: Point, to: Point, edge: (Point, Point)) -> Option<f64> {
+    let (way, side) = (to - from, edge.1 - edge.0);
+    let turn = way.cross(side);
+    if turn == 0.0 {
+        return None;
+    }
+    let gap = edge.0 - from;
+    let (on_way, on_side) = (gap.cross(side) / turn, gap.cross(way) / turn);
+    let slack = ON_EDGE_MM / side.length();
+    let meets = on_way > 0.0 && on_way < 1.0 && on_side >= -slack && on_side <= 1.0 + slack;
+    meets.then_some(on_way)
+}
+
+fn place(a: Point, b: Point, t: f64) -> Point {
+    if t == 1.0 { b } else { a.lerp(b, t) }
+}
+
+fn ends(stroke: &Stroke) -> (Point, Option<Point>) {
+    (stroke.points[0], stroke.last())
+}
+
+/// A closed stroke that shows at its start goes on from its last piece into its first.
+fn join_at_seam(pieces: &mut Vec<Stroke>, seam: Point) {
+    if (pieces[0].points[0], pieces[pieces.len() - 1].last()) == (seam, Some(seam)) {
+        let mut last = pieces.pop().expect("there are two pieces or more");
+        last.points.extend_from_slice(&pieces[0].points[1..]);
+        pieces[0] = last;
+    }
+}
+
+/// How near to an edge counts as on it: single precision leaves no less at this size.
+const ON_EDGE_MM: f64 = 1e-3;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn outline(points: &[(f64, f64)]) -> Stroke {
+        Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
+    fn square(min: f64, max: f64) -> Stroke {
+        outline(&[(min, min), (max, min), (max, max), (min, max)])
+    }
+
+    fn region(outlines: &[Stroke], rule: FillRule) -> Region {
+        Region::new(vec![Area::new(outlines, rule, Vec::new())])
+    }
+
+    fn cut(region: &Region, stroke: Stroke) -> Vec<Stroke> {
+        region.cut(stroke, &mut Budget::new(100_000)).unwrap()
+    }
+
+    fn spans(pieces: &[Stroke]) -> Vec<(f64, f64)> {
+        pieces
+            .iter()
+            .map(|s| (s.points[0].x, s.last().unwrap().x))
+            .map(|(from, to)| ((from * 1e9).round() / 1e9, (to * 1e9).round() / 1e9))
+            .collect()
+    }
+
+    #[test]
+    fn a_line_through_a_square_keeps_its_middle() {
+        let pieces = cut(
+            &region(&[square(2.0, 4.0)], FillRule::NonZero),
+            outline(&[(0.0, 3.0), (9.0, 3.0)]),
+        );
+        assert_eq!(spans(&pieces), [(2.0, 4.0)]);
+    }
+
+    #[test]
+    fn a_square_in_a_square_is_a_hole_for_even_odd_only() {
+        let squares = [square(0.0, 9.0), square(3.0, 6.0)];
+        let line = outline(&[(-5.0, 4.0), (20.0, 4.0)]);
+        let holed = cut(&region(&squares, FillRule::EvenOdd), line.clone());
+        assert_eq!(spans(&holed), [(0.0, 3.0), (6.0, 9.0)]);
+        let full = cut(&region(&squares, FillRule::NonZero), line);
+        assert_eq!(spans(&full), [(0.0, 9.0)]);
+    }
+
+    #[test]
+    fn a_line_along_an_edge_shows() {
+        let pieces = cut(
+            &region(&[square(2.0, 4.0)], FillRule::NonZero),
+            outline(&[(0.0, 2.0), (9.0, 2.0)]),
+        );
+        assert_eq!(spans(&pieces), [(2.0, 4.0)]);
+    }
+
+    #[test]
+    fn an_outline_clipped_by_itself_stays_whole_and_closed() {
+        let mut stroke = square(2.0, 4.0);
+        stroke.points.push(stroke.points[0]);
+        stroke.closed = true;
+        let pieces = cut(
+            &region(&[square(2.0, 4.0)], FillRule::NonZero),
+            stroke.clone(),
+        );
+        assert_eq!(pieces, [stroke]);
+    }
+
+    #[test]
+    fn a_closed_stroke_that_shows_at_its_start_is_not_cut_there() {
+        let mut stroke = square(0.0, 4.0);
+        stroke.points.push(stroke.points[0]);
+        stroke.closed = true;
+        let pieces = cut(&region(&[square(-2.0, 2.0)], FillRule::NonZero), stroke);
+        assert_eq!(pieces.len(), 1);
+        assert_eq!(
+            pieces[0].points,
+            outline(&[(0.0, 2.0), (0.0, 0.0), (2.0, 0.0)]).points
+        );
+        assert!(!pieces[0].closed);
+    }
+
+    #[test]
+    fn what_is_far_outside_goes_and_what_is_deep_inside_stays() {
+        let wide = region(&[square(-100.0, 100.0)], FillRule::NonZero);
+        assert_eq!(cut(&wide, square(1.0, 2.0)), [square(1.0, 2.0)]);
+        assert_eq!(cut(&wide, square(300.0, 400.0)), []);
+    }
+
+    /// A piece counts as on the edge by its middle: its ends may lie twice as far out.
+    fn edge_distance_mm(area: &Area, p: Point) -> f64 {
+        area.edges.nearest(p).unwrap().1.sqrt()
+    }
+
+    proptest! {
+        #[test]
+        fn pieces_lie_inside_and_nothing_inside_is_lost(
+            corners in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..12),
+            line in proptest::collection::vec((-10.0..60.0_f64, -10.0..60.0_f64), 2..12),
+            even_odd in any::<bool>(),
+        ) {
+            let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+            let region = region(&[outline(&corners)], rule);
+            let stroke = outline(&line);
+            let pieces = cut(&region, stroke.clone());
+            let area = &region.areas[0];
+            let mut kept = 0.0;
+            for (a, b) in pieces.iter().flat_map(Stroke::segments) {
+                kept += a.distance(b);
+                for i in 1..8 {
+                    let p = a.lerp(b, f64::from(i) / 8.0);
+                    prop_assert!(area.is_inside(p) || edge_distance_mm(area, p) < 2.1 * ON_EDGE_MM, "{p:?} is outside");
+                }
+            }
+            let mut wanted = 0.0;
+            let steps = 2000;
+            for (a, b) in stroke.segments() {
+                let inside = (0..steps)
+                    .filter(|i| area.is_inside(a.lerp(b, (f64::from(*i) + 0.5) / f64::from(steps))))
+                    .count();
+                #[expect(clippy::cast_precision_loss, reason = "a small count")]
+                let share = inside as f64 / f64::from(steps);
+                wanted += share * a.distance(b);
+            }
+            prop_assert!((kept - wanted).abs() < 0.01 * stroke.length_mm() + 0.1, "{kept} of {wanted} mm");
+        }
+    }
+}

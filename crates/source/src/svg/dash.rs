@@ -1,0 +1,144 @@
+//! Dashed lines: a stroke cut into its dashes.
+
+use dobot_geometry::{Point, Stroke};
+
+use super::Budget;
+use super::error::SvgError;
+
+/// Cuts a stroke into dashes: `lengths` of pen down and pen up in turn, begun `offset` further on.
+/// A dash of length zero is a dot. Lengths that sum up to nothing leave the stroke whole.
+pub(crate) fn dash(
+    stroke: Stroke,
+    lengths: &[f32],
+    offset: f64,
+    budget: &mut Budget,
+) -> Result<Vec<Stroke>, SvgError> {
+    let lengths: Vec<f64> = lengths.iter().map(|l| f64::from(*l).max(0.0)).collect();
+    let period: f64 = 2.0 * lengths.iter().sum::<f64>();
+    if period <= 0.0 || !period.is_finite() {
+        return Ok(vec![stroke]);
+    }
+    let mut cutter = Cutter::new(&lengths, offset.rem_euclid(period));
+    cutter.begin(stroke.points[0]);
+    for (a, b) in stroke.segments() {
+        cutter.advance(a, b, budget)?;
+    }
+    cutter.finish();
+    Ok(cutter.dashes)
+}
+
+struct Cutter<'a> {
+    lengths: &'a [f64],
+    /// Which length is being used up; even turns draw.
+    turn: usize,
+    left: f64,
+    dashes: Vec<Stroke>,
+    current: Vec<Point>,
+}
+
+impl<'a> Cutter<'a> {
+    fn new(lengths: &'a [f64], offset: f64) -> Self {
+        let mut cutter = Self {
+            lengths,
+            turn: 0,
+            left: lengths[0],
+            dashes: Vec::new(),
+            current: Vec::new(),
+        };
+        let mut offset = offset;
+        while offset >= cutter.left && offset > 0.0 {
+            offset -= cutter.left;
+            cutter.next_turn();
+        }
+        cutter.left -= offset;
+        cutter
+    }
+
+    fn begin(&mut self, at: Point) {
+        if self.turn.is_multiple_of(2) {
+            self.current.push(at);
+        }
+    }
+
+    fn advance(&mut self, a: Point, b: Point, budget: &mut Budget) -> Result<(), SvgError> {
+        let length = a.distance(b);
+        let mut done = 0.0;
+        while length - done > self.left {
+            budget.spend(1)?;
+            done += self.left;
+            let at = a.lerp(b, done / length);
+            self.begin(at);
+            self.finish();
+            self.next_turn();
+            self.begin(at);
+        }
+        self.left -= length - done;
+        self.begin(b);
+        Ok(())
+    }
+
+    fn finish(&mut self) {
+        let mut points = std::mem::take(&mut self.current);
+        points.dedup();
+        if !points.is_empty() {
+            self.dashes.push(Stroke::open(points));
+        }
+    }
+
+    fn next_turn(&mut self) {
+        self.turn += 1;
+        self.left = self.lengths[self.turn % self.lengths.len()];
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn dashes(lengths: &[f32], offset: f64) -> Vec<(f64, f64)> {
+        let line = Stroke::open(vec![
+            Point::new(0.0, 0.0),
+            Point::new(4.0, 0.0),
+            Point::new(10.0, 0.0),
+        ]);
+        let strokes = dash(line, lengths, offset, &mut Budget::new(1000)).unwrap();
+        strokes
+            .iter()
+            .map(|s| (s.points[0].x, s.last().unwrap().x))
+            .collect()
+    }
+
+    #[test]
+    fn dashes_and_gaps_take_turns_across_corners() {
+        assert_eq!(dashes(&[3.0, 2.0], 0.0), [(0.0, 3.0), (5.0, 8.0)]);
+    }
+
+    #[test]
+    fn an_offset_begins_further_on_in_the_pattern() {
+        assert_eq!(
+            dashes(&[3.0, 2.0], 1.0),
+            [(0.0, 2.0), (4.0, 7.0), (9.0, 10.0)]
+        );
+        assert_eq!(dashes(&[3.0, 2.0], -1.0), [(1.0, 4.0), (6.0, 9.0)]);
+    }
+
+    #[test]
+    fn an_odd_pattern_swaps_dashes_and_gaps_each_time_round() {
+        assert_eq!(dashes(&[4.0], 0.0), [(0.0, 4.0), (8.0, 10.0)]);
+    }
+
+    #[test]
+    fn dashes_without_length_are_dots() {
+        assert_eq!(
+            dashes(&[0.0, 4.0], 0.0),
+            [(0.0, 0.0), (4.0, 4.0), (8.0, 8.0)]
+        );
+    }
+
+    #[test]
+    fn a_billion_dashes_are_refused() {
+        let line = Stroke::open(vec![Point::new(0.0, 0.0), Point::new(1e9, 0.0)]);
+        dash(line, &[1.0], 0.0, &mut Budget::new(1000)).unwrap_err();
+    }
+}

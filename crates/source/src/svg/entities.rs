@@ -1,0 +1,78 @@
+//! Entities: abbreviations that a hostile file could use to fill the memory.
+
+use super::error::SvgError;
+use crate::error::Place;
+
+/// Refuses entities that expand to much more than the file holds. Drawing programs declare a few
+/// short ones for their namespaces; nothing needs one inside another, or from another file.
+pub(crate) fn check(text: &str) -> Result<(), SvgError> {
+    let Some(first) = text.find("<!ENTITY") else {
+        return Ok(());
+    };
+    let end = first + text[first..].find("]>").unwrap_or(text.len() - first);
+    let (declared, used) = text[first..].split_at(end - first);
+    let refuse = |problem| {
+        Err(SvgError::Entities {
+            place: place(text, first),
+            problem,
+        })
+    };
+    if refers_to_another(declared) {
+        return refuse("further entities");
+    }
+    let references = used.bytes().filter(|&byte| byte == b'&').count();
+    if declared.len().saturating_mul(references) > LIMIT {
+        return refuse("more than 16 million characters");
+    }
+    Ok(())
+}
+
+fn refers_to_another(declared: &str) -> bool {
+    let mut references = declared.split('&').skip(1);
+    references.any(|rest| {
+        !["#", "amp;", "lt;", "gt;", "quot;", "apos;"]
+            .iter()
+            .any(|s| rest.starts_with(s))
+    })
+}
+
+fn place(text: &str, at: usize) -> Place {
+    let before = &text[..at];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    Place {
+        line: count(before.matches('\n').count() + 1),
+        column: count(before[line_start..].chars().count() + 1),
+    }
+}
+
+const LIMIT: usize = 16_000_000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_namespaces_of_drawing_programs_pass() {
+        let text = "<!DOCTYPE svg [\n<!ENTITY ns_svg \"http://www.w3.org/2000/svg\">\n]>\n<svg xmlns=\"&ns_svg;\"/>";
+        assert_eq!(check(text), Ok(()));
+    }
+
+    #[test]
+    fn a_billion_laughs_are_refused_and_the_place_is_named() {
+        let text = "<!DOCTYPE svg [\n <!ENTITY a \"ha\"><!ENTITY b \"&a;&a;\">]><svg>&b;</svg>";
+        let error = check(text).expect_err("entities in entities");
+        assert_eq!(
+            error.to_string(),
+            "2:2: entities that expand to further entities; save the file without a DOCTYPE"
+        );
+    }
+
+    #[test]
+    fn many_uses_of_a_long_entity_are_refused() {
+        let long = "x".repeat(10_000);
+        let uses = "&a;".repeat(2_000);
+        let text = format!("<!DOCTYPE svg [<!ENTITY a \"{long}\">]><svg>{uses}</svg>");
+        assert!(matches!(check(&text), Err(SvgError::Entities { .. })));
+    }
+}

@@ -1,0 +1,185 @@
+//! Curves to lines, within a tolerance that truly holds.
+
+use dobot_geometry::{Point, Stroke};
+use usvg::tiny_skia_path::{Path, PathSegment};
+
+use super::Budget;
+use super::error::SvgError;
+
+/// The subpaths of a path as lines that stay within `tolerance` of it, in the path's own units.
+///
+/// A curve becomes `n` chords of equal parameter steps. A chord leaves its curve by at most an
+/// eighth of the step squared times the largest second derivative, which for a Bézier curve is
+/// bounded by its control points:
+///
+/// ```text
+///   quadratic   |B''| <=  2 |p0 - 2 p1 + p2|
+///   cubic       |B''| <=  6 max(|p0 - 2 p1 + p2|, |p1 - 2 p2 + p3|)
+///   chords      n      =  ceil(sqrt(|B''| / (8 tolerance)))
+/// ```
+pub(crate) fn flatten(
+    path: &Path,
+    tolerance: f64,
+    budget: &mut Budget,
+) -> Result<Vec<Stroke>, SvgError> {
+    let mut pen = Pen {
+        strokes: Vec::new(),
+        tolerance,
+        budget,
+    };
+    for segment in path.segments() {
+        match segment {
+            PathSegment::MoveTo(p) => pen.strokes.push(Stroke::open(vec![point(p)])),
+            PathSegment::LineTo(p) => pen.line(point(p))?,
+            PathSegment::QuadTo(b, c) => pen.quadratic(point(b), point(c))?,
+            PathSegment::CubicTo(b, c, d) => pen.cubic(point(b), point(c), point(d))?,
+            PathSegment::Close => pen.close()?,
+        }
+    }
+    pen.strokes.retain(|stroke| stroke.points.len() > 1);
+    Ok(pen.strokes)
+}
+
+struct Pen<'a> {
+    strokes: Vec<Stroke>,
+    tolerance: f64,
+    budget: &'a mut Budget,
+}
+
+impl Pen<'_> {
+    fn line(&mut self, to: Point) -> Result<(), SvgError> {
+        self.budget.spend(1)?;
+        self.current().points.push(to);
+        Ok(())
+    }
+
+    fn quadratic(&mut self, b: Point, c: Point) -> Result<(), SvgError> {
+        let a = self.here();
+        let n = self.chords(2.0 * bend(a, b, c))?;
+        self.curve(n, |t| a.lerp(b, t).lerp(b.lerp(c, t), t), c);
+        Ok(())
+    }
+
+    fn cubic(&mut self, b: Point, c: Point, end: Point) -> Result<(), SvgError> {
+        let a = self.here();
+        let chords = self.chords(6.0 * bend(a, b, c).max(bend(b, c, end)))?;
+        let at = |t| {
+            let middle = b.lerp(c, t);
+            let left = a.lerp(b, t).lerp(middle, t);
+            left.lerp(middle.lerp(c.lerp(end, t), t), t)
+        };
+        self.curve(chords, at, end);
+        Ok(())
+    }
+
+    fn chords(&mut self, second_derivative: f64) -> Result<u32, SvgError> {
+        let n = (second_derivative / (8.0 * self.tolerance)).sqrt().ceil();
+        // The cast saturates, and the budget refuses what is too much.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let n = n.max(1.0) as u32;
+        self.budget.spend(n as usize)?;
+        Ok(n)
+    }
+
+    fn curve(&mut self, n: u32, at: impl Fn(f64) -> Point, end: Point) {
+        let step = 1.0 / f64::from(n);
+        let inner = (1..n).map(|i| at(f64::from(i) * step));
+        self.current().points.extend(inner.chain([end]));
+    }
+
+    fn close(&mut self) -> Result<(), SvgError> {
+        let start = self.current().points[0];
+        if self.here() != start {
+            self.line(start)?;
+        }
+        self.current().closed = true;
+        Ok(())
+    }
+
+    fn here(&mut self) -> Point {
+        self.current().last().expect("every subpath has a point")
+    }
+
+    fn current(&mut self) -> &mut Stroke {
+        // A path that goes on after closing begins anew where it closed.
+        if let Some(closed) = self.strokes.last().filter(|stroke| stroke.closed) {
+            let start = closed.points[0];
+            self.strokes.push(Stroke::open(vec![start]));
+        }
+        self.strokes.last_mut().expect("a path begins with a move")
+    }
+}
+
+fn bend(a: Point, b: Point, c: Point) -> f64 {
+    (a + c - b * 2.0).length()
+}
+
+fn point(p: usvg::tiny_skia_path::Point) -> Point {
+    Point::new(f64::from(p.x), f64::from(p.y))
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+    use usvg::tiny_skia_path::PathBuilder;
+
+    use super::*;
+    use dobot_geometry::SegmentIndex;
+
+    fn cubic(c: [f32; 8]) -> Path {
+        let mut path = PathBuilder::new();
+        path.move_to(c[0], c[1]);
+        path.cubic_to(c[2], c[3], c[4], c[5], c[6], c[7]);
+        path.finish().unwrap()
+    }
+
+    #[test]
+    fn a_straight_cubic_becomes_one_line() {
+        let line = cubic([0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0]);
+        let strokes = flatten(&line, 0.01, &mut Budget::new(100)).unwrap();
+        assert_eq!(strokes[0].points.len(), 2);
+    }
+
+    #[test]
+    fn closing_returns_to_the_start_and_going_on_begins_there() {
+        let mut path = PathBuilder::new();
+        path.move_to(1.0, 1.0);
+        path.line_to(2.0, 1.0);
+        path.line_to(2.0, 2.0);
+        path.close();
+        path.line_to(5.0, 5.0);
+        let strokes = flatten(&path.finish().unwrap(), 0.01, &mut Budget::new(100)).unwrap();
+        assert!(strokes[0].closed && !strokes[1].closed);
+        assert_eq!(strokes[0].last(), Some(Point::new(1.0, 1.0)));
+        assert_eq!(strokes[1].points[0], Point::new(1.0, 1.0));
+    }
+
+    #[test]
+    fn a_curve_that_costs_more_than_the_budget_is_refused() {
+        let wide = cubic([0.0, 0.0, 1e6, 0.0, 0.0, 1e6, 1e6, 1e6]);
+        let error = flatten(&wide, 1e-6, &mut Budget::new(1000)).unwrap_err();
+        assert!(matches!(error, SvgError::TooManySegments { .. }));
+    }
+
+    proptest! {
+        #[test]
+        fn the_true_curve_stays_within_the_tolerance(
+            c in proptest::array::uniform8(-100.0_f32..100.0),
+            tolerance in 0.001..1.0_f64,
+        ) {
+            let strokes = flatten(&cubic(c), tolerance, &mut Budget::new(1_000_000)).unwrap();
+            let index = SegmentIndex::new(strokes[0].segments().collect());
+            let c = c.map(f64::from);
+            for i in 0..=1000 {
+                let t = f64::from(i) / 1000.0;
+                let s = 1.0 - t;
+                let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+                let x = (0..4).map(|k| weights[k] * c[2 * k]).sum();
+                let y = (0..4).map(|k| weights[k] * c[2 * k + 1]).sum();
+                let (_, distance2) = index.nearest(Point::new(x, y)).unwrap();
+                prop_assert!(distance2.sqrt() <= tolerance + 1e-9, "{} > {tolerance}", distance2.sqrt());
+            }
+        }
+    }
+}

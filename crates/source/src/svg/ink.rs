@@ -1,0 +1,61 @@
+//! What a shape leaves on paper: a line, a filled area, or nothing.
+
+use dobot_geometry::FillRule;
+
+/// Red, green and blue; `None` where a pattern has no one colour.
+pub(crate) type Color = Option<[u8; 3]>;
+
+/// How a shape is painted, as far as it is opaque at all.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Ink {
+    pub(crate) line: Option<Line>,
+    pub(crate) fill: Option<Fill>,
+}
+
+impl Ink {
+    /// The colour of its outline; `None` where it has none: white fills are paper.
+    pub(crate) fn outline(&self) -> Option<Color> {
+        let line = self.line.as_ref().map(|line| line.color);
+        line.or_else(|| self.area().map(|fill| fill.color))
+    }
+
+    /// What is to be hatched.
+    pub(crate) fn area(&self) -> Option<Fill> {
+        self.fill.filter(|fill| fill.color != Some(PAPER))
+    }
+
+    /// Whether all of it is white fill.
+    pub(crate) fn is_paper(&self) -> bool {
+        self.line.is_none() && self.fill.is_some() && self.area().is_none()
+    }
+
+    /// A line without length is a dot where its ends are drawn, and nothing where they are cut off.
+    pub(crate) fn has_ends(&self) -> bool {
+        self.line.as_ref().is_some_and(|line| line.has_ends)
+    }
+}
+
+/// A painted line.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Line {
+    pub(crate) color: Color,
+    /// Its ends are round or square.
+    pub(crate) has_ends: bool,
+    pub(crate) dashes: Option<Dashes>,
+}
+
+/// Pen down and pen up in turn.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Dashes {
+    pub(crate) lengths: Vec<f32>,
+    pub(crate) offset: f64,
+}
+
+/// A painted inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fill {
+    pub(crate) color: Color,
+    pub(crate) rule: FillRule,
+}
+
+const PAPER: [u8; 3] = [255; 3];

@@ -1,0 +1,332 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use dobot_geometry::Bounds;
+use dobot_geometry::{Area, FillRule};
+use proptest::prelude::*;
+
+use super::*;
+use crate::artwork::Layer;
+
+fn read_by(layers: LayersBy, content: &str) -> (Vec<Layer>, Vec<Warning>) {
+    let text = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+        width="100mm" height="50mm" viewBox="0 0 100 50">{content}</svg>"#
+    );
+    let options = ReadOptions {
+        layers,
+        ..ReadOptions::default()
+    };
+    let (artwork, warnings) = read(&text, &options).unwrap();
+    (artwork.layers, warnings)
+}
+
+/// Names with how many strokes and areas.
+fn contents(layers: &[Layer]) -> Vec<(&str, usize, usize)> {
+    let count = |it: &Layer| (it.strokes.len(), it.areas.len());
+    let named = layers.iter().map(|it| (it.name.as_str(), count(it)));
+    named.map(|(name, (s, a))| (name, s, a)).collect()
+}
+
+fn extent(area: &Area) -> [f64; 4] {
+    let bounds = Bounds::of(area.rings.iter().flatten().copied());
+    let corners = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+    corners.map(|it| (it * 1e3).round() / 1e3)
+}
+
+#[test]
+fn colours_become_layers_in_the_order_of_their_first_shape() {
+    let (layers, _) = read_by(
+        LayersBy::Color,
+        r##"<path fill="none" stroke="#1b2a41" d="M0 0H5"/><path fill="none" stroke="rgb(255,0,0)" d="M0 1H5"/>
+        <g stroke="#1b2a41"><path fill="none" d="M0 2H5"/></g>"##,
+    );
+    assert_eq!(contents(&layers), [("#1b2a41", 2, 0), ("red", 1, 0)]);
+    assert_eq!(layers[1].color, Some([255, 0, 0]));
+    let ys: Vec<f64> = layers[0]
+        .strokes
+        .iter()
+        .map(|it| it.points[0].y.round())
+        .collect();
+    assert_eq!(ys, [0.0, 2.0]);
+}
+
+#[test]
+fn a_fill_gives_an_area_of_its_own_colour_beside_the_outline() {
+    let (layers, _) = read_by(
+        LayersBy::Color,
+        r#"<rect x="5" y="5" width="10" height="4" fill="gold" stroke="black"/>
+        <rect x="25" y="5" width="10" height="4" fill="gold"/>"#,
+    );
+    assert_eq!(contents(&layers), [("gold", 1, 2), ("black", 1, 0)]);
+    assert_eq!(extent(&layers[0].areas[0]), [5.0, 5.0, 15.0, 9.0]);
+    assert_eq!(layers[0].areas[0].rings[0].len(), 4);
+}
+
+#[test]
+fn white_is_paper_where_it_fills_and_ink_where_it_draws() {
+    let (layers, warnings) = read_by(
+        LayersBy::Color,
+        r##"<rect width="100" height="50" fill="#fff"/>
+        <rect x="5" y="5" width="9" height="9" fill="white" stroke="red"/>
+        <path d="M5 5H9" stroke="white"/>"##,
+    );
+    assert_eq!(contents(&layers), [("red", 1, 0), ("white", 1, 0)]);
+    let texts: Vec<String> = warnings.iter().map(Warning::to_string).collect();
+    assert_eq!(texts, ["1 white shape: left out, white is the paper"]);
+}
+
+#[test]
+fn a_line_that_encloses_nothing_has_no_area() {
+    let (layers, _) = read_by(
+        LayersBy::Color,
+        r#"<path d="M5 5H50" stroke="red"/><path d="M5 5h0" stroke="red" stroke-linecap="round"/>"#,
+    );
+    assert_eq!(contents(&layers), [("red", 2, 0)]);
+    assert_eq!(layers[0].strokes[1].points.len(), 1);
+}
+
+#[test]
+fn the_fill_rule_comes_along() {
+    let path = "M0 0H9V9H0ZM3 3H6V6H3Z";
+    let (layers, _) = read_by(
+        LayersBy::Nothing,
+        &format!(r#"<path d="{path}"/><path d="{path}" fill-rule="evenodd"/>"#),
+    );
+    let rules: Vec<FillRule> = layers[0].areas.iter().map(|it| it.rule).collect();
+    assert_eq!(rules, [FillRule::NonZero, FillRule::EvenOdd]);
+    assert_eq!(layers[0].areas[1].rings.len(), 2);
+}
+
+#[test]
+fn areas_are_cut_by_the_page_and_by_clip_paths() {
+    let (layers, _) = read_by(
+        LayersBy::Nothing,
+        r#"<clipPath id="c"><rect x="20" y="10" width="10" height="10"/><rect x="40" y="10" width="10" height="10"/></clipPath>
+        <rect x="-10" y="40" width="30" height="30"/>
+        <rect x="25" y="5" width="50" height="10" clip-path="url(#c)"/>
+        <rect x="70" y="5" width="5" height="5" clip-path="url(#c)"/>
+        <rect x="200" y="5" width="5" height="5"/>"#,
+    );
+    let extents: Vec<[f64; 4]> = layers[0].areas.iter().map(extent).collect();
+    assert_eq!(extents, [[0.0, 40.0, 20.0, 50.0], [25.0, 10.0, 50.0, 15.0]]);
+    assert_eq!(layers[0].areas[1].rings.len(), 2);
+}
+
+#[test]
+fn gradients_count_as_their_first_colour_and_patterns_as_none() {
+    let (layers, warnings) = read_by(
+        LayersBy::Color,
+        r#"<linearGradient id="g"><stop stop-color="navy"/><stop offset="1"/></linearGradient>
+        <pattern id="p" width="2" height="2" patternUnits="userSpaceOnUse"><path d="M0 0H1" stroke="red"/></pattern>
+        <rect width="9" height="9" fill="url(#g)"/><rect width="9" height="9" fill="url(#p)"/>"#,
+    );
+    assert_eq!(contents(&layers), [("navy", 1, 1), ("pattern", 1, 1)]);
+    assert_eq!(layers[1].color, None);
+    assert_eq!(warnings.len(), 2);
+}
+
+#[test]
+fn outermost_groups_become_layers_with_their_labels() {
+    let (layers, _) = read_by(
+        LayersBy::Group,
+        r#"<path d="M0 0H5" stroke="red"/>
+        <g id="layer1" inkscape:label="Sea"><g id="inner"><path d="M0 0H5" stroke="red"/></g><path d="M0 0H5" stroke="blue"/></g>
+        <g id="sky" transform="translate(5 5)"><path d="M0 0H5" stroke="red"/></g>
+        <g display="none"><path d="M0 0H5" stroke="red"/></g>
+        <g><path d="M0 0H5" stroke="lime"/></g>
+        <path d="M0 9H5" stroke="red"/>"#,
+    );
+    assert_eq!(
+        contents(&layers),
+        [
+            ("outside groups", 2, 0),
+            ("Sea", 2, 0),
+            ("sky", 1, 0),
+            ("group 4", 1, 0)
+        ]
+    );
+    let colors: Vec<Option<[u8; 3]>> = layers.iter().map(|it| it.color).collect();
+    assert_eq!(
+        colors,
+        [
+            Some([255, 0, 0]),
+            None,
+            Some([255, 0, 0]),
+            Some([0, 255, 0])
+        ]
+    );
+}
+
+#[test]
+fn groups_are_found_in_files_that_only_a_full_reader_understands() {
+    let (layers, _) = read_by(
+        LayersBy::Group,
+        r##"<style>.a{stroke:red}</style><defs><path id="p" d="M0 0H5"/></defs>
+        <g><use href="#p" class="a"/></g><g id="b" class="a"><use href="#p"/></g><use href="#p" class="a"/>"##,
+    );
+    assert_eq!(
+        contents(&layers),
+        [("group 1", 1, 0), ("b", 1, 0), ("outside groups", 1, 0)]
+    );
+}
+
+#[test]
+fn one_layer_holds_all_where_nothing_divides() {
+    let (layers, _) = read_by(
+        LayersBy::Nothing,
+        r#"<g><path d="M0 0H5" stroke="red"/></g><path d="M0 0H5" stroke="blue"/>"#,
+    );
+    assert_eq!(contents(&layers), [("all", 2, 0)]);
+    assert_eq!(layers[0].color, None);
+}
+
+#[test]
+fn letters_are_areas_too() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    if fonts.is_empty() {
+        return; // A machine without fonts cannot show this.
+    }
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..ReadOptions::default()
+    };
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text x="10" y="30" font-size="20">o</text></svg>"#;
+    let (artwork, _) = read(text, &options).unwrap();
+    assert_eq!(contents(&artwork.layers), [("black", 2, 1)]);
+    assert_eq!(artwork.layers[0].areas[0].rings.len(), 2);
+}
+
+#[test]
+fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    let first = fonts.faces().next().map(|it| it.families[0].0.clone());
+    let Some(here) = first else {
+        return; // A machine without fonts cannot show this.
+    };
+    fonts.set_serif_family(&here);
+    fonts.set_sans_serif_family(&here);
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..ReadOptions::default()
+    };
+    let warnings = |families: &[&str]| -> Vec<String> {
+        let text = |it: &&str| {
+            let font = if it.is_empty() {
+                String::new()
+            } else {
+                format!("font-family=\"{it}\"")
+            };
+            format!(r#"<text {font} x="10" y="30" font-size="20">o</text>"#)
+        };
+        let texts: String = families.iter().map(text).collect();
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50">{texts}</svg>"#
+        );
+        let (_, warnings) = read(&svg, &options).unwrap();
+        warnings.iter().map(Warning::to_string).collect()
+    };
+    assert_eq!(
+        warnings(&["No Such Sans", "No Such Sans"]),
+        [format!("1 font No Such Sans: not here, drawn in {here}")]
+    );
+    let known = format!("No Such Sans, {here}");
+    let none: [String; 0] = [];
+    assert_eq!(
+        warnings(&["", "No Such Sans, sans-serif", &known, &here]),
+        none
+    );
+}
+
+#[test]
+fn areas_are_moved_as_their_shapes_are() {
+    let (layers, _) = read_by(
+        LayersBy::Nothing,
+        r#"<path transform="translate(10 10) scale(2 -1)" d="M0 0H10V-10H0Z"/>"#,
+    );
+    assert_eq!(extent(&layers[0].areas[0]), [10.0, 10.0, 30.0, 20.0]);
+}
+
+#[test]
+fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
+    let text = include_str!("../../../../examples/drawings/sailing.svg");
+    let by = |layers| {
+        let options = ReadOptions {
+            layers,
+            ..ReadOptions::default()
+        };
+        let (artwork, warnings) = read(text, &options).unwrap();
+        assert_eq!(warnings, []);
+        let layers = artwork.layers.into_iter();
+        layers
+            .map(|it| (it.name, it.areas.len()))
+            .collect::<Vec<_>>()
+    };
+    let named = |names: [&str; 3]| names.map(str::to_owned).into_iter().zip([1, 3, 2]);
+    let colors = named(["orange", "crimson", "navy"]);
+    assert_eq!(by(LayersBy::Color), colors.collect::<Vec<_>>());
+    let labels = named(["orange pen", "crimson pen", "navy pen"]);
+    assert_eq!(by(LayersBy::Group), labels.collect::<Vec<_>>());
+}
+
+#[test]
+fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
+    let point = |i: i32| {
+        let y = 0.006 * f64::from(i);
+        let y = if i % 2 == 0 { y } else { 48.0 - y };
+        format!("{} {y:.3}", -5 + 100 * (i % 2))
+    };
+    let points: Vec<String> = (0..8000).map(point).collect();
+    let points = points.join(" ");
+    let (layers, warnings) = read_by(
+        LayersBy::Nothing,
+        &format!(r#"<polygon points="{points}"/>"#),
+    );
+    assert_eq!(layers[0].areas.len(), 0);
+    assert!(!layers[0].strokes.is_empty());
+    assert_eq!(
+        warnings[0].to_string(),
+        "1 filled shape: not hatched, it crosses itself too often to be clipped"
+    );
+}
+
+#[test]
+fn hostile_files_are_refused_however_layers_are_made() {
+    for layers in [LayersBy::Color, LayersBy::Group, LayersBy::Nothing] {
+        let options = ReadOptions {
+            layers,
+            ..ReadOptions::default()
+        };
+        for text in [
+            "",
+            "<svg",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g></svg>",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g/><g id=''/></svg>",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><g><path d='M0 0L1e30 1'/></g></svg>",
+        ] {
+            let error = read(text, &options).unwrap_err().to_string();
+            assert!(!error.contains('\n'), "{error}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_file_of_groups_is_read_or_refused(
+        at in 0..4000_usize,
+        length in 0..40_usize,
+        filler in proptest::sample::select(vec!["", "<g>", "</g>", "<g/>", "<g id=''/>", "\"", "white", "é"]),
+    ) {
+        let text = include_str!("../../../../examples/drawings/sailing.svg");
+        let start = at.min(text.len());
+        let end = (start + length).min(text.len());
+        let damaged = [&text[..start], filler, &text[end..]].concat();
+        for layers in [LayersBy::Color, LayersBy::Group] {
+            let options = ReadOptions { layers, ..ReadOptions::default() };
+            if let Ok((artwork, _)) = read(&damaged, &options) {
+                prop_assert!(artwork.layers.iter().all(|it| !it.is_empty()));
+            }
+        }
+    }
+}

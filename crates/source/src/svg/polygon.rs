@@ -1,0 +1,152 @@
+//! Filled areas cut at the edges of what shows.
+
+use dobot_geometry::SegmentIndex;
+use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Bounds, Point};
+use i_overlay::core::fill_rule::FillRule as Rule;
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::float::simplify::SimplifyShape;
+use i_overlay::float::single::SingleFloatOverlay;
+
+/// Polygons with holes that neither overlap nor cross each other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Polygons(Vec<Vec<Vec<[f64; 2]>>>);
+
+impl Polygons {
+    /// `None` where the rings cross so often that it would take for ever.
+    pub(crate) fn new(rings: &[Vec<Point>], rule: FillRule) -> Option<Self> {
+        if is_entangled(rings) {
+            return None;
+        }
+        let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect();
+        let rings: Vec<Vec<[f64; 2]>> = rings.iter().map(plain).collect();
+        let rule = match rule {
+            FillRule::NonZero => Rule::NonZero,
+            FillRule::EvenOdd => Rule::EvenOdd,
+        };
+        Some(Self(rings.simplify_shape_as::<i64>(rule)))
+    }
+
+    pub(crate) fn and(self, other: &Self) -> Option<Self> {
+        self.joined(other, OverlayRule::Intersect)
+    }
+
+    pub(crate) fn or(self, other: &Self) -> Option<Self> {
+        self.joined(other, OverlayRule::Union)
+    }
+
+    pub(crate) fn into_area(self) -> Area {
+        let point = |[x, y]: [f64; 2]| Point::new(x, y);
+        let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(point).collect();
+        Area {
+            rings: self.0.into_iter().flatten().map(ring).collect(),
+            rule: FillRule::EvenOdd,
+        }
+    }
+
+    fn joined(self, other: &Self, how: OverlayRule) -> Option<Self> {
+        let both: Vec<Vec<Point>> = [&self, other].into_iter().flat_map(Self::rings).collect();
+        if is_entangled(&both) {
+            return None;
+        }
+        Some(Self(self.0.overlay_as::<i64>(&other.0, how, Rule::NonZero)))
+    }
+
+    fn rings(&self) -> impl Iterator<Item = Vec<Point>> {
+        let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
+        let rings = self.0.iter().flatten();
+        rings.map(move |ring| ring.iter().map(point).collect())
+    }
+}
+
+/// Whether so many edges lie over each other that cutting would fill time and memory.
+fn is_entangled(rings: &[Vec<Point>]) -> bool {
+    let edges: Vec<(Point, Point)> = rings.iter().flat_map(|ring| edges(ring)).collect();
+    let index = SegmentIndex::new(edges);
+    let mut pairs = 0_usize;
+    for &(a, b) in index.segments() {
+        index.touching(Bounds::of([a, b]), &mut |_| pairs += 1);
+        if pairs > MAX_PAIRS {
+            return true;
+        }
+    }
+    false
+}
+
+/// The edges of a closed ring.
+pub(crate) fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    let ends = ring.iter().cycle().skip(1);
+    ring.iter().copied().zip(ends.copied())
+}
+
+/// Pairs of edges whose boxes touch: a tenth of a second.
+const MAX_PAIRS: usize = 10_000_000;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn ring(points: &[(f64, f64)]) -> Vec<Point> {
+        points.iter().map(|&(x, y)| Point::new(x, y)).collect()
+    }
+
+    fn inside(area: &Area, p: Point) -> bool {
+        let winding: i32 = area.rings.iter().map(|ring| winding(ring, p)).sum();
+        match area.rule {
+            FillRule::NonZero => winding != 0,
+            FillRule::EvenOdd => winding % 2 != 0,
+        }
+    }
+
+    fn winding(ring: &[Point], p: Point) -> i32 {
+        let crossing = |(a, b): (Point, Point)| {
+            let up = a.y <= p.y && b.y > p.y;
+            let down = b.y <= p.y && a.y > p.y;
+            let left = (b - a).cross(p - a) > 0.0;
+            i32::from(up && left) - i32::from(down && !left)
+        };
+        edges(ring).map(crossing).sum()
+    }
+
+    fn distance(area: &Area, p: Point) -> f64 {
+        let to_edge = |(a, b)| p.distance(p.nearest_on(a, b));
+        let edges = area.rings.iter().flat_map(|ring| edges(ring));
+        edges.map(to_edge).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn a_ring_that_crosses_itself_ten_million_times_is_left_alone() {
+        let across = |i| match (i % 2, f64::from(i) * 0.01) {
+            (0, y) => Point::new(0.0, y),
+            (_, y) => Point::new(90.0, 80.0 - y),
+        };
+        assert!(Polygons::new(&[(0..8000).map(across).collect()], FillRule::NonZero).is_none());
+    }
+
+    proptest! {
+        #[test]
+        fn a_point_is_in_the_cut_area_where_it_is_in_both(
+            one in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..12),
+            other in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..12),
+            even_odd in any::<bool>(),
+            points in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 100),
+        ) {
+            let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+            let areas = [one, other].map(|it| Area { rings: vec![ring(&it)], rule });
+            let [a, b] = [&areas[0], &areas[1]].map(|it| Polygons::new(&it.rings, rule).unwrap());
+            let both = a.clone().and(&b).unwrap().into_area();
+            let any = a.or(&b).unwrap().into_area();
+            for p in ring(&points) {
+                if areas.iter().any(|it| distance(it, p) < 1e-4) {
+                    continue;
+                }
+                let [in_a, in_b] = [inside(&areas[0], p), inside(&areas[1], p)];
+                prop_assert_eq!(inside(&both, p), in_a && in_b);
+                prop_assert_eq!(inside(&any, p), in_a || in_b);
+            }
+        }
+    }
+}

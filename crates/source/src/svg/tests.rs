@@ -1,0 +1,395 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::fmt::Write as _;
+
+use dobot_geometry::{Bounds, Point, Stroke};
+use proptest::prelude::*;
+
+use super::*;
+
+#[derive(Debug)]
+struct Drawing {
+    width_mm: f64,
+    strokes: Vec<Stroke>,
+}
+
+impl Drawing {
+    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
+        let (artwork, warnings) = super::draw(text, options, &super::Substitutes::default())?;
+        let drawing = Self {
+            width_mm: artwork.width_mm,
+            strokes: artwork
+                .layers
+                .into_iter()
+                .flat_map(|it| it.strokes)
+                .collect(),
+        };
+        Ok((drawing, warnings))
+    }
+}
+
+fn options() -> ReadOptions {
+    ReadOptions::default()
+}
+
+fn page(content: &str) -> String {
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50">{content}</svg>"#
+    )
+}
+
+fn draw(content: &str) -> (Vec<Stroke>, Vec<Unshown>) {
+    let (drawing, warnings) = Drawing::from_svg(&page(content), &options()).unwrap();
+    (drawing.strokes, warnings)
+}
+
+fn error(text: &str) -> String {
+    Drawing::from_svg(text, &options()).unwrap_err().to_string()
+}
+
+fn close(a: Point, x: f64, y: f64) -> bool {
+    a.distance(Point::new(x, y)) < 1e-4
+}
+
+#[test]
+fn millimetres_are_true_whatever_the_unit() {
+    for (size, user) in [
+        ("96", "96"),
+        ("1in", "96"),
+        ("25.4mm", "25.4"),
+        ("6pc", "6"),
+        ("72pt", "7"),
+    ] {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{size}" height="{size}" viewBox="0 0 {user} {user}">
+            <path d="M0 0H{user}V{user}" stroke="red" fill="none"/></svg>"#
+        );
+        let (drawing, _) = Drawing::from_svg(&text, &options()).unwrap();
+        let end = drawing.strokes[0].last().unwrap();
+        assert!(close(end, 25.4, 25.4), "{size}: {end:?}");
+        assert!((drawing.width_mm - 25.4).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn transforms_and_copies_compose() {
+    let (strokes, _) = draw(
+        r##"<defs><path id="a" d="M0 0L5 0" stroke="red"/></defs>
+        <g transform="translate(10 20) rotate(90)"><use href="#a" x="2" transform="scale(2)"/></g>"##,
+    );
+    assert!(close(strokes[0].points[0], 10.0, 24.0), "{:?}", strokes[0]);
+    assert!(close(strokes[0].points[1], 10.0, 34.0), "{:?}", strokes[0]);
+}
+
+#[test]
+fn what_does_not_show_is_not_drawn() {
+    let (strokes, warnings) = draw(
+        r#"<rect x="1" y="1" width="5" height="5"/>
+        <rect x="1" y="1" width="5" height="5" fill="none"/>
+        <rect x="1" y="1" width="5" height="5" display="none"/>
+        <rect x="1" y="1" width="5" height="5" visibility="hidden"/>
+        <rect x="1" y="1" width="5" height="5" opacity="0"/>
+        <g opacity="0"><rect x="1" y="1" width="5" height="5"/></g>
+        <rect x="1" y="1" width="5" height="5" fill-opacity="0"/>
+        <rect x="1" y="70" width="5" height="5"/>"#,
+    );
+    assert_eq!((strokes.len(), warnings.len()), (1, 0));
+    assert!(strokes[0].closed);
+}
+
+#[test]
+fn the_edge_of_the_page_cuts() {
+    let (strokes, _) = draw(r#"<path d="M-10 25H200" stroke="red"/>"#);
+    assert!(close(strokes[0].points[0], 0.0, 25.0));
+    assert!(close(strokes[0].last().unwrap(), 100.0, 25.0));
+}
+
+#[test]
+fn clip_paths_cut_with_their_own_clips_and_transforms() {
+    let (strokes, _) = draw(
+        r#"<clipPath id="outer"><rect x="0" y="0" width="30" height="50"/></clipPath>
+        <clipPath id="c" clip-path="url(#outer)" transform="translate(10 0)">
+            <path clip-rule="evenodd" d="M0 0H60V50H0Z M10 0H15V50H10Z"/></clipPath>
+        <g clip-path="url(#c)"><path d="M0 25H100" stroke="red"/></g>"#,
+    );
+    let spans: Vec<[f64; 2]> = strokes
+        .iter()
+        .map(|s| [s.points[0].x, s.last().unwrap().x].map(|x| (x * 1e3).round() / 1e3))
+        .collect();
+    // The outer clip lies in the user space of what is clipped, not in that of the inner clip.
+    assert_eq!(spans, [[10.0, 20.0], [25.0, 30.0]]);
+}
+
+#[test]
+fn dashes_scale_with_their_path() {
+    let (strokes, _) =
+        draw(r#"<path transform="scale(2)" d="M0 5H20" stroke="red" stroke-dasharray="5 3"/>"#);
+    let lengths: Vec<f64> = strokes.iter().map(|s| s.length_mm().round()).collect();
+    assert_eq!(lengths, [10.0, 10.0, 8.0]);
+}
+
+#[test]
+fn a_line_without_length_is_a_dot_where_its_ends_are_drawn() {
+    let line = |cap| format!(r#"<path d="M5 5h0M7 7h2" stroke="red" stroke-linecap="{cap}"/>"#);
+    let count = |cap| draw(&line(cap)).0.len();
+    assert_eq!([count("butt"), count("round"), count("square")], [1, 2, 2]);
+}
+
+#[test]
+fn a_circle_is_round_within_the_tolerance() {
+    let (strokes, _) = draw(r#"<circle cx="50" cy="25" r="20"/>"#);
+    for (a, b) in strokes[0].segments() {
+        for p in [a, a.lerp(b, 0.5)] {
+            let radius = p.distance(Point::new(50.0, 25.0));
+            // SVG readers make a quarter circle one cubic, which is 0.03 % off.
+            assert!((radius - 20.0).abs() < 0.005 + 20.0 * 0.0003, "{radius}");
+        }
+    }
+}
+
+#[test]
+fn curves_keep_the_tolerance_when_their_group_is_enlarged() {
+    let curve = "M0 0C0 1 1 1 1 0";
+    let small = draw(&format!(r#"<path d="{curve}" stroke="red"/>"#)).0;
+    let large = draw(&format!(
+        r#"<g transform="scale(40)"><path d="{curve}" stroke="red"/></g>"#
+    ))
+    .0;
+    assert!(large[0].points.len() > 5 * small[0].points.len());
+}
+
+#[test]
+fn what_a_pen_cannot_show_is_counted() {
+    let (_, warnings) = draw(
+        r#"<linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient>
+        <mask id="m"><rect width="9" height="9" fill="white"/></mask>
+        <filter id="f"><feGaussianBlur stdDeviation="2"/></filter>
+        <rect width="9" height="9" fill="url(#g)"/>
+        <rect width="9" height="9" mask="url(#m)"/>
+        <rect width="9" height="9" filter="url(#f)"/>
+        <image href="cat.png" width="5" height="5"/>
+        <image href="data:image/png;base64,AAAA" width="5" height="5"/>"#,
+    );
+    let texts: Vec<String> = warnings
+        .iter()
+        .map(|it| Warning::from(*it).to_string())
+        .collect();
+    assert_eq!(
+        texts,
+        [
+            "1 mask: ignored, what it hides is drawn",
+            "1 filter: ignored, the shape is drawn as it is",
+            "1 gradient: drawn as one colour, that of its first stop",
+            "2 images: left out; trace it to paths to draw it",
+        ]
+    );
+}
+
+#[test]
+fn text_without_any_font_is_left_out_with_a_warning() {
+    let (strokes, warnings) =
+        draw(r#"<text x="5" y="20">Hi</text><path d="M0 0L9 9" stroke="red"/>"#);
+    assert_eq!(strokes.len(), 1);
+    assert_eq!(warnings[0].kind, WarningKind::TextWithoutFont);
+}
+
+#[test]
+fn nothing_but_text_and_no_font_is_an_error_with_a_remedy() {
+    assert_eq!(
+        error(&page(r#"<text x="5" y="20">Hi</text>"#)),
+        "nothing to draw: the file holds only text and no font was found; \
+         install a font or convert the text to paths"
+    );
+}
+
+#[test]
+fn nothing_visible_is_an_error() {
+    assert_eq!(
+        error(&page("")),
+        "nothing to draw: no visible shape or text on the page"
+    );
+    assert_eq!(
+        error(&page(r#"<image href="cat.png" width="5" height="5"/>"#)),
+        "nothing to draw: 1 image: left out; trace it to paths to draw it"
+    );
+}
+
+#[test]
+fn what_is_no_svg_file_is_named_with_its_place() {
+    assert_eq!(
+        error(" \n"),
+        "the file is empty; an SVG file begins with <svg"
+    );
+    assert_eq!(
+        error("<html/>"),
+        "1:1: the outermost element is <html>, not <svg>"
+    );
+    assert!(error("<svg>\n  <g></svg>").starts_with("2:6: not well-formed XML: expected 'g' tag"));
+    assert!(error("hello").starts_with("1:1: not well-formed XML"));
+    assert_eq!(
+        error("<svg><g/\n</svg>"),
+        r"1:9: not well-formed XML: expected '>' not '\n'"
+    );
+}
+
+#[test]
+fn a_path_that_browsers_would_cut_short_is_refused_with_its_place() {
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>\n<path d='M 0 0 L NaN 5'/></svg>";
+    assert_eq!(
+        error(text),
+        "2:18: d of <path> holds \"NaN 5\"; expected path data: commands MLHVCSQTAZ and finite numbers"
+    );
+}
+
+#[test]
+fn other_values_that_browsers_would_skip_are_refused() {
+    for (content, found) in [
+        (r#"<path d="M0 0L1e400 5"/>"#, "1e400 5"),
+        (r#"<path d="M0 0L1e30 5"/>"#, "M0 0L1e30 5"),
+        (r#"<path d="M0 0L5"/>"#, ""),
+        (r#"<polyline points="1,2 3,x"/>"#, "x"),
+        (r#"<polyline points="1,2 3"/>"#, "1,2 3"),
+        (r#"<rect width="NaN" height="3"/>"#, "NaN"),
+        (r#"<rect width="inf" height="3"/>"#, "inf"),
+        (r#"<g transform="rotate(foo)"/>"#, "rotate(foo)"),
+    ] {
+        let message = error(&page(content));
+        assert!(
+            message.contains(&format!("holds {found:?}")),
+            "{content}: {message}"
+        );
+    }
+}
+
+#[test]
+fn a_point_beyond_a_kilometre_is_refused() {
+    let message = error(&page(r#"<path d="M0 0L5e6 5" stroke="red"/>"#));
+    assert_eq!(
+        message,
+        "a path leads to (5000000, 5) mm; at most 1000000 mm from the page's corner are allowed"
+    );
+}
+
+#[test]
+fn a_page_without_area_is_refused() {
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="0" height="9"><path d="M0 0L1 1"/></svg>"#;
+    assert_eq!(
+        error(text),
+        "width, height or viewBox of <svg> leave the page without an area"
+    );
+}
+
+#[test]
+fn ten_million_segments_are_refused() {
+    let path = "l1 1".repeat(10_000_000);
+    assert_eq!(
+        error(&page(&format!(r#"<path d="M0 0{path}" stroke="red"/>"#))),
+        "the drawing has more than 2000000 line segments; \
+         simplify its paths or allow a larger tolerance"
+    );
+}
+
+#[test]
+fn copies_of_copies_of_copies_are_refused_before_they_are_made() {
+    let mut content = r#"<defs><path id="a0" d="M0 0L1 1"/>"#.to_owned();
+    for i in 1..40 {
+        let j = i - 1;
+        write!(
+            content,
+            r##"<g id="a{i}"><use href="#a{j}"/><use href="#a{j}"/></g>"##
+        )
+        .unwrap();
+    }
+    content += r##"</defs><use href="#a39"/>"##;
+    assert!(error(&page(&content)).contains("more than 500000 elements"));
+}
+
+#[test]
+fn an_element_inside_itself_is_refused() {
+    let message = error(&page(r##"<g id="a"><g><use href="#a"/></g></g>"##));
+    assert!(
+        message.ends_with("<g> refers back to an element that holds it"),
+        "{message}"
+    );
+}
+
+#[test]
+fn deep_nesting_is_refused_and_what_is_allowed_fits_the_stack() {
+    let nested = |depth| {
+        let open = "<g transform='rotate(1 50 25)'>".repeat(depth);
+        page(&format!(
+            "{open}<path d='M40 20L60 30' stroke='red'/>{}",
+            "</g>".repeat(depth)
+        ))
+    };
+    assert!(error(&nested(100_000)).contains("nested more than 100 deep"));
+    Drawing::from_svg(&nested(98), &options()).unwrap();
+}
+
+#[test]
+fn a_billion_dashes_are_refused() {
+    let message = error(&page(
+        r#"<path d="M0 5H90" stroke="red" stroke-dasharray="0.00001"/>"#,
+    ));
+    assert!(
+        message.contains("more than 2000000 line segments"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_tolerance_must_be_a_positive_length() {
+    for tolerance_mm in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = ReadOptions {
+            tolerance_mm,
+            ..options()
+        };
+        let error = Drawing::from_svg(&page("<rect width='5' height='5'/>"), &options).unwrap_err();
+        assert!(matches!(error, SvgError::Tolerance { .. }));
+    }
+}
+
+#[test]
+fn text_becomes_outlines_where_fonts_are() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    if fonts.is_empty() {
+        return; // A machine without fonts cannot show this.
+    }
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..options()
+    };
+    let text = page(r#"<text x="10" y="30" font-size="20">I</text>"#);
+    let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
+    let ink = Bounds::of_strokes(&drawing.strokes);
+    assert!(
+        ink.min.x > 9.0 && ink.max.y < 30.5 && ink.height() > 10.0,
+        "{ink:?}"
+    );
+    assert_eq!(warnings, []);
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_file_is_drawn_or_refused_but_never_breaks_the_program(
+        at in 0.0..1.0_f64,
+        length in 0..40_usize,
+        filler in proptest::sample::select(vec!["", "<", "\"", "9e99", "-", "url(#frame)", "&", "0", "é"]),
+    ) {
+        let text = include_str!("../../../../examples/drawings/harbour.svg");
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a place in a short text"
+        )]
+        let start = (at * text.len() as f64) as usize;
+        let end = (start + length).min(text.len());
+        let damaged = [&text[..start], filler, &text[end..]].concat();
+        match Drawing::from_svg(&damaged, &options()) {
+            Ok((drawing, _)) => prop_assert!(!drawing.strokes.is_empty()),
+            Err(error) => prop_assert!(!error.to_string().contains('\n')),
+        }
+    }
+}

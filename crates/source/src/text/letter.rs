@@ -1,0 +1,166 @@
+//! Letters that a font lacks, made of those that it has.
+
+use dobot_geometry::{Bounds, Point};
+
+use super::hershey::{CAPITAL, StrokeFont};
+use super::symbols::{self, Mark, Recipe};
+
+/// A letter as lines: from x 0 to its advance, on a base line at y 0, capitals up to y -21.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Letter {
+    pub(crate) strokes: Vec<Vec<Point>>,
+    /// From its beginning to that of the next letter.
+    pub(crate) advance: f64,
+}
+
+impl Letter {
+    /// The letter for a character; `None` where the font has none and it cannot be made.
+    pub(crate) fn of(font: StrokeFont, character: char) -> Option<Self> {
+        if let Some(glyph) = font.glyph(character) {
+            return Some(glyph);
+        }
+        match symbols::recipe(character)? {
+            Recipe::Text(text) => Self::sequence(font, text, 0.0),
+            Recipe::Ligature(text) => Self::sequence(font, text, LIGATURE),
+            Recipe::Raised(base) => Some(Self::of(font, base)?.raised()),
+            Recipe::Turned(base) => Some(Self::of(font, base)?.turned()),
+            Recipe::Own { strokes, advance } => Some(Self::drawn(strokes, advance, font.slant())),
+            Recipe::Marked(base, mark) => Some(Self::of(font, base)?.marked(mark, font.slant())),
+        }
+    }
+
+    fn sequence(font: StrokeFont, text: &str, overlap: f64) -> Option<Self> {
+        let mut whole = Self::default();
+        for character in text.chars() {
+            let next = Self::of(font, character)?;
+            let start = Point::new((whole.advance - overlap).max(0.0), 0.0);
+            whole.advance = start.x + next.advance;
+            whole.strokes.extend(next.each(|p| p + start).strokes);
+        }
+        Some(whole)
+    }
+
+    fn drawn(strokes: &str, advance: f64, slant: f64) -> Self {
+        let letter = Self {
+            strokes: symbols::read(strokes),
+            advance,
+        };
+        letter.each(|p| leaning(p, slant))
+    }
+
+    fn each(mut self, change: impl Fn(Point) -> Point) -> Self {
+        for p in self.strokes.iter_mut().flatten() {
+            *p = change(*p);
+        }
+        self
+    }
+
+    fn raised(self) -> Self {
+        let advance = self.advance * RAISED;
+        let up = Point::new(0.0, CAPITAL * (RAISED - 1.0));
+        let small = self.each(|p| p * RAISED + up);
+        Self { advance, ..small }
+    }
+
+    /// Upside down, as Spanish questions begin.
+    fn turned(self) -> Self {
+        let (width, middle) = (self.advance, X_HEIGHT);
+        self.each(|p| Point::new(width - p.x, -middle - p.y))
+    }
+
+    fn marked(mut self, mark: Mark, slant: f64) -> Self {
+        if mark.is_above() {
+            self.strokes.retain(|stroke| !is_dot_above(stroke));
+        }
+        if mark == Mark::Slash {
+            self.strokes.push(slash(self.bounds()));
+            return self;
+        }
+        let at = mark.place(self.bounds(), self.top_middle());
+        let lines = symbols::read(mark.strokes()).into_iter();
+        let lines = lines.map(|line| line.into_iter().map(|p| leaning(p, slant) + at).collect());
+        self.strokes.extend(lines);
+        self
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.strokes.iter().flatten().copied().collect()
+    }
+
+    /// The middle of what reaches highest.
+    fn top_middle(&self) -> f64 {
+        let bounds = self.bounds();
+        let limit = bounds.min.y + 0.35 * bounds.height();
+        let upper = self.strokes.iter().flatten().filter(|p| p.y <= limit);
+        upper.copied().collect::<Bounds>().center().x
+    }
+}
+
+/// Across the whole letter and a little more.
+fn slash(letter: Bounds) -> Vec<Point> {
+    let [low, high] = [Point::new(-1.0, 1.5), Point::new(1.0, -1.5)];
+    let foot = Point::new(letter.min.x, letter.max.y) + low;
+    vec![foot, Point::new(letter.max.x, letter.min.y) + high]
+}
+
+fn leaning(p: Point, slant: f64) -> Point {
+    Point::new(p.x - slant * p.y, p.y)
+}
+
+/// The dot of an i or j, which gives way to a mark.
+fn is_dot_above(stroke: &[Point]) -> bool {
+    let bounds: Bounds = stroke.iter().copied().collect();
+    bounds.max.y < -X_HEIGHT - 1.0 && bounds.height() <= 4.0 && bounds.width() <= 5.0
+}
+
+const X_HEIGHT: f64 = 14.0;
+const RAISED: f64 = 0.6;
+/// How far the letters of æ and œ lie over each other.
+const LIGATURE: f64 = 4.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_all_europe_can_be_written_in_every_font() {
+        let text = "ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜÝßàáâãäåæçèéêëìíîïñòóôõöøùúûüýÿ\
+            ĀāĂăĄąĆćĈĉĊċČčĎďĐđĒēĔĕĖėĘęĚěĜĝĞğĠġĢģĤĥĨĩĪīĬĭĮįİıĴĵĶķĹĺĻļĽľŁłŃńŅņŇňŌōŎŏŐőŒœ\
+            ŔŕŖŗŘřŚśŜŝŞşŠšŢţŤťŨũŪūŬŭŮůŰűŲųŴŵŶŷŸŹźŻżŽžȘșȚțẞ\
+            €£¥§°×÷±·•µ¹²³«»‹›„“”‚‘’–—…¿¡©®\u{a0}";
+        for font in StrokeFont::ALL {
+            let missing: String = text
+                .chars()
+                .filter(|&it| Letter::of(font, it).is_none())
+                .collect();
+            assert_eq!(missing, "", "{font:?}");
+        }
+    }
+
+    #[test]
+    fn a_mark_stands_above_its_letter_and_a_cedilla_below() {
+        for font in StrokeFont::ALL {
+            let top = |c| Letter::of(font, c).unwrap().bounds().min.y;
+            let foot = |c| Letter::of(font, c).unwrap().bounds().max.y;
+            assert!(
+                top('ü') < top('u') - 2.0 && top('Ü') < top('U') - 2.0,
+                "{font:?}"
+            );
+            assert!(foot('ç') > foot('c') + 2.0, "{font:?}");
+        }
+    }
+
+    #[test]
+    fn an_i_with_an_accent_has_no_dot() {
+        let strokes = |c| Letter::of(StrokeFont::Sans, c).unwrap().strokes.len();
+        assert_eq!(strokes('í'), strokes('i'));
+        assert_eq!(strokes('ı'), strokes('i') - 1);
+    }
+
+    #[test]
+    fn what_no_european_language_needs_cannot_be_made() {
+        assert_eq!(Letter::of(StrokeFont::Sans, '漢'), None);
+        assert_eq!(Letter::of(StrokeFont::Sans, '\u{7}'), None);
+    }
+}

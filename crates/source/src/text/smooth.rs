@@ -1,0 +1,179 @@
+//! Round letters: curves through the corners of coarse polygons.
+//!
+//! The fonts were digitised for letters a few millimetres tall; larger ones would show corners. A
+//! stroke is cut where it turns sharply. In between each corner gets the tangent of the circle
+//! through it and its neighbours, and the ends of long straight pieces get the piece's direction,
+//! so that stems stay straight and meet their bows smoothly.
+
+use dobot_geometry::Point;
+
+/// A stroke with its gentle corners rounded, within `tolerance` of the curve through them.
+pub(crate) fn smooth(points: &[Point], sharp: f64, tolerance: f64) -> Vec<Point> {
+    let mut points = points.to_vec();
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let is_closed = points.first() == points.last();
+    let tangents = tangents(&points, is_closed, sharp);
+    let mut smooth = vec![points[0]];
+    for (pair, ends) in points.windows(2).zip(tangents.windows(2)) {
+        curve(
+            [pair[0], pair[1]],
+            ends[0].after,
+            ends[1].before,
+            tolerance,
+            &mut smooth,
+        );
+    }
+    smooth
+}
+
+/// The directions in which a curve comes to a corner and leaves it; `None` leaves it free.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tangent {
+    before: Option<Point>,
+    after: Option<Point>,
+}
+
+fn tangents(points: &[Point], is_closed: bool, sharp: f64) -> Vec<Tangent> {
+    let last = points.len() - 1;
+    let neighbours = |i: usize| match (i, is_closed) {
+        (0, true) => Some((points[last - 1], points[1])),
+        (0, false) => None,
+        (i, true) if i == last => Some((points[last - 1], points[1])),
+        (i, false) if i == last => None,
+        (i, _) => Some((points[i - 1], points[i + 1])),
+    };
+    let at = |i| match neighbours(i) {
+        Some((before, after)) => tangent(before, points[i], after, sharp),
+        None => Tangent::default(),
+    };
+    (0..points.len()).map(at).collect()
+}
+
+fn tangent(a: Point, b: Point, c: Point, sharp: f64) -> Tangent {
+    let (before, after) = (unit(b - a), unit(c - b));
+    let (way, next) = (a.distance(b), b.distance(c));
+    if before.cross(after).atan2(before.dot(after)).abs() > sharp {
+        return Tangent::default();
+    }
+    let along = match (way > STRAIGHT, next > STRAIGHT) {
+        (true, true) => return Tangent::default(),
+        (true, false) => before,
+        (false, true) => after,
+        // That of the circle through the three.
+        (false, false) => unit(before * next + after * way),
+    };
+    Tangent {
+        before: Some(along),
+        after: Some(along),
+    }
+}
+
+/// The way from one corner to the next, without the first.
+fn curve(
+    [a, d]: [Point; 2],
+    leaving: Option<Point>,
+    coming: Option<Point>,
+    tolerance: f64,
+    points: &mut Vec<Point>,
+) {
+    let chord = unit(d - a);
+    // A free end goes on as a circle would.
+    let mirrored = |other: Point| chord * (2.0 * chord.dot(other)) - other;
+    let (leaving, coming) = match (leaving, coming) {
+        (None, None) => return points.push(d),
+        (Some(from), None) => (from, mirrored(from)),
+        (None, Some(to)) => (mirrored(to), to),
+        (Some(from), Some(to)) => (from, to),
+    };
+    let reach = a.distance(d) / 3.0;
+    let (b, c) = (a + leaving * reach, d - coming * reach);
+    let bend = (a + c - b * 2.0).length().max((b + d - c * 2.0).length());
+    // See the flattening of SVG paths: chords of equal steps leave a cubic by at most that.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small count"
+    )]
+    let count = (6.0 * bend / (8.0 * tolerance))
+        .sqrt()
+        .ceil()
+        .clamp(1.0, MOST_CHORDS) as u32;
+    let at = |t: f64| {
+        let middle = b.lerp(c, t);
+        let left = a.lerp(b, t).lerp(middle, t);
+        left.lerp(middle.lerp(c.lerp(d, t), t), t)
+    };
+    let inner = (1..count).map(|i| at(f64::from(i) / f64::from(count)));
+    points.extend(inner.chain([d]));
+}
+
+fn unit(p: Point) -> Point {
+    p * (1.0 / p.length().max(f64::MIN_POSITIVE))
+}
+
+/// Longer pieces, in units of the fonts' grid, are meant to be straight.
+const STRAIGHT: f64 = 5.5;
+const MOST_CHORDS: f64 = 1000.0;
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn points(points: &[(f64, f64)]) -> Vec<Point> {
+        points.iter().map(|&(x, y)| Point::new(x, y)).collect()
+    }
+
+    #[test]
+    fn a_polygon_of_twelve_corners_becomes_a_circle() {
+        let corner = |i| {
+            let (sin, cos) = (TAU * f64::from(i % 12) / 12.0).sin_cos();
+            Point::new(8.0 * cos, 8.0 * sin)
+        };
+        let round = smooth(&(0..=12).map(corner).collect::<Vec<_>>(), 1.0, 0.001);
+        for (a, b) in round.iter().zip(&round[1..]) {
+            let radius = a.lerp(*b, 0.5).length();
+            assert!((radius - 8.0).abs() < 0.02, "{radius}");
+        }
+    }
+
+    #[test]
+    fn sharp_corners_and_straight_lines_stay() {
+        let zigzag = points(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        assert_eq!(smooth(&zigzag, 1.0, 0.01), zigzag);
+        let straight = points(&[(0.0, 0.0), (3.0, 0.0), (6.0, 0.0)]);
+        assert_eq!(smooth(&straight, 1.0, 0.01), straight);
+    }
+
+    #[test]
+    fn a_stem_stays_straight_where_it_meets_a_bow() {
+        let hook = points(&[(0.0, 0.0), (0.0, 15.0), (1.0, 18.0), (4.0, 20.0)]);
+        let round = smooth(&hook, 1.0, 0.01);
+        assert_eq!(round[..2], hook[..2]);
+        assert!(round.len() > 8);
+    }
+
+    proptest! {
+        #[test]
+        fn every_corner_stays_and_the_way_does_not_stray(
+            corners in proptest::collection::vec((-20.0..20.0_f64, -20.0..20.0_f64), 1..12),
+        ) {
+            let corners = points(&corners);
+            let round = smooth(&corners, 1.0, 0.05);
+            let mut rest = round.iter();
+            for corner in &corners {
+                prop_assert!(rest.any(|p| p == corner));
+            }
+            for p in &round {
+                let nearest = corners.windows(2).map(|it| p.distance(p.nearest_on(it[0], it[1])));
+                prop_assert!(corners.len() < 3 || nearest.fold(f64::INFINITY, f64::min) < 3.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,222 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::sync::Arc;
+
+use dobot_geometry::Area;
+use proptest::prelude::*;
+use usvg::fontdb;
+
+use super::*;
+
+fn with_fonts() -> Option<ReadOptions> {
+    let mut fonts = fontdb::Database::new();
+    fonts.load_system_fonts();
+    // A machine without fonts cannot show this.
+    (!fonts.is_empty()).then(|| ReadOptions {
+        fonts: Arc::new(fonts),
+        ..ReadOptions::default()
+    })
+}
+
+fn read(text: &Text) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = text.read(&ReadOptions::default()).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+fn error(text: &Text) -> String {
+    text.read(&ReadOptions::default()).unwrap_err().to_string()
+}
+
+fn ink(artwork: &Artwork) -> Bounds {
+    artwork.points().collect()
+}
+
+#[test]
+fn capitals_are_as_tall_as_asked() {
+    for font in StrokeFont::ALL {
+        let text = Text {
+            font: Font::Stroke(font),
+            height_mm: 42.0,
+            ..Text::new("H")
+        };
+        let (artwork, warnings) = read(&text);
+        assert!(
+            (artwork.height_mm - 42.0).abs() <= 2.01,
+            "{font:?} {}",
+            artwork.height_mm
+        );
+        assert_eq!(warnings.len(), 0);
+    }
+}
+
+#[test]
+fn the_page_is_the_ink() {
+    let (artwork, _) = read(&Text::new("Grüße,\nÅse"));
+    let ink = ink(&artwork);
+    assert_eq!((ink.min.x, ink.min.y), (0.0, 0.0));
+    assert_eq!(
+        (ink.max.x, ink.max.y),
+        (artwork.width_mm, artwork.height_mm)
+    );
+    assert_eq!(artwork.layers.len(), 1);
+    assert_eq!(artwork.layers[0].name, "Grüße,");
+}
+
+#[test]
+fn lines_stand_apart_and_meet_where_asked() {
+    let end = |align| {
+        let (artwork, _) = read(&Text {
+            align,
+            ..Text::new("HHHH\nH")
+        });
+        let lower = artwork.points().filter(|p| p.y > 15.0);
+        let lower: Bounds = lower.collect();
+        assert!((lower.min.y - 17.5).abs() < 1e-9, "{lower:?}");
+        [lower.min.x, artwork.width_mm - lower.max.x].map(|it| it.abs() < 1e-9)
+    };
+    assert_eq!(end(Align::Left), [true, false]);
+    assert_eq!(end(Align::Center), [false, false]);
+    assert_eq!(end(Align::Right), [false, true]);
+}
+
+#[test]
+fn large_letters_are_round() {
+    let (artwork, _) = read(&Text {
+        height_mm: 100.0,
+        ..Text::new("O")
+    });
+    let turn = |it: &[Point]| {
+        let (a, b) = (it[1] - it[0], it[2] - it[1]);
+        a.cross(b).atan2(a.dot(b)).abs()
+    };
+    let sharpest = artwork.layers[0].strokes[0].points.windows(3).map(turn);
+    assert!(sharpest.fold(0.0, f64::max) < 0.15);
+}
+
+#[test]
+fn what_cannot_be_written_is_named() {
+    let (_, warnings) = read(&Text::new("a漢b字漢"));
+    assert_eq!(
+        warnings,
+        ["3 characters: not in the sans letters, left out: \"漢字\""]
+    );
+}
+
+#[test]
+fn text_without_ink_is_refused() {
+    for text in ["", " \n\t", "\r\n"] {
+        assert_eq!(
+            error(&Text::new(text)),
+            "nothing to draw: the text is empty"
+        );
+    }
+    assert_eq!(
+        error(&Text::new("\u{7}")),
+        "nothing to draw: 1 character: not in the sans letters, left out: \"\\u{7}\""
+    );
+}
+
+#[test]
+fn letters_of_no_size_or_as_tall_as_houses_are_refused() {
+    for height_mm in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e9] {
+        let message = error(&Text {
+            height_mm,
+            ..Text::new("a")
+        });
+        assert_eq!(
+            message,
+            format!("the letters are {height_mm} mm tall; allowed are 0.1 to 1000 mm")
+        );
+    }
+    for line_spacing in [0.0, f64::NAN, 1e9] {
+        let text = Text {
+            line_spacing,
+            ..Text::new("a")
+        };
+        assert!(error(&text).contains("allowed are 0.5 to 10"));
+    }
+}
+
+#[test]
+fn a_megabyte_of_text_is_refused() {
+    assert_eq!(
+        error(&Text::new("x".repeat(1_000_000))),
+        "the text has 1000000 characters; at most 20000 are allowed, write it in parts"
+    );
+}
+
+#[test]
+fn a_font_that_is_not_there_is_named_with_those_like_it() {
+    let text = Text {
+        font: Font::of("Nonsense"),
+        ..Text::new("a")
+    };
+    assert_eq!(
+        error(&text),
+        "no font is called \"Nonsense\"; no font was found at all; \
+         sans, bold, script, serif, italic and gothic are built in"
+    );
+    let Some(options) = with_fonts() else { return };
+    let message = text.read(&options).unwrap_err().to_string();
+    assert!(
+        message.starts_with("no font is called \"Nonsense\"; the most similar ones are"),
+        "{message}"
+    );
+}
+
+#[test]
+fn outlines_are_areas_as_tall_as_asked_at_their_lines() {
+    let Some(options) = with_fonts() else { return };
+    let family = options.fonts.faces().next().unwrap().families[0].0.clone();
+    let text = Text {
+        font: Font::Outline(family.to_uppercase()),
+        height_mm: 30.0,
+        align: Align::Center,
+        ..Text::new("HH\n\nH<&\">\u{7}")
+    };
+    let (artwork, _) = text.read(&options).unwrap();
+    let bounds = |area: &Area| area.rings.iter().flatten().copied().collect::<Bounds>();
+    let lines: Vec<Bounds> = artwork.layers[0].areas.iter().map(bounds).collect();
+    assert_eq!(lines.len(), 2);
+    assert!((lines[0].height() - 30.0).abs() < 0.1, "{lines:?}");
+    let apart_mm = lines[1].center().y - lines[0].center().y;
+    assert!((apart_mm - 2.0 * 1.75 * 30.0).abs() < 10.0, "{lines:?}");
+    assert_eq!(
+        artwork.layers[0].strokes.len(),
+        artwork.layers[0]
+            .areas
+            .iter()
+            .map(|it| it.rings.len())
+            .sum::<usize>()
+    );
+}
+
+#[test]
+fn styles_may_follow_the_name_of_a_font() {
+    let Some(options) = with_fonts() else { return };
+    let family = options.fonts.faces().next().unwrap().families[0].0.clone();
+    let text = Text {
+        font: Font::of(&format!("{family} Bold Italic")),
+        ..Text::new("H")
+    };
+    assert!(text.read(&options).is_ok());
+}
+
+proptest! {
+    #[test]
+    fn any_text_is_written_or_refused_with_one_line(
+        text in ".{0,40}",
+        height_mm in 0.1..1000.0_f64,
+        font in proptest::sample::select(StrokeFont::ALL.to_vec()),
+    ) {
+        let text = Text { font: Font::Stroke(font), height_mm, ..Text::new(text) };
+        match text.read(&ReadOptions::default()) {
+            Ok((artwork, _)) => {
+                let ink = ink(&artwork);
+                prop_assert!(ink.min.x == 0.0 && ink.min.y == 0.0);
+                prop_assert!(ink.max.x.is_finite() && ink.max.y.is_finite());
+            }
+            Err(error) => prop_assert!(!error.to_string().contains('\n')),
+        }
+    }
+}
