@@ -3,16 +3,17 @@
 mod args;
 mod estimates;
 mod execute;
-mod fitting;
 mod input;
 mod output_files;
 mod rehearse;
 mod report;
-mod work;
 
 use std::path::Path;
 
-use dobot_draw::{Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen};
+use anyhow::Context;
+use dobot_draw::{
+    Asked, Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
+};
 use dobot_geometry::{Deviation, Stroke, Worst, deviation};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_station::StationClient;
@@ -20,11 +21,11 @@ use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
+use self::input::asked;
+pub(crate) use self::input::materials;
 use self::output_files::{check_writable, write};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
-use self::work::Work;
-pub(crate) use self::work::materials;
 use crate::control::{self, check_pose};
 use crate::failure::Failure;
 use crate::output;
@@ -34,27 +35,27 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
-    let work = Work::new(&args)?;
+    let asked = asked(&args)?;
     // What is wrong with it is told before any arm is touched.
-    let mut drawing = Drawing::new(&args, &work, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
+    let mut drawing = Drawing::new(&args, &asked, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
     for warning in &drawing.prepared.warnings {
         eprintln!("warning: {warning}");
     }
-    if args.way.dry_run {
+    if args.dry_run {
         return drawing.estimate().await;
     }
     let draw = async |station: &mut StationClient| {
-        if args.way.frame {
+        if args.frame {
             check_frame(station)?;
         }
         check_pose(station, args.to.pose_confirmed).await?;
         if let Some((status, dialect)) = standing(station).await? {
-            drawing = Drawing::new(&args, &work, dialect, status.z_mm.into())?;
+            drawing = Drawing::new(&args, &asked, dialect, status.z_mm.into())?;
             drawing.from = Some(status);
         }
         let plan = &drawing.prepared.plan;
-        check_laser(station, plan, args.tool.arm_laser).await?;
-        if args.way.frame {
+        check_laser(station, plan, args.arm_laser).await?;
+        if args.frame {
             drawing.frame(station).await?;
         }
         drawing.draw(station).await
@@ -89,14 +90,15 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(
         args: &'a Args,
-        work: &'a Work,
+        asked: &'a Asked,
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<Self, Failure> {
-        let (prepared, settings) = work.prepare(args, dialect, standing_z_mm)?;
+        let prepared = asked.prepare(dialect, standing_z_mm);
+        let (prepared, settings) = prepared.with_context(|| asked.title.clone())?;
         Ok(Self {
             args,
-            title: &work.title,
+            title: &asked.title,
             prepared,
             settings,
             dialect,
@@ -133,7 +135,7 @@ impl<'a> Drawing<'a> {
         let Settings { paper, machine, .. } = &self.settings;
         let plan = frame(&self.prepared.passes, paper, machine, FrameShape::Rectangle)?;
         let title = format!("frame of {}", self.title);
-        let armed_for = self.args.tool.arm_laser;
+        let armed_for = self.args.arm_laser;
         let executed = execute(station, &plan, &title, armed_for).await;
         executed.outcome?;
         ask_about_frame(station).await
@@ -152,7 +154,7 @@ impl<'a> Drawing<'a> {
         if let Some(arm) = station.virtual_arm_mut() {
             arm.record(RECORDING_PERIOD);
         }
-        let armed_for = self.args.tool.arm_laser;
+        let armed_for = self.args.arm_laser;
         let executed = execute(station, &self.prepared.plan, self.title, armed_for).await;
         let times = Times {
             planned_s: executed.planned_s,
@@ -194,7 +196,7 @@ impl<'a> Drawing<'a> {
 
     fn picture(&self, file: &Path, ink: &[InkLine], report: &Report) -> Result<Vec<u8>, Failure> {
         let results = &self.args.result;
-        let tolerance_mm = self.args.way.tolerance;
+        let tolerance_mm = self.args.options.way.tolerance;
         let picture = Picture {
             title: self.title,
             figures: &report.figures(),

@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use dobot_client::{LinkError, OpenError, SendError};
+use dobot_draw::OptionsError;
 use dobot_station::{ConnectError, OpenArmError, RemoteError};
 
 /// What went wrong.
@@ -55,6 +56,9 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
         return error.hint();
     }
     if let Some(OpenArmError::Open(error)) = cause.downcast_ref::<OpenArmError>() {
+        return error.hint();
+    }
+    if let Some(error) = cause.downcast_ref::<OptionsError>() {
         return error.hint();
     }
     if let Some(error) = cause.downcast_ref::<ConnectError>() {

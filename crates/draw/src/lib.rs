@@ -39,6 +39,7 @@ mod hatch;
 mod ink;
 mod material;
 mod merge;
+mod options;
 mod order;
 mod picture;
 mod place;
@@ -57,6 +58,9 @@ pub use hatch::{Hatch, HatchError, hatch};
 pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
+pub use options::{
+    Asked, Auto, LayerTool, Options, OptionsError, Place, Spacing, Subject, ToolOptions, Way, What,
+};
 pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};

@@ -10,6 +10,7 @@ use dobot_arm::Position;
 use thiserror::Error;
 
 pub use self::settings::Settings;
+pub(crate) use self::settings::TRIES;
 use crate::clip::{Clipped, clip_to_reach};
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;

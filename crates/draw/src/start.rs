@@ -1,13 +1,18 @@
 //! Where to begin: what is left to draw of passes in their order.
 
 use std::fmt;
+use std::str::FromStr;
 
 use dobot_geometry::Stroke;
 use dobot_plan::Pass;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Where to begin, so that a drawing can be finished that was broken off.
-#[derive(Clone, Debug, PartialEq)]
+/// Where to begin, so that a drawing can be finished that was broken off: `layer:NAME`, `stroke:NUMBER` or
+/// a share such as `40%`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "String", into = "String")]
 pub enum StartFrom {
     /// At a pass: its name, or its number from 1.
     Pass(String),
@@ -30,6 +35,40 @@ impl StartFrom {
             Self::Pass(pass) => from_pass(passes, pass),
             Self::Stroke(stroke) => from_stroke(passes, *stroke),
             Self::Percent(percent) => from_percent(passes, *percent),
+        }
+    }
+}
+
+impl FromStr for StartFrom {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let told = "expected layer:NAME, stroke:NUMBER or a share such as 40%";
+        if let Some(percent) = text.strip_suffix('%') {
+            return percent.parse().map(Self::Percent).map_err(|_| told);
+        }
+        match text.split_once(':') {
+            Some(("layer", name)) => Ok(Self::Pass(name.to_owned())),
+            Some(("stroke", number)) => number.parse().map(Self::Stroke).map_err(|_| told),
+            _ => Err(told),
+        }
+    }
+}
+
+impl TryFrom<String> for StartFrom {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        text.parse()
+    }
+}
+
+impl From<StartFrom> for String {
+    fn from(from: StartFrom) -> Self {
+        match from {
+            StartFrom::Pass(name) => format!("layer:{name}"),
+            StartFrom::Stroke(number) => format!("stroke:{number}"),
+            StartFrom::Percent(percent) => format!("{percent}%"),
         }
     }
 }

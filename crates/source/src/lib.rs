@@ -16,6 +16,7 @@
 mod artwork;
 mod dxf;
 mod error;
+mod fonts;
 mod gcode;
 mod hpgl;
 mod kind;
@@ -29,6 +30,7 @@ mod text;
 
 pub use artwork::{Artwork, Layer};
 pub use error::{Place, SourceError, Warning};
+pub use fonts::system_fonts;
 pub use options::{LayersBy, ReadOptions};
 pub use picture::{ImageError, Shading, Style};
 pub use source::Source;

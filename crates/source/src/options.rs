@@ -1,7 +1,10 @@
 //! How a source is read.
 
+use std::str::FromStr;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use usvg::fontdb;
 
 use crate::picture::Shading;
@@ -37,7 +40,8 @@ impl Default for ReadOptions {
 }
 
 /// What makes a layer of an SVG file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum LayersBy {
     /// Each colour: of the line, or of the fill where there is no line.
     #[default]
@@ -46,4 +50,16 @@ pub enum LayersBy {
     Group,
     /// All of it is one layer.
     Nothing,
+}
+
+impl FromStr for LayersBy {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "color" | "colour" => Ok(Self::Color),
+            "group" => Ok(Self::Group),
+            _ => Err("allowed are color and group"),
+        }
+    }
 }

@@ -5,7 +5,7 @@ use dobot_geometry::Point;
 use crate::artwork::Artwork;
 use crate::error::{SourceError, Warning};
 use crate::options::ReadOptions;
-use crate::text::Text;
+use crate::text::{Font, Text};
 use crate::{dxf, gcode, hpgl, kind, picture, points, svg};
 
 /// Something to be drawn, not yet read.
@@ -54,6 +54,16 @@ impl Source {
     #[must_use]
     pub const fn has_size(&self) -> bool {
         !matches!(self, Self::Picture(_))
+    }
+
+    /// Whether it has letters that only installed fonts can show.
+    #[must_use]
+    pub fn needs_fonts(&self) -> bool {
+        match self {
+            Self::Svg(svg) => svg.contains("<text") || svg.contains(":text"),
+            Self::Text(text) => matches!(text.font, Font::Outline(_)),
+            _ => false,
+        }
     }
 
     fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {

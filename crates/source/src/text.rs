@@ -10,6 +10,10 @@ mod stroke;
 mod symbols;
 
 use std::fmt;
+use std::str::FromStr;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 pub use self::error::TextError;
 pub(super) use self::hershey::CAPITAL;
@@ -135,7 +139,8 @@ impl fmt::Display for Font {
 }
 
 /// Where lines of different lengths meet.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Align {
     /// At their beginnings.
     #[default]
@@ -144,6 +149,19 @@ pub enum Align {
     Center,
     /// At their ends.
     Right,
+}
+
+impl FromStr for Align {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "left" => Ok(Self::Left),
+            "center" | "centre" => Ok(Self::Center),
+            "right" => Ok(Self::Right),
+            _ => Err("allowed are left, center and right"),
+        }
+    }
 }
 
 impl Align {

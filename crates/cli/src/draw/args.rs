@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use dobot_draw::{Settings, StartFrom};
-use dobot_plan::Machine;
-use dobot_source::{Align, LayersBy, Style};
+use dobot_draw::Options;
 
 use crate::connect::To;
 use crate::jog::laser_seconds;
@@ -44,185 +42,27 @@ pub(crate) struct Args {
     #[command(flatten)]
     pub(crate) to: To,
     #[command(flatten)]
-    pub(crate) what: What,
-    #[command(flatten)]
-    pub(crate) place: Place,
-    #[command(flatten)]
-    pub(crate) tool: Tool,
-    #[command(flatten)]
-    pub(crate) way: Way,
-    #[command(flatten)]
-    pub(crate) result: Results,
-}
-
-/// What is drawn.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "What to draw")]
-pub(crate) struct What {
-    /// A text instead of a file; \n begins a new line
-    #[arg(long, value_name = "TEXT", conflicts_with = "card")]
-    pub(crate) text: Option<String>,
-    /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
-    /// (default: sans)
-    #[arg(long, value_name = "NAME")]
-    pub(crate) font: Option<String>,
-    /// How tall the capitals of --text are, in mm (default: 10)
-    #[arg(long, value_name = "MM")]
-    pub(crate) height: Option<f64>,
-    /// Where the lines of --text meet: left, center or right (default: left)
-    #[arg(long, value_name = "SIDE", value_parser = align)]
-    pub(crate) align: Option<Align>,
-    /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
-    #[arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')]
-    pub(crate) card: Option<Vec<f64>>,
-    /// How often the lowest row of the test card is burned (default: 3)
-    #[arg(long, value_name = "N")]
-    pub(crate) card_passes: Option<u32>,
-    /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
-    /// for itself, and the arm waits for its pen
-    #[arg(long, value_name = "BY", value_parser = layers)]
-    pub(crate) layers: Option<LayersBy>,
-    /// Draw a layer with a pen or material of its own
-    #[arg(long = "layer", value_name = "NAME=PEN", requires = "layers", value_parser = layer_tool)]
-    pub(crate) layer_tools: Vec<(String, String)>,
-    /// Draw these layers only, by name
-    #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
-    pub(crate) only: Vec<String>,
-    /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
-    #[arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto", value_parser = spacing)]
-    pub(crate) hatch: Option<Spacing>,
-    /// The direction of the hatching, in degrees from left to right counterclockwise
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = 45.0,
-        requires = "hatch"
-    )]
-    pub(crate) hatch_angle: f64,
-    /// Hatch crosswise
-    #[arg(long, requires = "hatch")]
-    pub(crate) cross: bool,
-    /// How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
-    #[arg(long, value_name = "STYLE", value_parser = style)]
-    pub(crate) shade: Option<Style>,
-    /// How far the lines or dots of a picture lie apart, in mm on the paper
-    #[arg(long, value_name = "MM")]
-    pub(crate) spacing: Option<f64>,
-    /// Draw the light parts of a picture instead of the dark ones
-    #[arg(long)]
-    pub(crate) invert: bool,
-}
-
-/// How far apart the lines of a hatching are.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Spacing {
-    /// As suits the pen or material.
-    OfTool,
-    /// So many millimetres.
-    Millimeters(f64),
-}
-
-/// Where it goes.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Where on the paper")]
-pub(crate) struct Place {
-    /// As large as the drawing area allows
-    #[arg(long, conflicts_with = "scale")]
-    pub(crate) fit: bool,
-    /// Times the true size
-    #[arg(long, value_name = "FACTOR")]
-    pub(crate) scale: Option<f64>,
-    /// Where the middle of the drawing goes, in mm (default: the middle of the drawing area)
-    #[arg(long, num_args = 2, value_names = ["X", "Y"])]
-    pub(crate) at: Option<Vec<f64>>,
-    /// Turn it counterclockwise
-    #[arg(long, value_name = "DEGREES", default_value_t = 0.0)]
-    pub(crate) rotate: f64,
-    /// Leave so much of the drawing area empty along its edges, in mm
-    #[arg(long, value_name = "MM", default_value_t = 0.0)]
-    pub(crate) margin: f64,
-    /// Cut off what the arm does not reach, instead of refusing the drawing
-    #[arg(long)]
-    pub(crate) clip: bool,
-    /// Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
-    #[arg(long, value_name = "Z", conflicts_with = "paper")]
-    pub(crate) pen_down: Option<f64>,
-    /// Three points of the paper that the pen has touched, for paper that is not level
-    #[arg(long, num_args = 9, value_names = ["X", "Y", "Z", "X", "Y", "Z", "X", "Y", "Z"])]
-    pub(crate) paper: Option<Vec<f64>>,
-    /// Draw so much higher, in mm; negative presses harder
-    #[arg(long, value_name = "MM", default_value_t = 0.0)]
-    pub(crate) offset: f64,
-}
-
-/// With what.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Pen or laser")]
-pub(crate) struct Tool {
-    /// Draw with this pen
-    #[arg(
-        long,
-        value_name = "PEN",
-        default_value = "fineliner",
-        conflicts_with = "laser"
-    )]
-    pub(crate) pen: String,
-    /// Burn this material with the laser
-    #[arg(long, value_name = "MATERIAL")]
-    pub(crate) laser: Option<String>,
+    pub(crate) options: Options,
     /// A TOML file with more pens and materials; `dobot materials` prints those that are known
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Pen or laser")]
     pub(crate) materials: Option<PathBuf>,
     /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "laser")]
-    pub(crate) arm_laser: Option<Duration>,
-    /// How far the pen is lifted to travel, in mm
-    #[arg(long, value_name = "MM")]
-    pub(crate) lift: Option<f64>,
-    /// Speed while drawing or burning, in mm/s
-    #[arg(long, value_name = "MM/S")]
-    pub(crate) speed: Option<f64>,
-    /// Speed between the strokes, in mm/s
-    #[arg(long, value_name = "MM/S")]
-    pub(crate) travel_speed: Option<f64>,
-    /// Burn everything so often
-    #[arg(long, value_name = "N", requires = "laser")]
-    pub(crate) passes: Option<u32>,
-    /// Acceleration, in mm/s²
-    #[arg(long, value_name = "MM/S2", default_value_t = Machine::default().acceleration_mm_s2)]
-    pub(crate) acceleration: f64,
-}
-
-/// How.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "How it is drawn")]
-pub(crate) struct Way {
-    /// How far the drawn path may leave the wanted one, in mm
-    #[arg(long, value_name = "MM", default_value_t = Settings::default().tolerance_mm)]
-    pub(crate) tolerance: f64,
-    /// Draw in the order of the file
-    #[arg(long)]
-    pub(crate) keep_order: bool,
-    /// How long to look for the shortest way with the pen up: so many tries
     #[arg(
         long,
-        value_name = "N",
-        default_value_t = 20_000,
-        conflicts_with = "keep_order"
+        value_name = "SECONDS",
+        help_heading = "Pen or laser",
+        value_parser = laser_seconds,
+        requires = "laser"
     )]
-    pub(crate) tries: u32,
-    /// Look elsewhere: the same number gives the same order
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
-    #[arg(long, value_name = "WHERE", value_parser = from)]
-    pub(crate) from: Option<StartFrom>,
+    pub(crate) arm_laser: Option<Duration>,
     /// First go around the drawing, pen up and laser off, to see where it will be
-    #[arg(long)]
+    #[arg(long, help_heading = "How it is drawn")]
     pub(crate) frame: bool,
     /// Move nothing: a virtual arm tells what it would be
-    #[arg(long)]
+    #[arg(long, help_heading = "How it is drawn")]
     pub(crate) dry_run: bool,
+    #[command(flatten)]
+    pub(crate) result: Results,
 }
 
 /// What comes out.
@@ -246,62 +86,6 @@ pub(crate) struct Results {
     pub(crate) json: bool,
 }
 
-fn layers(text: &str) -> Result<LayersBy, String> {
-    match text {
-        "color" | "colour" => Ok(LayersBy::Color),
-        "group" => Ok(LayersBy::Group),
-        _ => Err("allowed are color and group".into()),
-    }
-}
-
-fn align(text: &str) -> Result<Align, String> {
-    match text {
-        "left" => Ok(Align::Left),
-        "center" | "centre" => Ok(Align::Center),
-        "right" => Ok(Align::Right),
-        _ => Err("allowed are left, center and right".into()),
-    }
-}
-
-fn layer_tool(text: &str) -> Result<(String, String), String> {
-    match text.rsplit_once('=') {
-        Some((layer, tool)) if !layer.is_empty() && !tool.is_empty() => {
-            Ok((layer.to_owned(), tool.to_owned()))
-        }
-        _ => Err("expected the layer's name, = and a pen or material, as in red=marker".into()),
-    }
-}
-
-fn from(text: &str) -> Result<StartFrom, String> {
-    let told = || "expected layer:NAME, stroke:NUMBER or a share such as 40%".to_owned();
-    if let Some(percent) = text.strip_suffix('%') {
-        return percent.parse().map(StartFrom::Percent).map_err(|_| told());
-    }
-    match text.split_once(':') {
-        Some(("layer", name)) => Ok(StartFrom::Pass(name.to_owned())),
-        Some(("stroke", number)) => number.parse().map(StartFrom::Stroke).map_err(|_| told()),
-        _ => Err(told()),
-    }
-}
-
-fn spacing(text: &str) -> Result<Spacing, String> {
-    if text == "auto" {
-        return Ok(Spacing::OfTool);
-    }
-    let spacing_mm = text.parse().map(Spacing::Millimeters);
-    spacing_mm.map_err(|_| "expected a number of millimetres".into())
-}
-
-fn style(text: &str) -> Result<Style, String> {
-    match text {
-        "outline" => Ok(Style::Outline),
-        "lines" => Ok(Style::Lines),
-        "stipple" => Ok(Style::Stipple),
-        "hatch" => Ok(Style::Hatch),
-        _ => Err("allowed are outline, lines, stipple and hatch".into()),
-    }
-}
-
 fn picture_file(text: &str) -> Result<PathBuf, String> {
     let file = PathBuf::from(text);
     let ending = file
@@ -311,5 +95,69 @@ fn picture_file(text: &str) -> Result<PathBuf, String> {
     match ending.as_deref() {
         Some("svg" | "png") => Ok(file),
         _ => Err("allowed are names that end in .svg or .png".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+    use serde_json::json;
+
+    use super::*;
+
+    #[derive(Debug, Parser)]
+    struct Program {
+        #[command(flatten)]
+        args: Args,
+    }
+
+    fn options(arguments: &[&str]) -> Options {
+        let all = [&["draw", "a.svg"], arguments].concat();
+        Program::try_parse_from(all)
+            .expect("they are allowed")
+            .args
+            .options
+    }
+
+    #[test]
+    fn json_says_the_same_in_the_same_words() {
+        for (arguments, json) in [
+            (&[][..], json!({})),
+            (
+                &[
+                    "--layers",
+                    "color",
+                    "--layer",
+                    "red=marker",
+                    "--only",
+                    "red,blue",
+                ],
+                json!({"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}], "only": ["red", "blue"]}}),
+            ),
+            (&["--hatch"], json!({"what": {"hatch": "auto"}})),
+            (
+                &["--hatch", "1.5", "--hatch-angle", "0", "--cross"],
+                json!({"what": {"hatch": 1.5, "hatch_angle": 0, "cross": true}}),
+            ),
+            (
+                &["--shade", "stipple", "--spacing", "2", "--invert"],
+                json!({"what": {"shade": "stipple", "spacing": 2, "invert": true}}),
+            ),
+            (
+                &["--at", "200", "-20", "--rotate", "90", "--pen-down", "-35"],
+                json!({"place": {"at": [200, -20], "rotate": 90, "pen_down": -35}}),
+            ),
+            (
+                &["--laser", "cardboard-engrave", "--passes", "2"],
+                json!({"tool": {"laser": "cardboard-engrave", "passes": 2}}),
+            ),
+            (
+                &["--tolerance", "0.1", "--seed", "7", "--from", "40%"],
+                json!({"way": {"tolerance": 0.1, "seed": 7, "from": "40%"}}),
+            ),
+        ] {
+            let from_json: Options = serde_json::from_value(json).expect("it is allowed");
+            assert_eq!(options(arguments), from_json);
+        }
     }
 }

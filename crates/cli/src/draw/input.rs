@@ -1,19 +1,63 @@
-//! The bytes of a drawing: of a file or of standard input, as many as a drawing may have.
+//! What is to be drawn: the bytes of a file or of standard input, as many as a drawing may have.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
 
+use dobot_draw::{Asked, Materials, Subject};
+use dobot_source::{Source, SourceError};
+
+use super::args::Args;
 use crate::failure::Failure;
 
+/// What the arguments ask for.
+pub(super) fn asked(args: &Args) -> Result<Asked, Failure> {
+    let materials = materials(args.materials.as_deref())?;
+    let subject = match Subject::of_text(&args.options.what) {
+        Some(subject) => subject,
+        None => of_file(args.file.as_deref().expect("the options ask for one"))?,
+    };
+    Ok(Asked::new(args.options.clone(), subject, &materials)?)
+}
+
+/// The materials that are known, and those of a file.
+pub(crate) fn materials(file: Option<&Path>) -> Result<Materials, Failure> {
+    let known = Materials::built_in();
+    let Some(file) = file else {
+        return Ok(known);
+    };
+    let text =
+        fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+    let mine = Materials::from_toml(&text).with_context(|| file.display().to_string())?;
+    Ok(known.with(mine))
+}
+
+fn of_file(file: &Path) -> Result<Subject, Failure> {
+    let (path, name) = match file.file_name() {
+        Some(name) if file != Path::new("-") => {
+            (file.display().to_string(), name.to_string_lossy())
+        }
+        _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
+    };
+    let source = Source::of_file(&name, read(file)?).map_err(|error| match error {
+        // It says the name itself.
+        SourceError::UnknownKind { .. } if path == name => error.into(),
+        _ => anyhow::Error::from(error).context(path),
+    })?;
+    Ok(Subject {
+        title: name.into_owned(),
+        source: Some(source),
+    })
+}
+
 /// Reads a whole file, or standard input where it is `-`.
-pub(super) fn read(file: &Path) -> Result<Vec<u8>, Failure> {
+fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     if file == Path::new("-") {
         let read = limited(io::stdin().lock(), MOST_BYTES);
         let bytes = read.context("cannot read standard input")?;
-        return bytes.ok_or_else(|| too_large("standard input"));
+        return bytes.ok_or_else(|| too_large(STANDARD_INPUT));
     }
     let read = File::open(file).and_then(|it| limited(it, MOST_BYTES));
     let bytes = read.map_err(|error| unread(file, error))?;
@@ -47,6 +91,7 @@ fn unread(file: &Path, error: io::Error) -> Failure {
     error.into()
 }
 
+const STANDARD_INPUT: &str = "standard input";
 /// A dense drawing of an hour has some ten.
 const MOST_BYTES: u64 = 256_000_000;
 

@@ -110,6 +110,6 @@ impl Default for Settings {
 }
 
 /// A tenth of a second or so.
-const TRIES: u32 = 20_000;
+pub(crate) const TRIES: u32 = 20_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;

@@ -1,5 +1,10 @@
 //! How tone becomes ink.
 
+use std::str::FromStr;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::error::ImageError;
 
 /// How the tones of a picture become lines or dots.
@@ -83,7 +88,8 @@ impl Default for Shading {
 }
 
 /// What is drawn of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Style {
     /// The borders between its tones, as closed lines.
     Outline,
@@ -93,4 +99,18 @@ pub enum Style {
     Stipple,
     /// Straight lines, in the more directions the darker it is.
     Hatch,
+}
+
+impl FromStr for Style {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "outline" => Ok(Self::Outline),
+            "lines" => Ok(Self::Lines),
+            "stipple" => Ok(Self::Stipple),
+            "hatch" => Ok(Self::Hatch),
+            _ => Err("allowed are outline, lines, stipple and hatch"),
+        }
+    }
 }

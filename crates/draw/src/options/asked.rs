@@ -1,0 +1,279 @@
+//! What was asked for, checked: what is drawn, and with which settings.
+
+use std::sync::Arc;
+
+use dobot_arm::{Limits, Pose, Position, Unreachable};
+use dobot_geometry::Point;
+use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Tool};
+use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
+use dobot_wire::Dialect;
+
+use super::fitting::check;
+use super::{Options, OptionsError, Spacing, ToolOptions, What};
+use crate::card::Card;
+use crate::hatch::Hatch;
+use crate::material::{Material, Materials, UnknownMaterial};
+use crate::place::{Placement, Size};
+use crate::prepare::{Prepared, Settings, prepare, prepare_passes};
+
+/// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
+/// arm.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// What a person calls it.
+    pub title: String,
+    options: Options,
+    what: Drawable,
+    settings: Settings,
+}
+
+/// What is to be drawn, with what a person calls it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// The name of a file, the first line of a text.
+    pub title: String,
+    /// A file, a picture or a text; none for the test card, which the options tell whole.
+    pub source: Option<Source>,
+}
+
+#[derive(Clone, Debug)]
+enum Drawable {
+    Source(Source),
+    /// Laid out already: the test card.
+    Passes(Vec<Pass>),
+}
+
+impl Subject {
+    /// The text or the test card that the options tell; none where a file is to be drawn.
+    #[must_use]
+    pub fn of_text(what: &What) -> Option<Self> {
+        if what.card.is_some() {
+            return Some(Self {
+                title: "test card".to_owned(),
+                source: None,
+            });
+        }
+        let text = what.text.as_ref()?.replace("\\n", "\n");
+        let mut lines = text.lines();
+        let first = lines.find(|it| !it.trim().is_empty());
+        Some(Self {
+            title: first.unwrap_or("--text").to_owned(),
+            source: Some(Source::Text(Text {
+                font: Font::of(what.font.as_deref().unwrap_or("sans")),
+                height_mm: what.height.unwrap_or(10.0),
+                align: what.align.unwrap_or(Align::Left),
+                ..Text::new(text)
+            })),
+        })
+    }
+}
+
+impl Asked {
+    /// Makes settings of the options, for a drawing with these pens and materials. The fonts of this
+    /// machine are read where the drawing has letters that need them.
+    ///
+    /// # Errors
+    ///
+    /// [`OptionsError`]: a pen or a material that nobody knows, options that exclude each other or
+    /// that would do nothing for this source, a test card that cannot be laid out.
+    pub fn new(
+        options: Options,
+        subject: Subject,
+        materials: &Materials,
+    ) -> Result<Self, OptionsError> {
+        let Subject { title, source } = subject;
+        let material = material(&options.tool, materials)?;
+        let tool = with_options(material.tool, &options.tool)?;
+        check(&options, source.as_ref(), &title)?;
+        let needs_fonts = source.as_ref().is_some_and(Source::needs_fonts);
+        let settings = Settings {
+            tolerance_mm: options.way.tolerance,
+            placement: placement(&options, source.as_ref()),
+            tool,
+            layers: options.what.layers,
+            only: options.what.only.clone(),
+            tools: layer_tools(&options.what, materials)?,
+            hatch: hatch(&options.what, &material),
+            shading: shading(&options),
+            clips: options.place.clip,
+            tries: (!options.way.keep_order).then_some(options.way.tries),
+            seed: options.way.seed,
+            from: options.way.from.clone(),
+            fonts: Arc::new(needs_fonts.then(system_fonts).unwrap_or_default()),
+            ..Settings::default()
+        };
+        let what = match source {
+            Some(source) => Drawable::Source(source),
+            None => Drawable::Passes(card(&options, tool)?),
+        };
+        Ok(Self {
+            title,
+            options,
+            what,
+            settings,
+        })
+    }
+
+    /// Plans it for an arm that speaks this dialect, if that is known, and stands at this height
+    /// with its pen on the paper, in mm.
+    ///
+    /// # Errors
+    ///
+    /// [`OptionsError`] where the paper lies as none can, or the drawing cannot be made so.
+    pub fn prepare(
+        &self,
+        dialect: Option<Dialect>,
+        standing_z_mm: f64,
+    ) -> Result<(Prepared, Settings), OptionsError> {
+        let machine = dialect.map_or_else(Machine::default, Machine::of);
+        let settings = Settings {
+            paper: self.paper(standing_z_mm)?,
+            machine: Machine {
+                acceleration_mm_s2: self.options.tool.acceleration,
+                corner_deviation_mm: self.options.way.tolerance,
+                ..machine
+            },
+            ..self.settings.clone()
+        };
+        let tool = end_effector(settings.tool);
+        let reachable = |position| reachable(position, tool);
+        let prepared = match &self.what {
+            Drawable::Source(source) => prepare(source, &settings, reachable),
+            Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
+        };
+        Ok((prepared?, settings))
+    }
+
+    /// Where the paper lies: through the touched points, at the height told, or where the arm stands.
+    fn paper(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
+        let place = &self.options.place;
+        let paper = match place.paper.as_deref() {
+            Some(&[ax, ay, az, bx, by, bz, cx, cy, cz]) => {
+                Paper::through([[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
+            }
+            _ => Paper::level(place.pen_down.unwrap_or(standing_z_mm)),
+        };
+        Ok(paper.raised(place.offset))
+    }
+}
+
+/// The pen or the material that was named; where it is unknown, the others of its kind are told.
+fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
+    let burns = options.laser.is_some();
+    let name = options.laser.as_ref().unwrap_or(&options.pen);
+    let is_of_kind = |name: &String| {
+        let material = materials.get(name);
+        material.is_ok_and(|it| matches!(it.tool, Tool::Laser(_)) == burns)
+    };
+    materials.get(name).copied().map_err(|mut unknown| {
+        unknown.known.retain(is_of_kind);
+        unknown
+    })
+}
+
+fn with_options(tool: Tool, options: &ToolOptions) -> Result<Tool, OptionsError> {
+    let other_kind = |name: &str, is, option| {
+        let name = name.to_owned();
+        Err(OptionsError::OtherKind { name, is, option })
+    };
+    match (tool, &options.laser) {
+        (Tool::Pen(pen), None) => Ok(Tool::Pen(Pen {
+            lift_mm: options.lift.unwrap_or(pen.lift_mm),
+            draw_speed_mm_s: options.speed.unwrap_or(pen.draw_speed_mm_s),
+            travel_speed_mm_s: options.travel_speed.unwrap_or(pen.travel_speed_mm_s),
+            ..pen
+        })),
+        (Tool::Laser(laser), Some(_)) => Ok(Tool::Laser(Laser {
+            burn_speed_mm_s: options.speed.unwrap_or(laser.burn_speed_mm_s),
+            travel_speed_mm_s: options.travel_speed.unwrap_or(laser.travel_speed_mm_s),
+            times: options.passes.unwrap_or(laser.times),
+        })),
+        (Tool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
+        (Tool::Laser(_), None) => other_kind(&options.pen, "burned with the laser", "--laser"),
+    }
+}
+
+fn layer_tools(what: &What, materials: &Materials) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
+    let named = what.layer.iter().map(|it| {
+        let material = materials.get(&it.pen)?;
+        Ok((it.name.clone(), material.tool))
+    });
+    named.collect()
+}
+
+fn card(options: &Options, tool: Tool) -> Result<Vec<Pass>, OptionsError> {
+    let Tool::Laser(laser) = tool else {
+        return Err(OptionsError::CardByPen);
+    };
+    let card = Card {
+        speeds_mm_s: options.what.card.clone().unwrap_or_default(),
+        most_passes: options.what.card_passes.unwrap_or(3),
+        travel_speed_mm_s: laser.travel_speed_mm_s,
+        center: center(options).unwrap_or_else(|| Card::default().center),
+        ..Card::default()
+    };
+    Ok(card.to_passes()?)
+}
+
+fn placement(options: &Options, source: Option<&Source>) -> Placement {
+    let fills = source.is_some_and(|it| !it.has_size());
+    Placement {
+        size: match (options.place.fit || fills, options.place.scale) {
+            (_, Some(factor)) => Size::Scaled(factor),
+            (true, None) => Size::Fit,
+            (false, None) => Size::Within,
+        },
+        margin_mm: options.place.margin,
+        rotate_deg: options.place.rotate,
+        center: center(options),
+        ..Placement::default()
+    }
+}
+
+fn center(options: &Options) -> Option<Point> {
+    match options.place.at.as_deref() {
+        Some(&[x_mm, y_mm]) => Some(Point::new(x_mm, y_mm)),
+        _ => None,
+    }
+}
+
+fn hatch(what: &What, material: &Material) -> Option<Hatch> {
+    let spacing_mm = match what.hatch? {
+        Spacing::OfTool(_) => material.spacing_mm,
+        Spacing::Millimeters(spacing_mm) => spacing_mm,
+    };
+    Some(Hatch {
+        spacing_mm,
+        // As a person behind the arm sees it: left to right is -Y.
+        angle_deg: what.hatch_angle - 90.0,
+        cross: what.cross,
+        ..Hatch::default()
+    })
+}
+
+fn shading(options: &Options) -> Shading {
+    let what = &options.what;
+    let shading = what.shade.map_or_else(Shading::default, Shading::new);
+    Shading {
+        spacing_mm: what.spacing.unwrap_or(shading.spacing_mm),
+        invert: what.invert,
+        seed: options.way.seed,
+        ..shading
+    }
+}
+
+/// What the arm carries: the laser is nearer to it than the pen.
+const fn end_effector(tool: Tool) -> dobot_arm::Tool {
+    match tool {
+        Tool::Pen(_) => dobot_arm::Tool::SuctionCup,
+        Tool::Laser(_) => dobot_arm::Tool::Laser,
+    }
+}
+
+fn reachable(position: Position, tool: dobot_arm::Tool) -> Result<(), Unreachable> {
+    let pose = Pose {
+        position,
+        rotation: position.direction(),
+    };
+    Limits::STOCK.solve(&pose, tool).map(|_| ())
+}

@@ -1,0 +1,98 @@
+//! What is wrong with what was asked for.
+
+use dobot_plan::PaperError;
+use thiserror::Error;
+
+use crate::card::CardError;
+use crate::material::UnknownMaterial;
+use crate::place::PlaceError;
+use crate::prepare::PrepareError;
+
+/// What is wrong with what was asked for.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum OptionsError {
+    /// A pen or a material that nobody knows.
+    #[error(transparent)]
+    Unknown(#[from] UnknownMaterial),
+    /// A material for a pen, or the other way round.
+    #[error("{name} is {is}")]
+    OtherKind {
+        /// The name that was given.
+        name: String,
+        /// What it is.
+        is: &'static str,
+        /// The option that it belongs to.
+        option: &'static str,
+    },
+    /// A test card without a laser.
+    #[error("a test card is burned, and the tool is a pen")]
+    CardByPen,
+    /// A test card that cannot be laid out.
+    #[error(transparent)]
+    Card(#[from] CardError),
+    /// An option that would do nothing.
+    #[error("{option} is for {fits}, and {is}")]
+    Misfit {
+        /// The option.
+        option: &'static str,
+        /// What it is for.
+        fits: &'static str,
+        /// What there is.
+        is: String,
+    },
+    /// Options that exclude each other.
+    #[error("{option} and {other} exclude each other: give one of them")]
+    Both {
+        /// The one.
+        option: &'static str,
+        /// The other.
+        other: &'static str,
+    },
+    /// An option that does nothing without another one.
+    #[error("{option} does nothing without {needs}")]
+    Alone {
+        /// The one that was given.
+        option: &'static str,
+        /// The one that is missing.
+        needs: &'static str,
+    },
+    /// Coordinates that are too few or too many.
+    #[error("{option} has {found} numbers; it takes {allowed}")]
+    Count {
+        /// The option.
+        option: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many it takes.
+        allowed: usize,
+    },
+    /// Paper that does not lie so.
+    #[error(transparent)]
+    Paper(#[from] PaperError),
+    /// A drawing that cannot be made so.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+}
+
+impl OptionsError {
+    /// What to do about it, where something helps.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::OtherKind { name, option, .. } => Some(format!(
+                "`{option} {name}`; `dobot materials` lists pens and materials"
+            )),
+            Self::CardByPen => {
+                Some("add `--laser MATERIAL`; `dobot materials` lists them".to_owned())
+            }
+            Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
+                Some("`--fit` makes it as large as the drawing area allows".into())
+            }
+            Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
+                "`--clip` draws what is within reach; `--fit` without `--at` places it inside; `--pen-down` and `--lift` set the heights".into(),
+            ),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Which options fit which source, and each other: one that would do nothing is refused.
+
+use dobot_source::Source;
+
+use super::{Options, OptionsError};
+
+/// Refuses the first option that would do nothing for this source, of this title; no source is the test
+/// card.
+pub(super) fn check(
+    options: &Options,
+    source: Option<&Source>,
+    title: &str,
+) -> Result<(), OptionsError> {
+    counts(options)?;
+    together(options)?;
+    let kind = Kind::of(source);
+    let misfit = given(options)
+        .into_iter()
+        .find(|(_, given, fit)| *given && !fit.kinds().contains(&kind));
+    let Some((option, _, fit)) = misfit else {
+        return Ok(());
+    };
+    Err(OptionsError::Misfit {
+        option,
+        fits: fit.told(),
+        is: match kind {
+            Kind::Lines => format!("{title} is a file of lines"),
+            Kind::Picture => format!("{title} is a picture"),
+            Kind::Text => "this is a text".to_owned(),
+            Kind::Card => "this is a test card".to_owned(),
+        },
+    })
+}
+
+/// Places have as many numbers as they need.
+fn counts(options: &Options) -> Result<(), OptionsError> {
+    let places = [
+        ("--at", &options.place.at, 2),
+        ("--paper", &options.place.paper, 9),
+    ];
+    for (option, numbers, allowed) in places {
+        match numbers {
+            Some(numbers) if numbers.len() != allowed => {
+                let found = numbers.len();
+                return Err(OptionsError::Count {
+                    option,
+                    found,
+                    allowed,
+                });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Options that exclude each other, and those that need another one.
+fn together(options: &Options) -> Result<(), OptionsError> {
+    let Options {
+        what,
+        place,
+        tool,
+        way,
+    } = options;
+    let defaults = Options::default();
+    let given_tries = way.tries != defaults.way.tries;
+    let exclusive = [
+        ("--text", what.text.is_some(), "--card", what.card.is_some()),
+        ("--fit", place.fit, "--scale", place.scale.is_some()),
+        (
+            "--pen-down",
+            place.pen_down.is_some(),
+            "--paper",
+            place.paper.is_some(),
+        ),
+        (
+            "--pen",
+            tool.pen != defaults.tool.pen,
+            "--laser",
+            tool.laser.is_some(),
+        ),
+        ("--keep-order", way.keep_order, "--tries", given_tries),
+    ];
+    if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
+        return Err(OptionsError::Both { option, other });
+    }
+    let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let dependent = [
+        (
+            "--layer",
+            !what.layer.is_empty(),
+            "--layers",
+            what.layers.is_some(),
+        ),
+        (
+            "--only",
+            !what.only.is_empty(),
+            "--layers",
+            what.layers.is_some(),
+        ),
+        ("--hatch-angle", turned, "--hatch", what.hatch.is_some()),
+        ("--cross", what.cross, "--hatch", what.hatch.is_some()),
+        (
+            "--passes",
+            tool.passes.is_some(),
+            "--laser",
+            tool.laser.is_some(),
+        ),
+    ];
+    match dependent.into_iter().find(|it| it.1 && !it.3) {
+        Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
+        None => Ok(()),
+    }
+}
+
+/// What kind of thing is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A file of lines and areas.
+    Lines,
+    Picture,
+    Text,
+    Card,
+}
+
+impl Kind {
+    const fn of(source: Option<&Source>) -> Self {
+        match source {
+            None => Self::Card,
+            Some(Source::Text(_)) => Self::Text,
+            Some(Source::Picture(_)) => Self::Picture,
+            Some(_) => Self::Lines,
+        }
+    }
+}
+
+/// What an option is for.
+#[derive(Clone, Copy)]
+enum Fit {
+    Pictures,
+    Texts,
+    Cards,
+    Areas,
+    Layers,
+    Drawings,
+}
+
+impl Fit {
+    const fn kinds(self) -> &'static [Kind] {
+        match self {
+            Self::Pictures => &[Kind::Picture],
+            Self::Texts => &[Kind::Text],
+            Self::Cards => &[Kind::Card],
+            Self::Areas => &[Kind::Lines, Kind::Text],
+            Self::Layers => &[Kind::Lines],
+            Self::Drawings => &[Kind::Lines, Kind::Picture, Kind::Text],
+        }
+    }
+
+    const fn told(self) -> &'static str {
+        match self {
+            Self::Pictures => "PNG and JPEG pictures",
+            Self::Texts => "the letters of --text",
+            Self::Cards => "the test card of --card",
+            Self::Areas => "the areas of drawings and texts (`--shade hatch` is for pictures)",
+            Self::Layers => "the layers of drawings",
+            Self::Drawings => "drawings, pictures and texts",
+        }
+    }
+}
+
+/// Each option, whether it was given, and what it is for. What a material sets is no option.
+fn given(options: &Options) -> [(&'static str, bool, Fit); 16] {
+    let Options {
+        what, place, tool, ..
+    } = options;
+    [
+        ("--shade", what.shade.is_some(), Fit::Pictures),
+        ("--spacing", what.spacing.is_some(), Fit::Pictures),
+        ("--invert", what.invert, Fit::Pictures),
+        ("--font", what.font.is_some(), Fit::Texts),
+        ("--height", what.height.is_some(), Fit::Texts),
+        ("--align", what.align.is_some(), Fit::Texts),
+        ("--card-passes", what.card_passes.is_some(), Fit::Cards),
+        ("--hatch", what.hatch.is_some(), Fit::Areas),
+        ("--layers", what.layers.is_some(), Fit::Layers),
+        ("--fit", place.fit, Fit::Drawings),
+        ("--scale", place.scale.is_some(), Fit::Drawings),
+        ("--rotate", place.rotate != 0.0, Fit::Drawings),
+        ("--margin", place.margin != 0.0, Fit::Drawings),
+        ("--clip", place.clip, Fit::Drawings),
+        ("--speed", tool.speed.is_some(), Fit::Drawings),
+        ("--passes", tool.passes.is_some(), Fit::Drawings),
+    ]
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn refusal(json: &str) -> String {
+        let options: Options = serde_json::from_str(json).unwrap();
+        let file = Source::from("<svg/>");
+        let refused = check(&options, Some(&file), "a.svg");
+        refused.unwrap_err().to_string()
+    }
+
+    #[test]
+    fn an_option_that_would_do_nothing_is_refused_from_json_too() {
+        for (json, told) in [
+            (
+                r#"{"what": {"shade": "lines"}}"#,
+                "--shade is for PNG and JPEG pictures, and a.svg is a file of lines",
+            ),
+            (
+                r#"{"place": {"fit": true, "scale": 2}}"#,
+                "--fit and --scale exclude each other: give one of them",
+            ),
+            (
+                r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
+                "--pen and --laser exclude each other: give one of them",
+            ),
+            (
+                r#"{"what": {"cross": true}}"#,
+                "--cross does nothing without --hatch",
+            ),
+            (
+                r#"{"place": {"at": [200]}}"#,
+                "--at has 1 numbers; it takes 2",
+            ),
+        ] {
+            assert_eq!(refusal(json), told);
+        }
+    }
+
+    #[test]
+    fn a_word_that_no_option_knows_is_named() {
+        let unknown = serde_json::from_str::<Options>(r#"{"place": {"turn": 90}}"#);
+        assert!(unknown.unwrap_err().to_string().contains("`turn`"));
+    }
+}
