@@ -16,8 +16,8 @@ use dobot_draw::{
     Colors, Deviation, FrameShape, InkLine, Picture, Prepared, Settings, Stroke, View, Worst,
     deviation, frame, ink_seen,
 };
+use dobot_rules::StationClient;
 use dobot_sim::RECORDING_PERIOD;
-use dobot_station::StationClient;
 use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;

@@ -1,10 +1,9 @@
 //! What bodies of requests hold.
 
+use dobot_api::{ClientId, Jog, LeaseView};
 use dobot_wire::{Command, Dialect};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::words::{ClientId, Jog, LeaseView};
 
 /// Nothing.
 #[derive(Debug, Default, Deserialize, JsonSchema)]

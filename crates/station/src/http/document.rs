@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use dobot_api::Problem;
 use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -15,7 +16,6 @@ use super::kinds::{
 use super::messages::{FromClient, ToClient};
 use super::route::{Gives, Query, Route, Takes};
 use super::routes::ROUTES;
-use crate::words::Problem;
 
 /// The document as text.
 pub(super) static TEXT: LazyLock<String> = LazyLock::new(|| document().to_string());

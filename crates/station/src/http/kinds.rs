@@ -1,9 +1,8 @@
 //! The kinds of problems: what `/api/v1/problems/{kind}` tells.
 
+use dobot_api::Problem;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-use crate::words::Problem;
 
 /// A kind of problem, explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -136,8 +135,9 @@ kinds! {
 
 #[cfg(test)]
 mod tests {
+    use dobot_rules::Refusal;
+
     use super::*;
-    use crate::words::Refusal;
 
     #[test]
     fn every_kind_has_a_name_of_its_own_and_some_sentences() {
@@ -154,8 +154,8 @@ mod tests {
     fn refusals_of_the_station_are_told_as_they_are_explained() {
         let refusals = [
             Refusal::Role {
-                needed: crate::Role::Admin,
-                found: crate::Role::Watch,
+                needed: dobot_api::Role::Admin,
+                found: dobot_api::Role::Watch,
             },
             Refusal::NoLease { holder: None },
             Refusal::NotAsking(1),
@@ -183,7 +183,7 @@ mod tests {
             Refusal::NoSuchJob(1),
             Refusal::JobPhase {
                 job: 1,
-                found: crate::JobPhase::Done,
+                found: dobot_api::JobPhase::Done,
                 allowed: "queued",
             },
             Refusal::NoVectors(1),

@@ -1,11 +1,11 @@
 //! The messages of the WebSocket.
 
+use dobot_api::{ClientId, Notice, Problem, Reply, Request, Role, State};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::kinds::INVALID;
 use super::strict;
-use crate::words::{ClientId, Notice, Problem, Reply, Request, Role, State};
 
 /// What a client sends over the WebSocket.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -13,7 +13,7 @@ use super::kinds::Kind;
 #[cfg(test)]
 use super::strict;
 #[cfg(test)]
-use crate::words::Problem;
+use dobot_api::Problem;
 
 /// One route.
 #[derive(Clone, Debug)]

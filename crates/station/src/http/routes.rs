@@ -7,6 +7,7 @@ use axum::http::Method;
 use axum::middleware::from_fn_with_state;
 use axum::routing::{MethodRouter, delete, get, post, put};
 
+use dobot_api::{JobView, NewJob, Notice, Reply, State};
 use dobot_safety::Policy;
 
 use super::answer::JOB;
@@ -22,7 +23,6 @@ use super::kinds::{
 };
 use super::route::Route;
 use super::{calls, gate, page, socket};
-use crate::words::{JobView, NewJob, Notice, Reply, State};
 
 /// The router with everything.
 pub(super) fn router(app: Arc<App>) -> Router {

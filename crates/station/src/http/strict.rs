@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use dobot_api::Problem;
 use serde::Deserialize;
 use serde::de::{
     self, DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor,
@@ -9,7 +10,6 @@ use serde::de::{
 use serde_json::Value;
 
 use super::kinds::{INVALID, MALFORMED};
-use crate::words::Problem;
 
 /// Reads a body or a message.
 ///
@@ -213,10 +213,10 @@ fn look_through(text: &[u8]) -> Result<(), serde_json::Error> {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use dobot_api::{NewJob, Request};
     use dobot_wire::Command;
 
     use super::*;
-    use crate::words::{NewJob, Request};
 
     fn detail<T: DeserializeOwned + fmt::Debug>(text: &str) -> (u16, String) {
         let problem = read::<T>(text.as_bytes()).unwrap_err();

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
+use dobot_rules::Client;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
 use tokio::time::timeout;
@@ -15,7 +16,6 @@ use super::super::kinds::INVALID;
 use super::super::messages::FromClient;
 use super::super::rate::{Rate, Used};
 use super::talk::{End, Owed};
-use crate::Client;
 
 /// After what silence a client is not there any more.
 const SILENCE: Duration = Duration::from_secs(6);

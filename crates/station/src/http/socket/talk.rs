@@ -5,6 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, close_code};
+use dobot_api::{Notice, Problem};
+use dobot_rules::{Answer, Client};
 use futures_util::{Sink, SinkExt, Stream, StreamExt};
 use tokio::sync::{broadcast, mpsc};
 use tokio::time::timeout;
@@ -15,9 +17,6 @@ use super::Wants;
 use super::hear::hear;
 use super::pace::Pace;
 use super::tell::News;
-use crate::Client;
-use crate::handle::Answer;
-use crate::words::{Notice, Problem};
 
 /// One client's connection.
 #[derive(Debug)]

@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
+use dobot_api::{Notice, Reply};
+use dobot_rules::{Answer, Client, Refusal};
 use futures_util::stream::FuturesUnordered;
 use futures_util::{Sink, SinkExt, StreamExt};
 use tokio::sync::broadcast::error::RecvError;
@@ -13,11 +15,8 @@ use tokio::time::{Interval, MissedTickBehavior, interval, timeout};
 
 use super::super::app::App;
 use super::super::messages::{Hello, ToClient};
-use super::pace::Pace;
+use super::pace::{Pace, message};
 use super::talk::{End, Owed};
-use crate::Client;
-use crate::handle::Answer;
-use crate::words::{Notice, Refusal, Reply};
 
 /// How often the client is asked whether it is there.
 const PING_EVERY: Duration = Duration::from_secs(2);
@@ -40,7 +39,7 @@ impl News {
     {
         let mut sent = send(outgoing, hello(app, client)).await;
         if self.pace.is_wanted() && sent.is_ok() {
-            sent = send(outgoing, Message::Text(app.handle.state().message())).await;
+            sent = send(outgoing, Message::Text(message(&app.handle.state()))).await;
         }
         let mut answers = FuturesUnordered::new();
         let mut pings = pings();
@@ -113,7 +112,7 @@ fn hello(app: &App, client: &Client) -> Message {
         client: client.id(),
         role: client.role(),
         version: env!("CARGO_PKG_VERSION"),
-        dead_man_s: app.handle.rules.dead_man_s,
+        dead_man_s: app.handle.rules().dead_man_s,
     };
     text_message(ToClient::Hello { hello }.text())
 }
