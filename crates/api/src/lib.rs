@@ -16,6 +16,7 @@
 #[cfg(feature = "remote")]
 mod folders;
 mod job;
+mod job_state;
 mod lease;
 mod notice;
 mod problem;
@@ -31,6 +32,7 @@ mod state;
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};
 pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
+pub use job_state::JobState;
 pub use lease::{Asking, ClientId, LeaseView};
 pub use notice::{News, Notice};
 pub use problem::Problem;

@@ -5,10 +5,10 @@ mod check;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use dobot_api::{ClientId, JobKind, JobPause, JobPhase, JobView, NewJob, Reply};
+use dobot_api::{ClientId, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
 use dobot_course::{Model, Place};
-use dobot_journal::{Job, JobId, JobState, Journal, JournalError, Pause, Window};
+use dobot_journal::{Job, JobId, Journal, JournalError, Window};
 use dobot_safety::Policy;
 use tokio::sync::{mpsc, oneshot};
 
@@ -211,7 +211,7 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
     if job.state.is_over() {
         return Err(Refusal::JobPhase {
             job: job.id.0,
-            found: phase(&job.state),
+            found: job.state.phase(),
             allowed: "queued, running or paused",
         });
     }
@@ -226,9 +226,9 @@ pub(crate) fn view(job: &Job) -> JobView {
     JobView {
         job: job.id.0,
         title: job.title.clone(),
-        kind: of_journal(job.kind),
-        phase: phase(&job.state),
-        reason: reason(&job.state),
+        kind: job.kind,
+        phase: job.state.phase(),
+        reason: job.state.reason().map(str::to_owned),
         commands: job.commands,
         completed: job.window.completed,
         planned_s: job.planned_s,
@@ -254,19 +254,15 @@ pub(crate) fn submit(
     journal
         .submit(&dobot_journal::NewJob {
             title: job.title,
-            kind: to_journal(job.kind),
+            kind: job.kind,
             dialect,
             lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
             created_ms: now_ms,
             planned_s: Some(plan.planned_s()),
             commands: plan.commands().to_vec(),
-            pauses: job.pauses.into_iter().map(pause).collect(),
+            pauses: job.pauses,
         })
         .map_err(|error| journal_refusal(&error))
-}
-
-fn pause(JobPause { before, message }: JobPause) -> Pause {
-    Pause { before, message }
 }
 
 /// Looks at a job that is to be started or gone on with.
@@ -280,7 +276,7 @@ pub(crate) fn startable(
     if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
         return Err(Refusal::JobPhase {
             job: job.id.0,
-            found: phase(&job.state),
+            found: job.state.phase(),
             allowed: "queued or paused",
         });
     }
@@ -316,7 +312,7 @@ pub(crate) fn look_again(
     Ok(Begun {
         job: job.id.0,
         title: job.title.clone(),
-        kind: of_journal(job.kind),
+        kind: job.kind,
         dialect: job.dialect,
         plan,
         pauses: job.pauses.clone(),
@@ -397,7 +393,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             {
                 journal.give(JobId(*job), window)?;
             }
-            let state = state(*phase, reason.clone());
+            let state = JobState::new(*phase, reason.clone());
             journal.set_state_behind(JobId(*job), &state, *behind)
         }
         Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
@@ -406,52 +402,6 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
 
 pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
     Refusal::Journal(error.to_string())
-}
-
-const fn phase(state: &JobState) -> JobPhase {
-    match state {
-        JobState::Queued => JobPhase::Queued,
-        JobState::Running => JobPhase::Running,
-        JobState::Paused { .. } => JobPhase::Paused,
-        JobState::Stopped { .. } => JobPhase::Stopped,
-        JobState::Done => JobPhase::Done,
-        JobState::Failed { .. } => JobPhase::Failed,
-    }
-}
-
-fn state(phase: JobPhase, reason: Option<String>) -> JobState {
-    let reason = reason.unwrap_or_default();
-    match phase {
-        JobPhase::Queued => JobState::Queued,
-        JobPhase::Running => JobState::Running,
-        JobPhase::Paused => JobState::Paused { reason },
-        JobPhase::Stopped => JobState::Stopped { reason },
-        JobPhase::Done => JobState::Done,
-        JobPhase::Failed => JobState::Failed { reason },
-    }
-}
-
-fn reason(state: &JobState) -> Option<String> {
-    match state {
-        JobState::Paused { reason }
-        | JobState::Stopped { reason }
-        | JobState::Failed { reason } => Some(reason.clone()),
-        JobState::Queued | JobState::Running | JobState::Done => None,
-    }
-}
-
-const fn of_journal(kind: dobot_journal::JobKind) -> JobKind {
-    match kind {
-        dobot_journal::JobKind::Drawing => JobKind::Drawing,
-        dobot_journal::JobKind::Program => JobKind::Program,
-    }
-}
-
-const fn to_journal(kind: JobKind) -> dobot_journal::JobKind {
-    match kind {
-        JobKind::Drawing => dobot_journal::JobKind::Drawing,
-        JobKind::Program => dobot_journal::JobKind::Program,
-    }
 }
 
 /// So many jobs that are over are kept.

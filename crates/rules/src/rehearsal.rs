@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_api::{ClientId, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role};
 use dobot_controller::{Controller, PowerUp};
-use dobot_journal::{JobId, JobState, Journal, JournalError};
+use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_sim::{Line, VirtualArm};
 use dobot_wire::Packet;

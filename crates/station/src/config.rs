@@ -16,7 +16,7 @@ use crate::StartError;
 ///
 /// ```
 /// use dobot_api::Folders;
-/// use crate::Config;
+/// use dobot_station::Config;
 ///
 /// let config = Config {
 ///     arm: Some("serial:/dev/ttyUSB0".parse()?),

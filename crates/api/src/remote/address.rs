@@ -13,7 +13,7 @@ use crate::Running;
 /// let address = StationAddress::new("https://lab.example:8642")?;
 /// assert!(address.is_encrypted());
 /// assert_eq!(address.to_string(), "https://lab.example:8642");
-/// # Ok::<(), crate::StationAddressError>(())
+/// # Ok::<(), dobot_api::StationAddressError>(())
 /// ```
 #[derive(Clone, PartialEq, Eq)]
 pub struct StationAddress {

@@ -15,7 +15,7 @@ use super::private;
 ///
 /// ```
 /// use dobot_api::Role;
-/// use crate::Tokens;
+/// use dobot_station::Tokens;
 ///
 /// let folder = tempfile::tempdir()?;
 /// let mut tokens = Tokens::open(&folder.path().join("tokens.toml"))?;

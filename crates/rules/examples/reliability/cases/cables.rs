@@ -3,9 +3,9 @@
 use std::fmt;
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_api::{News, Request};
 use dobot_controller::Personality;
-use dobot_journal::JobState;
 
 use super::chance::Chance;
 use super::jobs::Sort;

@@ -4,8 +4,9 @@ use std::io::{self, ErrorKind};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_controller::Personality;
-use dobot_journal::{JobState, Journal, StorageBackend};
+use dobot_journal::{Journal, StorageBackend};
 use dobot_rules::Rehearsal;
 
 use super::chance::Chance;

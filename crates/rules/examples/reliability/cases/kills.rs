@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_api::Request;
 use dobot_controller::Personality;
-use dobot_journal::JobState;
 use dobot_rules::Rehearsal;
 
 use super::chance::Chance;

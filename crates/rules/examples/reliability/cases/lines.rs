@@ -1,7 +1,7 @@
 //! Bytes that are lost, damaged and late.
 
+use dobot_api::JobState;
 use dobot_controller::Personality;
-use dobot_journal::JobState;
 
 use super::chance::Chance;
 use super::jobs::Sort;

@@ -3,9 +3,10 @@
 use std::fmt;
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_api::{ClientId, JobPhase, NewJob, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_journal::{JobState, Journal, JournalError};
+use dobot_journal::{Journal, JournalError};
 use dobot_rules::{Refusal, Rehearsal};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};

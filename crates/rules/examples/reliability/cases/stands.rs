@@ -3,9 +3,9 @@
 use std::fmt;
 use std::time::Duration;
 
+use dobot_api::JobState;
 use dobot_api::{ClientId, JobPhase, News, Request};
 use dobot_controller::{Personality, Refused};
-use dobot_journal::JobState;
 use dobot_rules::Rehearsal;
 use dobot_wire::Command;
 

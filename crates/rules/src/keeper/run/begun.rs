@@ -1,7 +1,8 @@
 //! What a job brings along, and what it leaves in the journal.
 
+use dobot_api::JobPause;
 use dobot_api::{JobKind, JobPhase};
-use dobot_journal::{Adjustment, Behind, Pause, Window};
+use dobot_journal::{Adjustment, Behind, Window};
 use dobot_wire::{Dialect, Status};
 
 use crate::keeper::JobPlan;
@@ -58,7 +59,7 @@ pub struct Begun {
     /// Its commands.
     pub plan: JobPlan,
     /// Where it waits for a person, in order.
-    pub pauses: Vec<Pause>,
+    pub pauses: Vec<JobPause>,
     /// What a person has changed on it.
     pub adjustment: Adjustment,
     /// So many of its commands are over.
@@ -71,7 +72,7 @@ pub struct Begun {
 
 impl Begun {
     /// Where it waits next for a person.
-    pub(super) fn next_pause(&self) -> Option<&Pause> {
+    pub(super) fn next_pause(&self) -> Option<&JobPause> {
         self.pauses.get(self.behind.pauses)
     }
 

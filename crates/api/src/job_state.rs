@@ -1,10 +1,12 @@
-//! What becomes of a job.
+//! What becomes of a job, and why.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// What becomes of a job.
+use crate::JobPhase;
+
+/// What becomes of a job, and why.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "state", rename_all = "snake_case")]
 pub enum JobState {
@@ -32,13 +34,48 @@ pub enum JobState {
 }
 
 impl JobState {
+    /// The state of a job that is so far, for this reason; of those without one it is dropped.
+    #[must_use]
+    pub fn new(phase: JobPhase, reason: Option<String>) -> Self {
+        let reason = reason.unwrap_or_default();
+        match phase {
+            JobPhase::Queued => Self::Queued,
+            JobPhase::Running => Self::Running,
+            JobPhase::Paused => Self::Paused { reason },
+            JobPhase::Stopped => Self::Stopped { reason },
+            JobPhase::Done => Self::Done,
+            JobPhase::Failed => Self::Failed { reason },
+        }
+    }
+
+    /// How far the job is.
+    #[must_use]
+    pub const fn phase(&self) -> JobPhase {
+        match self {
+            Self::Queued => JobPhase::Queued,
+            Self::Running => JobPhase::Running,
+            Self::Paused { .. } => JobPhase::Paused,
+            Self::Stopped { .. } => JobPhase::Stopped,
+            Self::Done => JobPhase::Done,
+            Self::Failed { .. } => JobPhase::Failed,
+        }
+    }
+
+    /// Why it is paused, stopped or failed.
+    #[must_use]
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Paused { reason } | Self::Stopped { reason } | Self::Failed { reason } => {
+                Some(reason)
+            }
+            Self::Queued | Self::Running | Self::Done => None,
+        }
+    }
+
     /// Whether it is history: stopped, done or failed.
     #[must_use]
     pub const fn is_over(&self) -> bool {
-        matches!(
-            self,
-            Self::Stopped { .. } | Self::Done | Self::Failed { .. }
-        )
+        self.phase().is_over()
     }
 
     /// Whether it has begun and is not over: running or paused.
