@@ -17,7 +17,9 @@
 mod folders;
 mod job;
 mod job_state;
+pub mod kinds;
 mod lease;
+mod message;
 mod notice;
 mod problem;
 #[cfg(feature = "remote")]
@@ -34,11 +36,12 @@ pub use folders::{Folders, make_private};
 pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
 pub use job_state::JobState;
 pub use lease::{Asking, ClientId, LeaseView};
+pub use message::{FromClient, Hello, ToClient};
 pub use notice::{News, Notice};
 pub use problem::Problem;
 #[cfg(feature = "remote")]
 pub use remote::{
-    ConnectError, Heard, Hello, Remote, RemoteError, StationAddress, StationAddressError, Trust,
+    ConnectError, Heard, Remote, RemoteError, StationAddress, StationAddressError, Trust,
     TrustError, fetch, fingerprint, is_station,
 };
 pub use reply::Reply;

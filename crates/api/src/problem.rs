@@ -28,20 +28,3 @@ pub struct Problem {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest_mm: Option<[f64; 3]>,
 }
-
-impl Problem {
-    /// A problem of a kind that only the web interface knows.
-    #[must_use]
-    pub fn new(kind: &str, title: &str, status: u16, detail: impl Into<String>) -> Self {
-        Self {
-            kind: format!("/api/v1/problems/{kind}"),
-            title: title.to_owned(),
-            status,
-            detail: detail.into(),
-            hint: None,
-            rule: None,
-            at_mm: None,
-            nearest_mm: None,
-        }
-    }
-}

@@ -10,7 +10,6 @@ use std::fmt;
 use std::time::Duration;
 
 use futures_util::{SinkExt, StreamExt};
-use serde::{Deserialize, Serialize};
 use tokio::time::timeout;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::handshake::client::Request as Handshake;
@@ -19,7 +18,7 @@ use tokio_tungstenite::tungstenite::{self, Message};
 use tokio_tungstenite::{WebSocketStream, client_async};
 
 use self::stream::{Bytes, open, soon};
-use crate::{ClientId, Notice, Problem, Reply, Request, Role, State};
+use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
 pub use self::address::{StationAddress, StationAddressError, Trust, fingerprint};
 pub use self::fetch::{fetch, is_station};
@@ -46,19 +45,6 @@ pub struct Remote {
     next_id: u64,
     /// What came while an answer was waited for, the oldest first; of states only the last one.
     heard: VecDeque<Heard>,
-}
-
-/// What a station says first.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Hello {
-    /// The client's number.
-    pub client: ClientId,
-    /// What the client may do.
-    pub role: Role,
-    /// The station's version.
-    pub version: String,
-    /// After how long without a word a jog button is let go, in seconds.
-    pub dead_man_s: f64,
 }
 
 /// What a station tells without being asked.
@@ -137,13 +123,13 @@ impl Remote {
             .await
             .map_err(|it| no_handshake(address, it))?;
         match receive(&mut socket).await {
-            Ok(Said::Hello(hello)) => Ok(Self {
+            Ok(ToClient::Hello { hello }) => Ok(Self {
                 socket,
                 hello,
                 next_id: 1,
                 heard: VecDeque::new(),
             }),
-            Ok(Said::Answer(_, Err(problem))) => Err(ConnectError::Refused(problem)),
+            Ok(ToClient::Problem { problem, .. }) => Err(ConnectError::Refused(problem.into())),
             Ok(_) => Err(ConnectError::no_station(address, "it does not say hello")),
             Err(error) => Err(ConnectError::no_station(address, error)),
         }
@@ -178,10 +164,11 @@ impl Remote {
         }
         loop {
             match receive(&mut self.socket).await? {
-                Said::Heard(heard) => return Ok(heard),
-                Said::Answer(None, Err(problem)) => return Err(RemoteError::Refused(problem)),
+                ToClient::State { state } => return Ok(Heard::State(state)),
+                ToClient::Notice { notice } => return Ok(Heard::Notice(notice.into_owned())),
+                ToClient::Problem { id: None, problem } => return Err(refused(problem)),
                 // The answer to a question that somebody gave up.
-                Said::Answer(..) | Said::Hello(_) => {}
+                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
             }
         }
     }
@@ -189,7 +176,7 @@ impl Remote {
     async fn ask(&mut self, request: Request) -> Result<Reply, RemoteError> {
         let id = self.next_id;
         self.next_id += 1;
-        let text = serde_json::to_string(&Asked { id, request })
+        let text = serde_json::to_string(&FromClient { id, request })
             .map_err(|it| RemoteError::Garbled(it.to_string()))?;
         self.socket
             .send(Message::text(text))
@@ -197,12 +184,13 @@ impl Remote {
             .map_err(broken)?;
         loop {
             match receive(&mut self.socket).await? {
-                Said::Answer(Some(answered), answer) if answered == id => {
-                    return answer.map_err(RemoteError::Refused);
+                ToClient::Reply { id: of, reply } if of == id => return Ok(reply),
+                ToClient::Problem { id: of, problem } if of.is_none_or(|of| of == id) => {
+                    return Err(refused(problem));
                 }
-                Said::Answer(None, Err(problem)) => return Err(RemoteError::Refused(problem)),
-                Said::Heard(heard) => self.keep(heard),
-                Said::Answer(..) | Said::Hello(_) => {}
+                ToClient::State { state } => self.keep(Heard::State(state)),
+                ToClient::Notice { notice } => self.keep(Heard::Notice(notice.into_owned())),
+                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
             }
         }
     }
@@ -224,67 +212,16 @@ impl fmt::Debug for Remote {
     }
 }
 
-/// A question, as it travels.
-#[derive(Debug, Serialize)]
-struct Asked {
-    id: u64,
-    request: Request,
-}
-
-/// Anything that a station says.
-#[derive(Debug)]
-enum Said {
-    Hello(Hello),
-    Heard(Heard),
-    Answer(Option<u64>, Result<Reply, Box<Problem>>),
-}
-
-/// Anything that a station says, as it travels.
-#[derive(Debug, Deserialize)]
-struct Spoken {
-    hello: Option<Hello>,
-    state: Option<Box<State>>,
-    notice: Option<Notice>,
-    id: Option<u64>,
-    reply: Option<Reply>,
-    problem: Option<Box<Problem>>,
-}
-
-impl Said {
-    fn parse(text: &str) -> Result<Self, RemoteError> {
-        let spoken: Spoken =
-            serde_json::from_str(text).map_err(|it| RemoteError::Garbled(it.to_string()))?;
-        Ok(match spoken {
-            Spoken {
-                hello: Some(hello), ..
-            } => Self::Hello(hello),
-            Spoken {
-                state: Some(state), ..
-            } => Self::Heard(Heard::State(state)),
-            Spoken {
-                notice: Some(notice),
-                ..
-            } => Self::Heard(Heard::Notice(notice)),
-            Spoken {
-                id,
-                reply: Some(reply),
-                ..
-            } => Self::Answer(id, Ok(reply)),
-            Spoken {
-                id,
-                problem: Some(problem),
-                ..
-            } => Self::Answer(id, Err(problem)),
-            _ => return Err(RemoteError::Garbled("a message without contents".into())),
-        })
-    }
-}
-
 /// What comes next on the socket.
-async fn receive(socket: &mut WebSocketStream<Box<dyn Bytes>>) -> Result<Said, RemoteError> {
+async fn receive(
+    socket: &mut WebSocketStream<Box<dyn Bytes>>,
+) -> Result<ToClient<'static>, RemoteError> {
     loop {
         match socket.next().await {
-            Some(Ok(Message::Text(text))) => return Said::parse(&text),
+            Some(Ok(Message::Text(text))) => {
+                return serde_json::from_str(&text)
+                    .map_err(|it| RemoteError::Garbled(it.to_string()));
+            }
             Some(Ok(Message::Close(frame))) => {
                 let why = frame.map(|it| it.reason.to_string());
                 return Err(RemoteError::Closed(why.filter(|it| !it.is_empty())));
@@ -320,6 +257,10 @@ fn no_handshake(address: &StationAddress, error: tungstenite::Error) -> ConnectE
         }
         error => ConnectError::no_station(address, error),
     }
+}
+
+fn refused(problem: Problem) -> RemoteError {
+    RemoteError::Refused(Box::new(problem))
 }
 
 fn broken(error: tungstenite::Error) -> RemoteError {

@@ -2,7 +2,7 @@
 
 use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{ClientId, NewJob, Role};
 
@@ -22,6 +22,7 @@ pub enum Request {
         jog: Jog,
     },
     /// Release the jog button.
+    #[serde(deserialize_with = "without_fields")]
     Release,
     /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
     Stop {
@@ -31,13 +32,17 @@ pub enum Request {
         reason: Option<String>,
     },
     /// Let the arm move again after a stop: a person has looked at it.
+    #[serde(deserialize_with = "without_fields")]
     ResetStop,
     /// Take control, if nobody has it; said again it renews the lease. From a program on the raw port,
     /// which cannot be asked, an administrator takes it so too.
+    #[serde(deserialize_with = "without_fields")]
     TakeLease,
     /// Give control back.
+    #[serde(deserialize_with = "without_fields")]
     ReleaseLease,
     /// Ask the holder for control; he grants it, or releases it.
+    #[serde(deserialize_with = "without_fields")]
     AskLease,
     /// Give control to one who asked.
     GrantLease {
@@ -45,6 +50,7 @@ pub enum Request {
         to: ClientId,
     },
     /// Take control from whoever has it.
+    #[serde(deserialize_with = "without_fields")]
     SeizeLease,
     /// Let the laser be switched on for a while: a person has put the goggles on. For a program on the raw
     /// port that has control an administrator says so.
@@ -54,8 +60,10 @@ pub enum Request {
         for_s: f64,
     },
     /// Switch the laser off and keep it off.
+    #[serde(deserialize_with = "without_fields")]
     DisarmLaser,
     /// The arm stands where its statuses say: a person has looked. This takes no lease.
+    #[serde(deserialize_with = "without_fields")]
     ConfirmPose,
     /// Say which dialect the arm speaks.
     SetDialect {
@@ -63,6 +71,7 @@ pub enum Request {
         dialect: Dialect,
     },
     /// Find out which dialect the arm speaks, by small slow motions.
+    #[serde(deserialize_with = "without_fields")]
     Detect,
     /// Queue a job.
     SubmitJob {
@@ -75,6 +84,7 @@ pub enum Request {
         job: u64,
     },
     /// Pause the running job after what the arm has got already.
+    #[serde(deserialize_with = "without_fields")]
     PauseJob,
     /// Draw the vectors of the job that runs or is paused faster or slower than planned, from the
     /// next vector on that is not sent yet.
@@ -95,6 +105,15 @@ pub enum Request {
         /// Its number.
         job: u64,
     },
+}
+
+/// What is left of a request that has no fields; a derived reader passes over what it does not know there.
+fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::Error> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Nothing {}
+
+    Nothing::deserialize(deserializer).map(|Nothing {}| ())
 }
 
 impl Request {

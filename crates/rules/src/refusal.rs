@@ -1,8 +1,11 @@
 //! Why the station does not do what a client asks.
 
+use std::borrow::Cow;
+
 use dobot_client::SendError;
 use dobot_safety::Violation;
 
+use dobot_api::kinds::{self, Kind};
 use dobot_api::{JobPhase, Problem, Role};
 
 /// Why the station does not do what a client asks. Nothing has changed then.
@@ -135,76 +138,89 @@ pub struct Holder {
 impl Refusal {
     /// The kind of refusal: the last part of the problem type's address.
     #[must_use]
-    pub const fn kind(&self) -> &'static str {
-        match self {
-            Self::Role { .. } => "role",
-            Self::NoLease { .. } => "no-lease",
-            Self::NotAsking(_) => "not-asking",
-            Self::Stopped { .. } => "stopped",
-            Self::StillMoving { .. } => "still-moving",
-            Self::LetGo(_) => "let-go",
-            Self::NoLink(_) => "no-link",
-            Self::Send(_) => "command",
-            Self::Policy(_) => "policy",
-            Self::LaserDisarmed => "laser-disarmed",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::TooMany { .. } => "too-many",
-            Self::JobRunning(_) => "job-running",
-            Self::Detecting => "detecting",
-            Self::NotFound(_) => "dialect-not-found",
-            Self::NoJobRuns => "no-job-runs",
-            Self::NoSuchJob(_) => "no-such-job",
-            Self::JobPhase { .. } => "job-phase",
-            Self::NoVectors(_) => "no-vectors",
-            Self::BadJob { .. } => "bad-job",
-            Self::CannotResume(_) => "cannot-resume",
-            Self::Journal(_) => "journal",
-            Self::Malformed(_) => "malformed",
-            Self::Ending => "ending",
-        }
+    pub fn kind(&self) -> &'static str {
+        self.row().0.name
     }
 
     /// What to do about it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
-        Some(match self {
-            Self::Role { needed, .. } => format!("use a token with the role {needed}"),
-            Self::NoLease { holder: None } => "take the lease".into(),
-            Self::NoLease {
-                holder: Some(Holder { is_program: true, .. }),
-            } => "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`".into(),
-            Self::NoLease { .. } => "ask the holder for the lease: `dobot lease ask`".into(),
-            Self::Stopped { .. } => {
-                "look at the arm; when it may move again, `dobot stop --reset`".into()
+        self.row().1.map(Cow::into_owned)
+    }
+
+    /// The kind of each refusal, and what to do about it where its text does not say that.
+    fn row(&self) -> (Kind, Option<Cow<'static, str>>) {
+        let (kind, hint) = match self {
+            Self::Role { needed, .. } => {
+                let hint = format!("use a token with the role {needed}");
+                return (kinds::ROLE, Some(hint.into()));
             }
-            Self::StillMoving { .. } => "wait until it rests".into(),
-            Self::LetGo(_) => "let go of the button, then press it again".into(),
-            Self::NoLink(_) => "`dobot watch` shows what the station waits for".into(),
-            Self::Send(error) => return send_hint(error),
-            Self::Policy(_) => "`dobot policy` shows the rules".into(),
-            Self::LaserDisarmed => {
-                "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`"
-                    .into()
-            }
-            Self::TooMany { .. } => "wait until some are over, or send them as a job".into(),
-            Self::JobRunning(_) => "pause it: `dobot jobs pause`".into(),
-            Self::Detecting => "wait until it is done, or stop it: `dobot stop`".into(),
-            Self::NoJobRuns | Self::NoSuchJob(_) | Self::JobPhase { .. } => {
-                "`dobot jobs` lists the jobs".into()
-            }
-            Self::Journal(_) => "make room on the disk, or check the folder's permissions".into(),
-            Self::NotFound(_) => {
-                "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold"
-                    .into()
-            }
-            Self::NoVectors(_) => "`dobot set percent` changes the speed of targets".into(),
-            Self::BadJob { .. } => "change that command, and submit the job again".into(),
-            Self::CannotResume(_) => "`dobot jobs` says how far it is; `dobot jobs cancel` ends it".into(),
-            Self::NotAsking(_) => "`dobot lease` shows who asks".into(),
-            Self::Ending => "`dobot up` starts it again".into(),
+            Self::NoLease { holder } => (kinds::NO_LEASE, lease_hint(holder.as_ref())),
+            Self::NotAsking(_) => (kinds::NOT_ASKING, "`dobot lease` shows who asks"),
+            Self::Stopped { .. } => (
+                kinds::STOPPED,
+                "look at the arm; when it may move again, `dobot stop --reset`",
+            ),
+            Self::StillMoving { .. } => (kinds::STILL_MOVING, "wait until it rests"),
+            Self::LetGo(_) => (kinds::LET_GO, "let go of the button, then press it again"),
+            Self::NoLink(_) => (
+                kinds::NO_LINK,
+                "`dobot watch` shows what the station waits for",
+            ),
+            Self::Send(error) => return (kinds::COMMAND, send_hint(error).map(Into::into)),
+            Self::Policy(_) => (kinds::POLICY, "`dobot policy` shows the rules"),
+            Self::LaserDisarmed => (
+                kinds::LASER_DISARMED,
+                "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`",
+            ),
+            Self::TooMany { .. } => (
+                kinds::TOO_MANY,
+                "wait until some are over, or send them as a job",
+            ),
+            Self::JobRunning(_) => (kinds::JOB_RUNNING, "pause it: `dobot jobs pause`"),
+            Self::Detecting => (
+                kinds::DETECTING,
+                "wait until it is done, or stop it: `dobot stop`",
+            ),
+            Self::NotFound(_) => (
+                kinds::DIALECT_NOT_FOUND,
+                "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
+            ),
+            Self::NoJobRuns => (kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
+            Self::NoSuchJob(_) => (kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),
+            Self::JobPhase { .. } => (kinds::JOB_PHASE, "`dobot jobs` lists the jobs"),
+            Self::NoVectors(_) => (
+                kinds::NO_VECTORS,
+                "`dobot set percent` changes the speed of targets",
+            ),
+            Self::BadJob { .. } => (
+                kinds::BAD_JOB,
+                "change that command, and submit the job again",
+            ),
+            Self::CannotResume(_) => (
+                kinds::CANNOT_RESUME,
+                "`dobot jobs` says how far it is; `dobot jobs cancel` ends it",
+            ),
+            Self::Journal(_) => (
+                kinds::JOURNAL,
+                "make room on the disk, or check the folder's permissions",
+            ),
+            Self::Ending => (kinds::ENDING, "`dobot up` starts it again"),
             // Both say what is allowed.
-            Self::OutOfRange { .. } | Self::Malformed(_) => return None,
-        })
+            Self::OutOfRange { .. } => return (kinds::OUT_OF_RANGE, None),
+            Self::Malformed(_) => return (kinds::MALFORMED, None),
+        };
+        (kind, Some(hint.into()))
+    }
+}
+
+fn lease_hint(holder: Option<&Holder>) -> &'static str {
+    match holder {
+        None => "take the lease",
+        Some(Holder { is_program, .. }) if *is_program => {
+            "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`"
+        }
+        Some(_) => "ask the holder for the lease: `dobot lease ask`",
     }
 }
 
@@ -224,25 +240,24 @@ impl From<Violation> for Refusal {
 }
 
 /// What helps against a command that the session does not send.
-fn send_hint(error: &SendError) -> Option<String> {
+const fn send_hint(error: &SendError) -> Option<&'static str> {
     match error {
         SendError::Undecided { .. } => Some(
-            "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold"
-                .into(),
+            "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold",
         ),
-        SendError::Untrusted => {
-            Some("look at the arm; where it stands as its statuses say, confirm it: `dobot confirm`".into())
-        }
-        SendError::OnTheSpot => Some("a JUMP goes there without harm".into()),
+        SendError::Untrusted => Some(
+            "look at the arm; where it stands as its statuses say, confirm it: `dobot confirm`",
+        ),
+        SendError::OnTheSpot => Some("a JUMP goes there without harm"),
         _ => None,
     }
 }
 
 impl From<&Refusal> for Problem {
     fn from(refusal: &Refusal) -> Self {
-        let (title, status) = title_and_status(refusal);
-        let mut problem = Self::new(refusal.kind(), title, status, refusal.to_string());
-        problem.hint = refusal.hint();
+        let (kind, hint) = refusal.row();
+        let mut problem = kind.problem(refusal.to_string());
+        problem.hint = hint.map(Cow::into_owned);
         if let Refusal::Policy(violation) = refusal {
             problem.rule = Some(violation.rule.clone());
             problem.nearest_mm = violation.nearest;
@@ -255,34 +270,5 @@ impl From<&Refusal> for Problem {
 impl From<Refusal> for Problem {
     fn from(refusal: Refusal) -> Self {
         Self::from(&refusal)
-    }
-}
-
-const fn title_and_status(refusal: &Refusal) -> (&'static str, u16) {
-    match refusal {
-        Refusal::Role { .. } => ("the role does not allow this", 403),
-        Refusal::NoLease { .. } => ("this client does not have control", 409),
-        Refusal::NotAsking(_) => ("nobody asks for control", 409),
-        Refusal::Stopped { .. } => ("the arm is stopped", 409),
-        Refusal::StillMoving { .. } => ("the arm still moves", 409),
-        Refusal::LetGo(_) => ("the button was let go", 409),
-        Refusal::NoLink(_) => ("there is no arm", 503),
-        Refusal::Send(_) => ("the command is not sent", 422),
-        Refusal::Policy(_) => ("the policy does not allow this", 422),
-        Refusal::LaserDisarmed => ("the laser is disarmed", 409),
-        Refusal::OutOfRange { .. } => ("a number is not allowed", 422),
-        Refusal::TooMany { .. } => ("too much waits already", 429),
-        Refusal::JobRunning(_) => ("a job has the arm", 409),
-        Refusal::Detecting => ("the arm is finding out its dialect", 409),
-        Refusal::NotFound(_) => ("the dialect was not found", 422),
-        Refusal::NoJobRuns => ("no job is running", 409),
-        Refusal::NoSuchJob(_) => ("there is no such job", 404),
-        Refusal::JobPhase { .. } => ("the job does not allow this now", 409),
-        Refusal::NoVectors(_) => ("the job has no vectors", 409),
-        Refusal::BadJob { .. } => ("the job cannot be done", 422),
-        Refusal::CannotResume(_) => ("the job cannot be gone on with", 409),
-        Refusal::Journal(_) => ("the journal cannot be written", 507),
-        Refusal::Malformed(_) => ("the request cannot be understood", 400),
-        Refusal::Ending => ("the station is shutting down", 503),
     }
 }

@@ -15,11 +15,13 @@ use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::Problem;
 use futures_util::StreamExt;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 use super::strict;
+use dobot_api::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -230,3 +232,24 @@ impl FromRequestParts<Arc<App>> for Number {
         })
     }
 }
+
+/// The number of a job in the path, and no body.
+#[derive(Debug)]
+pub(super) struct OfJob(pub(super) u64);
+
+impl FromRequest<Arc<App>> for OfJob {
+    type Rejection = NotDone;
+
+    async fn from_request(request: Request, app: &Arc<App>) -> Result<Self, NotDone> {
+        let (mut parts, body) = request.into_parts();
+        let Number(job) = Number::from_request_parts(&mut parts, app).await?;
+        let request = Request::from_parts(parts, body);
+        let Maybe(Nothing {}) = Maybe::from_request(request, app).await?;
+        Ok(Self(job))
+    }
+}
+
+/// Nothing.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Nothing {}

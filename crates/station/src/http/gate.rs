@@ -13,8 +13,8 @@ use dobot_api::{Problem, Role};
 
 use super::answer::{self, NotDone, TooSoon};
 use super::app::{App, Peer, Visitor};
-use super::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 use super::routes;
+use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
 pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";

@@ -22,8 +22,8 @@ use self::talk::Talk;
 use super::answer::{BODY, JOB, NotDone};
 use super::app::{App, MOST_SOCKETS, Peer, Visitor};
 use super::calls::is_name;
-use super::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 use super::route::Query;
+use dobot_api::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 
 /// What a client chooses when it connects.
 #[derive(Clone, Debug, Default, Deserialize)]

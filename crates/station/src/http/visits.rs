@@ -6,8 +6,8 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 use super::tokens::{Token, digest};
+use dobot_api::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 
 /// Clients that are kept between requests, known by their lease tokens.
 #[derive(Debug, Default)]

@@ -1,31 +1,44 @@
-//! The kinds of problems: what `/api/v1/problems/{kind}` tells.
+//! The kinds of problems, each with its title, its status and what it means: what
+//! `/api/v1/problems/{kind}` tells.
 
-use dobot_api::Problem;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::Problem;
+
 /// A kind of problem, explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-pub(super) struct Kind {
+pub struct Kind {
     /// Its name: the last part of the problem type's address.
     #[serde(rename = "kind")]
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// The problem in words.
-    pub(super) title: &'static str,
+    pub title: &'static str,
     /// The HTTP status that comes with it.
-    pub(super) status: u16,
+    pub status: u16,
     /// What it means and what helps.
-    pub(super) explanation: &'static str,
+    pub explanation: &'static str,
 }
 
 impl Kind {
     /// A problem of this kind.
-    pub(super) fn problem(self, detail: impl Into<String>) -> Problem {
-        Problem::new(self.name, self.title, self.status, detail)
+    #[must_use]
+    pub fn problem(self, detail: impl Into<String>) -> Problem {
+        Problem {
+            kind: format!("/api/v1/problems/{}", self.name),
+            title: self.title.to_owned(),
+            status: self.status,
+            detail: detail.into(),
+            hint: None,
+            rule: None,
+            at_mm: None,
+            nearest_mm: None,
+        }
     }
 
     /// A problem of this kind, and what to do about it.
-    pub(super) fn hinted(self, detail: impl Into<String>, hint: impl Into<String>) -> Problem {
+    #[must_use]
+    pub fn hinted(self, detail: impl Into<String>, hint: impl Into<String>) -> Problem {
         Problem {
             hint: Some(hint.into()),
             ..self.problem(detail)
@@ -34,14 +47,16 @@ impl Kind {
 }
 
 /// The kind of that name.
-pub(super) fn named(name: &str) -> Option<&'static Kind> {
+#[must_use]
+pub fn named(name: &str) -> Option<&'static Kind> {
     ALL.iter().find(|kind| kind.name == name)
 }
 
 macro_rules! kinds {
     ($($constant:ident = $status:literal $name:literal $title:literal $explanation:literal;)*) => {
         $(
-            pub(super) const $constant: Kind = Kind {
+            #[doc = $title]
+            pub const $constant: Kind = Kind {
                 name: $name,
                 title: $title,
                 status: $status,
@@ -50,7 +65,7 @@ macro_rules! kinds {
         )*
 
         /// All kinds.
-        pub(super) const ALL: &[Kind] = &[$($constant),*];
+        pub const ALL: &[Kind] = &[$($constant),*];
     };
 }
 
@@ -135,8 +150,6 @@ kinds! {
 
 #[cfg(test)]
 mod tests {
-    use dobot_rules::Refusal;
-
     use super::*;
 
     #[test]
@@ -147,60 +160,6 @@ mod tests {
                 "{kind:?}"
             );
             assert!(kind.explanation.ends_with('.'), "{kind:?}");
-        }
-    }
-
-    #[test]
-    fn refusals_of_the_station_are_told_as_they_are_explained() {
-        let refusals = [
-            Refusal::Role {
-                needed: dobot_api::Role::Admin,
-                found: dobot_api::Role::Watch,
-            },
-            Refusal::NoLease { holder: None },
-            Refusal::NotAsking(1),
-            Refusal::Stopped {
-                by: String::new(),
-                reason: None,
-            },
-            Refusal::StillMoving { within_s: 1.0 },
-            Refusal::LetGo(String::new()),
-            Refusal::NoLink(String::new()),
-            Refusal::LaserDisarmed,
-            Refusal::OutOfRange {
-                name: "x",
-                found: 1.0,
-                allowed: String::new(),
-            },
-            Refusal::TooMany {
-                waiting: 1,
-                most: 1,
-            },
-            Refusal::JobRunning(1),
-            Refusal::Detecting,
-            Refusal::NotFound(String::new()),
-            Refusal::NoJobRuns,
-            Refusal::NoSuchJob(1),
-            Refusal::JobPhase {
-                job: 1,
-                found: dobot_api::JobPhase::Done,
-                allowed: "queued",
-            },
-            Refusal::NoVectors(1),
-            Refusal::BadJob {
-                index: 1,
-                why: String::new(),
-            },
-            Refusal::CannotResume(String::new()),
-            Refusal::Journal(String::new()),
-            Refusal::Malformed(String::new()),
-            Refusal::Ending,
-        ];
-        for refusal in &refusals {
-            let problem = Problem::from(refusal);
-            let kind = named(refusal.kind());
-            let told = kind.map(|it| (it.title, it.status));
-            assert_eq!(told, Some((&*problem.title, problem.status)), "{refusal:?}");
         }
     }
 }
