@@ -158,8 +158,8 @@ step_api() {
   done
   [[ -n $address ]] || fail "the station does not start: $(cat "$folder/log")"
   # The library through a station; `examples` runs the same without one.
-  cargo run --locked -p dobot-station --example move_and_jog -- "$address"
-  cargo run --locked -p dobot-station --example draw -- examples/drawings/square.svg "$address"
+  cargo run --locked -p dobot-rules --example move_and_jog -- "$address"
+  cargo run --locked -p dobot-rules --example draw -- examples/drawings/square.svg "$address"
   EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
   kill -INT "$station"
   wait "$station"

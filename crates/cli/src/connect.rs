@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
+use dobot_api::State;
 use dobot_client::Address;
 use dobot_controller::{Personality, PowerUp};
+use dobot_rules::{LocalArm, StationClient};
 use dobot_safety::Policy;
-use dobot_station::{LocalArm, State, StationClient};
 use dobot_wire::Dialect;
 
 use crate::control::first_state;

@@ -4,7 +4,8 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_station::{ArmView, LinkPhase, RemoteError, Reply, Request, State, StationClient};
+use dobot_api::{ArmView, LinkPhase, RemoteError, Reply, Request, State};
+use dobot_rules::StationClient;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::time::timeout;
 

@@ -1,6 +1,7 @@
 //! `dobot detect`: find out which dialect the arm speaks.
 
-use dobot_station::{Reply, Request, StationClient};
+use dobot_api::{Reply, Request};
+use dobot_rules::StationClient;
 
 use crate::connect::To;
 use crate::control::{self, check_pose, request_at_rest, stop, take_control};

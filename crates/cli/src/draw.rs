@@ -15,8 +15,8 @@ use dobot_draw::{
     Asked, Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, Worst, deviation};
+use dobot_rules::StationClient;
 use dobot_sim::RECORDING_PERIOD;
-use dobot_station::StationClient;
 use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;

@@ -2,9 +2,10 @@
 
 use std::process::ExitCode;
 
+use dobot_api::{ConnectError, RemoteError};
 use dobot_client::{LinkError, OpenError, SendError};
 use dobot_draw::OptionsError;
-use dobot_station::{ConnectError, OpenArmError, RemoteError};
+use dobot_rules::OpenArmError;
 
 /// What went wrong.
 #[derive(Debug)]

@@ -4,7 +4,8 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_station::{Heard, JobPhase, JobView, News, RemoteError, Request, State, StationClient};
+use dobot_api::{Heard, JobPhase, JobView, News, RemoteError, Request, State};
+use dobot_rules::StationClient;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::control::{self, request_at_rest, take_control};

@@ -32,6 +32,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         .build()?;
     let _context = runtime.enter();
     let _stays = interrupt();
-    dobot_station::guard(&args.note)?;
+    dobot_rules::guard(&args.note)?;
     Ok(())
 }

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_station::{JobView, NewJob, Reply, Request, StationClient};
+use dobot_api::{JobView, NewJob, Reply, Request};
+use dobot_rules::StationClient;
 
 use crate::connect::To;
 use crate::control::{self, arm_laser, check_pose, take_control};

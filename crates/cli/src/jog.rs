@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use dobot_station::{Jog, Request, StationClient};
+use dobot_api::{Jog, Request};
+use dobot_rules::StationClient;
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
 
 use crate::connect::To;

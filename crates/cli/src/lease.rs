@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use anyhow::{anyhow, bail};
 use clap::Subcommand;
-use dobot_station::{ClientId, Heard, LeaseView, News, Notice, Reply, Request, StationClient};
+use dobot_api::{ClientId, Heard, LeaseView, News, Notice, Reply, Request};
+use dobot_rules::StationClient;
 use tokio::sync::mpsc;
 use tokio::time::sleep;
 
@@ -108,8 +109,7 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
     };
     let (name, client, time) = (&lease.name, lease.client.0, clock(now_s - lease.since_s));
     let mut lines = vec![format!("{name} (client {client}) has control, for {time}")];
-    let asks =
-        |it: &dobot_station::Asking| format!("{} (client {}) asks for it", it.name, it.client.0);
+    let asks = |it: &dobot_api::Asking| format!("{} (client {}) asks for it", it.name, it.client.0);
     lines.extend(lease.asked_by.iter().map(asks));
     lines
 }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_station::{
-    DEFAULT_HTTP, Folders, Running, StationAddress, StationClient, Trust, fingerprint, is_station,
-};
+use dobot_api::{Folders, Running, StationAddress, Trust, fingerprint, is_station};
+use dobot_rules::StationClient;
+use dobot_station::DEFAULT_HTTP;
 
 use crate::failure::Failure;
 

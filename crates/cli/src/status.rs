@@ -2,7 +2,7 @@
 
 use std::io::{IsTerminal, Write};
 
-use dobot_station::StationClient;
+use dobot_rules::StationClient;
 
 use crate::connect::To;
 use crate::control;

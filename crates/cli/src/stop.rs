@@ -1,6 +1,6 @@
 //! `dobot stop`: stop the arm, or let it move again.
 
-use dobot_station::{Reply, Request};
+use dobot_api::{Reply, Request};
 
 use crate::control::request_at_rest;
 use crate::failure::Failure;

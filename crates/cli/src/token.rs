@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Subcommand;
-use dobot_station::{Role, Tokens};
+use dobot_api::Role;
+use dobot_station::Tokens;
 
 use crate::failure::Failure;
 use crate::output;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
-use dobot_station::StationClient;
+use dobot_rules::StationClient;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::connect::To;

@@ -9,12 +9,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use anyhow::anyhow;
+use dobot_api::{Folders, News, Notice, Remote, Role};
 use dobot_client::Address;
 use dobot_controller::Personality;
+use dobot_rules::{Sign, Supervisor};
 use dobot_sim::Speed;
 use dobot_station::{
-    Approach, Config, DEFAULT_HTTP, DEFAULT_RAW, Folders, News, Notice, RawPortError, Remote, Role,
-    ServeError, Sign, StartError, Station, Supervisor, TlsFiles,
+    Config, DEFAULT_HTTP, DEFAULT_RAW, RawPortError, ServeError, StartError, Station, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -124,11 +125,11 @@ async fn start(config: Config) -> Result<Station, Failure> {
     if config.arm.is_none() {
         eprintln!("looking for an arm");
     }
-    let approach = Approach::new(config).await.map_err(no_start)?;
+    let approach = config.approach().await.map_err(no_start)?;
     if !is_known {
         alone.await?;
     }
-    Station::begin(approach).await.map_err(no_start)
+    Station::begin(config, approach).await.map_err(no_start)
 }
 
 impl Args {

@@ -8,9 +8,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use crossterm::event::{Event, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use dobot_station::{
-    ConnectError, Heard, Notice, Remote, RemoteError, Request, StationAddress, fetch,
-};
+use dobot_api::{ConnectError, Heard, Notice, Remote, RemoteError, Request, StationAddress, fetch};
 use futures_util::StreamExt;
 use ratatui::DefaultTerminal;
 

@@ -1,7 +1,8 @@
 //! What a durable window costs: `cargo bench -p dobot-journal`.
 
 use divan::Bencher;
-use dobot_journal::{JobId, JobKind, JobState, Journal, NewJob, Window};
+use dobot_api::{JobKind, JobState};
+use dobot_journal::{JobId, Journal, NewJob, Window};
 use dobot_wire::{Command, Configuration, Dialect, Status};
 
 fn main() {

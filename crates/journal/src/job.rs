@@ -2,10 +2,11 @@
 
 use std::fmt;
 
+use dobot_api::{JobKind, JobPause, JobState};
 use dobot_wire::{Command, Dialect};
 use serde::{Deserialize, Serialize};
 
-use crate::{Adjustment, JobState, Pause, Window};
+use crate::{Adjustment, Window};
 
 /// The number of a job in its journal. It is never used again, not even after the job is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -15,16 +16,6 @@ impl fmt::Display for JobId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
-}
-
-/// What a job is made from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum JobKind {
-    /// A picture, as vectors.
-    Drawing,
-    /// A program of targets (playback).
-    Program,
 }
 
 /// A job to be put into the journal.
@@ -46,7 +37,7 @@ pub struct NewJob {
     /// What the arm is to do, in order.
     pub commands: Vec<Command>,
     /// Where it waits for a person, in order.
-    pub pauses: Vec<Pause>,
+    pub pauses: Vec<JobPause>,
 }
 
 /// A job in the journal, without its commands.
@@ -70,7 +61,7 @@ pub struct Job {
     /// How many commands it has.
     pub commands: usize,
     /// Where it waits for a person, in order.
-    pub pauses: Vec<Pause>,
+    pub pauses: Vec<JobPause>,
     /// What a person has changed while it runs.
     pub adjustment: Adjustment,
     /// What became of it.
@@ -85,7 +76,7 @@ pub struct Job {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Behind {
-    /// At how many of its [`Pause`]s it has waited.
+    /// At how many of its [pause](JobPause)s it has waited.
     pub pauses: usize,
     /// How long it ran, without pauses, in seconds; `None` where a crash has left nobody who knows.
     pub ran_s: Option<f64>,

@@ -10,7 +10,8 @@ use crate::rows::{self, JobRow};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
 };
-use crate::{Adjustment, Behind, Job, JobId, JobState, JournalError, NewJob, Window};
+use crate::{Adjustment, Behind, Job, JobId, JournalError, NewJob, Window};
+use dobot_api::JobState;
 
 /// Jobs that survive a crash and a power cut, in one file.
 ///

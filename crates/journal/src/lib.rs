@@ -8,7 +8,8 @@
 //! a window end at one place.
 //!
 //! ```
-//! use dobot_journal::{JobKind, JobState, Journal, NewJob, Window};
+//! use dobot_api::{JobKind, JobState};
+//! use dobot_journal::{Journal, NewJob, Window};
 //! use dobot_wire::{Configuration, Dialect};
 //!
 //! let journal = Journal::in_memory()?;
@@ -36,22 +37,18 @@ mod ends;
 mod error;
 mod job;
 mod journal;
-mod pause;
 mod prelude;
 mod recovery;
 mod rows;
-mod state;
 mod store;
 mod window;
 
 pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};
 pub use error::JournalError;
-pub use job::{Behind, Job, JobId, JobKind, NewJob};
+pub use job::{Behind, Job, JobId, NewJob};
 pub use journal::Journal;
-pub use pause::Pause;
 pub use prelude::{model_at, prelude};
 pub use recovery::{NEAR_MM, Unclear, locate, window_end};
 pub use redb::StorageBackend;
-pub use state::JobState;
 pub use window::Window;

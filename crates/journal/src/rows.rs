@@ -1,11 +1,10 @@
 //! Jobs as rows of tables: what is written, and what is refused because it would not come back.
 
+use dobot_api::{JobKind, JobPause, JobState};
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    Adjustment, Behind, Job, JobId, JobKind, JobState, JournalError, NewJob, Pause, Window,
-};
+use crate::{Adjustment, Behind, Job, JobId, JournalError, NewJob, Window};
 
 /// What the table of jobs holds, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,7 +21,7 @@ pub(crate) struct JobRow {
     #[serde(default)]
     planned_s: Option<f64>,
     #[serde(default)]
-    pauses: Vec<Pause>,
+    pauses: Vec<JobPause>,
     #[serde(default)]
     pub(crate) adjustment: Adjustment,
     #[serde(default = "unknown")]

@@ -3,7 +3,8 @@
 
 mod lab;
 
-use dobot_journal::{JobId, JobState, Journal, JournalError, Window};
+use dobot_api::JobState;
+use dobot_journal::{JobId, Journal, JournalError, Window};
 use lab::{Disk, job};
 
 #[test]

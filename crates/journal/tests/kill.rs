@@ -8,7 +8,8 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use dobot_journal::{JobId, JobState, Journal, Window};
+use dobot_api::JobState;
+use dobot_journal::{JobId, Journal, Window};
 use lab::job;
 
 #[test]

@@ -3,9 +3,8 @@
 
 mod lab;
 
-use dobot_journal::{
-    Adjustment, Behind, Job, JobId, JobState, Journal, JournalError, NewJob, Window,
-};
+use dobot_api::JobState;
+use dobot_journal::{Adjustment, Behind, Job, JobId, Journal, JournalError, NewJob, Window};
 use dobot_wire::Command;
 use lab::{Disk, START, job};
 use proptest::prelude::*;

@@ -3,11 +3,11 @@
 
 mod lab;
 
+use dobot_api::{JobKind, JobState};
 use dobot_arm::{Position, Tool};
 use dobot_course::{Model, Place};
 use dobot_journal::{
-    JobId, JobKind, JobState, Journal, NewJob, SPACING_MM, Window, locate, model_at, prelude,
-    window_end,
+    JobId, Journal, NewJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
 };
 use dobot_wire::{Command, Dialect};
 use lab::Disk;

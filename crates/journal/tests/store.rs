@@ -5,8 +5,9 @@ mod lab;
 
 use std::fs;
 
+use dobot_api::{JobPause, JobState};
 use dobot_journal::{
-    Adjustment, Behind, HeightChange, JobId, JobState, Journal, JournalError, NewJob, Pause, Window,
+    Adjustment, Behind, HeightChange, JobId, Journal, JournalError, NewJob, Window,
 };
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use lab::{START, job, vector};
@@ -387,8 +388,8 @@ fn a_number_that_is_none_is_refused() {
     assert_eq!(journal.job(id).unwrap().adjustment, Adjustment::default());
 }
 
-fn pause(before: usize) -> Pause {
-    Pause {
+fn pause(before: usize) -> JobPause {
+    JobPause {
         before,
         message: "change the pen".into(),
     }

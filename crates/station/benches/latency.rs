@@ -30,8 +30,8 @@ mod measure {
     use std::process::{Child, Command as Program, Stdio};
     use std::time::{Duration, Instant};
 
+    use dobot_api::Request;
     use dobot_controller::Personality;
-    use dobot_station::Request;
     use dobot_wire::{Command, Dialect};
 
     use super::support::{

@@ -26,8 +26,8 @@ mod measure {
     use std::net::TcpStream;
     use std::time::{Duration, Instant};
 
+    use dobot_api::{JobKind, NewJob, Request};
     use dobot_controller::Personality;
-    use dobot_station::{JobKind, NewJob, Request};
     use dobot_wire::{Command, JointJog, JointJogAxis};
 
     use super::support::{

@@ -3,6 +3,7 @@
 mod patience;
 mod web;
 
+use dobot_rules::{Client, Refusal};
 use dobot_wire::{Commands, Decoder, PACKET_LEN, Packet};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::sync::broadcast::Receiver;
@@ -12,8 +13,7 @@ use tokio::time::{Instant, sleep_until};
 
 use self::patience::Patience;
 use self::web::is_web;
-use crate::words::Refusal;
-use crate::{Client, Traffic};
+use crate::Traffic;
 
 /// Carries packets of a program to the owner of the arm, and statuses to the program, until either
 /// of them leaves.

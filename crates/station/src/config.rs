@@ -3,18 +3,20 @@
 use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4};
 use std::path::PathBuf;
 
+use dobot_api::{Folders, Role};
 use dobot_client::Address;
 use dobot_controller::Personality;
+use dobot_rules::{Approach, WantedArm};
 use dobot_sim::Speed;
 use dobot_wire::Dialect;
 
-use crate::Folders;
-use crate::words::Role;
+use crate::StartError;
 
 /// What a station is told when it starts.
 ///
 /// ```
-/// use dobot_station::{Config, Folders};
+/// use dobot_api::Folders;
+/// use dobot_station::Config;
 ///
 /// let config = Config {
 ///     arm: Some("serial:/dev/ttyUSB0".parse()?),
@@ -96,5 +98,24 @@ impl Config {
             names: Vec::new(),
             without_token: Some(Role::Admin),
         }
+    }
+
+    /// Switches the laser of the arm off, before anything else of a station is there.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError::Thread`].
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn approach(&self) -> Result<Approach, StartError> {
+        let arm = WantedArm {
+            address: self.arm.clone(),
+            personality: self.personality,
+            speed: self.speed,
+        };
+        let approach = Approach::new(&arm, &self.folders.guardian()).await;
+        approach.map_err(StartError::Thread)
     }
 }

@@ -2,19 +2,17 @@
 
 mod lab;
 
+use dobot_api::{ClientId, Role};
+use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
-use tokio::sync::{broadcast, oneshot};
+use tokio::sync::oneshot;
 
 pub(crate) use self::lab::Lab;
-use crate::Handle;
-use crate::handle::{Ends, Message, Rules};
 use crate::sample::state;
-use crate::words::{ClientId, Refusal, Role};
 
 /// An owner of the arm that does what a test tells it.
 pub(crate) struct Double {
     ends: Ends,
-    statuses: broadcast::Sender<[u8; PACKET_LEN]>,
     clients: u64,
 }
 
@@ -22,14 +20,8 @@ impl Double {
     /// An owner, and the way to it; it keeps `kept` statuses for whoever is slow.
     pub(crate) fn new(kept: usize) -> (Handle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());
-        let (mut handle, ends) = Handle::new(state(0.0), rules);
-        handle.packets = broadcast::Sender::new(kept);
-        let double = Self {
-            ends,
-            statuses: handle.packets.clone(),
-            clients: 0,
-        };
-        (handle, double)
+        let (handle, ends) = Handle::with_packets(state(0.0), rules, kept);
+        (handle, Self { ends, clients: 0 })
     }
 
     /// Lets the next client in, and tells its name and role.
@@ -103,7 +95,7 @@ impl Double {
 
     /// Sends a status to all who listen.
     pub(crate) fn send_status(&self, status: [u8; PACKET_LEN]) {
-        self.statuses.send(status).expect("somebody listens");
+        self.ends.pass_on(status);
     }
 
     async fn next(&mut self) -> Message {

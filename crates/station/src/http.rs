@@ -6,13 +6,11 @@
 
 mod answer;
 mod app;
-mod bodies;
 mod calls;
 mod document;
 #[cfg(test)]
 mod double;
 mod gate;
-mod kinds;
 mod listen;
 mod messages;
 mod page;

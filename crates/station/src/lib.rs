@@ -18,7 +18,8 @@
 //! use std::time::Duration;
 //! use dobot_controller::{Personality, PowerUp};
 //! use dobot_safety::Policy;
-//! use dobot_station::{Rehearsal, Request};
+//! use dobot_api::Request;
+//! use dobot_rules::Rehearsal;
 //! use dobot_wire::{MoveTo, MovingMode};
 //!
 //! let mut station = Rehearsal::new(PowerUp::new(Personality::Firmware11), Policy::default());
@@ -35,61 +36,26 @@
 //! station.ask(anna, Request::TakeLease)?;
 //! let refused = station.ask(anna, into_the_table).unwrap_err();
 //! assert!(refused.to_string().starts_with("z would be -90 mm; table allows -63 mm and more"));
-//! # Ok::<(), dobot_station::Refusal>(())
+//! # Ok::<(), dobot_rules::Refusal>(())
 //! ```
 
-mod approach;
-mod arm_thread;
-mod arms;
 mod bridge;
-mod client;
 mod config;
-mod connect;
 #[cfg(test)]
 mod double;
-mod finder;
-mod folders;
-mod guardian;
-mod handle;
 mod http;
-mod jobs;
-mod keeper;
-mod owner;
 mod program;
 mod raw;
-mod recording;
-mod rehearsal;
-mod remote;
-mod running;
 #[cfg(test)]
 mod sample;
 mod start;
-mod supervisor;
 #[cfg(unix)]
 mod virtual_port;
-mod words;
 
-pub use approach::Approach;
-pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
-pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
-pub use folders::Folders;
-#[cfg(unix)]
-pub use guardian::guard;
-pub use guardian::{Beat, Guardian, JogKind, Silence, Told};
-pub use handle::{Client, Handle, Snapshot};
 pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
-pub use keeper::{Begun, Effect, JobPlan, Keeper};
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
-pub use rehearsal::Rehearsal;
-pub use remote::{
-    ConnectError, Heard, Hello, Remote, RemoteError, StationAddress, StationAddressError, Trust,
-    TrustError, fetch, fingerprint, is_station,
-};
-pub use running::{Running, RunningError};
 pub use start::{Failed, StartError, Station};
-pub use supervisor::{Sign, Supervisor};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;
-pub use words::*;

@@ -5,13 +5,14 @@ use std::net::SocketAddr;
 use std::pin::{Pin, pin};
 use std::time::Duration;
 
+use dobot_api::Role;
+use dobot_rules::{Handle, Refusal};
 use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, sleep, timeout};
 
 use crate::bridge::bridge;
-use crate::words::{Refusal, Role};
-use crate::{Handle, ProgramNews, Traffic};
+use crate::{ProgramNews, Traffic};
 
 /// The raw port: programs that speak the arm's own protocol over TCP, as the vendor's bridge did,
 /// work with the station as they are (note N26).

@@ -1,11 +1,10 @@
 //! A state, a job and a notice for tests.
 
-use dobot_wire::{Dialect, Status};
-
-use crate::words::{
+use dobot_api::{
     ArmView, JobKind, JobPhase, JobView, LaserView, LinkPhase, LinkView, News, Notice, QueueView,
     State, TrustView,
 };
+use dobot_wire::{Dialect, Status};
 
 /// A drawing that runs.
 pub(crate) fn job(number: u64) -> JobView {

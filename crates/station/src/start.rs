@@ -2,36 +2,20 @@
 
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use dobot_client::Address;
-use dobot_journal::{Journal, JournalError};
+use dobot_rules::{Approach, Handle, Host, HostError, Setup, Supervisor};
 use dobot_safety::{Policy, PolicyError};
-use dobot_sim::Speed;
 
 #[cfg(unix)]
 use crate::VirtualPort;
-use crate::approach::Approach;
-use crate::arm_thread::ArmAtWork;
-use crate::arms::{Arms, ArmsError};
-use crate::connect::{Connecting, Source};
-use crate::guardian::{Heart, LastWords, take_note};
-use crate::handle::Rules;
 use crate::http;
-use crate::jobs::Jobs;
-use crate::keeper::Keeper;
-use crate::owner::{Given, Owner};
-use crate::recording::{self, Recording};
-use crate::{
-    Config, Folders, Handle, ProgramNews, RawPort, RawPortError, ServeError, Served, Supervisor,
-    Web,
-};
+use crate::{Config, ProgramNews, RawPort, RawPortError, ServeError, Served, Web};
 
 /// A station that runs.
 #[derive(Debug)]
 pub struct Station {
-    handle: Handle,
-    owner: ArmAtWork,
+    host: Host,
     http: Served,
     arm: Option<Address>,
     raw: Option<SocketAddr>,
@@ -44,15 +28,6 @@ pub struct Station {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StartError {
-    /// A folder of the station cannot be made.
-    #[error("cannot make the folder {folder}")]
-    Folder {
-        /// The folder.
-        folder: String,
-        /// Why.
-        #[source]
-        source: std::io::Error,
-    },
     /// The policy cannot be read.
     #[error("cannot read the policy {file}")]
     PolicyFile {
@@ -71,12 +46,9 @@ pub enum StartError {
         #[source]
         source: PolicyError,
     },
-    /// The journal of jobs cannot be opened.
+    /// The rules are not at work.
     #[error(transparent)]
-    Journal(#[from] JournalError),
-    /// What is known of arms cannot be read.
-    #[error(transparent)]
-    Arms(#[from] ArmsError),
+    Host(#[from] HostError),
     /// The raw port cannot be served.
     #[error(transparent)]
     Raw(#[from] RawPortError),
@@ -102,7 +74,8 @@ impl Station {
     ///
     /// Outside of a tokio runtime.
     pub async fn start(config: Config) -> Result<Self, StartError> {
-        Self::begin(Box::pin(Approach::new(config)).await?).await
+        let approach = Box::pin(config.approach()).await?;
+        Self::begin(config, approach).await
     }
 
     /// Starts a station whose arm has been told to switch its laser off already.
@@ -114,61 +87,37 @@ impl Station {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn begin(approach: Approach) -> Result<Self, StartError> {
-        Box::pin(Self::open(approach)).await
+    pub async fn begin(config: Config, approach: Approach) -> Result<Self, StartError> {
+        Box::pin(Self::open(config, approach)).await
     }
 
-    async fn open(approach: Approach) -> Result<Self, StartError> {
-        let config = approach.config;
-        make_folder(&config.folders)?;
+    async fn open(config: Config, approach: Approach) -> Result<Self, StartError> {
         let policy = read_policy(config.policy.as_deref())?;
-        let arms = Arms::read(&config.folders.arms())?;
         // The raw port first: where another station has it, nothing of its journal is touched.
         let raw = match config.raw {
             Some(address) => Some(RawPort::bind(address).await?),
             None => None,
         };
-        let journal = Journal::open(&config.folders.journal())?;
-        let mut notes = approach.notes;
-        let source = approach.source;
-        let arm = source.is_virtual().then_some(Address::Virtual);
-        let keeper = keeper(&config, &policy, &source);
-        let (handle, ends) = Handle::new(keeper.state(), Rules::of(&policy));
-        let own = handle.messages.clone();
-        let mut owner = Owner::new(Given {
-            keeper,
-            ends,
-            arms,
-            jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
-            recording: recording(&config, &source, &mut notes),
-            source,
-            own,
-            heart: heart(&config, approach.words),
-        });
-        notes.extend(owner.recover().err());
-        for line in take_note(&config.folders.guardian()) {
-            handle.tell_trouble(line.clone());
-            notes.push(line);
-        }
         let virtual_port = open_pty(&config)?;
-        let arm = arm.or_else(|| approach.first.as_ref().and_then(Connecting::address));
-        let owner = approach.thread.give(owner, approach.first);
-        let raw = raw.map(|port| serve_raw(port, &handle, &owner));
-        let pty = virtual_port.map(|port| serve_pty(port, &handle, &owner));
-        match http::serve(&web(&config), handle.clone()).await {
+        let arm = approach.address();
+        let host = Host::start(approach, setup(&config, policy))?;
+        for line in host.of_guardian() {
+            host.handle().tell_trouble(line.clone());
+        }
+        let raw = raw.map(|port| serve_raw(port, &host));
+        let pty = virtual_port.map(|port| serve_pty(port, &host));
+        match http::serve(&web(&config), host.handle().clone()).await {
             Ok(http) => Ok(Self {
-                handle,
-                owner,
+                notes: [host.notes(), host.of_guardian()].concat(),
+                host,
                 http,
                 arm,
                 raw,
                 pty,
-                notes,
             }),
             Err(error) => {
-                handle.end().await;
                 // Why it does not start is what counts.
-                let _ = owner.ended().await;
+                let _ = host.end().await;
                 Err(error.into())
             }
         }
@@ -177,7 +126,7 @@ impl Station {
     /// How to talk to it in this process.
     #[must_use]
     pub const fn handle(&self) -> &Handle {
-        &self.handle
+        self.host.handle()
     }
 
     /// Where page and API are served, as in `http://127.0.0.1:8642`.
@@ -223,8 +172,7 @@ impl Station {
     ///
     /// [`Failed`] where something that the arm depends on had failed.
     pub async fn end(self) -> Result<(), Failed> {
-        self.handle.end().await;
-        let outcome = self.owner.ended().await;
+        let outcome = self.host.end().await;
         // The file that says where it runs is found to be stale by those who try to connect.
         let _ = self.http.end().await;
         outcome.map_err(Failed)
@@ -246,13 +194,6 @@ fn web(config: &Config) -> Web {
     }
 }
 
-fn make_folder(folders: &Folders) -> Result<(), StartError> {
-    folders.make_data().map_err(|source| StartError::Folder {
-        folder: folders.data().display().to_string(),
-        source,
-    })
-}
-
 fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     let Some(path) = file else {
         return Ok(Policy::default());
@@ -264,9 +205,9 @@ fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
     }
 }
 
-fn serve_raw(port: RawPort, handle: &Handle, thread: &ArmAtWork) -> SocketAddr {
-    let (address, handle) = (port.address(), handle.clone());
-    thread.spawn(async move {
+fn serve_raw(port: RawPort, host: &Host) -> SocketAddr {
+    let (address, handle) = (port.address(), host.handle().clone());
+    host.spawn(async move {
         port.serve(&handle, |news| tell(&handle, &news)).await;
     });
     address
@@ -279,35 +220,15 @@ fn tell(handle: &Handle, news: &ProgramNews) {
     }
 }
 
-fn keeper(config: &Config, policy: &Policy, source: &Source) -> Keeper {
-    let own = source.is_virtual().then(|| config.personality.dialect());
-    let dialect = config.dialect.or(own);
-    let mut policy = policy.clone();
-    if source.is_virtual() {
-        in_time_of_arm(&mut policy, config.speed);
+fn setup(config: &Config, policy: Policy) -> Setup {
+    Setup {
+        policy,
+        dialect: config.dialect,
+        folders: config.folders.clone(),
+        common: config.folders.clone(),
+        guardian: config.guardian.clone(),
+        supervisor: config.is_service.then(Supervisor::of_environment),
     }
-    Keeper::new(policy, dialect)
-}
-
-/// A hand on a button is as fast as ever, however fast the arm lives.
-fn in_time_of_arm(policy: &mut Policy, speed: Speed) {
-    policy.jog.dead_man_s *= speed.times();
-    policy.jog.raw_dead_man_s *= speed.times();
-}
-
-fn recording(config: &Config, source: &Source, notes: &mut Vec<String>) -> Recording {
-    let personality = source.is_virtual().then(|| config.personality.to_string());
-    let (recorder, trouble) = recording::start(&config.folders);
-    notes.extend(trouble);
-    Recording::new(recorder, personality)
-}
-
-fn heart(config: &Config, words: Arc<LastWords>) -> Heart {
-    let heart = Heart::new(config.guardian.clone(), config.folders.guardian(), words);
-    if config.is_service {
-        return heart.supervised(Supervisor::of_environment());
-    }
-    heart
 }
 
 /// A virtual serial port for programs that speak nothing else.
@@ -321,9 +242,9 @@ fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
 }
 
 #[cfg(unix)]
-fn serve_pty(port: VirtualPort, handle: &Handle, thread: &ArmAtWork) -> PathBuf {
-    let (path, handle) = (port.path().to_owned(), handle.clone());
-    thread.spawn(async move {
+fn serve_pty(port: VirtualPort, host: &Host) -> PathBuf {
+    let (path, handle) = (port.path().to_owned(), host.handle().clone());
+    host.spawn(async move {
         let served = port.serve(&handle, |news| tell(&handle, &news)).await;
         if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
@@ -339,6 +260,6 @@ fn open_pty(_: &Config) -> Result<Option<std::convert::Infallible>, StartError> 
 }
 
 #[cfg(not(unix))]
-fn serve_pty(port: std::convert::Infallible, _: &Handle, _: &ArmThread) -> PathBuf {
+fn serve_pty(port: std::convert::Infallible, _: &Host) -> PathBuf {
     match port {}
 }

@@ -4,12 +4,13 @@ use std::io;
 use std::path::Path;
 use std::time::Duration;
 
+use dobot_api::Role;
+use dobot_rules::{Handle, Refusal};
 use dobot_sim::{Pty, PtyClient};
 use tokio::time::{MissedTickBehavior, interval};
 
+use crate::ProgramNews;
 use crate::bridge::bridge;
-use crate::words::{Refusal, Role};
-use crate::{Handle, ProgramNews};
 
 /// A virtual serial port that leads to the station: the same as the [raw port](crate::RawPort), for
 /// programs that only speak serial.

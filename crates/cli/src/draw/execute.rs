@@ -4,12 +4,11 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
+use dobot_api::{JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State};
 use dobot_client::position;
 use dobot_course::Model;
 use dobot_plan::Plan;
-use dobot_station::{
-    JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State, StationClient,
-};
+use dobot_rules::StationClient;
 use tokio::io::{AsyncBufReadExt, BufReader};
 
 use crate::control::{self, arm_laser, first_state, take_control};

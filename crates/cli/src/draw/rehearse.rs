@@ -6,9 +6,9 @@ use std::time::Duration;
 use dobot_controller::PowerUp;
 use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Timeline, Trace};
 use dobot_geometry::Stroke;
+use dobot_rules::StationClient;
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
-use dobot_station::StationClient;
 use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
 
 use super::execute::execute;

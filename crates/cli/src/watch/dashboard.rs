@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use dobot_station::{LinkPhase, Notice, State};
+use dobot_api::{LinkPhase, Notice, State};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
 use ratatui::style::{Color, Modifier, Style, Stylize};
@@ -172,7 +172,7 @@ const MOST_NOTICES: usize = 200;
 
 #[cfg(test)]
 mod tests {
-    use dobot_station::{JobKind, JobPhase, JobView, News, StopView};
+    use dobot_api::{JobKind, JobPhase, JobView, News, StopView};
     use ratatui::Terminal;
     use ratatui::backend::TestBackend;
 

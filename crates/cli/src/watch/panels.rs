@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
+use dobot_api::{ArmView, JobView, Notice, State};
 use dobot_arm::{Degrees, Limits, Span as Range};
-use dobot_station::{ArmView, JobView, Notice, State};
 use dobot_wire::Status;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};

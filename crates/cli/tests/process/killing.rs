@@ -7,7 +7,7 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 use std::time::Duration;
 
-use dobot_station::{JobKind, NewJob};
+use dobot_api::{JobKind, NewJob};
 use dobot_wire::{
     Command, Configuration, Decoder, Dialect, EndEffector, JointJog, JointJogAxis, MoveTo,
     MovingMode, WriteMode, WriteVector,

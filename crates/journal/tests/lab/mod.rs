@@ -12,7 +12,8 @@ pub mod program;
 use std::io::{self, ErrorKind};
 use std::sync::{Arc, Mutex};
 
-use dobot_journal::{JobKind, NewJob, StorageBackend};
+use dobot_api::JobKind;
+use dobot_journal::{NewJob, StorageBackend};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteMode, WriteVector};
 
 /// A job of so many commands, each different from the others.

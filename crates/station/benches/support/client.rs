@@ -3,7 +3,7 @@
 use std::net::TcpStream;
 use std::time::Duration;
 
-use dobot_station::Request;
+use dobot_api::Request;
 use serde_json::{Value, json};
 use tokio_tungstenite::tungstenite::{Message, WebSocket as Socket, client};
 

@@ -5,9 +5,10 @@ use std::io::{BufRead, BufReader, Read};
 use std::net::SocketAddr;
 use std::process::{Child, Command, Stdio};
 
+use dobot_api::Folders;
 use dobot_client::Address;
 use dobot_controller::Personality;
-use dobot_station::{Config, Folders, Station};
+use dobot_station::{Config, Station};
 use tempfile::TempDir;
 
 /// A station in a process of its own; it ends with this.

@@ -1,11 +1,11 @@
+use dobot_api::Role;
+use dobot_rules::Handle;
 use proptest::prelude::*;
 use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;
 
 use super::*;
-use crate::Handle;
 use crate::double::{Double, packet};
-use crate::words::Role;
 
 /// A program, its bridge and the owner at the other end of it.
 struct Bridged {

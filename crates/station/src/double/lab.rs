@@ -1,10 +1,11 @@
 //! A port for old programs with the owner behind it.
 
+use dobot_api::Role;
+use dobot_rules::Handle;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 use super::Double;
-use crate::words::Role;
-use crate::{Handle, ProgramNews, Traffic};
+use crate::{ProgramNews, Traffic};
 
 /// A port for old programs, at an address or a path, with the owner behind it.
 pub(crate) struct Lab<At> {

@@ -13,13 +13,15 @@ use axum::http::header::{
 use axum::http::request::Parts;
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
+use dobot_api::Problem;
 use futures_util::StreamExt;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 use super::strict;
-use crate::words::{Problem, Refusal};
+use dobot_api::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -33,10 +35,21 @@ const BODY_WITHIN: Duration = Duration::from_secs(30);
 /// From which length on text is read beside everything else.
 const LONG: usize = 256 * 1024;
 
-impl IntoResponse for Problem {
+/// What is not done is answered with why.
+#[derive(Debug)]
+pub(super) struct NotDone(pub(super) Problem);
+
+impl<T: Into<Problem>> From<T> for NotDone {
+    fn from(why: T) -> Self {
+        Self(why.into())
+    }
+}
+
+impl IntoResponse for NotDone {
     fn into_response(self) -> Response {
-        let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-        let mut response = (status, Json(self)).into_response();
+        let status =
+            StatusCode::from_u16(self.0.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        let mut response = (status, Json(self.0)).into_response();
         let headers = response.headers_mut();
         headers.insert(CONTENT_TYPE, PROBLEM_JSON);
         match status {
@@ -57,18 +70,6 @@ impl IntoResponse for Problem {
 
 const PROBLEM_JSON: HeaderValue = HeaderValue::from_static("application/problem+json");
 
-impl IntoResponse for Refusal {
-    fn into_response(self) -> Response {
-        Problem::from(&self).into_response()
-    }
-}
-
-impl From<Refusal> for Problem {
-    fn from(refusal: Refusal) -> Self {
-        Self::from(&refusal)
-    }
-}
-
 /// Requests come too fast; they may go on after this time.
 pub(super) struct TooSoon(pub(super) Duration);
 
@@ -79,7 +80,7 @@ impl IntoResponse for TooSoon {
             "requests of this address come faster than the station takes them",
             format!("wait for {wait_s} s"),
         );
-        let mut response = problem.into_response();
+        let mut response = NotDone(problem).into_response();
         let value = HeaderValue::from_str(&wait_s.to_string()).expect("a number is a header");
         response.headers_mut().insert(RETRY_AFTER, value);
         response
@@ -87,8 +88,8 @@ impl IntoResponse for TooSoon {
 }
 
 /// JSON that is written already.
-pub(super) fn json(text: String) -> Response {
-    ([(CONTENT_TYPE, "application/json")], text).into_response()
+pub(super) fn json(text: impl Into<HttpBody>) -> Response {
+    ([(CONTENT_TYPE, "application/json")], text.into()).into_response()
 }
 
 /// Adds the headers that keep browsers from doing harm.
@@ -126,13 +127,13 @@ impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
 where
     T: DeserializeOwned + Send + 'static,
 {
-    type Rejection = Problem;
+    type Rejection = NotDone;
 
-    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, Problem> {
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
         let (parts, body) = request.into_parts();
         let bytes = collect(body, LIMIT).await?;
         check_type(&parts)?;
-        read(bytes).await.map(Self)
+        Ok(Self(read(bytes).await?))
     }
 }
 
@@ -144,16 +145,16 @@ impl<T> FromRequest<Arc<App>> for Maybe<T>
 where
     T: DeserializeOwned + Default + Send + 'static,
 {
-    type Rejection = Problem;
+    type Rejection = NotDone;
 
-    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, Problem> {
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
         let (parts, body) = request.into_parts();
         let bytes = collect(body, BODY).await?;
         if bytes.is_empty() {
             return Ok(Self(T::default()));
         }
         check_type(&parts)?;
-        read(bytes).await.map(Self)
+        Ok(Self(read(bytes).await?))
     }
 }
 
@@ -219,15 +220,36 @@ pub(super) async fn beside<T: Send + 'static>(text: Bytes, read: fn(&[u8]) -> T)
 pub(super) struct Number(pub(super) u64);
 
 impl FromRequestParts<Arc<App>> for Number {
-    type Rejection = Problem;
+    type Rejection = NotDone;
 
-    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, Problem> {
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
         let Path(text) = Path::<String>::from_request_parts(parts, app)
             .await
             .map_err(|error| MALFORMED.problem(error.body_text()))?;
         text.parse().map(Self).map_err(|_| {
             let text: String = text.chars().take(40).collect();
-            MALFORMED.problem(format!("{text:?} in the path is no number"))
+            NotDone(MALFORMED.problem(format!("{text:?} in the path is no number")))
         })
     }
 }
+
+/// The number of a job in the path, and no body.
+#[derive(Debug)]
+pub(super) struct OfJob(pub(super) u64);
+
+impl FromRequest<Arc<App>> for OfJob {
+    type Rejection = NotDone;
+
+    async fn from_request(request: Request, app: &Arc<App>) -> Result<Self, NotDone> {
+        let (mut parts, body) = request.into_parts();
+        let Number(job) = Number::from_request_parts(&mut parts, app).await?;
+        let request = Request::from_parts(parts, body);
+        let Maybe(Nothing {}) = Maybe::from_request(request, app).await?;
+        Ok(Self(job))
+    }
+}
+
+/// Nothing.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Nothing {}

@@ -4,6 +4,8 @@ use std::net::SocketAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use dobot_api::Role;
+use dobot_rules::Handle;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
@@ -11,8 +13,6 @@ use super::listen::Seat;
 use super::rate::Addresses;
 use super::tokens::Tokens;
 use super::visits::Visits;
-use crate::Handle;
-use crate::words::Role;
 
 /// What all requests share.
 #[derive(Debug)]

@@ -3,19 +3,18 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use dobot_api::{FromClient, Problem, ToClient};
 use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use super::calls::LEASE;
-use super::kinds::{
+use super::route::{Gives, Query, Route, Takes};
+use super::routes::ROUTES;
+use dobot_api::kinds::{
     ENDING, FORBIDDEN_HOST, FORBIDDEN_ORIGIN, INVALID, Kind, LEASE_GONE, MALFORMED, MEDIA_TYPE,
     ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
 };
-use super::messages::{FromClient, ToClient};
-use super::route::{Gives, Query, Route, Takes};
-use super::routes::ROUTES;
-use crate::words::Problem;
 
 /// The document as text.
 pub(super) static TEXT: LazyLock<String> = LazyLock::new(|| document().to_string());

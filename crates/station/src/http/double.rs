@@ -2,12 +2,11 @@
 
 use std::sync::{Arc, Mutex};
 
+use dobot_api::{ClientId, LeaseView, Reply, Request, Role};
+use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use tokio::sync::mpsc;
 
-use crate::Handle;
-use crate::handle::{Ends, Message, Rules};
 use crate::sample::{job, state};
-use crate::words::{ClientId, LeaseView, Refusal, Reply, Request, Role};
 
 /// What the stand-in has been asked for so far.
 #[derive(Clone, Debug, Default)]

@@ -9,12 +9,12 @@ use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderName, Method};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use dobot_api::{Problem, Role};
 
-use super::answer::{self, TooSoon};
+use super::answer::{self, NotDone, TooSoon};
 use super::app::{App, Peer, Visitor};
-use super::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 use super::routes;
-use crate::words::{Problem, Role};
+use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
 pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";
@@ -32,22 +32,26 @@ pub(super) async fn pass(
             request.extensions_mut().insert(visitor);
             answer::guarded(next.run(request).await)
         }
-        Err(refused) => answer::guarded(refused),
+        Err(response) => answer::guarded(response),
     }
 }
 
 fn look(app: &App, peer: &Peer, request: &Request) -> Result<Visitor, Response> {
-    let host = host(request).map_err(IntoResponse::into_response)?;
-    check_host(app, peer, &host).map_err(IntoResponse::into_response)?;
-    check_origin(peer, &host, request.headers()).map_err(IntoResponse::into_response)?;
+    let host = host(request).map_err(refused)?;
+    check_host(app, peer, &host).map_err(refused)?;
+    check_origin(peer, &host, request.headers()).map_err(refused)?;
     let visitor = identify(app, request);
     // Guessing is expensive.
     let cost = if visitor.is_ok() { 1.0 } else { WRONG_TOKEN };
     match app.addresses.take(peer.from.ip(), app.now(), cost) {
         // Whoever may stop the arm may always stop it.
         Err(wait) if visitor.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
-        _ => visitor.map_err(IntoResponse::into_response),
+        _ => visitor.map_err(refused),
     }
+}
+
+fn refused(problem: Problem) -> Response {
+    NotDone(problem).into_response()
 }
 
 /// What a wrong token costs, in requests.

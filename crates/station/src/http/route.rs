@@ -2,18 +2,22 @@
 
 use std::sync::Arc;
 
+use axum::extract::FromRequest;
+use axum::handler::Handler;
 use axum::http::Method;
-use axum::routing::MethodRouter;
+use axum::routing::{MethodFilter, MethodRouter, on};
+#[cfg(test)]
+use dobot_api::Problem;
+use dobot_api::Request;
+use dobot_api::kinds::Kind;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
-use super::answer::BODY;
+use super::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
 use super::app::App;
-use super::kinds::Kind;
+use super::calls::Asker;
 #[cfg(test)]
 use super::strict;
-#[cfg(test)]
-use crate::words::Problem;
 
 /// One route.
 #[derive(Clone, Debug)]
@@ -29,7 +33,7 @@ pub(super) struct Route {
     pub(super) gives: Vec<Gives>,
     pub(super) problems: Vec<Kind>,
     pub(super) queries: &'static [Query],
-    pub(super) handler: fn() -> MethodRouter<Arc<App>>,
+    pub(super) handler: MethodRouter<Arc<App>>,
 }
 
 /// A body.
@@ -61,13 +65,58 @@ pub(super) struct Query {
     pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
 }
 
+/// What comes with a request that asks for something.
+pub(super) trait Entry: FromRequest<Arc<App>, Rejection = NotDone> + Send + 'static {
+    /// Its body.
+    fn takes() -> Takes;
+}
+
+impl<T, const LIMIT: usize> Entry for Body<T, LIMIT>
+where
+    T: DeserializeOwned + JsonSchema + Send + 'static,
+{
+    fn takes() -> Takes {
+        Takes::of::<T>(true, LIMIT)
+    }
+}
+
+impl<T> Entry for Maybe<T>
+where
+    T: DeserializeOwned + JsonSchema + Default + Send + 'static,
+{
+    fn takes() -> Takes {
+        Takes::of::<T>(false, BODY)
+    }
+}
+
+impl Entry for OfJob {
+    fn takes() -> Takes {
+        Takes::of::<Nothing>(false, BODY)
+    }
+}
+
+impl Takes {
+    fn of<T: DeserializeOwned + JsonSchema>(required: bool, limit: usize) -> Self {
+        Self {
+            schema: SchemaGenerator::subschema_for::<T>,
+            #[cfg(test)]
+            reads: |text| strict::read::<T>(text).map(drop),
+            required,
+            limit,
+            example: "{}",
+        }
+    }
+}
+
 impl Route {
-    pub(super) fn new(
+    /// A route that does what a handler says.
+    pub(super) fn new<H: Handler<T, Arc<App>>, T: 'static>(
         method: Method,
         path: &'static str,
         summary: &'static str,
-        handler: fn() -> MethodRouter<Arc<App>>,
+        handler: H,
     ) -> Self {
+        let filter = MethodFilter::try_from(method.clone()).expect("it is a method of HTTP");
         Self {
             method,
             path,
@@ -78,7 +127,7 @@ impl Route {
             gives: Vec::new(),
             problems: Vec::new(),
             queries: &[],
-            handler,
+            handler: on(filter, handler),
         }
     }
 
@@ -87,33 +136,29 @@ impl Route {
         self
     }
 
-    pub(super) fn asks(mut self) -> Self {
+    /// A route that asks the owner of the arm for what its body says.
+    pub(super) fn asks<E: Entry>(
+        method: Method,
+        path: &'static str,
+        summary: &'static str,
+        request: fn(E) -> Request,
+    ) -> Self {
+        let ask = move |asker: Asker, entry: E| async move { asker.ask(request(entry)).await };
+        Self::new(method, path, summary, ask).brings::<E>()
+    }
+
+    /// The body of one who asks the owner of the arm for something.
+    pub(super) fn brings<E: Entry>(mut self) -> Self {
         self.asks = true;
+        self.takes = Some(E::takes());
         self
     }
 
-    pub(super) fn takes<T: DeserializeOwned + JsonSchema>(self, example: &'static str) -> Self {
-        self.body::<T>(example, true, BODY)
-    }
-
-    pub(super) fn may_take<T: DeserializeOwned + JsonSchema>(self, example: &'static str) -> Self {
-        self.body::<T>(example, false, BODY)
-    }
-
-    pub(super) fn body<T: DeserializeOwned + JsonSchema>(
-        mut self,
-        example: &'static str,
-        required: bool,
-        limit: usize,
-    ) -> Self {
-        self.takes = Some(Takes {
-            schema: SchemaGenerator::subschema_for::<T>,
-            #[cfg(test)]
-            reads: |text| strict::read::<T>(text).map(drop),
-            required,
-            limit,
-            example,
-        });
+    /// An example of the body.
+    pub(super) fn example(mut self, example: &'static str) -> Self {
+        if let Some(takes) = &mut self.takes {
+            takes.example = example;
+        }
         self
     }
 

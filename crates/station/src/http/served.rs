@@ -4,6 +4,8 @@ use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
+use dobot_api::{Folders, Role, Running, RunningError};
+use dobot_rules::Handle;
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
@@ -12,8 +14,7 @@ use super::app::App;
 use super::listen;
 use super::tls::{Certificate, TlsError};
 use super::tokens::{Tokens, TokensError};
-use crate::words::Role;
-use crate::{Folders, Handle, Running, RunningError, TlsFiles};
+use crate::TlsFiles;
 
 /// How page and API are served.
 #[derive(Clone, Debug, PartialEq, Eq)]

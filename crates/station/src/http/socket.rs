@@ -13,17 +13,17 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::{Query as UrlQuery, State};
 use axum::http::Uri;
 use axum::response::Response;
+use dobot_api::{Problem, Role};
 use futures_util::StreamExt;
 use schemars::SchemaGenerator;
 use serde::Deserialize;
 
 use self::talk::Talk;
-use super::answer::{BODY, JOB};
+use super::answer::{BODY, JOB, NotDone};
 use super::app::{App, MOST_SOCKETS, Peer, Visitor};
 use super::calls::is_name;
-use super::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 use super::route::Query;
-use crate::words::{Problem, Role};
+use dobot_api::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 
 /// What a client chooses when it connects.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -88,11 +88,12 @@ pub(super) async fn upgrade(
     Extension(peer): Extension<Peer>,
     uri: Uri,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
-) -> Result<Response, Problem> {
+) -> Result<Response, NotDone> {
     let wants = Wants::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let Ok(place) = app.sockets.clone().try_acquire_owned() else {
-        return Err(TOO_MANY_CLIENTS.problem(format!("{MOST_SOCKETS} WebSockets are open already")));
+        let many = format!("{MOST_SOCKETS} WebSockets are open already");
+        return Err(TOO_MANY_CLIENTS.problem(many).into());
     };
     let name = wants.name.clone().unwrap_or(visitor.name);
     let client = app.handle.client(&name, visitor.role).await?;

@@ -1,15 +1,17 @@
 //! JSON, read strictly: what is wrong is told with its place, and nothing is dropped or guessed.
 
 use std::fmt;
+use std::sync::LazyLock;
 
+use dobot_api::{FromClient, Problem};
+use schemars::schema_for;
 use serde::Deserialize;
 use serde::de::{
     self, DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor,
 };
 use serde_json::Value;
 
-use super::kinds::{INVALID, MALFORMED};
-use crate::words::Problem;
+use dobot_api::kinds::{INVALID, MALFORMED};
 
 /// Reads a body or a message.
 ///
@@ -115,8 +117,27 @@ struct Plain {
     may_be_list: bool,
 }
 
-/// The only fields of any request that hold a list.
-const LISTS: [&str; 2] = ["commands", "pauses"];
+/// The fields of requests that hold a list, as their types say.
+static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let mut lists = Vec::new();
+    collect_lists(schema_for!(FromClient).as_value(), &mut lists);
+    lists
+});
+
+fn collect_lists(schema: &Value, lists: &mut Vec<String>) {
+    let fields = schema.get("properties").and_then(Value::as_object);
+    let named = fields.into_iter().flatten();
+    lists.extend(
+        named
+            .filter(|(_, field)| field.get("type").is_some_and(|it| it == "array"))
+            .map(|(name, _)| name.clone()),
+    );
+    match schema {
+        Value::Object(parts) => parts.values().for_each(|it| collect_lists(it, lists)),
+        Value::Array(parts) => parts.iter().for_each(|it| collect_lists(it, lists)),
+        _ => {}
+    }
+}
 
 impl<'de> DeserializeSeed<'de> for Plain {
     type Value = ();
@@ -195,7 +216,7 @@ impl<'de> Deserialize<'de> for Name {
             }
 
             fn visit_str<E>(self, name: &str) -> Result<Name, E> {
-                Ok(Name(LISTS.contains(&name)))
+                Ok(Name(LISTS.iter().any(|it| it == name)))
             }
         }
 
@@ -213,10 +234,10 @@ fn look_through(text: &[u8]) -> Result<(), serde_json::Error> {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use dobot_api::{NewJob, Request};
     use dobot_wire::Command;
 
     use super::*;
-    use crate::words::{NewJob, Request};
 
     fn detail<T: DeserializeOwned + fmt::Debug>(text: &str) -> (u16, String) {
         let problem = read::<T>(text.as_bytes()).unwrap_err();

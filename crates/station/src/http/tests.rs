@@ -18,6 +18,7 @@ use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::request::Builder;
 use axum::http::{HeaderMap, Request, StatusCode};
+use dobot_api::{Request as Wish, Role};
 use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
@@ -26,7 +27,6 @@ use super::app::{App, Peer};
 use super::double::{Asked, Telling, owner};
 use super::listen::Seats;
 use super::tokens::{Token, Tokens};
-use crate::words::{Request as Wish, Role};
 
 /// A station without a network.
 struct Lab {
@@ -160,10 +160,11 @@ impl Answer {
             self.headers["content-type"], "application/problem+json",
             "{self:?}"
         );
-        let problem: crate::Problem = serde_json::from_str(&self.body).unwrap();
+        let problem: dobot_api::Problem = serde_json::from_str(&self.body).unwrap();
         assert_eq!(problem.status, self.status);
         let kind = problem.kind.strip_prefix("/api/v1/problems/").unwrap();
-        let known = super::kinds::named(kind).unwrap_or_else(|| panic!("{kind} is not explained"));
+        let known =
+            dobot_api::kinds::named(kind).unwrap_or_else(|| panic!("{kind} is not explained"));
         assert_eq!(
             (known.title, known.status),
             (&*problem.title, problem.status)

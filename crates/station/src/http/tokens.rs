@@ -5,16 +5,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use dobot_api::Role;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::private;
-use crate::words::Role;
 
 /// The tokens that a station accepts: the file `tokens.toml`, which holds their digests only.
 ///
 /// ```
-/// use dobot_station::{Role, Tokens};
+/// use dobot_api::Role;
+/// use dobot_station::Tokens;
 ///
 /// let folder = tempfile::tempdir()?;
 /// let mut tokens = Tokens::open(&folder.path().join("tokens.toml"))?;

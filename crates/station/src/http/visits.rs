@@ -1,13 +1,13 @@
 //! Clients that have control and come over plain HTTP, one request after another.
 
+use dobot_api::{Problem, Role};
+use dobot_rules::Client;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 use super::tokens::{Token, digest};
-use crate::Client;
-use crate::words::{Problem, Role};
+use dobot_api::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 
 /// Clients that are kept between requests, known by their lease tokens.
 #[derive(Debug, Default)]

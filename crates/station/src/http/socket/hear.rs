@@ -5,17 +5,18 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
+use dobot_rules::Client;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
 use tokio::time::timeout;
 
 use super::super::answer;
 use super::super::app::App;
-use super::super::kinds::INVALID;
-use super::super::messages::FromClient;
+use super::super::messages;
 use super::super::rate::{Rate, Used};
 use super::talk::{End, Owed};
-use crate::Client;
+use dobot_api::FromClient;
+use dobot_api::kinds::INVALID;
 
 /// After what silence a client is not there any more.
 const SILENCE: Duration = Duration::from_secs(6);
@@ -80,7 +81,7 @@ async fn answer(client: &Client, message: Message) -> Option<Owed> {
         _ => return None,
     };
     Some(
-        match answer::beside(Bytes::from(text), FromClient::read).await {
+        match answer::beside(Bytes::from(text), messages::read).await {
             Err((id, problem)) => Owed::problem(id, problem),
             Ok(FromClient { id, request }) => match client.ask(request).await {
                 Ok(answer) => Owed::Answer(id, answer),

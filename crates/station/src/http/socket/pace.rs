@@ -4,11 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::Utf8Bytes;
+use dobot_rules::Snapshot;
 use tokio::sync::broadcast;
 use tokio::sync::broadcast::error::RecvError;
 use tokio::time::{Instant, sleep_until};
-
-use crate::Snapshot;
 
 /// The states of one client, at the rate that it chose.
 #[derive(Debug)]
@@ -56,14 +55,14 @@ impl Pace {
     pub(super) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
         let spacing = match self.rate {
             Rate::None => std::future::pending().await,
-            Rate::Every => return Ok(self.states.recv().await?.message()),
+            Rate::Every => return self.states.recv().await.map(|it| message(&it)),
             Rate::Spaced(spacing) => spacing,
         };
         loop {
             match self.held.take() {
                 None => self.held = Some(self.newest().await?),
                 Some(held) => {
-                    let message = held.message();
+                    let message = message(&held);
                     self.held = Some(held);
                     tokio::select! {
                         () = sleep_until(self.due) => {
@@ -82,6 +81,11 @@ impl Pace {
         let first = self.states.recv().await;
         kept(first, &mut self.states).await
     }
+}
+
+/// The message that tells a state.
+pub(super) fn message(state: &Snapshot) -> Utf8Bytes {
+    Utf8Bytes::try_from(state.message()).expect("JSON is UTF-8")
 }
 
 fn spaced(seconds: f64) -> Rate {

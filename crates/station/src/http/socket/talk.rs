@@ -5,19 +5,18 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, close_code};
+use dobot_api::{Notice, Problem, ToClient};
+use dobot_rules::{Answer, Client};
 use futures_util::{Sink, SinkExt, Stream, StreamExt};
 use tokio::sync::{broadcast, mpsc};
 use tokio::time::timeout;
 
 use super::super::app::{App, ended};
-use super::super::messages::ToClient;
+use super::super::messages;
 use super::Wants;
 use super::hear::hear;
 use super::pace::Pace;
 use super::tell::News;
-use crate::Client;
-use crate::handle::Answer;
-use crate::words::{Notice, Problem};
 
 /// One client's connection.
 #[derive(Debug)]
@@ -107,7 +106,7 @@ async fn report(app: &App, client: &Client, name: &str, end: &End) {
 
 impl Owed {
     pub(super) fn problem(id: Option<u64>, problem: Problem) -> Self {
-        Self::Text(ToClient::Problem { id, problem }.text())
+        Self::Text(messages::text(&ToClient::Problem { id, problem }))
     }
 }
 

@@ -1,10 +1,13 @@
 //! What a client is told.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
+use dobot_api::{Hello, Notice, Reply, ToClient};
+use dobot_rules::{Answer, Client, Refusal};
 use futures_util::stream::FuturesUnordered;
 use futures_util::{Sink, SinkExt, StreamExt};
 use tokio::sync::broadcast::error::RecvError;
@@ -12,12 +15,9 @@ use tokio::sync::{broadcast, mpsc};
 use tokio::time::{Interval, MissedTickBehavior, interval, timeout};
 
 use super::super::app::App;
-use super::super::messages::{Hello, ToClient};
-use super::pace::Pace;
+use super::super::messages;
+use super::pace::{Pace, message};
 use super::talk::{End, Owed};
-use crate::Client;
-use crate::handle::Answer;
-use crate::words::{Notice, Refusal, Reply};
 
 /// How often the client is asked whether it is there.
 const PING_EVERY: Duration = Duration::from_secs(2);
@@ -40,14 +40,14 @@ impl News {
     {
         let mut sent = send(outgoing, hello(app, client)).await;
         if self.pace.is_wanted() && sent.is_ok() {
-            sent = send(outgoing, Message::Text(app.handle.state().message())).await;
+            sent = send(outgoing, Message::Text(message(&app.handle.state()))).await;
         }
         let mut answers = FuturesUnordered::new();
         let mut pings = pings();
         while sent.is_ok() {
             sent = tokio::select! {
                 Some(owed) = self.owed.recv() => match owed {
-                    Owed::Text(text) => send(outgoing, text_message(text)).await,
+                    Owed::Text(text) => send(outgoing, Message::Text(text.into())).await,
                     Owed::Answer(id, answer) => {
                         answers.push(numbered(id, answer));
                         Ok(())
@@ -59,7 +59,7 @@ impl News {
                     Err(error) => Err(missed(&error)),
                 },
                 notice = next(&mut self.notices) => match notice {
-                    Ok(notice) => send(outgoing, text_message(ToClient::Notice { notice: &notice }.text())).await,
+                    Ok(notice) => send(outgoing, text_message(&ToClient::Notice { notice: Cow::Borrowed(&notice) })).await,
                     Err(error) => Err(missed(&error)),
                 },
                 _ = pings.tick() => send(outgoing, Message::Ping(Bytes::new())).await,
@@ -112,23 +112,23 @@ fn hello(app: &App, client: &Client) -> Message {
     let hello = Hello {
         client: client.id(),
         role: client.role(),
-        version: env!("CARGO_PKG_VERSION"),
-        dead_man_s: app.handle.rules.dead_man_s,
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        dead_man_s: app.handle.rules().dead_man_s,
     };
-    text_message(ToClient::Hello { hello }.text())
+    text_message(&ToClient::Hello { hello })
 }
 
 fn reply(id: u64, answer: Result<Reply, Refusal>) -> Message {
-    text_message(match answer {
-        Ok(reply) => ToClient::Reply { id, reply }.text(),
+    text_message(&match answer {
+        Ok(reply) => ToClient::Reply { id, reply },
         Err(refusal) => {
             let id = Some(id);
             let problem = refusal.into();
-            ToClient::Problem { id, problem }.text()
+            ToClient::Problem { id, problem }
         }
     })
 }
 
-fn text_message(text: String) -> Message {
-    Message::Text(text.into())
+fn text_message(message: &ToClient<'_>) -> Message {
+    Message::Text(messages::text(message).into())
 }

@@ -2,9 +2,9 @@
 
 use axum::body::Body;
 use axum::http::Request;
+use dobot_api::Role;
 
 use super::{Answer, Lab};
-use crate::words::Role;
 
 async fn stop(lab: &Lab, headers: &[(&str, &str)]) -> Answer {
     let request = Request::builder().method("POST").uri("/api/v1/stop");

@@ -9,7 +9,7 @@ use proptest::test_runner::{Config, TestRunner};
 use serde_json::Value;
 
 use super::super::document::document;
-use super::super::messages::FromClient;
+use super::super::messages;
 use super::super::routes::ROUTES;
 use super::schema::{allows, damaged, instance};
 use super::{Answer, Lab};
@@ -177,7 +177,7 @@ fn messages_that_the_document_allows_are_understood_and_no_others() {
     });
     runner
         .run(&any, |message| {
-            let read = FromClient::read(message.to_string().as_bytes());
+            let read = messages::read(message.to_string().as_bytes());
             if allows(&document, schema, &message, true) {
                 prop_assert!(read.is_ok(), "{message}: {read:?}");
             } else if !allows(&document, schema, &message, false) {

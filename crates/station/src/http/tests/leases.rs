@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use axum::body::Body;
+use dobot_api::{ClientId, Request, Role};
 
 use super::{Answer, Lab};
-use crate::words::{ClientId, Request, Role};
 
 async fn with_lease(lab: &Lab, method: &str, path: &str, token: &str) -> Answer {
     let request = lab.request(method, path).header("dobot-lease", token);

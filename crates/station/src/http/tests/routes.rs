@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use axum::body::Body;
+use dobot_api::{ClientId, News, Request};
 use dobot_wire::{Command, Dialect};
 
 use super::Lab;
 use crate::sample::{notice, state};
-use crate::words::{ClientId, News, Request};
 
 const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,
     "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}"#;

@@ -2,11 +2,12 @@
 
 use std::net::SocketAddr;
 
+use dobot_api::{Folders, Role, Running, StationAddress, is_station};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
 use super::super::double::owner;
-use crate::{Folders, Role, Running, ServeError, StationAddress, Tokens, Web, is_station, serve};
+use crate::{ServeError, Tokens, Web, serve};
 
 const LOOPBACK: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 0);

@@ -1,5 +1,6 @@
 //! WebSockets on a real address.
 
+use dobot_api::{ClientId, Folders, News, Request};
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
@@ -10,14 +11,13 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 use super::super::double::{Asked, Telling, owner};
 use crate::sample::{notice, state};
-use crate::words::{ClientId, News, Request};
-use crate::{Folders, Served, Web, serve};
+use crate::{Served, Web, serve};
 
 struct Station {
     served: Served,
     telling: std::sync::Arc<Telling>,
     asked: Asked,
-    handle: crate::Handle,
+    handle: dobot_rules::Handle,
     _folder: tempfile::TempDir,
 }
 

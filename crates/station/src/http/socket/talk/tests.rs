@@ -5,6 +5,7 @@ use std::pin::Pin;
 use std::sync::Mutex;
 use std::task::{Context, Poll};
 
+use dobot_api::{News, Role};
 use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
@@ -13,7 +14,6 @@ use super::super::super::double::{Asked, Telling, owner};
 use super::super::super::tokens::Tokens;
 use super::*;
 use crate::sample::{notice, state};
-use crate::words::{News, Role};
 
 /// What a client is sent; it may stop to read after some messages.
 #[derive(Debug)]
@@ -169,7 +169,7 @@ async fn a_client_that_does_not_read_is_still_heard_when_it_says_stop() {
     lab.talk(0, after.chain(pongs())).await;
     assert_eq!(
         lab.asked.requests(),
-        [crate::Request::Stop { reason: None }]
+        [dobot_api::Request::Stop { reason: None }]
     );
 }
 

@@ -1,0 +1,141 @@
+//! Where a station keeps what it has to remember.
+
+use std::path::{Path, PathBuf};
+
+use directories::ProjectDirs;
+use dobot_client::Address;
+
+/// Where a station keeps what it has to remember, and where it says that it runs.
+///
+/// ```
+/// use dobot_api::Folders;
+///
+/// let folders = Folders::at("/srv/dobot");
+/// assert_eq!(folders.journal(), std::path::Path::new("/srv/dobot/journal.redb"));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Folders {
+    data: PathBuf,
+    runtime: PathBuf,
+}
+
+/// Makes a folder that is for this person's eyes only, and those above it. One that is there stays as it is.
+///
+/// # Errors
+///
+/// What the operating system says.
+pub fn make_private(folder: &Path) -> std::io::Result<()> {
+    let mut make = std::fs::DirBuilder::new();
+    make.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut make, 0o700);
+    make.create(folder)
+}
+
+impl Folders {
+    /// Everything in one folder.
+    pub fn at(folder: impl Into<PathBuf>) -> Self {
+        let data = folder.into();
+        Self {
+            runtime: data.clone(),
+            data,
+        }
+    }
+
+    /// The folders that the system has for this person's programs; `None` for one without a home.
+    #[must_use]
+    pub fn of_person() -> Option<Self> {
+        let folders = ProjectDirs::from("", "", "dobot")?;
+        let data = folders.data_local_dir();
+        Some(Self {
+            data: data.to_owned(),
+            runtime: folders.runtime_dir().unwrap_or(data).to_owned(),
+        })
+    }
+
+    /// Makes the folder that outlives the station, for this person's eyes only; one that is there stays
+    /// as it is.
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    pub fn make_data(&self) -> std::io::Result<()> {
+        make_private(&self.data)
+    }
+
+    /// The folder that outlives the station.
+    #[must_use]
+    pub fn data(&self) -> &Path {
+        &self.data
+    }
+
+    /// The jobs.
+    #[must_use]
+    pub fn journal(&self) -> PathBuf {
+        self.data.join("journal.redb")
+    }
+
+    /// The recordings, a folder.
+    #[must_use]
+    pub fn recordings(&self) -> PathBuf {
+        self.data.join("recordings")
+    }
+
+    /// Who may do what.
+    #[must_use]
+    pub fn tokens(&self) -> PathBuf {
+        self.data.join("tokens.toml")
+    }
+
+    /// What is known of each arm that was met.
+    #[must_use]
+    pub fn arms(&self) -> PathBuf {
+        self.data.join("arms.toml")
+    }
+
+    /// What the guardian of the arm did while the station could not.
+    #[must_use]
+    pub fn guardian(&self) -> PathBuf {
+        self.data.join("guardian.txt")
+    }
+
+    /// The station's own certificate and its key, a folder.
+    #[must_use]
+    pub fn tls(&self) -> PathBuf {
+        self.data.join("tls")
+    }
+
+    /// The folder of an arm that is used without a station: its jobs.
+    #[must_use]
+    pub fn of_arm(&self, address: &Address) -> Self {
+        let plain = |it: char| if it.is_ascii_alphanumeric() { it } else { '-' };
+        let name: String = address.to_string().chars().map(plain).collect();
+        Self::at(self.data.join("arms").join(name))
+    }
+
+    /// What a running station says of itself; absent while none runs.
+    #[must_use]
+    pub fn running(&self) -> PathBuf {
+        self.runtime.join("station.toml")
+    }
+}
+
+#[cfg(all(test, unix))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::*;
+
+    #[test]
+    fn a_new_folder_is_for_its_owner_alone_and_one_that_is_there_stays_as_it_is() {
+        let mode = |folder: &Path| folder.metadata().unwrap().permissions().mode() & 0o777;
+        let above = tempfile::tempdir().unwrap();
+        std::fs::set_permissions(above.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
+        let folder = above.path().join("data");
+        make_private(&folder).unwrap();
+        assert_eq!(mode(&folder), 0o700);
+        make_private(above.path()).unwrap();
+        assert_eq!(mode(above.path()), 0o755);
+    }
+}

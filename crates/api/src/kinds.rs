@@ -1,0 +1,165 @@
+//! The kinds of problems, each with its title, its status and what it means: what
+//! `/api/v1/problems/{kind}` tells.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::Problem;
+
+/// A kind of problem, explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Kind {
+    /// Its name: the last part of the problem type's address.
+    #[serde(rename = "kind")]
+    pub name: &'static str,
+    /// The problem in words.
+    pub title: &'static str,
+    /// The HTTP status that comes with it.
+    pub status: u16,
+    /// What it means and what helps.
+    pub explanation: &'static str,
+}
+
+impl Kind {
+    /// A problem of this kind.
+    #[must_use]
+    pub fn problem(self, detail: impl Into<String>) -> Problem {
+        Problem {
+            kind: format!("/api/v1/problems/{}", self.name),
+            title: self.title.to_owned(),
+            status: self.status,
+            detail: detail.into(),
+            hint: None,
+            rule: None,
+            at_mm: None,
+            nearest_mm: None,
+        }
+    }
+
+    /// A problem of this kind, and what to do about it.
+    #[must_use]
+    pub fn hinted(self, detail: impl Into<String>, hint: impl Into<String>) -> Problem {
+        Problem {
+            hint: Some(hint.into()),
+            ..self.problem(detail)
+        }
+    }
+}
+
+/// The kind of that name.
+#[must_use]
+pub fn named(name: &str) -> Option<&'static Kind> {
+    ALL.iter().find(|kind| kind.name == name)
+}
+
+macro_rules! kinds {
+    ($($constant:ident = $status:literal $name:literal $title:literal $explanation:literal;)*) => {
+        $(
+            #[doc = $title]
+            pub const $constant: Kind = Kind {
+                name: $name,
+                title: $title,
+                status: $status,
+                explanation: $explanation,
+            };
+        )*
+
+        /// All kinds.
+        pub const ALL: &[Kind] = &[$($constant),*];
+    };
+}
+
+kinds! {
+    MALFORMED = 400 "malformed" "the request cannot be understood"
+        "The body is not JSON, or an address or a header is not as it has to be. The detail says at which line and column.";
+    UNAUTHORISED = 401 "unauthorised" "this takes a token"
+        "The station does not know who asks. Send a token as `Authorization: Bearer <token>`; a WebSocket of a browser offers the subprotocol `dobot.token.<token>`. Tokens are made on the station's machine, and a wrong one is refused even where none is needed.";
+    ROLE = 403 "role" "the role does not allow this"
+        "Tokens come with a role: watch sees everything and may stop the arm, control may move it, admin may also choose the dialect and take control from somebody.";
+    FORBIDDEN_HOST = 403 "forbidden-host" "the station does not go by this name"
+        "The Host header is not a name or address of this station. That protects from pages that let their own name lead to your machine. Use the address that the station printed, or tell the station its name.";
+    FORBIDDEN_ORIGIN = 403 "forbidden-origin" "another site's page may not do this"
+        "A browser says that a page of another site sends this request. Only the station's own page may.";
+    UNKNOWN_PATH = 404 "unknown-path" "there is nothing at this address"
+        "No route of the station has this path. `/api/v1/openapi.json` lists all of them.";
+    NO_SUCH_JOB = 404 "no-such-job" "there is no such job"
+        "No job has this number. `/api/v1/jobs` lists all of them.";
+    METHOD = 405 "method" "this address does not take this method"
+        "The path exists, but not with this method. The Allow header lists those that it takes.";
+    TIMEOUT = 408 "timeout" "the request came too slowly"
+        "The body was not there in time. Nothing has changed.";
+    NO_LEASE = 409 "no-lease" "this client does not have control"
+        "One client at a time has control of the arm. Take the lease with `POST /api/v1/lease`; if somebody has it, ask for it. Stopping takes no lease.";
+    LEASE_GONE = 409 "lease-gone" "the lease token is not valid any more"
+        "A lease that was taken over plain HTTP ends when its token is not used for ten seconds. Take it again.";
+    NOT_ASKING = 409 "not-asking" "nobody asks for control"
+        "Control can be given only to a client that asks for it; the state lists those that do.";
+    STOPPED = 409 "stopped" "the arm is stopped"
+        "Somebody stopped the arm, and it stays so until a person has looked at it and resets the stop with `DELETE /api/v1/stop`.";
+    STILL_MOVING = 409 "still-moving" "the arm still moves"
+        "The arm has not come to rest yet after a stop. The detail says how long that takes at the most.";
+    LET_GO = 409 "let-go" "the button was let go"
+        "The station let go of a button that its client still says: the client fell silent for a while, or the arm was stopped. Release the button, then press it again.";
+    LASER_DISARMED = 409 "laser-disarmed" "the laser is disarmed"
+        "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
+    JOB_RUNNING = 409 "job-running" "a job has the arm"
+        "While a job runs, nothing else moves the arm. Pause it, or wait until it is done.";
+    NO_JOB_RUNS = 409 "no-job-runs" "no job is running"
+        "Only a running job can be paused. `/api/v1/jobs` lists all jobs.";
+    DETECTING = 409 "detecting" "the arm is finding out its dialect"
+        "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
+    JOB_PHASE = 409 "job-phase" "the job does not allow this now"
+        "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
+    NO_VECTORS = 409 "no-vectors" "the job has no vectors"
+        "Speed and height are changed on write vectors, and the job is made of targets. They keep their own.";
+    CANNOT_RESUME = 409 "cannot-resume" "the job cannot be gone on with"
+        "The arm is not where the job left it, or its pose is not trusted. The detail says which.";
+    NOT_REACHED = 409 "not-reached" "the command was taken, but the arm is not where it leads"
+        "The arm stopped at a limit, stalled, was stopped, or the link was lost. The detail says what was seen.";
+    TOO_LARGE = 413 "too-large" "the request is too large"
+        "The body is larger than this route takes. The detail says how much it takes.";
+    MEDIA_TYPE = 415 "media-type" "the body is not JSON"
+        "Bodies are JSON, with the header `Content-Type: application/json`.";
+    INVALID = 422 "invalid" "a field is not as it has to be"
+        "The body is JSON, but a field is missing, unknown, of the wrong type or too large. The detail names it. Nothing has changed.";
+    COMMAND = 422 "command" "the command is not sent"
+        "The command breaks its table of the protocol, cannot be reached, or means different things to different arms while the dialect is not known.";
+    DIALECT_NOT_FOUND = 422 "dialect-not-found" "the dialect was not found"
+        "The small motions did not tell which dialect the arm speaks. The detail says why. It can be said by hand, with `PUT /api/v1/dialect`.";
+    POLICY = 422 "policy" "the policy does not allow this"
+        "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
+    OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
+        "A number lies outside its range. The detail says which one, and what is allowed.";
+    BAD_JOB = 422 "bad-job" "the job cannot be done"
+        "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
+    UPGRADE = 426 "upgrade" "this address is a WebSocket"
+        "Connect to it with a WebSocket client.";
+    TOO_MANY_REQUESTS = 429 "too-many-requests" "too many requests"
+        "Requests come faster than the station takes them from one address. Wait as long as the Retry-After header says.";
+    TOO_MANY = 429 "too-many" "too much waits already"
+        "The station holds back only a few commands of a client. Wait until some are over, or send them as a job.";
+    TOO_MANY_CLIENTS = 429 "too-many-clients" "too many clients"
+        "The station serves as many clients as it can. Try again later.";
+    NO_LINK = 503 "no-link" "there is no arm"
+        "The station has no link to an arm. The state says what it waits for.";
+    ENDING = 503 "ending" "the station is shutting down"
+        "The station ends. The laser is off.";
+    JOURNAL = 507 "journal" "the journal cannot be written"
+        "Jobs are written to the disk before they run, and that failed. Make room on the disk, or check the folder's permissions.";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_a_name_of_its_own_and_some_sentences() {
+        for (index, kind) in ALL.iter().enumerate() {
+            assert!(
+                ALL[..index].iter().all(|it| it.name != kind.name),
+                "{kind:?}"
+            );
+            assert!(kind.explanation.ends_with('.'), "{kind:?}");
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! What a station and its clients say to each other, and a client of a station.
+//!
+//! The same types are in the API, its document, the recordings and the program. With the feature `remote`
+//! there is a client besides: [`Folders`] says where a station of this machine tells that it runs, and
+//! [`Remote`] talks to one.
+//!
+//! ```
+//! use dobot_api::{Request, Role};
+//!
+//! let request: Request = serde_json::from_str(r#"{"type": "stop", "reason": "smoke"}"#)?;
+//! assert_eq!(request, Request::Stop { reason: Some("smoke".into()) });
+//! assert_eq!(request.role(), Role::Watch);
+//! # Ok::<(), serde_json::Error>(())
+//! ```
+
+#[cfg(feature = "remote")]
+mod folders;
+mod job;
+mod job_state;
+pub mod kinds;
+mod lease;
+mod message;
+mod notice;
+mod problem;
+#[cfg(feature = "remote")]
+mod remote;
+mod reply;
+mod request;
+mod role;
+#[cfg(feature = "remote")]
+mod running;
+mod state;
+
+#[cfg(feature = "remote")]
+pub use folders::{Folders, make_private};
+pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
+pub use job_state::JobState;
+pub use lease::{Asking, ClientId, LeaseView};
+pub use message::{FromClient, Hello, ToClient};
+pub use notice::{News, Notice};
+pub use problem::Problem;
+#[cfg(feature = "remote")]
+pub use remote::{
+    ConnectError, Heard, Remote, RemoteError, StationAddress, StationAddressError, Trust,
+    TrustError, fetch, fingerprint, is_station,
+};
+pub use reply::Reply;
+pub use request::{Jog, Request};
+pub use role::{Role, UnknownRole};
+#[cfg(feature = "remote")]
+pub use running::{Running, RunningError};
+pub use state::{ArmView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView};

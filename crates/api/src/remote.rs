@@ -1,0 +1,297 @@
+//! The client of a station: what the verbs of the program talk through.
+
+mod address;
+mod fetch;
+mod stream;
+mod trust;
+
+use std::collections::VecDeque;
+use std::fmt;
+use std::time::Duration;
+
+use futures_util::{SinkExt, StreamExt};
+use tokio::time::timeout;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::handshake::client::Request as Handshake;
+use tokio_tungstenite::tungstenite::http::HeaderValue;
+use tokio_tungstenite::tungstenite::{self, Message};
+use tokio_tungstenite::{WebSocketStream, client_async};
+
+use self::stream::{Bytes, open, soon};
+use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
+
+pub use self::address::{StationAddress, StationAddressError, Trust, fingerprint};
+pub use self::fetch::{fetch, is_station};
+pub use self::stream::ConnectError;
+pub use self::trust::TrustError;
+
+/// A client of a station, over its WebSocket.
+///
+/// What it holds (control of the arm, a jog button) ends when it is dropped.
+///
+/// ```no_run
+/// use dobot_api::{Remote, Request, StationAddress};
+///
+/// # async fn example() -> Result<(), Box<dyn std::error::Error>> {
+/// let address = StationAddress::new("http://127.0.0.1:8642")?;
+/// let mut station = Remote::connect(&address, "example").await?;
+/// station.request(Request::Stop { reason: None }).await?;
+/// # Ok(())
+/// # }
+/// ```
+pub struct Remote {
+    socket: WebSocketStream<Box<dyn Bytes>>,
+    hello: Hello,
+    next_id: u64,
+    /// What came while an answer was waited for, the oldest first; of states only the last one.
+    heard: VecDeque<Heard>,
+}
+
+/// What a station tells without being asked.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Heard {
+    /// All that the station knows now.
+    State(Box<State>),
+    /// Something happened.
+    Notice(Notice),
+}
+
+/// Why a conversation with a station failed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RemoteError {
+    /// The station refuses; nothing has changed.
+    #[error("{}", .0.detail)]
+    Refused(Box<Problem>),
+    /// A command is over, but not done.
+    #[error("{0}")]
+    Failed(String),
+    /// It does not answer.
+    #[error("the station does not answer")]
+    Silent,
+    /// It closed the connection.
+    #[error("the station closed the connection{}", .0.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    Closed(Option<String>),
+    /// The connection broke.
+    #[error("the connection with the station broke")]
+    Broken(#[source] Box<tungstenite::Error>),
+    /// It says what nobody understands.
+    #[error("the station says what this program does not understand: {0}")]
+    Garbled(String),
+}
+
+impl RemoteError {
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::Refused(problem) => problem.hint.clone(),
+            Self::Failed(_) => {
+                Some("`dobot watch` shows where the arm is and what happened".into())
+            }
+            Self::Silent | Self::Closed(_) | Self::Broken(_) => Some(
+                "does the station still run? `dobot watch` shows it, `dobot up` starts one".into(),
+            ),
+            Self::Garbled(_) => Some("are station and program of the same version?".into()),
+        }
+    }
+
+    /// The last part of the kind of problem that the station refuses with, as in `no-lease`.
+    #[must_use]
+    pub fn kind(&self) -> Option<&str> {
+        match self {
+            Self::Refused(problem) => problem.kind.rsplit('/').next(),
+            _ => None,
+        }
+    }
+}
+
+impl Remote {
+    /// Connects, under a name that the others see.
+    ///
+    /// # Errors
+    ///
+    /// [`ConnectError`], with what to do about it.
+    pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
+        soon(address, Self::shake_hands(address, name)).await
+    }
+
+    async fn shake_hands(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
+        let handshake = handshake(address, name)?;
+        let stream = open(address).await?;
+        let (mut socket, _) = client_async(handshake, stream)
+            .await
+            .map_err(|it| no_handshake(address, it))?;
+        match receive(&mut socket).await {
+            Ok(ToClient::Hello { hello }) => Ok(Self {
+                socket,
+                hello,
+                next_id: 1,
+                heard: VecDeque::new(),
+            }),
+            Ok(ToClient::Problem { problem, .. }) => Err(ConnectError::Refused(problem.into())),
+            Ok(_) => Err(ConnectError::no_station(address, "it does not say hello")),
+            Err(error) => Err(ConnectError::no_station(address, error)),
+        }
+    }
+
+    /// What the station said first.
+    #[must_use]
+    pub const fn hello(&self) -> &Hello {
+        &self.hello
+    }
+
+    /// Asks for something. What the station tells in the meantime is kept for
+    /// [`next`](Self::next): every notice, and the last state.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError::Refused`] where it refuses, and others where there is no answer.
+    pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        let answered = timeout(patience(&request), self.ask(request)).await;
+        answered.unwrap_or(Err(RemoteError::Silent))
+    }
+
+    /// What the station tells next; of states only the last one is kept for those who are late.
+    /// Nothing is lost when it is cancelled.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError`] where the connection is lost.
+    pub async fn next(&mut self) -> Result<Heard, RemoteError> {
+        if let Some(heard) = self.heard.pop_front() {
+            return Ok(heard);
+        }
+        loop {
+            match receive(&mut self.socket).await? {
+                ToClient::State { state } => return Ok(Heard::State(state)),
+                ToClient::Notice { notice } => return Ok(Heard::Notice(notice.into_owned())),
+                ToClient::Problem { id: None, problem } => return Err(refused(problem)),
+                // The answer to a question that somebody gave up.
+                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
+            }
+        }
+    }
+
+    async fn ask(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        let id = self.next_id;
+        self.next_id += 1;
+        let text = serde_json::to_string(&FromClient { id, request })
+            .map_err(|it| RemoteError::Garbled(it.to_string()))?;
+        self.socket
+            .send(Message::text(text))
+            .await
+            .map_err(broken)?;
+        loop {
+            match receive(&mut self.socket).await? {
+                ToClient::Reply { id: of, reply } if of == id => return Ok(reply),
+                ToClient::Problem { id: of, problem } if of.is_none_or(|of| of == id) => {
+                    return Err(refused(problem));
+                }
+                ToClient::State { state } => self.keep(Heard::State(state)),
+                ToClient::Notice { notice } => self.keep(Heard::Notice(notice.into_owned())),
+                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
+            }
+        }
+    }
+
+    fn keep(&mut self, heard: Heard) {
+        if matches!(heard, Heard::State(_)) {
+            self.heard.retain(|it| !matches!(it, Heard::State(_)));
+        }
+        self.heard.push_back(heard);
+    }
+}
+
+impl fmt::Debug for Remote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Remote")
+            .field("hello", &self.hello)
+            .field("heard", &self.heard)
+            .finish_non_exhaustive()
+    }
+}
+
+/// What comes next on the socket.
+async fn receive(
+    socket: &mut WebSocketStream<Box<dyn Bytes>>,
+) -> Result<ToClient<'static>, RemoteError> {
+    loop {
+        match socket.next().await {
+            Some(Ok(Message::Text(text))) => {
+                return serde_json::from_str(&text)
+                    .map_err(|it| RemoteError::Garbled(it.to_string()));
+            }
+            Some(Ok(Message::Close(frame))) => {
+                let why = frame.map(|it| it.reason.to_string());
+                return Err(RemoteError::Closed(why.filter(|it| !it.is_empty())));
+            }
+            // The library answers pings.
+            Some(Ok(_)) => {}
+            Some(Err(error)) => return Err(broken(error)),
+            None => return Err(RemoteError::Closed(None)),
+        }
+    }
+}
+
+fn handshake(address: &StationAddress, name: &str) -> Result<Handshake, ConnectError> {
+    let scheme = if address.is_encrypted() { "wss" } else { "ws" };
+    let (authority, name) = (address.authority(), percent(name));
+    let url = format!("{scheme}://{authority}/api/v1/ws?name={name}");
+    let mut handshake = url
+        .into_client_request()
+        .map_err(|it| ConnectError::no_station(address, it))?;
+    if let Some(token) = &address.token {
+        let bearer = HeaderValue::from_str(&format!("Bearer {token}"));
+        let bearer = bearer.map_err(|_| ConnectError::Token)?;
+        handshake.headers_mut().insert("Authorization", bearer);
+    }
+    Ok(handshake)
+}
+
+fn no_handshake(address: &StationAddress, error: tungstenite::Error) -> ConnectError {
+    match error {
+        tungstenite::Error::Http(answer) => {
+            let body = answer.body().as_deref().unwrap_or_default();
+            fetch::refused(address, answer.status().as_u16(), body)
+        }
+        error => ConnectError::no_station(address, error),
+    }
+}
+
+fn refused(problem: Problem) -> RemoteError {
+    RemoteError::Refused(Box::new(problem))
+}
+
+fn broken(error: tungstenite::Error) -> RemoteError {
+    use tungstenite::Error::{AlreadyClosed, ConnectionClosed};
+    match error {
+        AlreadyClosed | ConnectionClosed => RemoteError::Closed(None),
+        error => RemoteError::Broken(Box::new(error)),
+    }
+}
+
+/// How long an answer may take.
+const fn patience(request: &Request) -> Duration {
+    match request {
+        // Small slow motions.
+        Request::Detect => Duration::from_mins(3),
+        // The whole way of a job is checked before it is kept, and again before it is begun.
+        Request::SubmitJob { .. } | Request::StartJob { .. } => Duration::from_mins(1),
+        _ => PATIENCE,
+    }
+}
+
+/// A text as part of an address.
+fn percent(text: &str) -> String {
+    let encoded = |byte: u8| {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
+            char::from(byte).to_string()
+        } else {
+            format!("%{byte:02X}")
+        }
+    };
+    text.bytes().map(encoded).collect()
+}
+
+const PATIENCE: Duration = Duration::from_secs(5);

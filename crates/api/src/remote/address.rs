@@ -1,0 +1,258 @@
+//! Where a station is reached, and why one may trust what answers there.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use crate::Running;
+
+/// Where a station is reached, and why one may trust what answers there.
+///
+/// ```
+/// use dobot_api::StationAddress;
+///
+/// let address = StationAddress::new("https://lab.example:8642")?;
+/// assert!(address.is_encrypted());
+/// assert_eq!(address.to_string(), "https://lab.example:8642");
+/// # Ok::<(), dobot_api::StationAddressError>(())
+/// ```
+#[derive(Clone, PartialEq, Eq)]
+pub struct StationAddress {
+    encrypted: bool,
+    /// An IPv6 number without its brackets.
+    host: String,
+    port: u16,
+    /// What allows more than watching.
+    pub token: Option<String>,
+    /// Why one may trust what answers, over https.
+    pub trust: Option<Trust>,
+}
+
+/// Why one may trust the certificate of a station.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trust {
+    /// This is the SHA-256 digest of the very certificate.
+    Fingerprint([u8; 32]),
+    /// It was issued by one of the certificates in this PEM file.
+    Authority(PathBuf),
+}
+
+impl StationAddress {
+    /// Reads an address: `http://HOST[:PORT]` or `https://HOST[:PORT]`, port 8642 unless told
+    /// otherwise.
+    ///
+    /// # Errors
+    ///
+    /// [`StationAddressError::Malformed`] where it is something else.
+    pub fn new(text: &str) -> Result<Self, StationAddressError> {
+        let malformed = || StationAddressError::Malformed {
+            found: text.to_owned(),
+        };
+        let (encrypted, rest) = match text.split_once("://") {
+            Some(("http", rest)) => (false, rest),
+            Some(("https", rest)) => (true, rest),
+            _ => return Err(malformed()),
+        };
+        let (host, port) =
+            host_and_port(rest.strip_suffix('/').unwrap_or(rest)).ok_or_else(malformed)?;
+        Ok(Self {
+            encrypted,
+            host,
+            port,
+            token: None,
+            trust: None,
+        })
+    }
+
+    /// Where a station says that it runs.
+    ///
+    /// # Errors
+    ///
+    /// [`StationAddressError`] where what it says makes no sense.
+    pub fn of(running: &Running) -> Result<Self, StationAddressError> {
+        let trust = running
+            .fingerprint
+            .as_deref()
+            .map(fingerprint)
+            .transpose()?;
+        Ok(Self {
+            token: running.token.clone(),
+            trust: trust.map(Trust::Fingerprint),
+            ..Self::new(&running.address)?
+        })
+    }
+
+    /// The machine.
+    #[must_use]
+    pub fn host(&self) -> &str {
+        &self.host
+    }
+
+    /// The port.
+    #[must_use]
+    pub const fn port(&self) -> u16 {
+        self.port
+    }
+
+    /// Whether it is reached over TLS.
+    #[must_use]
+    pub const fn is_encrypted(&self) -> bool {
+        self.encrypted
+    }
+
+    /// The machine and the port, as in the header `Host`.
+    pub(super) fn authority(&self) -> String {
+        if self.host.contains(':') {
+            format!("[{}]:{}", self.host, self.port)
+        } else {
+            format!("{}:{}", self.host, self.port)
+        }
+    }
+}
+
+impl fmt::Display for StationAddress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scheme = if self.encrypted { "https" } else { "http" };
+        write!(f, "{scheme}://{}", self.authority())
+    }
+}
+
+/// The token is nobody's business.
+impl fmt::Debug for StationAddress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "StationAddress({self}, trust {:?})", self.trust)
+    }
+}
+
+/// Why a text does not tell where a station is.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StationAddressError {
+    /// It is no address.
+    #[error(
+        "a station's address is `{found}`; allowed is http://HOST:PORT or https://HOST:PORT, as in http://127.0.0.1:8642"
+    )]
+    Malformed {
+        /// The whole text.
+        found: String,
+    },
+    /// It is no digest.
+    #[error(
+        "a fingerprint is `{found}`; allowed are the 64 hexadecimal digits of a SHA-256 digest, with or without colons"
+    )]
+    Fingerprint {
+        /// The whole text.
+        found: String,
+    },
+}
+
+/// Reads a SHA-256 digest in hexadecimal digits, with or without colons.
+///
+/// # Errors
+///
+/// [`StationAddressError::Fingerprint`] where it is something else.
+pub fn fingerprint(text: &str) -> Result<[u8; 32], StationAddressError> {
+    let error = || StationAddressError::Fingerprint {
+        found: text.to_owned(),
+    };
+    let digits: Option<Vec<u8>> = text.chars().filter(|it| *it != ':').map(digit).collect();
+    let digits = digits.filter(|it| it.len() == 64).ok_or_else(error)?;
+    let bytes: Vec<u8> = digits.chunks(2).map(|it| it[0] << 4 | it[1]).collect();
+    bytes.try_into().map_err(|_| error())
+}
+
+fn digit(digit: char) -> Option<u8> {
+    digit.to_digit(16).and_then(|it| u8::try_from(it).ok())
+}
+
+fn host_and_port(text: &str) -> Option<(String, u16)> {
+    let (host, port) = match text.rsplit_once(':') {
+        Some((host, port)) if !port.ends_with(']') => (host, port.parse().ok()?),
+        _ => (text, DEFAULT_PORT),
+    };
+    let host = match host.strip_prefix('[') {
+        Some(inner) => inner.strip_suffix(']')?,
+        None if host.contains(':') => return None,
+        None => host,
+    };
+    let allowed = |it: char| it.is_ascii_alphanumeric() || "-._:%".contains(it);
+    (!host.is_empty() && port > 0 && host.chars().all(allowed)).then(|| (host.to_owned(), port))
+}
+
+const DEFAULT_PORT: u16 = 8642;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn reads_what_it_writes() {
+        for text in [
+            "http://127.0.0.1:8642",
+            "https://lab.example:443",
+            "https://[::1]:8642",
+        ] {
+            assert_eq!(StationAddress::new(text).unwrap().to_string(), text);
+        }
+    }
+
+    #[test]
+    fn the_port_is_the_stations_own_unless_told_otherwise() {
+        for text in ["http://localhost", "http://localhost/", "https://[::1]"] {
+            assert_eq!(StationAddress::new(text).unwrap().port(), 8642, "{text}");
+        }
+    }
+
+    #[test]
+    fn says_what_is_allowed_when_the_text_is_no_address() {
+        for text in [
+            "",
+            "localhost:8642",
+            "ftp://localhost",
+            "http://",
+            "http://:8642",
+            "http://a:0",
+            "http://a:70000",
+            "http://::1:8642",
+            "http://a/b",
+            "http://user@a",
+            "http://a b",
+        ] {
+            let error = StationAddress::new(text).unwrap_err().to_string();
+            assert!(error.contains("http://HOST:PORT"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_fingerprint_is_read_with_and_without_colons() {
+        let plain = "00ff".repeat(16);
+        let colons = ["00", "FF"].repeat(16).join(":");
+        let expected: Vec<u8> = [0, 255].repeat(16);
+        assert_eq!(fingerprint(&plain).unwrap().to_vec(), expected);
+        assert_eq!(fingerprint(&colons).unwrap().to_vec(), expected);
+        for text in ["", "00", &"0g".repeat(32), &"00".repeat(33)] {
+            assert!(fingerprint(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_token_is_not_shown() {
+        let address = StationAddress {
+            token: Some("hush".into()),
+            ..StationAddress::new("http://localhost").unwrap()
+        };
+        assert!(!format!("{address:?} {address}").contains("hush"));
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_makes_it_panic_and_what_is_read_is_written_the_same(text in ".{0,40}") {
+            let _ = fingerprint(&text);
+            if let Ok(address) = StationAddress::new(&format!("http://{text}")) {
+                prop_assert_eq!(&StationAddress::new(&address.to_string()).unwrap(), &address);
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What the station answers.
+
+use dobot_client::Finding;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::{JobView, LeaseView};
+
+/// The answer to a request that was granted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Reply {
+    /// It is done.
+    Done,
+    /// The command waits for its turn; a notice tells when it is over.
+    Accepted {
+        /// Its number.
+        command: u64,
+        /// How long it and all before it take, in seconds, where that can be told.
+        takes_s: Option<f64>,
+    },
+    /// The stopping packet is on its way.
+    Stopping {
+        /// By when the arm is at rest at the latest, in seconds.
+        rests_within_s: f64,
+    },
+    /// The lease, as it is now.
+    Lease {
+        /// Who has it, if anybody has.
+        lease: Option<LeaseView>,
+    },
+    /// The job, as it is now.
+    Job {
+        /// The job.
+        job: JobView,
+    },
+    /// Which dialect the arm speaks.
+    Found {
+        /// What was found, and by which evidence.
+        finding: Finding,
+    },
+}

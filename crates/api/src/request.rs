@@ -1,0 +1,150 @@
+//! What a client can ask for.
+
+use dobot_wire::{Command, Dialect, JointJog, LinearJog};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::{ClientId, NewJob, Role};
+
+/// What a client can ask of the station.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Request {
+    /// Send one command, if the policy allows its whole way.
+    Command {
+        /// The command.
+        command: Command,
+    },
+    /// Hold a jog button. It is released when this is not said again within the dead-man time
+    /// (150 ms by default).
+    Jog {
+        /// The button.
+        jog: Jog,
+    },
+    /// Release the jog button.
+    #[serde(deserialize_with = "without_fields")]
+    Release,
+    /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
+    Stop {
+        /// Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
+        /// is not refused.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        reason: Option<String>,
+    },
+    /// Let the arm move again after a stop: a person has looked at it.
+    #[serde(deserialize_with = "without_fields")]
+    ResetStop,
+    /// Take control, if nobody has it; said again it renews the lease. From a program on the raw port,
+    /// which cannot be asked, an administrator takes it so too.
+    #[serde(deserialize_with = "without_fields")]
+    TakeLease,
+    /// Give control back.
+    #[serde(deserialize_with = "without_fields")]
+    ReleaseLease,
+    /// Ask the holder for control; he grants it, or releases it.
+    #[serde(deserialize_with = "without_fields")]
+    AskLease,
+    /// Give control to one who asked.
+    GrantLease {
+        /// Who gets it.
+        to: ClientId,
+    },
+    /// Take control from whoever has it.
+    #[serde(deserialize_with = "without_fields")]
+    SeizeLease,
+    /// Let the laser be switched on for a while: a person has put the goggles on. For a program on the raw
+    /// port that has control an administrator says so.
+    ArmLaser {
+        /// For how long, in seconds.
+        #[schemars(range(min = 1.0, max = 3600.0))]
+        for_s: f64,
+    },
+    /// Switch the laser off and keep it off.
+    #[serde(deserialize_with = "without_fields")]
+    DisarmLaser,
+    /// The arm stands where its statuses say: a person has looked. This takes no lease.
+    #[serde(deserialize_with = "without_fields")]
+    ConfirmPose,
+    /// Say which dialect the arm speaks.
+    SetDialect {
+        /// The dialect.
+        dialect: Dialect,
+    },
+    /// Find out which dialect the arm speaks, by small slow motions.
+    #[serde(deserialize_with = "without_fields")]
+    Detect,
+    /// Queue a job.
+    SubmitJob {
+        /// The job.
+        job: NewJob,
+    },
+    /// Start a queued job, or go on with a paused one.
+    StartJob {
+        /// Its number.
+        job: u64,
+    },
+    /// Pause the running job after what the arm has got already.
+    #[serde(deserialize_with = "without_fields")]
+    PauseJob,
+    /// Draw the vectors of the job that runs or is paused faster or slower than planned, from the
+    /// next vector on that is not sent yet.
+    SetJobSpeed {
+        /// In percent of the planned speed.
+        #[schemars(range(min = 10.0, max = 200.0))]
+        percent: f64,
+    },
+    /// Draw the job that runs or is paused higher or lower than planned, gently, from the next
+    /// command on that is not sent yet.
+    SetJobHeight {
+        /// How far above the plan, in millimetres; below 0 is lower.
+        #[schemars(range(min = -5.0, max = 5.0))]
+        offset_mm: f64,
+    },
+    /// End a job for good.
+    CancelJob {
+        /// Its number.
+        job: u64,
+    },
+}
+
+/// What is left of a request that has no fields; a derived reader passes over what it does not know there.
+fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::Error> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Nothing {}
+
+    Nothing::deserialize(deserializer).map(|Nothing {}| ())
+}
+
+impl Request {
+    /// Who may ask for this.
+    #[must_use]
+    pub const fn role(&self) -> Role {
+        match self {
+            Self::Stop { .. } => Role::Watch,
+            Self::SetDialect { .. } | Self::SeizeLease => Role::Admin,
+            _ => Role::Control,
+        }
+    }
+}
+
+/// A jog button.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "frame", rename_all = "snake_case")]
+pub enum Jog {
+    /// One joint (state 2).
+    Joint(JointJog),
+    /// One axis of the base frame (state 7).
+    Linear(LinearJog),
+}
+
+impl Jog {
+    /// The command that presses the button.
+    #[must_use]
+    pub fn command(self) -> Command {
+        match self {
+            Self::Joint(jog) => jog.into(),
+            Self::Linear(jog) => jog.into(),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! What the station tells all the time.
+
+use dobot_wire::{Dialect, Status};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::{JobView, LeaseView};
+
+/// All that the station knows at one moment.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct State {
+    /// The time since the station started, in seconds.
+    pub at_s: f64,
+    /// The way to the arm.
+    pub link: LinkView,
+    /// What the arm told last; absent until it has told anything.
+    pub arm: Option<ArmView>,
+    /// The dialect that the arm speaks, if that is known.
+    pub dialect: Option<Dialect>,
+    /// Whether the pose can be trusted.
+    pub trust: TrustView,
+    /// What the arm has still to do.
+    pub queue: QueueView,
+    /// Who has control, if anybody has.
+    pub lease: Option<LeaseView>,
+    /// The stop that holds the arm, if one does.
+    pub stop: Option<StopView>,
+    /// The laser's interlock.
+    pub laser: LaserView,
+    /// The job that runs or is paused.
+    pub job: Option<JobView>,
+    /// How many clients are connected.
+    pub clients: usize,
+}
+
+/// The way to the arm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LinkView {
+    /// Where the arm is reached: an address, or nothing yet.
+    pub address: Option<String>,
+    /// How far the link is.
+    pub phase: LinkPhase,
+    /// What is wrong with it and what to do, if anything is.
+    pub problem: Option<String>,
+    /// Whether it leads to the Bluetooth port of a stock arm: its statuses tell so, and joint jogs have
+    /// other axes there, to which they are translated.
+    #[serde(default)]
+    pub bluetooth: bool,
+    /// Statuses in a second, of 12.5; of 18.75 over Bluetooth.
+    pub statuses_per_s: f64,
+    /// Statuses that should have come and did not, since the connect.
+    pub lost_statuses: u64,
+    /// Bytes that belong to no status, since the connect.
+    pub damaged_bytes: u64,
+    /// From a command to the first status that shows it, in milliseconds, where that is known.
+    pub latency_ms: Option<f64>,
+}
+
+/// How far the link is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum LinkPhase {
+    /// No arm has been found yet.
+    Searching,
+    /// The port is open, but no status has come.
+    Listening,
+    /// Statuses come.
+    Up,
+    /// Statuses came, and do not any more.
+    Lost,
+}
+
+/// What the arm told last.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ArmView {
+    /// The status.
+    #[serde(flatten)]
+    pub status: Status,
+    /// Whether it moves.
+    pub moving: bool,
+}
+
+/// Whether the pose can be trusted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TrustView {
+    /// It can.
+    pub trusted: bool,
+    /// Why not.
+    pub reason: Option<String>,
+}
+
+/// What the arm has still to do.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct QueueView {
+    /// Commands that wait in the station.
+    pub waiting: usize,
+    /// Commands sent and not seen to be over.
+    pub under_way: usize,
+    /// How long those under way still take, in seconds, by the motion model.
+    pub ahead_s: f64,
+}
+
+/// A stop that holds the arm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StopView {
+    /// Who stopped it.
+    pub by: String,
+    /// Why.
+    pub reason: Option<String>,
+    /// When, in seconds since the station started.
+    pub at_s: f64,
+    /// By when the arm was promised to be at rest, in seconds since the station started.
+    pub rests_by_s: f64,
+    /// Whether it has been seen at rest since.
+    pub at_rest: bool,
+}
+
+/// The laser's interlock.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LaserView {
+    /// For how long it may still be switched on, in seconds; 0 when it is disarmed.
+    pub armed_for_s: f64,
+    /// Whether the laser of the arm may be on, as its dialect has it: from when it was sent what burns
+    /// until that is over, or what switches the laser off had time to act.
+    pub on: bool,
+}

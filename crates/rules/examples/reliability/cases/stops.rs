@@ -1,0 +1,227 @@
+//! Stops at random moments of whatever the arm does.
+
+use std::fmt;
+use std::time::Duration;
+
+use dobot_api::{Jog, Request};
+use dobot_controller::Personality;
+use dobot_rules::Rehearsal;
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode};
+
+use super::chance::Chance;
+use super::jobs::Sort;
+use super::scene::{Scene, Wrong, burns};
+use super::spread::Spread;
+
+/// What the arm does when it is stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Doing {
+    /// A job, from its start to its end.
+    Job(Sort),
+    /// Targets of a client, as many as wait.
+    Targets,
+    /// A button that is held, of a joint or an axis.
+    Jog,
+    /// A job that is being paused, or that goes on.
+    Pausing,
+    /// What it had got when the station was killed.
+    Killed,
+}
+
+impl Doing {
+    /// All of them.
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Job(Sort::Pen),
+        Self::Job(Sort::Burn),
+        Self::Job(Sort::Program),
+        Self::Targets,
+        Self::Jog,
+        Self::Pausing,
+        Self::Killed,
+    ];
+}
+
+impl fmt::Display for Doing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Job(sort) => sort.fmt(f),
+            Self::Targets => f.write_str("targets of a client"),
+            Self::Jog => f.write_str("a jog"),
+            Self::Pausing => f.write_str("a job that is paused and goes on"),
+            Self::Killed => f.write_str("a job whose station was just started again"),
+        }
+    }
+}
+
+/// What the stops of one doing were like.
+#[derive(Debug)]
+pub(crate) struct Stops {
+    /// What the arm did.
+    pub doing: Doing,
+    /// So often it was stopped.
+    pub times: usize,
+    /// At rest later than was promised.
+    pub late: usize,
+    /// The laser was on later than that.
+    pub burnt: usize,
+    /// What was promised, in seconds.
+    pub promised_s: Spread,
+    /// What it took, in seconds.
+    pub took_s: Spread,
+    /// From the stop to the end of the light, in seconds, where it burnt.
+    pub dark_s: Spread,
+    /// What should not be.
+    pub wrong: Vec<String>,
+}
+
+/// Stops the arm so often for each doing.
+pub(crate) fn run(stops: u64) -> Vec<Stops> {
+    Doing::ALL.map(|doing| of(doing, stops)).into()
+}
+
+fn of(doing: Doing, stops: u64) -> Stops {
+    let mut figures = Stops {
+        doing,
+        times: 0,
+        late: 0,
+        burnt: 0,
+        promised_s: Spread::default(),
+        took_s: Spread::default(),
+        dark_s: Spread::default(),
+        wrong: Vec::new(),
+    };
+    for seed in 0..stops {
+        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
+        if let Err(wrong) = one(&mut figures, personality, seed) {
+            figures
+                .wrong
+                .push(format!("{personality}, {doing}, seed {seed}: {wrong}"));
+        }
+    }
+    figures
+}
+
+fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), Wrong> {
+    let mut chance = Chance::new(seed);
+    let mut scene = Scene::new(personality)?;
+    match figures.doing {
+        Doing::Job(sort) => work(&mut scene, sort, &mut chance)?,
+        Doing::Targets => targets(&mut scene, &mut chance)?,
+        Doing::Jog => jog(&mut scene, &mut chance)?,
+        Doing::Pausing => pause(&mut scene, &mut chance)?,
+        Doing::Killed => {
+            let sort = chance.one(&Sort::ALL);
+            work(&mut scene, sort, &mut chance)?;
+            scene.it.crash(chance.time(Duration::from_millis(300)))?;
+            scene
+                .it
+                .run_for(Duration::from_millis(100) + chance.time(Duration::from_secs(1)));
+            scene.anna = scene.it.client("Anna");
+        }
+    }
+    stop(figures, &mut scene)
+}
+
+/// Stops, and watches the arm.
+fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
+    let (at, burnt) = (scene.it.now(), scene.burns());
+    scene.it.ask(scene.anna, Request::Stop { reason: None })?;
+    let stop = scene.it.keeper().state().stop;
+    let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
+    let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
+    let mut lit = at;
+    let note = |it: &Rehearsal| {
+        if burns(it) {
+            lit = it.now();
+        }
+        false
+    };
+    scene.it.run_until(
+        at + promised.max(Duration::from_secs(4)) + Duration::from_secs(8),
+        note,
+    );
+    let took_s = (scene.rested_s() - at.as_secs_f64()).max(0.0);
+    figures.times += 1;
+    figures.promised_s.add(promised.as_secs_f64());
+    figures.took_s.add(took_s);
+    if burnt {
+        figures.dark_s.add(lit.saturating_sub(at).as_secs_f64());
+    }
+    // The last packets say it again, and again; they need not have been heard by then.
+    let dark_by = promised.max(Duration::from_millis(200));
+    figures.burnt += usize::from(lit.saturating_sub(at) > dark_by);
+    if took_s > promised.as_secs_f64() {
+        figures.late += 1;
+        let text = format!("promised {promised:?}, took {took_s} s");
+        return Err(Wrong(text));
+    }
+    Ok(())
+}
+
+fn work(scene: &mut Scene, sort: Sort, chance: &mut Chance) -> Result<(), Wrong> {
+    scene.begin(&sort.job(chance))?;
+    let planned = scene.planned();
+    scene.it.run_for(chance.time(planned));
+    Ok(())
+}
+
+fn pause(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
+    let job = scene.begin(&chance.one(&Sort::ALL).job(chance))?;
+    let planned = scene.planned();
+    scene.it.run_for(chance.time(planned / 2));
+    scene.it.ask(scene.anna, Request::PauseJob)?;
+    if chance.below(2) == 0 {
+        scene.settle(job)?;
+        scene.start(job)?;
+    }
+    scene.it.run_for(chance.time(Duration::from_secs(2)));
+    Ok(())
+}
+
+fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
+    for _ in 0..=chance.below(5) {
+        let command: Command = MoveTo {
+            x_mm: chance.between(200.0, 235.0),
+            y_mm: chance.between(-90.0, 90.0),
+            z_mm: chance.between(0.0, 40.0),
+            rotation_deg: 0.0,
+            suction: false,
+            mode: chance.one(&[MovingMode::Jump, MovingMode::MovJ, MovingMode::MovL]),
+            gripper_deg: 0.0,
+            pause_s: chance.one(&[0.0, 0.3, 1.0]),
+        }
+        .into();
+        scene.it.ask(scene.anna, Request::Command { command })?;
+        scene.it.run_for(chance.time(Duration::from_secs(1)));
+    }
+    Ok(())
+}
+
+/// Holds a button, and mostly lets it go again before the stop: or not.
+fn jog(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
+    let speed_percent = chance.between(10.0, 100.0);
+    let jog = if chance.below(2) == 0 {
+        Jog::Linear(LinearJog {
+            axis: chance.one(&[
+                LinearJogAxis::YPlus,
+                LinearJogAxis::YMinus,
+                LinearJogAxis::ZPlus,
+            ]),
+            speed_percent,
+        })
+    } else {
+        Jog::Joint(JointJog {
+            axis: chance.one(&[JointJogAxis::BasePlus, JointJogAxis::BaseMinus]),
+            speed_percent,
+        })
+    };
+    for _ in 0..chance.below(30) {
+        scene.it.ask(scene.anna, Request::Jog { jog })?;
+        scene.it.run_for(Duration::from_millis(60));
+    }
+    if chance.below(4) == 0 {
+        scene.it.ask(scene.anna, Request::Release)?;
+    }
+    scene.it.run_for(chance.time(Duration::from_millis(140)));
+    Ok(())
+}

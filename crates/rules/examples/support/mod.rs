@@ -1,0 +1,54 @@
+//! What the examples share: the way to an arm, and a person who looks at it.
+
+use std::error::Error;
+use std::io::stdin;
+
+use dobot_api::{Folders, Request, State, StationAddress};
+use dobot_controller::{Personality, PowerUp};
+use dobot_rules::{LocalArm, StationClient};
+use dobot_safety::Policy;
+
+/// The arm at an address, of a station, or a virtual one.
+pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<dyn Error>> {
+    let policy = Policy::default();
+    Ok(match address.as_deref() {
+        None | Some("virtual:") => {
+            let power_up = PowerUp::new(Personality::Firmware11);
+            StationClient::with_virtual_arm(power_up, policy, "example")
+        }
+        Some(url) if url.starts_with("http") => {
+            StationClient::connect(&StationAddress::new(url)?, "example").await?
+        }
+        Some(address) => {
+            let arm = LocalArm {
+                address: address.parse()?,
+                dialect: None,
+                policy,
+                folders: Folders::of_person().ok_or("this person has no home folder")?,
+                // This program cannot be one.
+                guardian: None,
+            };
+            StationClient::open(arm, "example").await?
+        }
+    })
+}
+
+/// Takes control of the arm when it has told where it is; where that is not trusted, a person is
+/// asked.
+pub(crate) async fn ready(station: &mut StationClient) -> Result<State, Box<dyn Error>> {
+    let mut state = station.state().await?;
+    while state.arm.is_none() {
+        state = station.state().await?;
+    }
+    if !state.trust.trusted {
+        println!("{}", state.trust.reason.as_deref().unwrap_or_default());
+        println!(
+            "The arm is going to move. Does it stand as it says? Enter goes on: {:?}",
+            state.arm
+        );
+        stdin().read_line(&mut String::new())?;
+        station.request(Request::ConfirmPose).await?;
+    }
+    station.request(Request::TakeLease).await?;
+    Ok(state)
+}

@@ -1,0 +1,243 @@
+//! The thread that has the arm.
+
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+use tokio::runtime::{Builder, Handle};
+use tokio::sync::oneshot;
+
+use crate::connect::Connecting;
+use crate::guardian::LastWords;
+use crate::owner::Owner;
+
+/// The thread that has the arm: the owner of its port runs there, and those who speak the arm's own
+/// protocol, so that no packet waits until a thousand others have been told where the arm is.
+///
+/// When it panics the last words are said from here, for nobody else is left who could.
+#[derive(Debug)]
+pub(crate) struct ArmThread {
+    runtime: Handle,
+    owner: oneshot::Sender<(Owner, Option<Connecting>)>,
+    ended: oneshot::Receiver<Result<(), String>>,
+}
+
+/// The thread, with its owner at work.
+#[derive(Debug)]
+pub(crate) struct ArmAtWork {
+    runtime: Handle,
+    ended: oneshot::Receiver<Result<(), String>>,
+}
+
+impl ArmThread {
+    /// Starts it; it waits for its owner, and what is spawned there runs already.
+    ///
+    /// # Errors
+    ///
+    /// What the operating system says.
+    pub(crate) fn start(words: Arc<LastWords>) -> io::Result<Self> {
+        let runtime = Builder::new_current_thread().enable_all().build()?;
+        let handle = runtime.handle().clone();
+        let (owner, given) = oneshot::channel::<(Owner, Option<Connecting>)>();
+        let (over, ended) = oneshot::channel();
+        let thread = std::thread::Builder::new().name("arm".into());
+        thread.spawn(move || {
+            let work = || {
+                runtime.block_on(async {
+                    match given.await {
+                        Ok((owner, first)) => Box::pin(owner.run(first)).await,
+                        // The station did not start.
+                        Err(_) => Ok(()),
+                    }
+                })
+            };
+            let outcome = catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
+                words.say();
+                Err("the thread that has the arm panicked".to_owned())
+            });
+            // Nobody may be waiting for that.
+            let _ = over.send(outcome);
+        })?;
+        Ok(Self {
+            runtime: handle,
+            owner,
+            ended,
+        })
+    }
+
+    /// Lets the owner run there, beginning with what is known of its arm already; the thread ends
+    /// with it, and with the thread all else that runs there.
+    pub(crate) fn give(self, owner: Owner, first: Option<Connecting>) -> ArmAtWork {
+        // A thread that is gone says so when it is waited for.
+        let _ = self.owner.send((owner, first));
+        ArmAtWork {
+            runtime: self.runtime,
+            ended: self.ended,
+        }
+    }
+
+    /// Where its tasks run.
+    pub(crate) const fn runtime(&self) -> &Handle {
+        &self.runtime
+    }
+}
+
+impl ArmAtWork {
+    /// Lets something else run there.
+    pub(crate) fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
+        self.runtime.spawn(task);
+    }
+
+    /// Waits until the owner has ended.
+    ///
+    /// # Errors
+    ///
+    /// What failed that the arm depends on, in one line.
+    pub(crate) async fn ended(self) -> Result<(), String> {
+        match self.ended.await {
+            Ok(outcome) => outcome,
+            Err(_) => Err("the thread that has the arm was torn down".to_owned()),
+        }
+    }
+}
+
+#[cfg(all(test, unix))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::io::Read;
+    use std::os::unix::net::UnixStream;
+    use std::pin::Pin;
+    use std::task::{Context, Poll};
+    use std::time::{Duration, Instant};
+
+    use dobot_api::Folders;
+    use dobot_client::{Address, Link};
+    use dobot_course::LASER_OFF;
+    use dobot_journal::Journal;
+    use dobot_safety::Policy;
+    use dobot_wire::{Command, Decoder, Dialect, LinearJog, LinearJogAxis};
+    use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
+    use tokio::sync::Mutex;
+
+    use super::*;
+    use crate::arms::Arms;
+    use crate::connect::Source;
+    use crate::guardian::{Heart, JogKind, Told};
+    use crate::handle::{Message, Rules};
+    use crate::jobs::Jobs;
+    use crate::keeper::Keeper;
+    use crate::owner::Given;
+    use crate::recording::Recording;
+    use crate::{Finder, Found, Search};
+
+    /// A port whose driver takes everything, and panics when something is to be heard.
+    struct Panics;
+
+    impl AsyncRead for Panics {
+        fn poll_read(
+            self: Pin<&mut Self>,
+            _: &mut Context<'_>,
+            _: &mut ReadBuf<'_>,
+        ) -> Poll<io::Result<()>> {
+            panic!("a test wants it so")
+        }
+    }
+
+    impl AsyncWrite for Panics {
+        fn poll_write(
+            self: Pin<&mut Self>,
+            _: &mut Context<'_>,
+            bytes: &[u8],
+        ) -> Poll<io::Result<usize>> {
+            Poll::Ready(Ok(bytes.len()))
+        }
+
+        fn poll_flush(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<io::Result<()>> {
+            Poll::Ready(Ok(()))
+        }
+
+        fn poll_shutdown(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<io::Result<()>> {
+            Poll::Ready(Ok(()))
+        }
+    }
+
+    /// An owner at work on a link, and the way to it.
+    fn at_work(
+        link: Link,
+        words: &Arc<LastWords>,
+    ) -> (ArmAtWork, tokio::sync::mpsc::Sender<Message>) {
+        let folder = tempfile::tempdir().unwrap();
+        let folders = Folders::at(folder.path());
+        let policy = Policy::default();
+        let keeper = Keeper::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
+        let (handle, ends) = crate::Handle::new(keeper.state(), Rules::of(&policy));
+        let own = handle.messages.clone();
+        let journal = Journal::in_memory().unwrap();
+        let owner = Owner::new(Given {
+            keeper,
+            ends,
+            source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
+            arms: Arms::read(&folders.arms()).unwrap(),
+            jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
+            recording: Recording::new(None, None),
+            own: own.clone(),
+            heart: Heart::new(None, folders.guardian(), words.clone()),
+        });
+        let found = Found {
+            address: Address::Tcp {
+                host: "an.arm".into(),
+                port: 1,
+            },
+            link,
+            bytes: Vec::new(),
+        };
+        let thread = ArmThread::start(words.clone()).unwrap();
+        (thread.give(owner, Some(Connecting::Up(found))), own)
+    }
+
+    fn commands(far: &mut impl Read) -> Vec<Command> {
+        let mut bytes = Vec::new();
+        far.read_to_end(&mut bytes).unwrap();
+        let mut decoder = Decoder::commands();
+        let packets = decoder.feed(&bytes);
+        packets
+            .map(|it| Command::parse(&it, &Dialect::FIRMWARE_1_1).unwrap())
+            .collect()
+    }
+
+    #[tokio::test]
+    async fn a_panic_where_the_arm_is_says_the_last_words_at_once_and_ends_the_station() {
+        let (near, mut far) = UnixStream::pair().unwrap();
+        let words = Arc::new(LastWords::default());
+        words.note(Told {
+            jog: Some(JogKind::Linear),
+            burns: true,
+        });
+        let link = Link::over_stream(Panics).with_port(near.into());
+        let began = Instant::now();
+        let (thread, _own) = at_work(link, &words);
+        let error = thread.ended().await.unwrap_err();
+        assert_eq!(error, "the thread that has the arm panicked");
+        drop(words);
+        let release = Command::LinearJog(LinearJog {
+            axis: LinearJogAxis::Released,
+            speed_percent: 0.0,
+        });
+        assert_eq!(commands(&mut far), [LASER_OFF, release]);
+        assert!(
+            began.elapsed() < Duration::from_secs(5),
+            "it did not wait for anybody"
+        );
+    }
+
+    #[tokio::test]
+    async fn a_failure_of_what_the_arm_depends_on_ends_the_station_and_is_told() {
+        let (near, _far) = tokio::io::duplex(4096);
+        let words = Arc::new(LastWords::default());
+        let (thread, own) = at_work(Link::over_stream(near), &words);
+        own.send(Message::Failed("the journal is gone".into()))
+            .await
+            .unwrap();
+        assert_eq!(thread.ended().await.unwrap_err(), "the journal is gone");
+    }
+}

@@ -1,0 +1,288 @@
+//! A client of the rules, wherever they are kept: in a station that runs, in this process, or in
+//! virtual time.
+
+mod local;
+mod virtual_time;
+
+use std::fmt;
+use std::time::Duration;
+
+use dobot_api::{
+    ClientId, ConnectError, Heard, JobView, News, Problem, Remote, RemoteError, Reply, Request,
+    State, StationAddress, fetch,
+};
+use dobot_client::Address;
+use dobot_controller::PowerUp;
+use dobot_safety::Policy;
+use dobot_sim::VirtualArm;
+use tokio::time::Instant;
+
+use crate::Refusal;
+
+use self::local::Local;
+use self::virtual_time::InVirtualTime;
+
+pub use self::local::{LocalArm, OpenArmError};
+
+/// A client of the rules that every command to an arm passes.
+///
+/// The rules are the same wherever they are kept, and so are the requests:
+///
+/// | constructor | the rules are kept | the arm |
+/// |---|---|---|
+/// | [`connect`](Self::connect) | by a station that runs | is the station's |
+/// | [`open`](Self::open) | in this process, in a thread of their own | is at an address |
+/// | [`with_virtual_arm`](Self::with_virtual_arm) | in this process, in virtual time | is in this process too |
+///
+/// What a client holds (control of the arm, a jog button) ends when it is dropped. [`end`](Self::end)
+/// waits until the arm rests.
+///
+/// ```
+/// use dobot_controller::{Personality, PowerUp};
+/// use dobot_safety::Policy;
+/// use dobot_api::{Reply, Request};
+/// use dobot_rules::StationClient;
+/// use dobot_wire::{Command, MoveTo, MovingMode};
+///
+/// # #[tokio::main(flavor = "current_thread")]
+/// # async fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let power_up = PowerUp::new(Personality::Firmware11);
+/// let mut station = StationClient::with_virtual_arm(power_up, Policy::default(), "example");
+/// station.state().await?;
+/// station.request(Request::TakeLease).await?;
+/// let command = Command::from(MoveTo {
+///     x_mm: 220.0, y_mm: 0.0, z_mm: 30.0, rotation_deg: 0.0, suction: false,
+///     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
+/// });
+/// let Reply::Accepted { command, .. } = station.request(Request::Command { command }).await? else {
+///     panic!("a motion is accepted");
+/// };
+/// station.finished(command).await?;
+/// # Ok(())
+/// # }
+/// ```
+pub struct StationClient {
+    way: Way,
+    began: Instant,
+}
+
+/// Where the rules are kept.
+enum Way {
+    Running(Box<Remote>, StationAddress),
+    Local(Box<Local>),
+    Virtual(Box<InVirtualTime>),
+}
+
+impl StationClient {
+    /// Connects with a station that runs, under a name that the others see.
+    ///
+    /// # Errors
+    ///
+    /// [`ConnectError`], with what to do about it.
+    pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
+        let remote = Remote::connect(address, name).await?;
+        Ok(Self::new(Way::Running(Box::new(remote), address.clone())))
+    }
+
+    /// Opens the port of an arm and keeps the rules in this process, in a thread of their own: with
+    /// journal and recording, without a page and a raw port. The laser is switched off first. The
+    /// pose is not trusted until [`Request::ConfirmPose`]: opening its port resets a stock arm.
+    ///
+    /// # Errors
+    ///
+    /// [`OpenArmError`]; nothing is left running then.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
+        let local = Local::open(arm, name).await?;
+        Ok(Self::new(Way::Local(Box::new(local))))
+    }
+
+    /// Keeps the rules of an arm in this process, in virtual time, which passes only while somebody
+    /// waits. Its pose is trusted and its laser needs no arming: it can harm nobody.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
+        let station = InVirtualTime::new(power_up, policy, name);
+        Self::new(Way::Virtual(Box::new(station)))
+    }
+
+    fn new(way: Way) -> Self {
+        Self {
+            way,
+            began: Instant::now(),
+        }
+    }
+
+    /// Asks for something. What is told in the meantime is kept for [`next`](Self::next).
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError::Refused`] where it is refused, and others where there is no answer.
+    pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        match &mut self.way {
+            Way::Running(remote, _) => remote.request(request).await,
+            Way::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
+            Way::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+        }
+    }
+
+    /// What is told next: a state or what happened. Nothing is lost when it is cancelled.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError`] where the connection is lost, or the rules are not kept any more.
+    pub async fn next(&mut self) -> Result<Heard, RemoteError> {
+        match &mut self.way {
+            Way::Running(remote, _) => remote.next().await,
+            Way::Local(local) => local.next().await,
+            Way::Virtual(station) => {
+                // A runtime that has other work (a signal that asks to stop) gets its turn.
+                tokio::task::consume_budget().await;
+                Ok(station.next())
+            }
+        }
+    }
+
+    /// The next state.
+    ///
+    /// # Errors
+    ///
+    /// As of [`next`](Self::next).
+    pub async fn state(&mut self) -> Result<State, RemoteError> {
+        loop {
+            if let Heard::State(state) = self.next().await? {
+                return Ok(*state);
+            }
+        }
+    }
+
+    /// Waits until a command that was [accepted](Reply::Accepted) is over.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError::Failed`] where the arm is not where it leads or the link to the arm is lost, and
+    /// others as of [`next`](Self::next).
+    pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
+        loop {
+            let Heard::Notice(notice) = self.next().await? else {
+                continue;
+            };
+            match notice.news {
+                News::CommandDone { command: done } if done == command => return Ok(()),
+                News::CommandFailed { command: failed } if failed == command => {
+                    return Err(RemoteError::Failed(notice.text));
+                }
+                News::LinkLost => return Err(RemoteError::Failed(notice.text)),
+                _ => {}
+            }
+        }
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`JobsError`] where they cannot be had.
+    pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
+        match &mut self.way {
+            Way::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
+            Way::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
+            Way::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+        }
+    }
+
+    /// Its number among the clients of the rules.
+    #[must_use]
+    pub const fn id(&self) -> ClientId {
+        match &self.way {
+            Way::Running(remote, _) => remote.hello().client,
+            Way::Local(local) => local.id(),
+            Way::Virtual(station) => station.id(),
+        }
+    }
+
+    /// Lets time pass by the arm's clock.
+    pub async fn wait(&mut self, time: Duration) {
+        match &mut self.way {
+            Way::Virtual(station) => station.wait(time),
+            Way::Running(..) | Way::Local(_) => tokio::time::sleep(time).await,
+        }
+    }
+
+    /// The time since this client came, by the arm's clock.
+    #[must_use]
+    pub fn now(&self) -> Duration {
+        match &self.way {
+            Way::Virtual(station) => station.now(),
+            Way::Running(..) | Way::Local(_) => self.began.elapsed(),
+        }
+    }
+
+    /// The address of the arm, where this process has opened it.
+    #[must_use]
+    pub fn arm_address(&self) -> Option<&Address> {
+        match &self.way {
+            Way::Running(..) => None,
+            Way::Local(local) => Some(local.address()),
+            Way::Virtual(_) => Some(&Address::Virtual),
+        }
+    }
+
+    /// The virtual arm, where it is in this process.
+    #[must_use]
+    pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
+        match &self.way {
+            Way::Virtual(station) => Some(station.arm()),
+            Way::Running(..) | Way::Local(_) => None,
+        }
+    }
+
+    /// The virtual arm, to do something to it.
+    pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
+        match &mut self.way {
+            Way::Virtual(station) => Some(station.arm_mut()),
+            Way::Running(..) | Way::Local(_) => None,
+        }
+    }
+
+    /// Leaves: what it holds ends. Where the rules are kept in this process, the laser goes off, what
+    /// is under way gets a moment to come to its end, and the port is closed.
+    pub async fn end(self) {
+        if let Way::Local(local) = self.way {
+            local.end().await;
+        }
+    }
+}
+
+impl fmt::Debug for StationClient {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let way: &dyn fmt::Debug = match &self.way {
+            Way::Running(remote, _) => remote,
+            Way::Local(local) => local,
+            Way::Virtual(station) => station,
+        };
+        f.debug_tuple("StationClient").field(way).finish()
+    }
+}
+
+/// Why the jobs cannot be had.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum JobsError {
+    /// The station does not give them.
+    #[error(transparent)]
+    Connect(#[from] ConnectError),
+    /// The rules' keeper does not give them.
+    #[error(transparent)]
+    Request(#[from] RemoteError),
+}
+
+fn refused(refusal: &Refusal) -> RemoteError {
+    RemoteError::Refused(Box::new(Problem::from(refusal)))
+}

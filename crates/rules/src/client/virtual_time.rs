@@ -1,0 +1,91 @@
+//! A client of rules that are kept in virtual time, beside the virtual arm.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_api::{ClientId, Heard, JobView, Reply, Request};
+use dobot_controller::PowerUp;
+use dobot_safety::Policy;
+use dobot_sim::VirtualArm;
+
+use crate::{Refusal, Rehearsal};
+
+/// A client of rules that are kept in virtual time: time passes while it waits.
+#[derive(Debug)]
+pub(super) struct InVirtualTime {
+    station: Rehearsal,
+    client: ClientId,
+    /// What was told and not asked for yet; of states only the last one, unless it asks for each.
+    heard: VecDeque<Heard>,
+    /// How many notices were told.
+    told: usize,
+}
+
+impl InVirtualTime {
+    pub(super) fn new(power_up: PowerUp, policy: Policy, name: &str) -> Self {
+        let mut station = Rehearsal::new(power_up, policy);
+        station.free_laser();
+        let client = station.client(name);
+        Self {
+            station,
+            client,
+            heard: VecDeque::new(),
+            told: 0,
+        }
+    }
+
+    pub(super) fn request(&mut self, request: Request) -> Result<Reply, Refusal> {
+        self.station.ask(self.client, request)
+    }
+
+    /// Lets time pass until something is told.
+    pub(super) fn next(&mut self) -> Heard {
+        loop {
+            self.listen();
+            if let Some(heard) = self.heard.pop_front() {
+                return heard;
+            }
+            self.station.step(Duration::MAX);
+        }
+    }
+
+    pub(super) fn wait(&mut self, time: Duration) {
+        let until = self.station.now() + time;
+        while self.station.now() < until {
+            self.station.step(until);
+            self.listen();
+        }
+    }
+
+    pub(super) const fn now(&self) -> Duration {
+        self.station.now()
+    }
+
+    pub(super) const fn id(&self) -> ClientId {
+        self.client
+    }
+
+    pub(super) fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
+        self.station.jobs()
+    }
+
+    pub(super) const fn arm(&self) -> &VirtualArm {
+        self.station.arm()
+    }
+
+    pub(super) const fn arm_mut(&mut self) -> &mut VirtualArm {
+        self.station.arm_mut()
+    }
+
+    fn listen(&mut self) {
+        let notices = self.station.notices();
+        let news = notices[self.told..].iter().cloned().map(Heard::Notice);
+        self.heard.extend(news);
+        self.told = notices.len();
+        if self.station.poll_status() {
+            self.heard.retain(|it| !matches!(it, Heard::State(_)));
+            let state = Box::new(self.station.keeper().state());
+            self.heard.push_back(Heard::State(state));
+        }
+    }
+}

@@ -1,0 +1,420 @@
+//! How the rest of the station talks to the one who owns the arm.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use bytes::Bytes;
+use dobot_api::{ClientId, JobView, Notice, Reply, Request, Role, State};
+use dobot_safety::Policy;
+use dobot_wire::Packet;
+use tokio::sync::{broadcast, mpsc, oneshot, watch};
+
+use crate::Refusal;
+use crate::keeper::Begun;
+
+/// How the rest of the station talks to the task that owns the arm; clones share it.
+#[derive(Clone, Debug)]
+pub struct Handle {
+    pub(crate) messages: mpsc::Sender<Message>,
+    pub(crate) states: watch::Receiver<Arc<Snapshot>>,
+    pub(crate) every: broadcast::Sender<Arc<Snapshot>>,
+    pub(crate) notices: broadcast::Sender<Arc<Notice>>,
+    pub(crate) recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
+    pub(crate) packets: broadcast::Sender<[u8; 42]>,
+    pub(crate) rules: Arc<Rules>,
+}
+
+/// The other end of all [`Handle`]s: what the owner of the arm hears, and where it tells.
+#[derive(Debug)]
+pub struct Ends {
+    /// What clients ask.
+    pub messages: mpsc::Receiver<Message>,
+    states: watch::Sender<Arc<Snapshot>>,
+    every: broadcast::Sender<Arc<Snapshot>>,
+    notices: broadcast::Sender<Arc<Notice>>,
+    recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
+    packets: broadcast::Sender<[u8; 42]>,
+}
+
+/// What holds as long as the station runs.
+#[derive(Debug)]
+pub struct Rules {
+    /// The policy as JSON.
+    pub policy: serde_json::Value,
+    /// How long a jog button stays pressed without being said again, in seconds.
+    pub dead_man_s: f64,
+}
+
+impl Rules {
+    /// The rules of a policy.
+    ///
+    /// # Panics
+    ///
+    /// Never: a policy is a table of numbers, which JSON can always hold.
+    #[must_use]
+    pub fn of(policy: &Policy) -> Self {
+        Self {
+            policy: serde_json::to_value(policy).expect("a policy is a table of numbers"),
+            dead_man_s: policy.jog.dead_man_s,
+        }
+    }
+}
+
+/// A state, and its JSON, written once for all who watch.
+#[derive(Debug)]
+pub struct Snapshot {
+    state: State,
+    /// `{"state":...}`, as it goes out to those who watch, in UTF-8.
+    message: Bytes,
+}
+
+impl Snapshot {
+    /// Writes the JSON of a state.
+    ///
+    /// # Panics
+    ///
+    /// Never: a state is made of structures with text keys, which JSON can always hold.
+    #[must_use]
+    pub fn new(state: State) -> Self {
+        let json = serde_json::to_string(&state).expect("structures with text keys are JSON");
+        Self {
+            state,
+            message: format!("{BEFORE}{json}{AFTER}").into(),
+        }
+    }
+
+    /// The state.
+    #[must_use]
+    pub const fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The state as JSON; a clone shares its bytes.
+    #[must_use]
+    pub fn json(&self) -> Bytes {
+        let end = self.message.len() - AFTER.len();
+        self.message.slice(BEFORE.len()..end)
+    }
+
+    /// The message to those who watch, `{"state":...}` in UTF-8; a clone shares its bytes.
+    #[must_use]
+    pub fn message(&self) -> Bytes {
+        self.message.clone()
+    }
+}
+
+const BEFORE: &str = "{\"state\":";
+const AFTER: &str = "}";
+
+/// A client of the station; it leaves when this is dropped, and its lease ends with it.
+#[derive(Debug)]
+pub struct Client {
+    id: ClientId,
+    role: Role,
+    handle: Handle,
+}
+
+/// What reaches the owner.
+#[derive(Debug)]
+pub enum Message {
+    /// A client came.
+    Came {
+        /// What it calls itself.
+        name: String,
+        /// What it may do.
+        role: Role,
+        /// Its number.
+        reply: oneshot::Sender<ClientId>,
+    },
+    /// A client left.
+    Left(ClientId),
+    /// A client asks for something.
+    Asked {
+        /// Who.
+        client: ClientId,
+        /// What for.
+        request: Request,
+        /// The answer.
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    },
+    /// A raw program sent a packet.
+    Raw {
+        /// Who.
+        client: ClientId,
+        /// The packet.
+        packet: Packet,
+        /// Whether it is sent.
+        reply: oneshot::Sender<Result<(), Refusal>>,
+    },
+    /// A job that a client wants to start has been planned.
+    Planned {
+        /// Who.
+        client: ClientId,
+        /// The job.
+        begun: Box<Begun>,
+        /// The answer.
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    },
+    /// Somebody wants to know all jobs, the oldest first.
+    Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
+    /// A client behaves badly, in one line: those who watch are to know.
+    Trouble(String),
+    /// Something that the arm depends on failed, in one line: end, and say so.
+    Failed(String),
+    /// End: laser off, and no more.
+    End,
+}
+
+impl Ends {
+    /// Tells a new state.
+    pub fn tell(&self, state: State) {
+        let snapshot = Arc::new(Snapshot::new(state));
+        self.states.send_replace(snapshot.clone());
+        // Nobody may be watching.
+        let _ = self.every.send(snapshot);
+    }
+
+    /// Tells what happened.
+    pub fn announce(&self, notice: Notice) {
+        let notice = Arc::new(notice);
+        let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        if recent.len() == RECENT {
+            recent.pop_front();
+        }
+        recent.push_back(notice.clone());
+        drop(recent);
+        // Nobody may be watching.
+        let _ = self.notices.send(notice);
+    }
+
+    /// Passes on a status packet of the arm to raw programs.
+    pub fn pass_on(&self, packet: [u8; 42]) {
+        // There may be no raw program.
+        let _ = self.packets.send(packet);
+    }
+}
+
+/// How many messages may wait for the owner.
+const MESSAGES: usize = 1024;
+/// How many states a client may lag behind before it loses some.
+const STATES: usize = 256;
+/// How many notices a client may lag behind before it loses some.
+const NOTICES: usize = 1024;
+/// How many packets a raw program may lag behind before it loses some.
+const PACKETS: usize = 256;
+/// How many notices are kept for those who ask later.
+const RECENT: usize = 200;
+
+impl Handle {
+    /// A handle, and its other end for the owner of the arm.
+    #[must_use]
+    pub fn new(first: State, rules: Rules) -> (Self, Ends) {
+        Self::with_packets(first, rules, PACKETS)
+    }
+
+    /// The same, where a raw program may lag so many packets behind before it loses some.
+    #[must_use]
+    pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, Ends) {
+        let (asking, messages) = mpsc::channel(MESSAGES);
+        let (telling, states) = watch::channel(Arc::new(Snapshot::new(first)));
+        let handle = Self {
+            messages: asking,
+            states,
+            every: broadcast::Sender::new(STATES),
+            notices: broadcast::Sender::new(NOTICES),
+            recent: Arc::default(),
+            packets: broadcast::Sender::new(kept),
+            rules: Arc::new(rules),
+        };
+        let ends = Ends {
+            messages,
+            states: telling,
+            every: handle.every.clone(),
+            notices: handle.notices.clone(),
+            recent: handle.recent.clone(),
+            packets: handle.packets.clone(),
+        };
+        (handle, ends)
+    }
+
+    /// Makes a client known under a name, with what it may do.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn client(&self, name: &str, role: Role) -> Result<Client, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let name = name.to_owned();
+        self.send(Message::Came { name, role, reply }).await?;
+        let id = answer.await.map_err(|_| Refusal::Ending)?;
+        Ok(Client {
+            id,
+            role,
+            handle: self.clone(),
+        })
+    }
+
+    /// What holds as long as the station runs.
+    #[must_use]
+    pub fn rules(&self) -> &Rules {
+        &self.rules
+    }
+
+    /// What the station knows now.
+    #[must_use]
+    pub fn state(&self) -> Arc<Snapshot> {
+        self.states.borrow().clone()
+    }
+
+    /// The state, whenever it changes: with each status of the arm, and with each event. Who looks
+    /// late sees the newest one only.
+    #[must_use]
+    pub fn states(&self) -> watch::Receiver<Arc<Snapshot>> {
+        self.states.clone()
+    }
+
+    /// Every single state from now on.
+    #[must_use]
+    pub fn every_state(&self) -> broadcast::Receiver<Arc<Snapshot>> {
+        self.every.subscribe()
+    }
+
+    /// What happened lately, the oldest first.
+    #[must_use]
+    pub fn recent(&self) -> Vec<Arc<Notice>> {
+        let recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        recent.iter().cloned().collect()
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`], [`Refusal::Journal`] where the journal cannot be read.
+    pub async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        self.send(Message::Jobs(reply)).await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// Lets those who watch know that a client behaves badly.
+    pub async fn trouble(&self, text: String) {
+        // Without an owner nobody is there to know.
+        let _ = self.send(Message::Trouble(text)).await;
+    }
+
+    /// The same, at once; where very much waits for the owner already, this is left out.
+    pub fn tell_trouble(&self, text: String) {
+        let _ = self.messages.try_send(Message::Trouble(text));
+    }
+
+    /// What happens, from now on.
+    #[must_use]
+    pub fn notices(&self) -> broadcast::Receiver<Arc<Notice>> {
+        self.notices.subscribe()
+    }
+
+    /// The status packets of the arm, from now on, for raw programs: each one is a permit.
+    #[must_use]
+    pub fn packets(&self) -> broadcast::Receiver<[u8; 42]> {
+        self.packets.subscribe()
+    }
+
+    /// Ends the station: the laser goes off, and the port is closed.
+    pub async fn end(&self) {
+        // It may have ended already.
+        let _ = self.send(Message::End).await;
+    }
+
+    /// Waits until the station has ended.
+    pub async fn ended(&self) {
+        self.messages.closed().await;
+    }
+
+    async fn send(&self, message: Message) -> Result<(), Refusal> {
+        let sent = self.messages.send(message).await;
+        sent.map_err(|_| Refusal::Ending)
+    }
+}
+
+impl Client {
+    /// Its number.
+    #[must_use]
+    pub const fn id(&self) -> ClientId {
+        self.id
+    }
+
+    /// What it may do.
+    #[must_use]
+    pub const fn role(&self) -> Role {
+        self.role
+    }
+
+    /// The station.
+    #[must_use]
+    pub const fn handle(&self) -> &Handle {
+        &self.handle
+    }
+
+    /// Asks for something.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; nothing has changed then.
+    pub async fn request(&self, request: Request) -> Result<Reply, Refusal> {
+        let answer = self.ask(request).await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// Hands over a request; its answer comes later, and the next one may be handed over before.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn ask(&self, request: Request) -> Result<Answer, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let client = self.id;
+        self.handle
+            .send(Message::Asked {
+                client,
+                request,
+                reply,
+            })
+            .await?;
+        Ok(answer)
+    }
+
+    /// Passes on a packet of a raw program, which speaks the arm's own protocol. The first one
+    /// takes the lease if nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the packet is not sent then.
+    pub async fn raw(&self, packet: Packet) -> Result<(), Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let client = self.id;
+        self.handle
+            .send(Message::Raw {
+                client,
+                packet,
+                reply,
+            })
+            .await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+}
+
+/// The answer to a request, when it comes; it never comes from a station that ends.
+pub type Answer = oneshot::Receiver<Result<Reply, Refusal>>;
+
+impl Drop for Client {
+    fn drop(&mut self) {
+        let (messages, left) = (self.handle.messages.clone(), Message::Left(self.id));
+        if let Err(mpsc::error::TrySendError::Full(left)) = messages.try_send(left) {
+            // The owner has much to do; it must hear of this all the same.
+            if let Ok(runtime) = tokio::runtime::Handle::try_current() {
+                runtime.spawn(async move { messages.send(left).await });
+            }
+        }
+    }
+}

@@ -1,0 +1,423 @@
+//! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
+
+mod check;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+use dobot_api::{ClientId, JobState, JobView, NewJob, Reply};
+use dobot_arm::{Joints, Tool};
+use dobot_course::{Model, Place};
+use dobot_journal::{Job, JobId, Journal, JournalError, Window};
+use dobot_safety::Policy;
+use tokio::sync::{mpsc, oneshot};
+
+use self::check::check_new;
+use crate::handle::Message;
+use crate::keeper::{Begun, Effect, JobPlan};
+use crate::{Refusal, plain};
+
+/// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
+/// that owns the arm.
+#[derive(Clone, Debug)]
+pub(crate) struct Jobs {
+    journal: Arc<Journal>,
+    policy: Arc<Policy>,
+    orders: mpsc::UnboundedSender<Order>,
+}
+
+/// What came back from the disk.
+#[derive(Debug)]
+pub(crate) struct Written {
+    pub(crate) effect: Effect,
+    /// Why it was not, in one line.
+    pub(crate) outcome: Result<(), String>,
+}
+
+/// What is written in its turn.
+#[derive(Debug)]
+enum Order {
+    Write(Effect, mpsc::UnboundedSender<Written>),
+    /// All that was ordered before is written.
+    Reached(oneshot::Sender<()>),
+    /// The last one: the station ends, and the arm is at rest or not.
+    End {
+        at_rest: bool,
+        done: oneshot::Sender<()>,
+    },
+}
+
+impl Jobs {
+    /// The jobs of a journal. The owner of the arm is told when they cannot be written any more.
+    pub(crate) fn new(journal: Journal, policy: Arc<Policy>, owner: mpsc::Sender<Message>) -> Self {
+        let journal = Arc::new(journal);
+        let (orders, waiting) = mpsc::unbounded_channel();
+        let writer = journal.clone();
+        std::thread::spawn(move || watch(&owner, || write_all(&writer, waiting)));
+        Self {
+            journal,
+            policy,
+            orders,
+        }
+    }
+
+    /// The job that was at work when the station ended without saying so.
+    pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
+        let jobs = self.journal.jobs()?;
+        Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
+    }
+
+    /// Looks at a job again, and gives what the keeper needs of it.
+    pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
+        look_again(&self.journal, &self.policy, job, model)
+    }
+
+    /// Gives up a job that cannot even be looked at again.
+    pub(crate) fn give_up(&self, job: &Job, why: &str) {
+        let reason = why.to_owned();
+        // If the journal cannot be written either, the next start tries again.
+        let _ = self.journal.set_state(job.id, &JobState::Failed { reason });
+    }
+
+    /// Plans and keeps a new job.
+    pub(crate) fn submit(
+        self,
+        job: NewJob,
+        model: Model,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            let view = self.keep(job, model, now_ms);
+            // Whoever asked may have left; the job is kept all the same.
+            let _ = reply.send(view.map(|job| Reply::Job { job }));
+        });
+    }
+
+    /// Plans a job that is to be started, and hands it to the owner of the arm.
+    pub(crate) fn plan(
+        self,
+        job: u64,
+        model: Model,
+        client: ClientId,
+        owner: mpsc::Sender<Message>,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || match self.startable(job, model) {
+            Err(refusal) => {
+                // Whoever asked may have left.
+                let _ = reply.send(Err(refusal));
+            }
+            Ok(begun) => {
+                let begun = Box::new(begun);
+                // An owner that ends drops the message, and with it the reply.
+                let _ = owner.blocking_send(Message::Planned {
+                    client,
+                    begun,
+                    reply,
+                });
+            }
+        });
+    }
+
+    /// Ends a job that the arm is not at.
+    pub(crate) fn cancel(
+        self,
+        job: u64,
+        by: String,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            // Whoever asked may have left.
+            let _ = reply.send(self.end_waiting(job, &by));
+        });
+    }
+
+    /// All jobs, the oldest first; that of the keeper as it is now, and of all others what was told
+    /// of them last.
+    pub(crate) fn list(
+        self,
+        current: Option<JobView>,
+        reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            self.catch_up();
+            // Whoever asked may have left.
+            let _ = reply.send(list(&self.journal, current.as_ref()));
+        });
+    }
+
+    /// Writes what the keeper wants to be kept, in order.
+    pub(crate) fn write(&self, effect: Effect, written: mpsc::UnboundedSender<Written>) {
+        // The writer ends only after this sender.
+        let _ = self.orders.send(Order::Write(effect, written));
+    }
+
+    /// Waits until all is written; a station that ends with its arm at rest ends well.
+    pub(crate) async fn end(&self, at_rest: bool) {
+        let (done, waiting) = oneshot::channel();
+        if self.orders.send(Order::End { at_rest, done }).is_ok() {
+            // The writer is there until it has answered.
+            let _ = waiting.await;
+        }
+    }
+
+    fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<JobView, Refusal> {
+        let id = submit(&self.journal, &self.policy, job, model, now_ms)?;
+        // The history may be longer than wanted until the next time.
+        let _ = self.journal.keep_last(HISTORY);
+        let job = self
+            .journal
+            .job(id)
+            .map_err(|error| journal_refusal(&error))?;
+        Ok(view(&job))
+    }
+
+    fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
+        self.catch_up();
+        startable(&self.journal, &self.policy, job, model)
+    }
+
+    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    fn catch_up(&self) {
+        let (done, reached) = oneshot::channel();
+        if self.orders.send(Order::Reached(done)).is_ok() {
+            // A writer that has ended has written all.
+            let _ = reached.blocking_recv();
+        }
+    }
+
+    fn end_waiting(&self, job: u64, by: &str) -> Result<Reply, Refusal> {
+        self.catch_up();
+        end_waiting(&self.journal, job, by)?;
+        let job = find(&self.journal, job)?;
+        Ok(Reply::Job { job: view(&job) })
+    }
+}
+
+/// All jobs, the oldest first; one of them as it is now.
+pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
+    let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
+    let view = |job: &Job| match current {
+        Some(current) if current.job == job.id.0 => current.clone(),
+        _ => view(job),
+    };
+    Ok(jobs.iter().map(view).collect())
+}
+
+/// Ends a job that the arm is not at.
+pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), Refusal> {
+    let job = find(journal, job)?;
+    if job.state.is_over() {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: job.state.phase(),
+            allowed: "queued, running or paused",
+        });
+    }
+    let reason = format!("ended by {by}");
+    journal
+        .set_state(job.id, &JobState::Stopped { reason })
+        .map_err(|error| journal_refusal(&error))
+}
+
+/// A job as the journal has it.
+pub(crate) fn view(job: &Job) -> JobView {
+    JobView {
+        job: job.id.0,
+        title: job.title.clone(),
+        kind: job.kind,
+        phase: job.state.phase(),
+        reason: job.state.reason().map(str::to_owned),
+        commands: job.commands,
+        completed: job.window.completed,
+        planned_s: job.planned_s,
+        left_s: job.planned_s.filter(|_| job.window.completed == 0),
+        took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+        speed_percent: job.adjustment.speed_percent,
+        height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
+    }
+}
+
+/// Plans a new job from its first command to its last, and keeps it; gives its number.
+pub(crate) fn submit(
+    journal: &Journal,
+    policy: &Policy,
+    mut job: NewJob,
+    model: Model,
+    now_ms: i64,
+) -> Result<JobId, Refusal> {
+    job.title = plain(&job.title, usize::MAX);
+    check_new(&job)?;
+    let dialect = model.dialect;
+    let plan = JobPlan::new(policy, model, job.commands, &[], job.lift_mm, 0)?;
+    journal
+        .submit(&dobot_journal::NewJob {
+            title: job.title,
+            kind: job.kind,
+            dialect,
+            lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+            created_ms: now_ms,
+            planned_s: Some(plan.planned_s()),
+            commands: plan.commands().to_vec(),
+            pauses: job.pauses,
+        })
+        .map_err(|error| journal_refusal(&error))
+}
+
+/// Looks at a job that is to be started or gone on with.
+pub(crate) fn startable(
+    journal: &Journal,
+    policy: &Policy,
+    job: u64,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let job = find(journal, job)?;
+    if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: job.state.phase(),
+            allowed: "queued or paused",
+        });
+    }
+    if job.dialect != model.dialect {
+        return Err(Refusal::CannotResume(format!(
+            "it was made for an arm that speaks {}, and this one speaks {}",
+            job.dialect, model.dialect
+        )));
+    }
+    look_again(journal, policy, &job, model)
+}
+
+pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
+    match journal.job(JobId(job)) {
+        Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
+        found => found.map_err(|error| journal_refusal(&error)),
+    }
+}
+
+/// Looks at a job again: what the keeper needs of it.
+pub(crate) fn look_again(
+    journal: &Journal,
+    policy: &Policy,
+    job: &Job,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let commands = journal
+        .commands(job.id)
+        .map_err(|error| journal_refusal(&error))?;
+    let lift_mm = job.lift_mm.unwrap_or(0.0);
+    let (heights, completed) = (&job.adjustment.heights, job.window.completed);
+    let plan = JobPlan::new(policy, model, commands, heights, lift_mm, completed)?;
+    Ok(Begun {
+        job: job.id.0,
+        title: job.title.clone(),
+        kind: job.kind,
+        dialect: job.dialect,
+        plan,
+        pauses: job.pauses.clone(),
+        adjustment: job.adjustment.clone(),
+        completed,
+        behind: job.behind,
+        doubt: (job.window.upto > job.window.completed).then_some(job.window),
+    })
+}
+
+/// The model from which an interrupted job is looked at again: its first target says where it
+/// begins, so any place does.
+pub(crate) fn recovery_model(job: &Job) -> Model {
+    let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
+    Model::standing(job.dialect, Place::at_joints(somewhere, Tool::SuctionCup))
+}
+
+/// Writes the journal; a panic there is the end of the station.
+fn watch(owner: &mpsc::Sender<Message>, writing: impl FnOnce()) {
+    if catch_unwind(AssertUnwindSafe(writing)).is_err() {
+        let text = "the thread that writes the journal panicked".to_owned();
+        // An owner that has ended needs no journal.
+        let _ = owner.blocking_send(Message::Failed(text));
+    }
+}
+
+/// Writes in a thread of its own: the disk takes its time.
+fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
+    while let Some(order) = orders.blocking_recv() {
+        match order {
+            Order::Write(effect, written) => {
+                let outcome = write(journal, &effect).map_err(|error| error.to_string());
+                // An owner that has ended wants to know nothing more.
+                let _ = written.send(Written { effect, outcome });
+            }
+            Order::Reached(done) => {
+                // Whoever asked may have left.
+                let _ = done.send(());
+            }
+            Order::End { at_rest, done } => {
+                if at_rest {
+                    // A journal that cannot be written says so at the next start.
+                    let _ = journal.note_clean_shutdown();
+                }
+                let _ = done.send(());
+                return;
+            }
+        }
+    }
+}
+
+/// Writes what the keeper wants to be kept.
+pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
+    match effect {
+        Effect::Give {
+            job,
+            completed,
+            upto,
+            start,
+        } => journal.give(
+            JobId(*job),
+            &Window {
+                completed: *completed,
+                upto: *upto,
+                start: *start,
+            },
+        ),
+        Effect::Phase {
+            job,
+            phase,
+            reason,
+            window,
+            behind,
+        } => {
+            // One that does not run was given nothing: how far it is has not changed.
+            if let Some(window) = window
+                && journal.job(JobId(*job))?.state == JobState::Running
+            {
+                journal.give(JobId(*job), window)?;
+            }
+            let state = JobState::new(*phase, reason.clone());
+            journal.set_state_behind(JobId(*job), &state, *behind)
+        }
+        Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
+    }
+}
+
+pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
+    Refusal::Journal(error.to_string())
+}
+
+/// So many jobs that are over are kept.
+const HISTORY: usize = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn a_panic_where_the_journal_is_written_ends_the_station() {
+        let (owner, mut told) = mpsc::channel(1);
+        std::thread::spawn(move || watch(&owner, || panic!("the disk is made of cheese")));
+        let Some(Message::Failed(text)) = told.recv().await else {
+            panic!("it is told as a failure");
+        };
+        assert_eq!(text, "the thread that writes the journal panicked");
+    }
+}

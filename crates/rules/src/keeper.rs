@@ -1,0 +1,378 @@
+//! The keeper of the arm: every rule for people and arm, as an engine.
+
+mod amend;
+mod detecting;
+mod halt;
+mod jog;
+mod laser;
+mod lease;
+mod line;
+mod link;
+mod pause;
+mod plan;
+mod raw;
+mod request;
+mod run;
+mod save;
+mod stop;
+mod view;
+
+use std::collections::{HashMap, VecDeque};
+use std::time::Duration;
+
+use dobot_api::{ClientId, News, Notice, Reply, Role};
+use dobot_client::{CommandId, Finding, SendError, Session};
+use dobot_course::Model;
+use dobot_safety::Policy;
+use dobot_wire::{Command, Dialect, Packet, Status};
+
+use self::detecting::Detecting;
+use self::halt::Halt;
+use self::jog::Held;
+use self::lease::Lease;
+use self::link::Linked;
+use self::run::Run;
+use self::save::Unsaved;
+use self::stop::Stop;
+use crate::Refusal;
+
+pub use self::plan::JobPlan;
+pub use self::run::{Begun, Effect};
+
+/// The keeper of the arm, as an engine: it owns no port, no file and no clock.
+///
+/// Things happen to it (`handle_*`), it wants things (`poll_*`). Its time counts from the start of
+/// the station and never goes back. Every byte that reaches the arm passes here, and with it every
+/// rule: who has control, what the policy allows, that a stop holds, that the laser is off unless a
+/// person has armed it.
+#[derive(Debug)]
+pub struct Keeper {
+    session: Session,
+    policy: Policy,
+    now: Duration,
+    link: Linked,
+    clients: HashMap<ClientId, Known>,
+    next_client: u64,
+    lease: Option<Lease>,
+    stop: Option<Stop>,
+    held: Option<Held>,
+    halt: Option<Halt>,
+    run: Option<Run>,
+    /// The last phase of a job that the journal was to keep.
+    kept: Option<Effect>,
+    unsaved: Option<Unsaved>,
+    detecting: Option<Detecting>,
+    finding: Option<Finding>,
+    /// Commands of clients that are not over, and who sent them.
+    pending: HashMap<CommandId, ClientId>,
+    /// Packets that wait for nothing.
+    urgent: VecDeque<Packet>,
+    /// When the packet before is over, and the gap behind it.
+    line_free: Duration,
+    /// The next urgent packet does not wait for that.
+    at_once: bool,
+    effects: VecDeque<Effect>,
+    notices: VecDeque<Notice>,
+    told: u64,
+    /// Statuses for raw programs, to which each one is a permit.
+    statuses: VecDeque<Status>,
+    answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
+    /// How many statuses in a row told the same place.
+    still: u32,
+    last: Option<Status>,
+    /// Something changed that those who watch want to see.
+    changed: bool,
+}
+
+/// A client that is connected.
+#[derive(Clone, Debug)]
+struct Known {
+    name: String,
+    role: Role,
+    /// It speaks the arm's own protocol, which has no words for leases.
+    is_program: bool,
+    /// What was changed last of what it sent.
+    amended: Option<String>,
+}
+
+impl Keeper {
+    /// A keeper that has no arm yet. It trusts the pose of one whose port it has opened only when a
+    /// person has confirmed it, that of a virtual one from the start.
+    #[must_use]
+    pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
+        let mut session = Session::trusted(dialect);
+        session.set_ahead(seconds(policy.queue.ahead_s));
+        session.set_laser_may_stand(policy.laser.standing);
+        Self {
+            session,
+            policy,
+            now: Duration::ZERO,
+            link: Linked::default(),
+            clients: HashMap::new(),
+            next_client: 1,
+            lease: None,
+            stop: None,
+            held: None,
+            halt: None,
+            run: None,
+            kept: None,
+            unsaved: None,
+            detecting: None,
+            finding: None,
+            pending: HashMap::new(),
+            urgent: VecDeque::new(),
+            line_free: Duration::ZERO,
+            at_once: false,
+            effects: VecDeque::new(),
+            notices: VecDeque::new(),
+            told: 0,
+            statuses: VecDeque::new(),
+            answers: VecDeque::new(),
+            still: 0,
+            last: None,
+            changed: true,
+        }
+    }
+
+    /// Takes that something of the station goes wrong, in one line.
+    pub fn handle_trouble(&mut self, now: Duration, text: String) {
+        self.handle_time(now);
+        self.tell(News::Trouble, text);
+    }
+
+    /// The pose is not to be trusted until a person confirms it, and why.
+    pub fn distrust(&mut self, reason: &str) {
+        self.session.distrust(reason);
+        self.changed = true;
+    }
+
+    /// The dialect that the arm speaks, if that is known.
+    #[must_use]
+    pub fn dialect(&self) -> Option<Dialect> {
+        self.session.dialect().copied()
+    }
+
+    /// How the dialect was found, if the arm was asked for it.
+    #[must_use]
+    pub const fn finding(&self) -> Option<&Finding> {
+        self.finding.as_ref()
+    }
+
+    /// Takes which dialect the arm is known to speak, unless somebody has said it already.
+    pub fn handle_known_dialect(&mut self, dialect: Dialect) {
+        if self.session.dialect().is_none() {
+            self.session.set_dialect(dialect);
+            self.changed = true;
+        }
+    }
+
+    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
+    pub fn handle_end(&mut self, now: Duration) {
+        self.handle_time(now);
+        self.halt_now();
+        self.held = None;
+        self.drop_waiting("the station ended");
+        self.interrupt_run("the station ended");
+        self.end_detection("the station ended");
+    }
+
+    /// Takes the passing of time.
+    pub fn handle_time(&mut self, now: Duration) {
+        self.now = self.now.max(now);
+        self.session.handle_time(self.now);
+        self.follow_session();
+        self.watch_dead_man();
+        self.watch_press();
+        self.repeat_halt();
+        self.repeat_unsaved();
+        self.pump();
+    }
+
+    /// The next thing that happened, for all who watch.
+    pub fn poll_notice(&mut self) -> Option<Notice> {
+        self.notices.pop_front()
+    }
+
+    /// The next status of the arm, as it came.
+    pub fn poll_status(&mut self) -> Option<Status> {
+        self.statuses.pop_front()
+    }
+
+    /// The answer to a request that took its time.
+    pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
+        self.answers.pop_front()
+    }
+
+    /// What the journal is to keep, in order.
+    pub fn poll_effect(&mut self) -> Option<Effect> {
+        self.effects.pop_front()
+    }
+
+    /// Whether something changed since this was asked last.
+    pub fn poll_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
+    /// When [`Keeper::handle_time`] wants to be called next, at the latest.
+    #[must_use]
+    pub fn poll_wakeup(&self) -> Duration {
+        [
+            Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
+            self.held.as_ref().and_then(Held::falls_silent),
+            self.session.laser_armed_until(),
+            self.halt.as_ref().and_then(Halt::next),
+            self.unsaved.as_ref().map(Unsaved::next),
+            self.line_wakeup(),
+        ]
+        .into_iter()
+        .flatten()
+        .min()
+        .unwrap_or(Duration::MAX)
+    }
+
+    /// Whether the statuses may be passed on to a raw program, for which each one is a permit: not
+    /// while what it sent already waits here.
+    #[must_use]
+    pub fn permits_raw(&self) -> bool {
+        self.session.waiting() < RAW_WAITING
+    }
+
+    /// The rules.
+    #[must_use]
+    pub const fn policy(&self) -> &Policy {
+        &self.policy
+    }
+
+    /// The conversation with the arm.
+    #[must_use]
+    pub const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    fn command_over(&mut self, id: CommandId, failed: Option<String>) {
+        self.run_command_over(id, failed.as_deref());
+        if self.pending.remove(&id).is_none() {
+            return;
+        }
+        let command = id.0;
+        match failed {
+            None => self.tell(
+                News::CommandDone { command },
+                format!("command {command} is done"),
+            ),
+            Some(why) => {
+                self.part_from_laser();
+                self.tell(
+                    News::CommandFailed { command },
+                    format!("command {command}: {why}"),
+                );
+            }
+        }
+    }
+
+    /// The commands that are not over, of clients and of the job.
+    fn under_way(&self) -> Vec<CommandId> {
+        let of_clients = self.pending.keys().copied();
+        let of_run = self.run.iter().flat_map(Run::under_way);
+        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        ids.sort_unstable();
+        ids
+    }
+
+    /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
+    fn rests_within(&self) -> Duration {
+        let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
+        let question = self
+            .detecting
+            .as_ref()
+            .map_or(Duration::ZERO, |_| detecting::MOTION);
+        let within = self.session.rests_within();
+        if within < Duration::MAX {
+            return within.max(seconds(unseen)).max(question);
+        }
+        let run_down_s = self.session.model().map_or(0.0, |it| {
+            let teach = it.settings.teach;
+            let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
+            joint_s.max(teach.line_mm_s / teach.line_mm_s2)
+        });
+        seconds(run_down_s) + HEARD_WITHIN
+    }
+
+    /// Forgets the commands that have not been sent.
+    fn drop_waiting(&mut self, why: &str) {
+        for id in self.session.forget_waiting() {
+            self.command_forgotten(id, why);
+        }
+    }
+
+    fn command_forgotten(&mut self, id: CommandId, why: &str) {
+        self.run_command_forgotten(id);
+        if self.pending.remove(&id).is_some() {
+            let command = id.0;
+            self.tell(
+                News::CommandFailed { command },
+                format!("command {command} was not sent: {why}"),
+            );
+        }
+    }
+
+    /// Sends a command at once, whatever waits.
+    fn send_urgent(&mut self, command: Command) {
+        if let Ok(packet) = self.session.emit_now(&command) {
+            self.session.note_urgent(&command);
+            self.urgent.push_back(packet);
+        }
+    }
+
+    fn tell(&mut self, news: News, text: String) {
+        self.told += 1;
+        self.changed = true;
+        self.notices.push_back(Notice {
+            number: self.told,
+            at_s: self.now.as_secs_f64(),
+            news,
+            text,
+        });
+    }
+
+    /// The model from which a job is planned: the arm as it will be after all that it was given.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoLink`] while no arm has told anything, [`Refusal::Send`] while nobody knows its
+    /// dialect.
+    pub fn planning_model(&self) -> Result<Model, Refusal> {
+        if self.session.dialect().is_none() {
+            let field = "a job";
+            return Err(Refusal::Send(SendError::Undecided { field }));
+        }
+        match self.session.model() {
+            Some(model) => Ok(*model),
+            None => Err(Refusal::NoLink(
+                "no arm has told where it stands yet".into(),
+            )),
+        }
+    }
+
+    /// What a client calls itself.
+    #[must_use]
+    pub fn client_name(&self, client: ClientId) -> String {
+        self.name(client)
+    }
+
+    fn name(&self, client: ClientId) -> String {
+        self.clients
+            .get(&client)
+            .map_or_else(|| format!("client {}", client.0), |it| it.name.clone())
+    }
+}
+
+/// A number of seconds that the policy has checked.
+fn seconds(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or_default()
+}
+
+/// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
+const HEARD_WITHIN: Duration = Duration::from_millis(700);
+/// More of a raw program's packets do not wait here: it gets no permit.
+const RAW_WAITING: usize = 2;

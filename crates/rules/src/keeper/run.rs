@@ -1,0 +1,398 @@
+//! The job that the arm is at: one vector after the other, none twice, none left out.
+
+mod adjust;
+mod approach;
+mod begun;
+mod pace;
+mod supply;
+mod watch;
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_api::{JobPhase, JobView, Reply};
+use dobot_client::CommandId;
+use dobot_course::Model;
+use dobot_journal::{Adjustment, Behind, Window, model_at, window_end};
+use dobot_plan::{Machine, end_speed_mm_s};
+use dobot_wire::{Command, Status};
+
+use super::Keeper;
+
+pub(super) use self::approach::straight;
+pub use self::begun::{Begun, Effect};
+use self::pace::Pace;
+
+/// The job that the arm is at, or that is paused.
+#[derive(Debug)]
+pub(super) struct Run {
+    begun: Begun,
+    pub(super) phase: Phase,
+    /// The arm when the job was started or gone on with.
+    from: Option<Status>,
+    /// The next command to be given to the session.
+    next: usize,
+    /// Commands below this one may be sent: the journal has it.
+    durable: usize,
+    /// The journal has been asked for that.
+    asked: usize,
+    /// As many commands are done as the journal has it: a station that is started after a crash
+    /// looks for the arm from there on.
+    kept: usize,
+    /// The same when what it was asked for is there.
+    asked_kept: usize,
+    /// Commands below this one may be given: there the job comes to rest.
+    limit: usize,
+    /// It comes to rest there because it waits for a person.
+    waits: bool,
+    /// The journal does not have this yet: what it changes is not sent before.
+    unkept: Option<Adjustment>,
+    pace: Pace,
+    /// Given to the session and not over.
+    given: VecDeque<Given>,
+    /// What the last command has left that is over.
+    left: Left,
+    /// What lowers the tool to where the job goes on, as soon as something can be sent behind it.
+    lower: Option<Command>,
+    /// The same under way.
+    lowering: Option<(CommandId, Command)>,
+    /// Since when it runs, and when its last command was over.
+    since: Option<Duration>,
+    last_over: Duration,
+}
+
+/// A command of the job that the session has.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    id: CommandId,
+    index: usize,
+    /// What the arm has behind it.
+    left: Left,
+}
+
+/// What a command leaves to the next one.
+#[derive(Clone, Copy, Debug, Default)]
+struct Left {
+    /// The speed that the arm has, or keeps for the next vector, in mm/s: in a stock arm that is a
+    /// bit even where it rests.
+    speed_mm_s: f32,
+    /// It goes on.
+    moves: bool,
+    /// Nobody knows that speed: another station has sent what went before.
+    is_unknown: bool,
+}
+
+#[derive(Debug)]
+pub(super) enum Phase {
+    /// The station was started after a crash: where does the arm rest?
+    Locating {
+        window: Window,
+    },
+    /// On the way to where it goes on.
+    Approaching {
+        last: Option<CommandId>,
+    },
+    Running,
+    /// The arm does what it has got already.
+    Draining {
+        then: JobPhase,
+        reason: String,
+        lift: bool,
+    },
+    /// The tool is lifted for a pause.
+    Lifting {
+        then: JobPhase,
+        reason: String,
+    },
+    Paused {
+        reason: String,
+    },
+}
+
+impl Run {
+    fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
+        let completed = begun.completed;
+        let machine = Machine::of(begun.dialect);
+        let pace = Pace::new(begun.adjustment.speed_percent, machine);
+        Self {
+            limit: begun.plan.len(),
+            begun,
+            phase,
+            from,
+            next: completed,
+            durable: completed,
+            asked: completed,
+            kept: completed,
+            asked_kept: completed,
+            waits: false,
+            unkept: None,
+            pace,
+            given: VecDeque::new(),
+            left: Left::default(),
+            lower: None,
+            lowering: None,
+            since: None,
+            last_over: Duration::ZERO,
+        }
+    }
+
+    pub(super) const fn job(&self) -> u64 {
+        self.begun.job
+    }
+
+    /// What was given to the session and is not over.
+    pub(super) fn under_way(&self) -> impl Iterator<Item = CommandId> {
+        self.given.iter().map(|it| it.id)
+    }
+
+    /// What the last command leaves that was given.
+    fn left(&self) -> Left {
+        self.given.back().map_or(self.left, |it| it.left)
+    }
+
+    fn speed_mm_s(&self) -> f32 {
+        self.left().speed_mm_s
+    }
+
+    /// What is left by all that is over, where that was done as planned.
+    fn planned_left(&self) -> Left {
+        let next = self.begun.plan.chain(self.begun.completed).next();
+        Left {
+            speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
+            is_unknown: self.begun.completed > 0,
+            ..Left::default()
+        }
+    }
+
+    /// What a command leaves that comes next, on what the one before has left.
+    fn after(&self, before: Left, command: &Command) -> Left {
+        let machine = self.pace.machine_at(&self.begun.plan, self.next);
+        match command {
+            Command::WriteVector(it) => Left {
+                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
+                moves: it.end_speed_mm_s > 0.0 && !it.stop,
+                is_unknown: before.is_unknown && self.pace.rests_each(self.next),
+            },
+            _ if machine.has_ticks => Left {
+                moves: false,
+                ..before
+            },
+            _ => Left::default(),
+        }
+    }
+
+    /// No more than what was given already.
+    pub(super) fn end_here(&mut self) {
+        self.limit = self.next;
+        self.waits = false;
+    }
+
+    /// Whether it waits for a person at a place to which it will not come.
+    pub(super) const fn is_cut_short(&self) -> bool {
+        self.waits && self.next < self.limit
+    }
+
+    /// What it has behind it, besides commands.
+    pub(super) const fn behind(&self) -> Behind {
+        self.begun.behind
+    }
+
+    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
+    /// do stops dead.
+    pub(super) fn brake(&mut self) {
+        let Left {
+            speed_mm_s, moves, ..
+        } = self.left();
+        if moves && let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
+            self.limit = upto;
+        }
+    }
+
+    /// Whether the tool is where the job goes on: not above that, on its way.
+    pub(super) const fn is_down(&self) -> bool {
+        !matches!(self.phase, Phase::Approaching { .. }) && self.lower.is_none()
+    }
+
+    /// Whether nobody else may move the arm.
+    pub(super) const fn has_the_arm(&self) -> bool {
+        !matches!(self.phase, Phase::Paused { .. })
+    }
+
+    /// Whether it gives the arm commands, or is about to.
+    pub(super) const fn is_at_work(&self) -> bool {
+        matches!(self.phase, Phase::Approaching { .. } | Phase::Running)
+    }
+
+    pub(super) const fn burns(&self) -> bool {
+        self.begun.plan.burns()
+    }
+
+    pub(super) const fn lift_mm(&self) -> f32 {
+        self.begun.plan.lift_mm()
+    }
+
+    /// Takes that the journal has what it was asked for.
+    pub(super) fn given_for_good(&mut self, upto: usize) {
+        self.durable = self.durable.max(upto.min(self.asked));
+        if self.durable == self.asked {
+            self.kept = self.asked_kept;
+        }
+    }
+
+    /// Comes to rest; gives how far the job is, where that is certain.
+    pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
+        if matches!(self.phase, Phase::Lifting { .. }) {
+            self.left = self.after(self.left, &straight(self.lift_mm().into()));
+        }
+        self.next = self.begun.completed;
+        let waited = self.begun.next_pause().map(|it| it.before);
+        if self.waits && waited == Some(self.next) {
+            self.begun.behind.pauses += 1;
+        }
+        self.end_here();
+        self.note_ran();
+        self.phase = Phase::Paused {
+            reason: reason.to_owned(),
+        };
+        self.begun.doubt.is_none().then(|| self.certain())
+    }
+
+    /// Takes note of how long it ran.
+    fn note_ran(&mut self) {
+        let ran = self
+            .since
+            .take()
+            .map(|it| self.last_over.saturating_sub(it));
+        if let (Some(ran), Some(before_s)) = (ran, &mut self.begun.behind.ran_s) {
+            *before_s += ran.as_secs_f64();
+        }
+    }
+
+    /// How long it may take until all that a station before this one has sent is over.
+    pub(super) fn unseen_s(&self) -> f64 {
+        let Phase::Locating { window } = &self.phase else {
+            return 0.0;
+        };
+        let plan = &self.begun.plan;
+        let given_s = plan.left_s(window.completed) - plan.left_s(window.upto);
+        let commands = u32::try_from(window.upto - window.completed).unwrap_or(u32::MAX);
+        given_s * ROUNDING + f64::from(commands) * COMMAND_S + APPROACH_S
+    }
+
+    const fn view_phase(&self) -> JobPhase {
+        match &self.phase {
+            Phase::Approaching { .. } | Phase::Running => JobPhase::Running,
+            Phase::Draining { then, .. } | Phase::Lifting { then, .. } => *then,
+            Phase::Locating { .. } | Phase::Paused { .. } => JobPhase::Paused,
+        }
+    }
+
+    fn reason(&self) -> Option<String> {
+        match &self.phase {
+            Phase::Locating { .. } => Some(RESTARTED.to_owned()),
+            Phase::Draining { reason, .. }
+            | Phase::Lifting { reason, .. }
+            | Phase::Paused { reason } => Some(reason.clone()),
+            Phase::Approaching { .. } | Phase::Running => None,
+        }
+    }
+
+    /// How far it is when nothing is under way.
+    fn certain(&self) -> Window {
+        let completed = self.begun.completed;
+        Window {
+            completed,
+            upto: completed,
+            start: self.start(),
+        }
+    }
+
+    /// How far the journal may be asked to let the job go on.
+    fn window_end(&self, status: &Status) -> usize {
+        let Begun {
+            plan,
+            dialect,
+            completed,
+            ..
+        } = &self.begun;
+        let model = model_at(*dialect, plan.commands(), &self.certain())
+            .unwrap_or_else(|| Model::new(*dialect, status));
+        window_end(plan.commands(), *completed, &model, plan.lift(), WINDOW)
+    }
+
+    /// The arm as the first command that is not over finds it.
+    fn start(&self) -> Option<Status> {
+        self.begun.plan.start(self.begun.completed).or(self.from)
+    }
+
+    pub(super) fn view(&self) -> JobView {
+        let Begun {
+            job,
+            title,
+            kind,
+            plan,
+            adjustment,
+            completed,
+            ..
+        } = &self.begun;
+        JobView {
+            job: *job,
+            title: title.clone(),
+            kind: *kind,
+            phase: self.view_phase(),
+            reason: self.reason(),
+            commands: plan.len(),
+            completed: *completed,
+            planned_s: Some(plan.planned_s()),
+            left_s: Some(plan.left_s(*completed) * 100.0 / adjustment.speed_percent),
+            took_s: None,
+            speed_percent: adjustment.speed_percent,
+            height_mm: self.begun.height_mm(),
+        }
+    }
+}
+
+impl Keeper {
+    /// Takes a job that was at work when the station ended without saying so: the laser goes off,
+    /// and where the arm comes to rest tells how far the job got.
+    pub fn handle_recovered(&mut self, now: Duration, mut begun: Begun, window: Window) {
+        self.handle_time(now);
+        self.session.distrust(RESTARTED);
+        // How long it ran nobody knows any more.
+        begun.behind.ran_s = None;
+        let mut run = Run::new(begun, Phase::Locating { window }, None);
+        run.left.is_unknown = true;
+        self.run = Some(run);
+        self.changed = true;
+    }
+
+    /// The job that is at work or paused.
+    #[must_use]
+    pub fn job(&self) -> Option<JobView> {
+        self.run.as_ref().map(Run::view)
+    }
+
+    pub(super) fn job_reply(&self) -> Reply {
+        self.job().map_or(Reply::Done, |job| Reply::Job { job })
+    }
+}
+
+pub(super) const fn word(phase: JobPhase) -> &'static str {
+    match phase {
+        JobPhase::Queued => "queued",
+        JobPhase::Running => "running",
+        JobPhase::Paused => "paused",
+        JobPhase::Stopped => "stopped",
+        JobPhase::Done => "done",
+        JobPhase::Failed => "failed",
+    }
+}
+
+const RESTARTED: &str = "the station was restarted in the middle of the job";
+/// A stock arm goes in whole ticks, takes a bit for each command, and was perhaps on its way to
+/// where the job goes on.
+const ROUNDING: f64 = 1.02;
+const COMMAND_S: f64 = 0.24;
+const APPROACH_S: f64 = 10.0;
+/// So many commands may be sent at the most before the journal knows that those before are over.
+const WINDOW: usize = 32;

@@ -1,0 +1,74 @@
+//! The rules that every command to an arm passes, and those who keep them.
+//!
+//! ```text
+//!   clients, wherever they are
+//!          |
+//!        Handle ----> Owner               recordings, journal
+//!                       |   the one task that has the port
+//!                     Keeper              every rule, an engine: no port, no file, no clock
+//!                       |
+//!                    Session ----> the arm
+//! ```
+//!
+//! The [`Keeper`] decides. A [`StationClient`] asks it, wherever it is: in a station that runs, in this
+//! process for an arm at an address, or in virtual time. A [`Rehearsal`] lets it decide in virtual time,
+//! with a virtual arm:
+//!
+//! ```
+//! use std::time::Duration;
+//! use dobot_api::Request;
+//! use dobot_controller::{Personality, PowerUp};
+//! use dobot_rules::Rehearsal;
+//! use dobot_safety::Policy;
+//! use dobot_wire::{MoveTo, MovingMode};
+//!
+//! let mut station = Rehearsal::new(PowerUp::new(Personality::Firmware11), Policy::default());
+//! station.run_for(Duration::from_secs(1));
+//! let anna = station.client("Anna");
+//!
+//! let command = MoveTo {
+//!     x_mm: 220.0, y_mm: 0.0, z_mm: -90.0, rotation_deg: 0.0, suction: false,
+//!     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
+//! };
+//! let into_the_table = Request::Command { command: command.into() };
+//! assert_eq!(station.ask(anna, into_the_table.clone()).unwrap_err().kind(), "no-lease");
+//!
+//! station.ask(anna, Request::TakeLease)?;
+//! let refused = station.ask(anna, into_the_table).unwrap_err();
+//! assert!(refused.to_string().starts_with("z would be -90 mm; table allows -63 mm and more"));
+//! # Ok::<(), dobot_rules::Refusal>(())
+//! ```
+
+mod approach;
+mod arm_thread;
+mod arms;
+mod client;
+mod connect;
+mod finder;
+mod guardian;
+mod handle;
+mod host;
+mod jobs;
+mod keeper;
+mod owner;
+mod recording;
+mod refusal;
+mod rehearsal;
+mod supervisor;
+mod text;
+
+pub use approach::{Approach, WantedArm};
+pub use arms::ArmsError;
+pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
+pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
+#[cfg(unix)]
+pub use guardian::guard;
+pub use guardian::{Beat, Guardian, JogKind, Silence, Told};
+pub use handle::{Answer, Client, Ends, Handle, Message, Rules, Snapshot};
+pub use host::{Host, HostError, Setup};
+pub use keeper::{Begun, Effect, JobPlan, Keeper};
+pub use refusal::{Holder, Refusal};
+pub use rehearsal::Rehearsal;
+pub use supervisor::{Sign, Supervisor};
+pub use text::is_plain;
+pub(crate) use text::plain;

@@ -1,0 +1,575 @@
+//! The task that owns the arm's port: the keeper, its clock, its link, its journal, its recording.
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use dobot_api::{ClientId, LinkPhase, News, Notice, Reply, Request};
+use dobot_client::Link;
+use dobot_course::Model;
+use dobot_wire::{Dialect, Packet};
+use tokio::runtime::Handle;
+use tokio::sync::{mpsc, oneshot};
+use tokio::time::Instant;
+
+use crate::Found;
+use crate::Refusal;
+use crate::arms::Arms;
+use crate::connect::{Connecting, Source};
+use crate::guardian::{Heart, take_note};
+use crate::handle::{Ends, Message};
+use crate::jobs::{Jobs, Written, recovery_model};
+use crate::keeper::{Effect, Keeper};
+use crate::recording::Recording;
+
+/// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
+#[derive(Debug)]
+pub(crate) struct Owner {
+    keeper: Keeper,
+    started: Instant,
+    ends: Ends,
+    source: Source,
+    arms: Arms,
+    link: Option<Link>,
+    /// Where the arm is, or was last.
+    address: Option<String>,
+    /// What the connecting task tells, while there is no link.
+    connecting: Option<mpsc::Receiver<Connecting>>,
+    incoming: Vec<u8>,
+    jobs: Jobs,
+    /// What the journal has written.
+    written: mpsc::UnboundedReceiver<Written>,
+    to_journal: mpsc::UnboundedSender<Written>,
+    recording: Recording,
+    /// Answers that take their time.
+    waiting: HashMap<ClientId, Asked>,
+    /// A job that is started while it still comes to rest.
+    held_start: Option<HeldStart>,
+    /// For tasks that tell the owner something.
+    own: mpsc::Sender<Message>,
+    heart: Heart,
+    ending: Option<Instant>,
+    /// What failed that the arm depends on.
+    failure: Option<String>,
+}
+
+/// What an owner is given.
+#[derive(Debug)]
+pub(crate) struct Given {
+    pub(crate) keeper: Keeper,
+    pub(crate) ends: Ends,
+    pub(crate) source: Source,
+    pub(crate) arms: Arms,
+    pub(crate) jobs: Jobs,
+    pub(crate) recording: Recording,
+    /// For tasks that tell the owner something.
+    pub(crate) own: mpsc::Sender<Message>,
+    pub(crate) heart: Heart,
+}
+
+/// A start that waits until its job has come to rest.
+#[derive(Debug)]
+struct HeldStart {
+    client: ClientId,
+    job: u64,
+    until: Duration,
+    reply: Asked,
+}
+
+/// Where an answer goes.
+type Asked = oneshot::Sender<Result<Reply, Refusal>>;
+
+/// What the owner waits for.
+enum Happening {
+    Message(Option<Message>),
+    Link(Result<bool, dobot_client::LinkError>),
+    Connecting(Option<Connecting>),
+    Written(Option<Written>),
+    Time,
+}
+
+impl Owner {
+    pub(crate) fn new(given: Given) -> Self {
+        let (to_journal, written) = mpsc::unbounded_channel();
+        Self {
+            keeper: given.keeper,
+            started: Instant::now(),
+            ends: given.ends,
+            source: given.source,
+            arms: given.arms,
+            link: None,
+            address: None,
+            connecting: None,
+            incoming: Vec::new(),
+            jobs: given.jobs,
+            written,
+            to_journal,
+            recording: given.recording,
+            waiting: HashMap::new(),
+            held_start: None,
+            own: given.own,
+            heart: given.heart,
+            ending: None,
+            failure: None,
+        }
+    }
+
+    /// Takes up a job that was at work when the station before this one was killed.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line.
+    pub(crate) fn recover(&mut self) -> Result<(), String> {
+        let interrupted = self.jobs.interrupted().map_err(|error| error.to_string())?;
+        let Some(job) = interrupted else {
+            return Ok(());
+        };
+        match self.jobs.begun(&job, recovery_model(&job)) {
+            Ok(begun) => {
+                let now = self.now();
+                self.keeper.handle_recovered(now, begun, job.window);
+                Ok(())
+            }
+            Err(refusal) => {
+                self.jobs.give_up(&job, &refusal.to_string());
+                Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+            }
+        }
+    }
+
+    /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
+    /// moment to come to its end. It begins with what is known of the arm already.
+    ///
+    /// # Errors
+    ///
+    /// What failed that the arm depends on, in one line.
+    pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
+        self.follow(first);
+        if self.link.is_none() && self.connecting.is_none() {
+            self.connect();
+        }
+        loop {
+            self.carry_out();
+            if self.is_over() {
+                break;
+            }
+            let happening = self.happening().await;
+            // What came meanwhile may be old: the arm comes first.
+            self.beat();
+            match happening {
+                Happening::Message(Some(message)) => self.handle(message),
+                Happening::Message(None) => self.end(),
+                Happening::Link(outcome) => self.hear(outcome),
+                Happening::Connecting(None) => {
+                    self.fail("the task that looks for the arm panicked".into());
+                }
+                Happening::Connecting(news) => self.follow(news),
+                Happening::Written(Some(written)) => self.note(written),
+                Happening::Written(None) | Happening::Time => {}
+            }
+            let now = self.now();
+            self.keeper.handle_time(now);
+            self.try_held_start();
+            if let Some(trouble) = self.recording.poll_trouble() {
+                self.keeper.handle_trouble(now, trouble);
+            }
+        }
+        self.part().await
+    }
+
+    /// Tells what the guardian did while this loop stood still.
+    fn remember_guardian(&mut self) {
+        for line in take_note(self.heart.note()) {
+            let now = self.now();
+            self.keeper.handle_trouble(now, line);
+        }
+    }
+
+    /// Lets the guardian know that this loop goes round. One that stood still for longer than the
+    /// guardian has patience acts as after a fault.
+    fn beat(&mut self) {
+        if let Some(silent) = self.heart.beat() {
+            let now = self.now();
+            self.keeper.handle_stall(now, silent);
+            self.remember_guardian();
+        }
+        if let Some(trouble) = self.heart.poll_trouble() {
+            let now = self.now();
+            self.keeper.handle_trouble(now, trouble);
+        }
+    }
+
+    /// What time it is for the keeper: an own virtual arm may live faster than everybody else.
+    fn now(&self) -> Duration {
+        match &self.link {
+            Some(link) if self.source.is_virtual() => link.now(),
+            _ => self.started.elapsed(),
+        }
+    }
+
+    /// Until when to listen, by the arm's time, and then by everybody's.
+    fn wakeups(&self) -> (Duration, Instant) {
+        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
+        let latest = Instant::now() + within.min(LOOK_AT_LEAST);
+        let wanted = self.keeper.poll_wakeup();
+        if self.source.is_virtual() {
+            return (wanted, latest);
+        }
+        let wanted = self.started.checked_add(wanted);
+        (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
+    }
+
+    async fn happening(&mut self) -> Happening {
+        let (until, wakeup) = self.wakeups();
+        let link = self.link.as_mut();
+        tokio::select! {
+            // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
+            // before it says more, or is slowed down where it need not.
+            biased;
+            message = self.ends.messages.recv() => Happening::Message(message),
+            written = self.written.recv() => Happening::Written(written),
+            heard = receive(link, until, &mut self.incoming) => Happening::Link(heard),
+            news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
+            () = tokio::time::sleep_until(wakeup) => Happening::Time,
+        }
+    }
+
+    /// Does what the keeper wants: packets first.
+    fn carry_out(&mut self) {
+        self.send();
+        self.relay();
+        self.write_effects();
+        while let Some((client, answer)) = self.keeper.poll_answer() {
+            if let Some(reply) = self.waiting.remove(&client) {
+                // Whoever asked may have left.
+                let _ = reply.send(answer);
+            }
+        }
+        while let Some(notice) = self.keeper.poll_notice() {
+            self.recording.notice(self.now(), &notice);
+            self.remember(&notice);
+            self.ends.announce(notice);
+        }
+        if self.keeper.poll_changed() {
+            self.publish();
+        }
+    }
+
+    /// Hands all that is to be kept to the journal.
+    fn write_effects(&mut self) {
+        while let Some(effect) = self.keeper.poll_effect() {
+            self.write(effect);
+        }
+    }
+
+    /// Packets leave before anything else is done, answers and recording included.
+    fn send(&mut self) {
+        self.beat();
+        while let Some(packet) = self.keeper.poll_bytes() {
+            let bytes = packet.to_bytes();
+            let dialect = self.keeper.dialect().unwrap_or(Dialect::SPECIFICATION);
+            self.heart.tell(&packet, &dialect);
+            if let Some(link) = &mut self.link {
+                link.send(&bytes);
+                link.push();
+                self.recording.sent(self.now(), &bytes);
+            }
+        }
+    }
+
+    /// Passes the statuses on to raw programs, as permits.
+    fn relay(&mut self) {
+        while let Some(status) = self.keeper.poll_status() {
+            if self.keeper.permits_raw() {
+                self.ends.pass_on(Packet::from(status.emit()).to_bytes());
+            }
+        }
+    }
+
+    fn publish(&mut self) {
+        let state = self.keeper.state();
+        self.recording.state(self.now(), &state);
+        self.ends.tell(state);
+    }
+
+    fn handle(&mut self, message: Message) {
+        let now = self.now();
+        match message {
+            Message::Came { name, role, reply } => {
+                let client = self.keeper.handle_client(now, &name, role);
+                if reply.send(client).is_err() {
+                    self.keeper.handle_left(now, client);
+                }
+            }
+            Message::Left(client) => {
+                self.waiting.remove(&client);
+                self.keeper.handle_left(now, client);
+            }
+            Message::Asked {
+                client,
+                request,
+                reply,
+            } => self.ask(client, request, reply),
+            Message::Raw {
+                client,
+                packet,
+                reply,
+            } => {
+                let taken = self.keeper.handle_raw(now, client, &packet);
+                self.send();
+                // The program may have left.
+                let _ = reply.send(taken);
+            }
+            Message::Planned {
+                client,
+                begun,
+                reply,
+            } => {
+                let started = self.keeper.handle_start(now, client, *begun);
+                let _ = reply.send(started);
+            }
+            Message::Jobs(reply) => self.jobs.clone().list(self.keeper.job(), reply),
+            Message::Trouble(text) => self.keeper.handle_trouble(now, text),
+            Message::Failed(text) => self.fail(text),
+            Message::End => self.end(),
+        }
+    }
+
+    /// Something that the arm depends on is no more: the station ends.
+    fn fail(&mut self, text: String) {
+        self.connecting = None;
+        self.failure = Some(text);
+        self.end();
+    }
+
+    fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
+        let now = self.now();
+        self.withdraw_start(&request);
+        if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
+            let answer = self.keeper.handle_request(now, client, job);
+            self.send();
+            match answer {
+                // Whoever asked may have left.
+                Some(answer) => drop(reply.send(answer)),
+                None => drop(self.waiting.insert(client, reply)),
+            }
+        }
+    }
+
+    /// Passes on what is about jobs that the arm is not at; gives back all else.
+    fn ask_jobs(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: Asked,
+    ) -> Option<(Request, Asked)> {
+        if self.keeper.check_request(client, &request).is_err() {
+            return Some((request, reply));
+        }
+        let jobs = self.jobs.clone();
+        match request {
+            Request::SubmitJob { job } => match self.keeper.planning_model() {
+                Ok(model) => jobs.submit(job, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::StartJob { job } => {
+                let until = self.now() + HOLD_START;
+                self.start_job(HeldStart {
+                    client,
+                    job,
+                    until,
+                    reply,
+                });
+            }
+            Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
+                jobs.cancel(job, self.keeper.client_name(client), reply);
+            }
+            request => return Some((request, reply)),
+        }
+        None
+    }
+
+    /// Starts a job, or holds that while the job comes to rest.
+    fn start_job(&mut self, start: HeldStart) {
+        match self.startable(start.job) {
+            Err(Refusal::StillMoving { .. })
+                if self.now() < start.until && self.held_start.is_none() =>
+            {
+                self.held_start = Some(start);
+            }
+            Err(refusal) => drop(start.reply.send(Err(refusal))),
+            Ok(model) => {
+                let (job, client, own) = (start.job, start.client, self.own.clone());
+                // The journal has to know that it is paused, which may have come just now.
+                self.write_effects();
+                self.jobs.clone().plan(job, model, client, own, start.reply);
+            }
+        }
+    }
+
+    fn try_held_start(&mut self) {
+        // Whoever asked may have left.
+        if let Some(start) = self.held_start.take().filter(|it| !it.reply.is_closed()) {
+            self.start_job(start);
+        }
+    }
+
+    /// Whoever pauses, cancels or stops does not want it to go on behind that.
+    fn withdraw_start(&mut self, request: &Request) {
+        let rests = matches!(
+            request,
+            Request::PauseJob | Request::CancelJob { .. } | Request::Stop { .. }
+        );
+        if let Some(start) = self.held_start.take_if(|_| rests) {
+            let why = "it was told to rest before it had come to rest".to_owned();
+            drop(start.reply.send(Err(Refusal::CannotResume(why))));
+        }
+    }
+
+    fn startable(&self, job: u64) -> Result<Model, Refusal> {
+        self.keeper.check_rests(job)?;
+        self.keeper.planning_model()
+    }
+
+    fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
+        let now = self.now();
+        if !self.incoming.is_empty() {
+            self.recording.heard(now, &self.incoming);
+            self.keeper.handle_bytes(now, &self.incoming);
+            self.incoming.clear();
+        }
+        let problem = match outcome {
+            Ok(true) => return,
+            Ok(false) => "the other end closed the link".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        self.link = None;
+        self.heart.part();
+        let problem = format!("{problem}; the station looks for the arm again");
+        self.keeper
+            .handle_link_down(now, LinkPhase::Lost, Some(problem));
+        self.connect();
+    }
+
+    fn take_up(&mut self, found: Found) {
+        let now = self.now();
+        self.recording
+            .link(now, &found.address, self.keeper.dialect());
+        let address = found.address.to_string();
+        self.connecting = None;
+        self.heart.take_up(&found.link);
+        self.link = Some(found.link);
+        if let Some(dialect) = self.arms.dialect(&address) {
+            self.keeper.handle_known_dialect(dialect);
+        }
+        self.keeper.handle_link_up(now, &address);
+        self.recording.heard(now, &found.bytes);
+        self.keeper.handle_bytes(now, &found.bytes);
+        self.address = Some(address);
+    }
+
+    /// Keeps which dialect the arm speaks, once that is known.
+    fn remember(&mut self, notice: &Notice) {
+        let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
+            return;
+        };
+        if self.source.is_virtual() {
+            return;
+        }
+        let finding = self.keeper.finding();
+        if let Err(error) = self.arms.keep(address, *dialect, finding) {
+            let now = self.now();
+            let text = format!("which dialect the arm speaks cannot be kept: {error}");
+            self.keeper.handle_trouble(now, text);
+        }
+    }
+
+    /// Looks for the arm, in a task of its own.
+    fn connect(&mut self) {
+        if self.ending.is_none() {
+            self.connecting = Some(self.source.connect(&Handle::current()));
+        }
+    }
+
+    fn follow(&mut self, news: Option<Connecting>) {
+        let now = self.now();
+        match news {
+            Some(Connecting::Up(found)) => self.take_up(found),
+            Some(Connecting::Waiting(problem)) => {
+                self.keeper
+                    .handle_link_down(now, LinkPhase::Searching, Some(problem));
+            }
+            Some(Connecting::Begun(news)) => self.connecting = Some(news),
+            None => {}
+        }
+    }
+
+    fn write(&mut self, effect: Effect) {
+        self.jobs.write(effect, self.to_journal.clone());
+    }
+
+    fn note(&mut self, written: Written) {
+        let now = self.now();
+        let Written { effect, outcome } = written;
+        self.keeper.handle_written(now, &effect, outcome);
+    }
+
+    /// The station ends: no more of the job, laser off; what is under way gets a moment.
+    fn end(&mut self) {
+        if self.ending.is_none() {
+            self.ending = Some(Instant::now() + PATIENCE);
+            let now = self.now();
+            self.keeper.handle_end(now);
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.ending.is_some_and(|it| {
+            let still = self.keeper.is_at_rest() && !self.keeper.is_urgent();
+            self.link.is_none() || still || it <= Instant::now()
+        })
+    }
+
+    async fn part(mut self) -> Result<(), String> {
+        self.carry_out();
+        if let Some(link) = &mut self.link {
+            // A link that is broken takes nothing any more.
+            let _ = link.flush().await;
+        }
+        self.heart.part();
+        let at_rest = self.keeper.is_at_rest() || self.link.is_none();
+        self.jobs.end(at_rest).await;
+        self.recording.end();
+        self.failure.map_or(Ok(()), Err)
+    }
+}
+
+async fn receive(
+    link: Option<&mut Link>,
+    until: Duration,
+    incoming: &mut Vec<u8>,
+) -> Result<bool, dobot_client::LinkError> {
+    match link {
+        Some(link) => link.receive(until, incoming).await,
+        None => std::future::pending().await,
+    }
+}
+
+async fn listen(connecting: Option<&mut mpsc::Receiver<Connecting>>) -> Option<Connecting> {
+    match connecting {
+        Some(connecting) => connecting.recv().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Milliseconds since 1970-01-01T00:00:00Z.
+fn now_ms() -> i64 {
+    jiff::Timestamp::now().as_millisecond()
+}
+
+/// Without anything to do the keeper is still looked at so often.
+const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
+/// So long the arm may take to come to rest when the station ends.
+const PATIENCE: Duration = Duration::from_secs(3);
+/// So long a job that is started may come to rest before: longer than it takes to see how far the
+/// job of a killed station got.
+const HOLD_START: Duration = Duration::from_secs(30);

@@ -1,0 +1,32 @@
+//! Texts from clients, which people read in terminals and on pages.
+
+/// A text in one line that shows as what it is, up to so many characters: without control characters, and
+/// without those that turn the direction of what follows, or are not seen.
+pub(crate) fn plain(text: &str, most: usize) -> String {
+    text.chars().filter(|it| is_plain(*it)).take(most).collect()
+}
+
+/// Whether a character shows as what it is.
+#[must_use]
+pub fn is_plain(character: char) -> bool {
+    let turns = matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let is_unseen = matches!(character, '\u{ad}' | '\u{200b}'..='\u{200d}' | '\u{2060}'..='\u{2064}' | '\u{feff}');
+    let ends_line = matches!(character, '\u{2028}' | '\u{2029}');
+    !(character.is_control() || turns || is_unseen || ends_line)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_terminal_or_a_page_would_obey_is_left_out_and_all_else_stays() {
+        assert_eq!(plain("t\u{1b}]0;x\u{7}\n\u{9b}2J", 40), "t]0;x2J");
+        assert_eq!(
+            plain("rest \u{202e}.tser\u{2066} a\u{200b}b\u{feff}", 40),
+            "rest .tser ab"
+        );
+        assert_eq!(plain("Zoë übt 絵を描く", 40), "Zoë übt 絵を描く");
+        assert_eq!(plain("abc", 2), "ab");
+    }
+}

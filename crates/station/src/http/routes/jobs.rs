@@ -1,0 +1,131 @@
+//! Jobs.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::StatusCode;
+use dobot_api::kinds::{
+    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, MALFORMED, NO_JOB_RUNS, NO_LEASE,
+    NO_SUCH_JOB, OUT_OF_RANGE, POLICY, TOO_MANY,
+};
+use dobot_api::{JobView, NewJob, Reply, Request};
+use dobot_rules::Refusal;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::super::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
+use super::super::app::App;
+use super::super::calls::Asker;
+use super::super::route::Route;
+use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(GET, "/api/v1/jobs", "All jobs, the oldest first", all_jobs)
+            .gives::<Vec<JobView>>(200, "the jobs")
+            .problems(&[ENDING]),
+        Route::new(POST, "/api/v1/jobs", "Queues a job", submit)
+            .brings::<Body<NewJob, JOB>>()
+            .example(JOB_EXAMPLE)
+            .gives::<Reply>(201, "the job is queued")
+            .problems(&[BAD_JOB, POLICY, COMMAND, OUT_OF_RANGE, TOO_MANY, JOURNAL]),
+        Route::new(GET, "/api/v1/jobs/{id}", "One job", one)
+            .gives::<JobView>(200, "the job")
+            .problems(&[MALFORMED, NO_SUCH_JOB, ENDING]),
+        Route::asks(
+            DELETE,
+            "/api/v1/jobs/{id}",
+            "Ends a job for good",
+            |OfJob(job)| Request::CancelJob { job },
+        )
+        .gives::<Reply>(200, "the job is over")
+        .problems(&[NO_LEASE, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
+        Route::asks(
+            POST,
+            "/api/v1/jobs/{id}/start",
+            "Starts a queued job, or goes on with a paused one",
+            |OfJob(job)| Request::StartJob { job },
+        )
+        .gives::<Reply>(200, "the job runs")
+        .problems(MOVES)
+        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, JOURNAL]),
+        Route::asks(
+            POST,
+            "/api/v1/jobs/pause",
+            "Pauses the running job after what the arm has got already",
+            |_: Maybe<Nothing>| Request::PauseJob,
+        )
+        .gives::<Reply>(200, "the job is paused")
+        .problems(&[NO_LEASE, NO_JOB_RUNS, JOURNAL]),
+        Route::asks(
+            PUT,
+            "/api/v1/jobs/speed",
+            "Draws the vectors of the job faster or slower than planned, from \
+                the next one on that is not sent yet",
+            |Body(new): Body<Speed>| Request::SetJobSpeed {
+                percent: new.percent,
+            },
+        )
+        .example(r#"{"percent": 80}"#)
+        .gives::<Reply>(200, "the job goes at this speed")
+        .problems(ADJUSTS),
+        Route::asks(
+            PUT,
+            "/api/v1/jobs/height",
+            "Draws the job higher or lower than planned, gently, from the next \
+                command on that is not sent yet",
+            |Body(new): Body<Height>| Request::SetJobHeight {
+                offset_mm: new.offset_mm,
+            },
+        )
+        .example(r#"{"offset_mm": 0.2}"#)
+        .gives::<Reply>(200, "the job is drawn at this height")
+        .problems(ADJUSTS)
+        .problems(&[POLICY]),
+    ]
+}
+
+const JOB_EXAMPLE: &str = r#"{"title": "there and back", "kind": "program", "commands": [{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}]}"#;
+
+/// How fast a job is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Speed {
+    /// In percent of the planned speed.
+    #[schemars(range(min = 10.0, max = 200.0))]
+    percent: f64,
+}
+
+/// How high a job is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Height {
+    /// How far above the plan, in millimetres; below 0 is lower.
+    #[schemars(range(min = -5.0, max = 5.0))]
+    offset_mm: f64,
+}
+
+async fn submit(
+    asker: Asker,
+    Body(job): Body<NewJob, JOB>,
+) -> Result<(StatusCode, Json<Reply>), NotDone> {
+    let reply = asker.ask(Request::SubmitJob { job }).await?;
+    Ok((StatusCode::CREATED, reply))
+}
+
+async fn all_jobs(State(app): State<Arc<App>>) -> Result<Json<Vec<JobView>>, NotDone> {
+    Ok(Json(app.handle.jobs().await?))
+}
+
+async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobView>, NotDone> {
+    let found = app
+        .handle
+        .jobs()
+        .await?
+        .into_iter()
+        .find(|it| it.job == job);
+    found
+        .map(Json)
+        .ok_or_else(|| Refusal::NoSuchJob(job).into())
+}

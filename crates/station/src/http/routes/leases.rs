@@ -1,0 +1,140 @@
+//! Control of the arm.
+
+use axum::Json;
+use dobot_api::kinds::{INVALID, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
+use dobot_api::{ClientId, LeaseView, Problem, Reply, Request};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::super::answer::{Body, Maybe, NotDone, Nothing};
+use super::super::app::Visitor;
+use super::super::calls::{Asker, is_name};
+use super::super::route::Route;
+use super::super::visits::LASTS;
+use super::{DELETE, POST};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        holds(
+            "/api/v1/lease",
+            "Takes control, if nobody has it; with a lease token it renews the lease",
+            "control",
+            Request::TakeLease,
+        )
+        .problems(&[NO_LEASE, TOO_MANY_CLIENTS]),
+        Route::new(DELETE, "/api/v1/lease", "Gives control back", release)
+            .brings::<Maybe<Nothing>>()
+            .gives::<Reply>(200, "control is free")
+            .problems(&[NO_LEASE]),
+        holds(
+            "/api/v1/lease/ask",
+            "Asks the holder for control; the state tells when it is granted",
+            "a lease token, for when control is granted",
+            Request::AskLease,
+        )
+        .problems(&[TOO_MANY_CLIENTS]),
+        Route::asks(
+            POST,
+            "/api/v1/lease/grant",
+            "Gives control to one who asked",
+            |Body(new): Body<Heir>| Request::GrantLease { to: new.to },
+        )
+        .example(r#"{"to": 3}"#)
+        .gives::<Reply>(200, "who has control now")
+        .problems(&[NO_LEASE, NOT_ASKING]),
+        holds(
+            "/api/v1/lease/seize",
+            "Takes control from whoever has it (admin)",
+            "control",
+            Request::SeizeLease,
+        )
+        .problems(&[TOO_MANY_CLIENTS]),
+    ]
+}
+
+/// A route that asks for control, and keeps the client if that is granted.
+fn holds(path: &'static str, summary: &'static str, what: &'static str, request: Request) -> Route {
+    let hold = move |asker: Asker, Maybe(wish): Maybe<Wish>| hold(asker, wish, request);
+    Route::new(POST, path, summary, hold)
+        .brings::<Maybe<Wish>>()
+        .example(r#"{"name": "my script"}"#)
+        .gives::<Granted>(200, what)
+}
+
+/// Who wants control.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Wish {
+    /// What the client calls itself.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 60))]
+    name: Option<String>,
+}
+
+/// Control, or the hope for it.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Granted {
+    /// What to send as header `Dobot-Lease` with all requests that go with it.
+    token: String,
+    /// How long the token lasts without being used, in seconds.
+    lasts_s: u64,
+    /// Who has control now, if anybody has.
+    lease: Option<LeaseView>,
+}
+
+/// Who is to get control.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Heir {
+    /// One of those who ask.
+    to: ClientId,
+}
+
+/// Asks for control, and keeps the client if that is granted.
+async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted>, NotDone> {
+    let name = called(wish, &asker.visitor)?;
+    let client = match &asker.lease {
+        Some(_) => asker.client().await?,
+        None => asker.come(&name).await?,
+    };
+    let reply = client.request(request).await?;
+    let app = &asker.app;
+    let token = match &asker.lease {
+        Some(token) => token.clone(),
+        None => app.visits.keep(client, app.now())?.secret().into(),
+    };
+    let lease = match reply {
+        Reply::Lease { lease } => lease,
+        _ => app.handle.state().state().lease.clone(),
+    };
+    Ok(Json(Granted {
+        token,
+        lasts_s: LASTS.as_secs(),
+        lease,
+    }))
+}
+
+/// What a client wants to be called, or else what its token is called.
+fn called(wish: Wish, visitor: &Visitor) -> Result<String, Problem> {
+    let Some(name) = wish.name else {
+        return Ok(visitor.name.clone());
+    };
+    if is_name(&name) {
+        return Ok(name);
+    }
+    Err(INVALID.problem("name: this takes 1 to 60 characters that can be printed"))
+}
+
+async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone> {
+    let Some(token) = asker.lease.clone() else {
+        return Err(NO_LEASE
+            .hinted(
+                "this request comes without a lease token",
+                "send it as header `Dobot-Lease`",
+            )
+            .into());
+    };
+    let reply = asker.ask(Request::ReleaseLease).await;
+    asker.app.visits.end(&token);
+    reply
+}

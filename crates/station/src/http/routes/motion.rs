@@ -1,0 +1,136 @@
+//! Commands, buttons and stops.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use dobot_api::kinds::{NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, STILL_MOVING};
+use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
+use dobot_rules::Refusal;
+use dobot_wire::Command;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use tokio::sync::broadcast;
+use tokio::sync::broadcast::error::RecvError;
+
+use super::super::answer::{Body, Maybe, NotDone, Nothing};
+use super::super::calls::Asker;
+use super::super::route::Route;
+use super::{DELETE, MOVES, POST, STOP};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            "/api/v1/commands",
+            "Sends one command, if the policy allows its whole way",
+            command,
+        )
+        .brings::<Body<NewCommand>>()
+        .example(MOVE_EXAMPLE)
+        .gives::<Reply>(200, "the arm is where the command leads (with `wait`)")
+        .gives::<Reply>(202, "the command waits for its turn")
+        .problems(MOVES)
+        .problems(&[NOT_REACHED]),
+        Route::asks(
+            POST,
+            "/api/v1/jog",
+            "Holds a jog button; it is released when this is not said again \
+                within the dead-man time (150 ms by default)",
+            |Body(new): Body<Press>| Request::Jog { jog: new.jog },
+        )
+        .example(r#"{"jog": {"frame": "linear", "axis": "x_plus", "speed_percent": 50}}"#)
+        .gives::<Reply>(200, "the button is held")
+        .problems(MOVES),
+        Route::asks(
+            POST,
+            "/api/v1/jog/release",
+            "Releases the jog button",
+            |_: Maybe<Nothing>| Request::Release,
+        )
+        .gives::<Reply>(200, "the button is released")
+        .problems(&[NO_LEASE]),
+        Route::asks(
+            POST,
+            STOP,
+            "Stops the arm. Anyone may, at any time, without a lease",
+            |Maybe(new): Maybe<NewStop>| Request::Stop { reason: new.reason },
+        )
+        .example(r#"{"reason": "a hand is in the way"}"#)
+        .gives::<Reply>(200, "the stopping packet is on its way")
+        .problems(&[OUT_OF_RANGE, NO_LINK]),
+        Route::asks(
+            DELETE,
+            STOP,
+            "Lets the arm move again after a stop: a person has looked at it",
+            |_: Maybe<Nothing>| Request::ResetStop,
+        )
+        .gives::<Reply>(200, "the arm may move")
+        .problems(&[STILL_MOVING, NO_LINK]),
+    ]
+}
+
+const MOVE_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}, "wait": true}"#;
+
+/// A command to be sent.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewCommand {
+    /// The command.
+    command: Command,
+    /// Answer when the command is over, instead of as soon as it waits for its turn.
+    #[serde(default)]
+    wait: bool,
+}
+
+/// A button.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Press {
+    /// Which one.
+    jog: Jog,
+}
+
+/// A stop.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewStop {
+    /// Why, for those who find the arm stopped.
+    #[serde(default)]
+    reason: Option<String>,
+}
+
+async fn command(asker: Asker, Body(new): Body<NewCommand>) -> Result<Response, NotDone> {
+    let mut notices = asker.app.handle.notices();
+    let client = asker.client().await?;
+    let command = new.command;
+    let reply = client.request(Request::Command { command }).await?;
+    match reply {
+        Reply::Accepted { command, .. } if new.wait => over(command, &mut notices).await,
+        reply => Ok((StatusCode::ACCEPTED, Json(reply)).into_response()),
+    }
+}
+
+/// Waits until a command is over.
+async fn over(
+    number: u64,
+    notices: &mut broadcast::Receiver<Arc<Notice>>,
+) -> Result<Response, NotDone> {
+    loop {
+        let notice = notices.recv().await.map_err(|error| match error {
+            RecvError::Closed => Problem::from(Refusal::Ending),
+            RecvError::Lagged(_) => NOT_REACHED
+                .problem("so much happened that it was not seen whether the command is over"),
+        })?;
+        match notice.news {
+            News::CommandDone { command } if command == number => {
+                return Ok(Json(Reply::Done).into_response());
+            }
+            News::CommandFailed { command } if command == number => {
+                return Err(NOT_REACHED.problem(&notice.text).into());
+            }
+            _ => {}
+        }
+    }
+}
