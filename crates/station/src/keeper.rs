@@ -1,6 +1,7 @@
 //! The keeper of the arm: every rule for people and arm, as an engine.
 
 mod amend;
+mod arm;
 mod detecting;
 mod halt;
 mod jog;
@@ -8,6 +9,7 @@ mod laser;
 mod lease;
 mod line;
 mod link;
+mod outbox;
 mod pause;
 mod plan;
 mod raw;
@@ -23,13 +25,15 @@ use std::time::Duration;
 use dobot_client::{CommandId, Finding, SendError, Session};
 use dobot_course::Model;
 use dobot_safety::Policy;
-use dobot_wire::{Command, Dialect, Packet, Status};
+use dobot_wire::{Dialect, Packet, Status};
 
+use self::arm::Arm;
 use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::Held;
 use self::lease::Lease;
 use self::link::Linked;
+use self::outbox::Outbox;
 use self::run::Run;
 use self::save::Unsaved;
 use self::stop::Stop;
@@ -46,9 +50,8 @@ pub use self::run::{Begun, Effect};
 /// person has armed it.
 #[derive(Debug)]
 pub struct Keeper {
-    session: Session,
-    policy: Policy,
-    now: Duration,
+    arm: Arm,
+    outbox: Outbox,
     link: Linked,
     clients: HashMap<ClientId, Known>,
     next_client: u64,
@@ -64,23 +67,7 @@ pub struct Keeper {
     finding: Option<Finding>,
     /// Commands of clients that are not over, and who sent them.
     pending: HashMap<CommandId, ClientId>,
-    /// Packets that wait for nothing.
-    urgent: VecDeque<Packet>,
-    /// When the packet before is over, and the gap behind it.
-    line_free: Duration,
-    /// The next urgent packet does not wait for that.
-    at_once: bool,
     effects: VecDeque<Effect>,
-    notices: VecDeque<Notice>,
-    told: u64,
-    /// Statuses for raw programs, to which each one is a permit.
-    statuses: VecDeque<Status>,
-    answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
-    /// How many statuses in a row told the same place.
-    still: u32,
-    last: Option<Status>,
-    /// Something changed that those who watch want to see.
-    changed: bool,
 }
 
 /// A client that is connected.
@@ -99,13 +86,9 @@ impl Keeper {
     /// person has confirmed it, that of a virtual one from the start.
     #[must_use]
     pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
-        let mut session = Session::trusted(dialect);
-        session.set_ahead(seconds(policy.queue.ahead_s));
-        session.set_laser_may_stand(policy.laser.standing);
         Self {
-            session,
-            policy,
-            now: Duration::ZERO,
+            arm: Arm::new(policy, dialect),
+            outbox: Outbox::new(),
             link: Linked::default(),
             clients: HashMap::new(),
             next_client: 1,
@@ -119,17 +102,7 @@ impl Keeper {
             detecting: None,
             finding: None,
             pending: HashMap::new(),
-            urgent: VecDeque::new(),
-            line_free: Duration::ZERO,
-            at_once: false,
             effects: VecDeque::new(),
-            notices: VecDeque::new(),
-            told: 0,
-            statuses: VecDeque::new(),
-            answers: VecDeque::new(),
-            still: 0,
-            last: None,
-            changed: true,
         }
     }
 
@@ -141,14 +114,14 @@ impl Keeper {
 
     /// The pose is not to be trusted until a person confirms it, and why.
     pub fn distrust(&mut self, reason: &str) {
-        self.session.distrust(reason);
-        self.changed = true;
+        self.arm.session_mut().distrust(reason);
+        self.outbox.note_change();
     }
 
     /// The dialect that the arm speaks, if that is known.
     #[must_use]
     pub fn dialect(&self) -> Option<Dialect> {
-        self.session.dialect().copied()
+        self.arm.session().dialect().copied()
     }
 
     /// How the dialect was found, if the arm was asked for it.
@@ -159,9 +132,9 @@ impl Keeper {
 
     /// Takes which dialect the arm is known to speak, unless somebody has said it already.
     pub fn handle_known_dialect(&mut self, dialect: Dialect) {
-        if self.session.dialect().is_none() {
-            self.session.set_dialect(dialect);
-            self.changed = true;
+        if self.arm.session().dialect().is_none() {
+            self.arm.session_mut().set_dialect(dialect);
+            self.outbox.note_change();
         }
     }
 
@@ -177,8 +150,7 @@ impl Keeper {
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
-        self.now = self.now.max(now);
-        self.session.handle_time(self.now);
+        self.arm.handle_time(now);
         self.follow_session();
         self.watch_dead_man();
         self.watch_press();
@@ -189,17 +161,17 @@ impl Keeper {
 
     /// The next thing that happened, for all who watch.
     pub fn poll_notice(&mut self) -> Option<Notice> {
-        self.notices.pop_front()
+        self.outbox.poll_notice()
     }
 
     /// The next status of the arm, as it came.
     pub fn poll_status(&mut self) -> Option<Status> {
-        self.statuses.pop_front()
+        self.outbox.poll_status()
     }
 
     /// The answer to a request that took its time.
     pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
-        self.answers.pop_front()
+        self.outbox.poll_answer()
     }
 
     /// What the journal is to keep, in order.
@@ -209,19 +181,19 @@ impl Keeper {
 
     /// Whether something changed since this was asked last.
     pub fn poll_changed(&mut self) -> bool {
-        std::mem::take(&mut self.changed)
+        self.outbox.poll_changed()
     }
 
     /// When [`Keeper::handle_time`] wants to be called next, at the latest.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         [
-            Some(self.session.poll_wakeup()).filter(|_| self.is_linked()),
+            Some(self.arm.session().poll_wakeup()).filter(|_| self.is_linked()),
             self.held.as_ref().and_then(Held::falls_silent),
-            self.session.laser_armed_until(),
+            self.arm.session().laser_armed_until(),
             self.halt.as_ref().and_then(Halt::next),
             self.unsaved.as_ref().map(Unsaved::next),
-            self.line_wakeup(),
+            self.arm.line_wakeup(),
         ]
         .into_iter()
         .flatten()
@@ -229,23 +201,40 @@ impl Keeper {
         .unwrap_or(Duration::MAX)
     }
 
+    /// The packet to send now, if there is one.
+    pub fn poll_bytes(&mut self) -> Option<Packet> {
+        self.arm.poll_bytes()
+    }
+
+    /// Whether something urgent waits for the line.
+    #[must_use]
+    pub fn is_urgent(&self) -> bool {
+        self.arm.is_urgent()
+    }
+
+    /// Whether the arm was seen at rest for a while, after all that it was sent.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.arm.is_at_rest()
+    }
+
     /// Whether the statuses may be passed on to a raw program, for which each one is a permit: not
     /// while what it sent already waits here.
     #[must_use]
     pub fn permits_raw(&self) -> bool {
-        self.session.waiting() < RAW_WAITING
+        self.arm.session().waiting() < RAW_WAITING
     }
 
     /// The rules.
     #[must_use]
     pub const fn policy(&self) -> &Policy {
-        &self.policy
+        self.arm.policy()
     }
 
     /// The conversation with the arm.
     #[must_use]
     pub const fn session(&self) -> &Session {
-        &self.session
+        self.arm.session()
     }
 
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {
@@ -260,7 +249,7 @@ impl Keeper {
                 format!("command {command} is done"),
             ),
             Some(why) => {
-                self.part_from_laser();
+                self.arm.part_from_laser();
                 self.tell(
                     News::CommandFailed { command },
                     format!("command {command}: {why}"),
@@ -285,21 +274,12 @@ impl Keeper {
             .detecting
             .as_ref()
             .map_or(Duration::ZERO, |_| detecting::MOTION);
-        let within = self.session.rests_within();
-        if within < Duration::MAX {
-            return within.max(seconds(unseen)).max(question);
-        }
-        let run_down_s = self.session.model().map_or(0.0, |it| {
-            let teach = it.settings.teach;
-            let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
-            joint_s.max(teach.line_mm_s / teach.line_mm_s2)
-        });
-        seconds(run_down_s) + HEARD_WITHIN
+        self.arm.rests_within(seconds(unseen).max(question))
     }
 
     /// Forgets the commands that have not been sent.
     fn drop_waiting(&mut self, why: &str) {
-        for id in self.session.forget_waiting() {
+        for id in self.arm.session_mut().forget_waiting() {
             self.command_forgotten(id, why);
         }
     }
@@ -315,23 +295,8 @@ impl Keeper {
         }
     }
 
-    /// Sends a command at once, whatever waits.
-    fn send_urgent(&mut self, command: Command) {
-        if let Ok(packet) = self.session.emit_now(&command) {
-            self.session.note_urgent(&command);
-            self.urgent.push_back(packet);
-        }
-    }
-
     fn tell(&mut self, news: News, text: String) {
-        self.told += 1;
-        self.changed = true;
-        self.notices.push_back(Notice {
-            number: self.told,
-            at_s: self.now.as_secs_f64(),
-            news,
-            text,
-        });
+        self.outbox.tell(self.arm.now(), news, text);
     }
 
     /// The model from which a job is planned: the arm as it will be after all that it was given.
@@ -341,11 +306,11 @@ impl Keeper {
     /// [`Refusal::NoLink`] while no arm has told anything, [`Refusal::Send`] while nobody knows its
     /// dialect.
     pub fn planning_model(&self) -> Result<Model, Refusal> {
-        if self.session.dialect().is_none() {
+        if self.arm.session().dialect().is_none() {
             let field = "a job";
             return Err(Refusal::Send(SendError::Undecided { field }));
         }
-        match self.session.model() {
+        match self.arm.session().model() {
             Some(model) => Ok(*model),
             None => Err(Refusal::NoLink(
                 "no arm has told where it stands yet".into(),
@@ -371,7 +336,5 @@ fn seconds(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds).unwrap_or_default()
 }
 
-/// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
-const HEARD_WITHIN: Duration = Duration::from_millis(700);
 /// More of a raw program's packets do not wait here: it gets no permit.
 const RAW_WAITING: usize = 2;

@@ -32,15 +32,19 @@ impl Keeper {
 
     fn begin_detection(&self, client: ClientId) -> Result<Detecting, Refusal> {
         self.check_may_move(client)?;
-        self.check_trust()?;
+        self.arm.check_trust()?;
         let within_s = self.rests_within().as_secs_f64();
-        let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
+        let Some(status) = self.arm.last().filter(|_| self.is_at_rest()) else {
             return Err(Refusal::StillMoving { within_s });
         };
-        let tool = self.session.model().map_or(Tool::SuctionCup, |it| it.tool);
+        let tool = self
+            .arm
+            .session()
+            .model()
+            .map_or(Tool::SuctionCup, |it| it.tool);
         let allowed = |joints: &Joints| {
             let place = Place::at_joints(*joints, tool);
-            self.policy.allows(&place, tool)
+            self.arm.policy().allows(&place, tool)
         };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;
@@ -55,13 +59,13 @@ impl Keeper {
     }
 
     pub(super) fn watch_detection(&mut self, status: &Status) {
-        let now = self.now;
+        let now = self.arm.now();
         let Some(detecting) = &mut self.detecting else {
             return;
         };
         detecting.detection.handle_status(now, status);
         if let Some(packet) = detecting.detection.poll_packet() {
-            self.urgent.push_back(packet);
+            self.arm.send_urgent_packet(packet);
         }
         if let Some(outcome) = detecting.detection.poll_outcome() {
             let client = detecting.client;
@@ -74,7 +78,7 @@ impl Keeper {
                 }
                 Err(error) => Err(Refusal::NotFound(error.to_string())),
             };
-            self.answers.push_back((client, answer));
+            self.outbox.answer((client, answer));
         }
     }
 
@@ -82,7 +86,7 @@ impl Keeper {
     pub(super) fn end_detection(&mut self, why: &str) {
         if let Some(detecting) = self.detecting.take() {
             let refusal = Refusal::NotFound(why.to_owned());
-            self.answers.push_back((detecting.client, Err(refusal)));
+            self.outbox.answer((detecting.client, Err(refusal)));
         }
     }
 }

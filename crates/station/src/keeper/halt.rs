@@ -31,10 +31,9 @@ impl Keeper {
     /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
     /// as after a fault. Its guardian may have said it, too.
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
-        self.now = self.now.max(now);
+        self.arm.set_time(now);
         let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
-        self.send_urgent(LASER_OFF);
-        self.at_once = true;
+        self.arm.send_at_once(LASER_OFF);
         self.withdraw(Refusal::LetGo(why.clone()));
         self.tell(
             News::Trouble,
@@ -46,16 +45,14 @@ impl Keeper {
     /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
     /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn halt_now(&mut self) {
-        let waits = self.session.under_way() > 0;
+        let waits = self.arm.session().under_way() > 0;
         if self.halt.is_some_and(|it| it.rounds == 0 || waits) {
             return;
         }
         // What was urgent before is said again in its turn.
-        self.urgent.clear();
-        self.send_urgent(LASER_OFF);
-        self.at_once = true;
+        self.arm.send_first(LASER_OFF);
         self.halt = Some(Halt {
-            next: self.now + GAP,
+            next: self.arm.now() + GAP,
             laser_is_next: false,
             rounds: 0,
             behind: 0,
@@ -66,14 +63,12 @@ impl Keeper {
     /// Lets go of the button that was sent last; one that was never sent need not be released.
     pub(super) fn release_now(&mut self) {
         // The release must not pass the button itself, should that still wait for the line.
-        while let Some(packet) = self.session.poll_bytes() {
-            self.urgent.push_back(packet);
-        }
-        if !self.release_urgently() {
+        self.arm.hasten();
+        if !self.arm.release_urgently() {
             return;
         }
         self.halt = Some(Halt {
-            next: self.now + AGAIN,
+            next: self.arm.now() + AGAIN,
             laser_is_next: false,
             rounds: 1,
             behind: 0,
@@ -84,7 +79,7 @@ impl Keeper {
     /// Says it again: a stock arm wants a gap between packets, and may have missed one. What is said
     /// again waits for a status, so that the arm's queue is not filled up with it.
     pub(super) fn repeat_halt(&mut self) {
-        let due = |it: &Halt| it.next <= self.now && it.heard;
+        let due = |it: &Halt| it.next <= self.arm.now() && it.heard;
         let Some(halt) = self.halt.filter(due) else {
             return;
         };
@@ -92,17 +87,17 @@ impl Keeper {
             self.halt = None;
             return;
         }
-        if halt.rounds > 0 && self.session.under_way() > 0 {
+        if halt.rounds > 0 && self.arm.session().under_way() > 0 {
             // The arm does one thing after the other: what was said waits there for its turn, and
             // more of the same would only take up its queue.
-            let next = self.now + AGAIN;
+            let next = self.arm.now() + AGAIN;
             self.halt = Some(Halt { next, ..halt });
             return;
         }
         if halt.laser_is_next {
-            self.send_urgent(LASER_OFF);
+            self.arm.send_urgent(LASER_OFF);
         } else {
-            self.release_urgently();
+            self.arm.release_urgently();
         }
         let behind = halt.behind + u32::from(halt.rounds > 0);
         let again = if behind >= MOST_BEHIND {
@@ -114,7 +109,7 @@ impl Keeper {
             AGAIN
         };
         self.halt = (halt.rounds < ROUNDS).then_some(Halt {
-            next: self.now + again,
+            next: self.arm.now() + again,
             laser_is_next: !halt.laser_is_next,
             rounds: halt.rounds + u32::from(!halt.laser_is_next),
             behind,
@@ -125,22 +120,13 @@ impl Keeper {
     /// Behind a laser that was just switched off: the release of the button that was sent last may have
     /// got lost with the link.
     pub(super) fn release_again(&mut self) {
-        self.halt = self.session.release().map(|_| Halt {
-            next: self.now + GAP,
+        self.halt = self.arm.session().release().map(|_| Halt {
+            next: self.arm.now() + GAP,
             laser_is_next: false,
             rounds: 0,
             behind: 0,
             heard: true,
         });
-    }
-
-    /// Whether there was a button to release.
-    pub(super) fn release_urgently(&mut self) -> bool {
-        let release = self.session.release();
-        if let Some(release) = release {
-            self.send_urgent(release);
-        }
-        release.is_some()
     }
 
     /// With each status: at rest there is nothing more to say, once it has been said twice.

@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_client::SendError;
-use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
+use dobot_wire::{JointJogAxis, LinearJogAxis};
 
 use super::{Keeper, seconds};
 use crate::words::{ClientId, Jog, News, Refusal, Reply};
@@ -74,7 +73,7 @@ impl Keeper {
         }
         let same = |it: &&mut Held| it.client == client && is_same_button(it.jog, jog);
         if let Some(held) = self.held.as_mut().filter(same) {
-            held.said = self.now;
+            held.said = self.arm.now();
             let changed = held.jog != jog;
             held.jog = jog;
             return match &held.phase {
@@ -89,7 +88,7 @@ impl Keeper {
         self.held = Some(Held {
             client,
             jog,
-            said: self.now,
+            said: self.arm.now(),
             patience: seconds(patience_s),
             phase: pressed.unwrap_or_else(|why| Phase::Over { why, told: false }),
         });
@@ -98,10 +97,11 @@ impl Keeper {
 
     /// What a new press does, if it may.
     fn press(&mut self, jog: Jog) -> Result<Phase, Refusal> {
-        if self.session.is_moving() {
+        if self.arm.session().is_moving() {
             self.check_free()?;
             // Whoever presses while the arm is at something longer means that, and not what follows it.
-            let runs_down = self.session.waiting() == 0 && self.rests_within() <= LONGEST_RUN_DOWN;
+            let runs_down =
+                self.arm.session().waiting() == 0 && self.rests_within() <= LONGEST_RUN_DOWN;
             return if runs_down {
                 Ok(Phase::Waits)
             } else {
@@ -109,7 +109,9 @@ impl Keeper {
             };
         }
         self.act(jog)?;
-        Ok(Phase::Acts { seen: self.now })
+        Ok(Phase::Acts {
+            seen: self.arm.now(),
+        })
     }
 
     fn change_speed(&mut self, jog: Jog) -> Result<Reply, Refusal> {
@@ -122,8 +124,8 @@ impl Keeper {
 
     fn act(&mut self, jog: Jog) -> Result<(), Refusal> {
         self.check_free()?;
-        self.check_way(&jog.command())?;
-        self.session.send(jog.command())?;
+        self.arm.check_way(&jog.command())?;
+        self.arm.session_mut().send(jog.command())?;
         self.halt = None;
         Ok(())
     }
@@ -131,7 +133,7 @@ impl Keeper {
     /// A press that waited acts, as soon as the arm rests.
     pub(super) fn watch_press(&mut self) {
         let Some(held) = &self.held else { return };
-        if !matches!(held.phase, Phase::Waits) || self.session.is_moving() {
+        if !matches!(held.phase, Phase::Waits) || self.arm.session().is_moving() {
             return;
         }
         let (client, jog) = (held.client, held.jog);
@@ -139,7 +141,9 @@ impl Keeper {
             self.withdraw(refusal.clone());
             self.tell_refused(client, &refusal);
         } else if let Some(held) = &mut self.held {
-            held.phase = Phase::Acts { seen: self.now };
+            held.phase = Phase::Acts {
+                seen: self.arm.now(),
+            };
         }
     }
 
@@ -189,10 +193,10 @@ impl Keeper {
 
     pub(super) fn watch_dead_man(&mut self) {
         let Some(held) = &self.held else { return };
-        if held.falls_silent().is_none_or(|it| it > self.now) {
+        if held.falls_silent().is_none_or(|it| it > self.arm.now()) {
             return;
         }
-        let silent = held.said + held.patience <= self.now;
+        let silent = held.said + held.patience <= self.arm.now();
         let (who, silence) = if silent {
             (self.name(held.client), held.patience)
         } else {
@@ -209,15 +213,19 @@ impl Keeper {
 
     /// With each status: where the arm would come to before it could be stopped has to be allowed.
     pub(super) fn watch_jog(&mut self) {
-        let (Some(held), Some(model)) = (&mut self.held, self.session.seen_model()) else {
+        let (Some(held), Some(model)) = (&mut self.held, self.arm.session().seen_model()) else {
             return;
         };
         let Phase::Acts { seen } = &mut held.phase else {
             return;
         };
-        *seen = self.now;
+        *seen = self.arm.now();
         let within_s = held.patience.min(BLIND).as_secs_f64() + LINE_S;
-        if let Err(violation) = self.policy.check_jog(&model, &held.jog.command(), within_s) {
+        if let Err(violation) = self
+            .arm
+            .policy()
+            .check_jog(&model, &held.jog.command(), within_s)
+        {
             let client = held.client;
             let refusal = Refusal::from(violation);
             self.withdraw(refusal.clone());
@@ -240,23 +248,6 @@ impl Keeper {
             Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
             _ => Ok(()),
         }
-    }
-
-    /// Whether the arm is where it says.
-    pub(super) fn check_trust(&self) -> Result<(), Refusal> {
-        if self.session.is_trusted() {
-            return Ok(());
-        }
-        Err(Refusal::Send(SendError::Untrusted))
-    }
-
-    /// Whether the whole way of a command is allowed.
-    pub(super) fn check_way(&self, command: &Command) -> Result<(), Refusal> {
-        self.session.check(command)?;
-        if let Some(model) = self.session.model() {
-            self.policy.check(model, command)?;
-        }
-        Ok(())
     }
 }
 

@@ -5,20 +5,21 @@ use std::time::Duration;
 
 use dobot_course::LASER_OFF;
 
+use super::arm::Arm;
 use super::{Keeper, seconds};
 use crate::words::{ClientId, LaserView, News, Refusal, Reply};
 
 impl Keeper {
     /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
     pub fn free_laser(&mut self) {
-        self.session.free_laser();
+        self.arm.session_mut().free_laser();
     }
 
     pub(super) fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.check_arms_laser(client)?;
         self.check_stop()?;
-        let most_s = self.policy.laser.arm_for_s;
-        if !self.policy.laser.allowed {
+        let most_s = self.arm.policy().laser.arm_for_s;
+        if !self.arm.policy().laser.allowed {
             return Err(Refusal::OutOfRange {
                 name: "for_s",
                 found: for_s,
@@ -34,7 +35,8 @@ impl Keeper {
                 ),
             });
         }
-        self.session.arm_laser(self.now + seconds(for_s));
+        let until = self.arm.now() + seconds(for_s);
+        self.arm.session_mut().arm_laser(until);
         let text = format!(
             "{} armed the laser for {for_s:.0} s: goggles on",
             self.name(client)
@@ -45,18 +47,18 @@ impl Keeper {
 
     /// Switches the laser off and keeps it off; a job that burns is paused.
     pub(super) fn disarm_laser(&mut self, why: &str) {
-        let was_armed = self.session.laser_armed_until().is_some();
-        for id in self.session.disarm_laser() {
+        let was_armed = self.arm.session().laser_armed_until().is_some();
+        for id in self.arm.session_mut().disarm_laser() {
             self.command_forgotten(id, &Refusal::LaserDisarmed.to_string());
         }
-        if was_armed || self.session.is_laser_on() {
+        if was_armed || self.arm.session().is_laser_on() {
             self.laser_disarmed(why);
         }
     }
 
     /// The laser is disarmed: it goes off, and a job that burns is paused.
     pub(super) fn laser_disarmed(&mut self, why: &str) {
-        self.part_from_laser();
+        self.arm.part_from_laser();
         self.interrupt_burning(why);
         self.tell(
             News::LaserDisarmed,
@@ -69,10 +71,12 @@ impl Keeper {
         let text = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
         self.tell(News::LaserOff, text.into());
     }
+}
 
+impl Arm {
     /// Whether a person has armed the laser.
     pub(super) const fn check_laser_armed(&self) -> Result<(), Refusal> {
-        match self.session.laser_armed_until() {
+        match self.session().laser_armed_until() {
             Some(_) => Ok(()),
             None => Err(Refusal::LaserDisarmed),
         }
@@ -82,23 +86,23 @@ impl Keeper {
     /// only to an arm that has nothing else to do first: whoever asks for nonsense many times must not
     /// fill its queue.
     pub(super) fn part_from_laser(&mut self) {
-        let lately = |off: Duration| self.now.saturating_sub(off) < LATELY;
-        let waits = self.session.under_way() > 0;
-        let told = self.session.laser_told_off();
+        let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
+        let waits = self.session().under_way() > 0;
+        let told = self.session().laser_told_off();
         if !told.is_some_and(|off| waits || lately(off)) {
             self.send_urgent(LASER_OFF);
         }
     }
 
     pub(super) fn laser_view(&self) -> LaserView {
-        let left = |until: Duration| until.saturating_sub(self.now).as_secs_f64();
+        let left = |until: Duration| until.saturating_sub(self.now()).as_secs_f64();
         LaserView {
             armed_for_s: self
-                .session
+                .session()
                 .laser_armed_until()
                 .map_or(0.0, left)
-                .min(self.policy.laser.arm_for_s),
-            on: self.session.is_laser_on(),
+                .min(self.policy().laser.arm_for_s),
+            on: self.session().is_laser_on(),
         }
     }
 }

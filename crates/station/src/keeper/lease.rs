@@ -28,7 +28,7 @@ impl Keeper {
                 amended: None,
             },
         );
-        self.changed = true;
+        self.outbox.note_change();
         client
     }
 
@@ -42,7 +42,7 @@ impl Keeper {
             lease.asked_by.retain(|it| *it != client);
         }
         self.clients.remove(&client);
-        self.changed = true;
+        self.outbox.note_change();
     }
 
     pub(super) fn has_lease(&self, client: ClientId) -> bool {
@@ -161,7 +161,7 @@ impl Keeper {
     pub(super) fn give_lease(&mut self, client: ClientId) {
         self.lease = Some(Lease {
             client,
-            since: self.now,
+            since: self.arm.now(),
             asked_by: Vec::new(),
         });
         let text = format!("{} has control", self.name(client));
@@ -172,7 +172,7 @@ impl Keeper {
     /// the laser goes off. A drawing with a pen goes on; it is the station's.
     fn end_lease(&mut self, why: &str) {
         if let Some(lease) = self.lease.take() {
-            self.part_from_laser();
+            self.arm.part_from_laser();
             self.disarm_laser(why);
             self.let_go();
             self.end_detection(why);

@@ -40,7 +40,7 @@ impl Keeper {
     pub fn handle_link_up(&mut self, now: Duration, address: &str) {
         self.handle_time(now);
         if !matches!(address.parse(), Ok(Address::Virtual)) {
-            self.session.distrust(OPENED);
+            self.arm.session_mut().distrust(OPENED);
         }
         self.link = Linked {
             phase: LinkPhase::Listening,
@@ -49,9 +49,8 @@ impl Keeper {
             lost: None,
             greeted: false,
         };
-        self.session.handle_open(self.now);
-        self.still = 0;
-        self.changed = true;
+        self.arm.handle_open();
+        self.outbox.note_change();
     }
 
     /// Takes that the port is gone, or could not be opened, and why.
@@ -69,7 +68,7 @@ impl Keeper {
                 (_, since) => since,
             };
         }
-        self.changed = true;
+        self.outbox.note_change();
         if lost {
             self.lose_link();
             self.disarm_laser("the link to the arm was lost");
@@ -79,15 +78,9 @@ impl Keeper {
     /// Takes bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
-        self.session.handle_bytes(self.now, bytes);
+        self.arm.handle_bytes(bytes);
         self.follow_session();
         self.pump();
-    }
-
-    /// Whether the arm was seen at rest for a while, after all that it was sent.
-    #[must_use]
-    pub fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.session.under_way() == 0
     }
 
     pub(super) const fn is_linked(&self) -> bool {
@@ -96,8 +89,8 @@ impl Keeper {
 
     /// Takes what happened in the session.
     pub(super) fn follow_session(&mut self) {
-        while let Some(event) = self.session.poll_event() {
-            self.changed = true;
+        while let Some(event) = self.arm.session_mut().poll_event() {
+            self.outbox.note_change();
             match event {
                 Event::Status(status) => self.see(status),
                 Event::Completed(id) => self.command_over(id, None),
@@ -131,16 +124,11 @@ impl Keeper {
             // Whatever was before: a crash, another program, a cable that was out.
             self.link.greeted = true;
             // What was said last may have got lost with the link.
-            self.send_urgent(LASER_OFF);
+            self.arm.send_urgent(LASER_OFF);
             self.release_again();
         }
-        self.statuses.push_back(status);
-        self.still = if self.last == Some(status) {
-            self.still + 1
-        } else {
-            0
-        };
-        self.last = Some(status);
+        self.outbox.pass_on(status);
+        self.arm.handle_status(status);
         self.watch_jog();
         self.watch_halt();
         self.watch_stop();
@@ -176,10 +164,10 @@ impl Keeper {
     /// What was not sent is forgotten; what the arm has, it does.
     fn lose_link(&mut self) {
         self.link.greeted = false;
-        self.still = 0;
-        self.part_from_laser();
+        self.arm.lose_sight();
+        self.arm.part_from_laser();
         // Statuses may be lost on a line that still carries packets.
-        self.release_urgently();
+        self.arm.release_urgently();
         self.bar(Refusal::LetGo("the link to the arm was lost".into()));
         self.drop_waiting("the link to the arm was lost");
         let text = match &self.link.problem {
@@ -193,7 +181,7 @@ impl Keeper {
 
     fn notice_reset(&mut self, evidence: &str) {
         self.bar(Refusal::LetGo("the arm was reset".into()));
-        self.part_from_laser();
+        self.arm.part_from_laser();
         // The session has forgotten what was under way, too.
         for id in self.under_way() {
             self.command_over(id, Some("the arm was reset".into()));
@@ -217,5 +205,3 @@ fn failure(event: Event) -> String {
 
 const OPENED: &str =
     "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
-/// So many statuses in a row that tell the same: the arm is at rest.
-const AT_REST: u32 = 3;

@@ -58,8 +58,8 @@ impl Keeper {
     /// Laser off, at once, where it may be on. An arm that draws with a pen hears it when it rests:
     /// the packet would come in the middle of a stroke, and stop it for a moment.
     fn part_from_burning(&mut self) {
-        if self.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
-            self.part_from_laser();
+        if self.arm.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
+            self.arm.part_from_laser();
         }
     }
 
@@ -123,8 +123,9 @@ impl Keeper {
         let up = self.run.as_ref().map_or(0.0, Run::lift_mm);
         let command = straight(up.into());
         let wanted = up > 0.0 && self.stop.is_none() && self.is_linked();
-        let lifts =
-            wanted && self.check_way(&command).is_ok() && self.session.send(command).is_ok();
+        let lifts = wanted
+            && self.arm.check_way(&command).is_ok()
+            && self.arm.session_mut().send(command).is_ok();
         let Some(run) = &mut self.run else {
             return;
         };
@@ -153,8 +154,8 @@ impl Keeper {
         if then.is_over() {
             self.run = None;
         }
-        self.part_from_laser();
-        self.changed = true;
+        self.arm.part_from_laser();
+        self.outbox.note_change();
     }
 
     pub(super) fn tell_job_paused(&mut self) {

@@ -38,8 +38,8 @@ impl Keeper {
         }
         self.check_lease(client)?;
         let packet = &self.amended(client, packet);
-        let command = self.session.parse(packet)?;
-        let patience_s = self.policy.jog.raw_dead_man_s;
+        let command = self.arm.session().parse(packet)?;
+        let patience_s = self.arm.policy().jog.raw_dead_man_s;
         match command {
             Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
             Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
@@ -56,10 +56,11 @@ impl Keeper {
     /// for all that follow and are changed alike.
     fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
         let model = self
-            .session
+            .arm
+            .session()
             .model()
-            .filter(|_| self.session.dialect().is_some());
-        let changed = model.and_then(|model| amended(packet, model, &self.policy));
+            .filter(|_| self.arm.session().dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, self.arm.policy()));
         let Some((sent, what)) = changed else {
             return *packet;
         };

@@ -32,10 +32,10 @@ impl Keeper {
             self.tell_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.has_lease(client) {
                 // What its client believes about the arm is wrong.
-                self.part_from_laser();
+                self.arm.part_from_laser();
             }
         }
-        self.changed = true;
+        self.outbox.note_change();
         self.pump();
         answer
     }
@@ -58,7 +58,7 @@ impl Keeper {
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         match request {
             Request::Command { command } => self.command(client, &command),
-            Request::Jog { jog } => self.jog(client, jog, self.policy.jog.dead_man_s),
+            Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
                 self.check_lease(client)?;
                 self.let_go();
@@ -100,13 +100,13 @@ impl Keeper {
         command: &Command,
     ) -> Result<Reply, Refusal> {
         if let Some(jog) = button(command) {
-            return self.jog(client, jog, self.policy.jog.dead_man_s);
+            return self.jog(client, jog, self.arm.policy().jog.dead_man_s);
         }
         self.check_may_move(client)?;
         // Whoever sends another command does not hold his button any more.
         self.let_go();
         let command = &self.understood(command)?;
-        let waiting = self.session.waiting();
+        let waiting = self.arm.session().waiting();
         if waiting >= MOST_WAITING {
             return Err(Refusal::TooMany {
                 waiting,
@@ -114,13 +114,13 @@ impl Keeper {
             });
         }
         self.check_place(command)?;
-        self.check_way(command)?;
-        let id = self.session.send(*command)?;
+        self.arm.check_way(command)?;
+        let id = self.arm.session_mut().send(*command)?;
         self.halt = None;
         self.pending.insert(id, client);
         Ok(Reply::Accepted {
             command: id.0,
-            takes_s: Some(self.session.ahead_s()),
+            takes_s: Some(self.arm.session().ahead_s()),
         })
     }
 
@@ -130,11 +130,11 @@ impl Keeper {
         let Command::Voice(voice) = command else {
             return Ok(*command);
         };
-        let Some(dialect) = self.session.dialect() else {
+        let Some(dialect) = self.arm.session().dialect() else {
             let field = "voice";
             return Err(Refusal::Send(SendError::Undecided { field }));
         };
-        if self.session.is_bluetooth() {
+        if self.arm.session().is_bluetooth() {
             // It waits in the session until the arm rests.
             return Ok(*command);
         }
@@ -142,7 +142,8 @@ impl Keeper {
             // From the first byte of a text on, a motion under way would rest and lose its place.
             return self.check_rest().map(|()| *command);
         }
-        let (Some(order), Some(model)) = (VoiceOrder::parse(voice), self.session.model()) else {
+        let (Some(order), Some(model)) = (VoiceOrder::parse(voice), self.arm.session().model())
+        else {
             let error = CourseError::NotUnderstood;
             return Err(Refusal::Policy(Box::new(Violation::of_course(&error))));
         };
@@ -151,7 +152,8 @@ impl Keeper {
 
     /// Whether the arm rests.
     fn check_rest(&self) -> Result<(), Refusal> {
-        if !self.is_at_rest() || self.session.is_moving() || self.session.waiting() > 0 {
+        if !self.is_at_rest() || self.arm.session().is_moving() || self.arm.session().waiting() > 0
+        {
             return Err(self.still_moving());
         }
         Ok(())
@@ -160,7 +162,7 @@ impl Keeper {
     /// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
     /// elsewhere, until the arm was seen at rest.
     fn check_place(&self, command: &Command) -> Result<(), Refusal> {
-        match self.session.model() {
+        match self.arm.session().model() {
             Some(model) if !model.knows_place() && leads_somewhere(command) => {
                 Err(self.still_moving())
             }
@@ -177,8 +179,8 @@ impl Keeper {
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_link()?;
         // Nothing moves until it is confirmed, so nobody has to have control for that.
-        if !self.session.is_trusted() {
-            self.session.confirm_pose();
+        if !self.arm.session().is_trusted() {
+            self.arm.session_mut().confirm_pose();
             let text = format!("{} confirmed where the arm stands", self.name(client));
             self.tell(News::PoseTrusted, text);
         }
@@ -189,8 +191,8 @@ impl Keeper {
         if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
             return Err(Refusal::JobRunning(run.job()));
         }
-        if self.session.dialect() != Some(&dialect) {
-            self.session.set_dialect(dialect);
+        if self.arm.session().dialect() != Some(&dialect) {
+            self.arm.session_mut().set_dialect(dialect);
             self.tell(
                 News::DialectKnown { dialect },
                 format!("the arm speaks {dialect}"),

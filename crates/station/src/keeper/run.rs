@@ -357,13 +357,13 @@ impl Keeper {
     /// and where the arm comes to rest tells how far the job got.
     pub fn handle_recovered(&mut self, now: Duration, mut begun: Begun, window: Window) {
         self.handle_time(now);
-        self.session.distrust(RESTARTED);
+        self.arm.session_mut().distrust(RESTARTED);
         // How long it ran nobody knows any more.
         begun.behind.ran_s = None;
         let mut run = Run::new(begun, Phase::Locating { window }, None);
         run.left.is_unknown = true;
         self.run = Some(run);
-        self.changed = true;
+        self.outbox.note_change();
     }
 
     /// The job that is at work or paused.

@@ -59,12 +59,12 @@ impl Keeper {
             self.unsaved = Some(Unsaved {
                 effect: effect.clone(),
                 why: why.to_owned(),
-                next: self.now + AGAIN,
+                next: self.arm.now() + AGAIN,
             });
         }
         let why = format!("the journal of jobs cannot be written: {why}");
         if self.run.as_ref().is_some_and(Run::has_the_arm) {
-            self.part_from_laser();
+            self.arm.part_from_laser();
             self.drop_waiting(&why);
             self.interrupt_run(&why);
         }
@@ -85,9 +85,9 @@ impl Keeper {
     /// Asks the journal again for what it did not take.
     pub(super) fn repeat_unsaved(&mut self) {
         if let Some(unsaved) = &mut self.unsaved
-            && unsaved.next <= self.now
+            && unsaved.next <= self.arm.now()
         {
-            unsaved.next = self.now + AGAIN;
+            unsaved.next = self.arm.now() + AGAIN;
             self.effects.push_back(unsaved.effect.clone());
         }
     }

@@ -38,8 +38,8 @@ impl Keeper {
             self.stop = Some(Stop {
                 by,
                 reason,
-                at: self.now,
-                rests_by: self.now + rests_within,
+                at: self.arm.now(),
+                rests_by: self.arm.now() + rests_within,
                 at_rest: false,
             });
             self.tell(News::Stopped, text);
@@ -54,7 +54,7 @@ impl Keeper {
             return Ok(Reply::Done);
         };
         if !stop.at_rest && self.is_linked() {
-            let within = stop.rests_by.saturating_sub(self.now).max(SOON);
+            let within = stop.rests_by.saturating_sub(self.arm.now()).max(SOON);
             return Err(Refusal::StillMoving {
                 within_s: within.as_secs_f64(),
             });

@@ -8,32 +8,32 @@ impl Keeper {
     #[must_use]
     pub fn state(&self) -> State {
         State {
-            at_s: self.now.as_secs_f64(),
+            at_s: self.arm.now().as_secs_f64(),
             link: self.link_view(),
-            arm: self.last.map(|status| ArmView {
+            arm: self.arm.last().map(|status| ArmView {
                 status,
-                moving: self.still == 0,
+                moving: self.arm.still() == 0,
             }),
-            dialect: self.session.dialect().copied(),
+            dialect: self.arm.session().dialect().copied(),
             trust: TrustView {
-                trusted: self.session.is_trusted(),
-                reason: self.session.distrust_reason().map(str::to_owned),
+                trusted: self.arm.session().is_trusted(),
+                reason: self.arm.session().distrust_reason().map(str::to_owned),
             },
             queue: QueueView {
-                waiting: self.session.waiting(),
-                under_way: self.session.under_way(),
-                ahead_s: self.session.ahead_s(),
+                waiting: self.arm.session().waiting(),
+                under_way: self.arm.session().under_way(),
+                ahead_s: self.arm.session().ahead_s(),
             },
             lease: self.lease_view(),
             stop: self.stop_view(),
-            laser: self.laser_view(),
+            laser: self.arm.laser_view(),
             job: self.job(),
             clients: self.clients.len(),
         }
     }
 
     fn link_view(&self) -> LinkView {
-        let quality = self.session.link();
+        let quality = self.arm.session().link();
         LinkView {
             address: self.link.address.clone(),
             phase: self.link.phase,

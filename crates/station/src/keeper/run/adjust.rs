@@ -38,7 +38,7 @@ impl Keeper {
         self.take_back();
         if let Some(run) = &mut self.run {
             let (plan, change) = run.at_height(offset_mm);
-            plan.check_lowest(&self.policy, change.from)?;
+            plan.check_lowest(self.arm.policy(), change.from)?;
             run.begun.plan = plan;
             run.note_height(change);
             run.change_pace();
@@ -53,9 +53,7 @@ impl Keeper {
         let run = self.run.as_ref().ok_or(Refusal::NoJobRuns)?;
         match run.phase {
             Phase::Locating { .. } | Phase::Draining { .. } | Phase::Lifting { .. } => {
-                return Err(Refusal::StillMoving {
-                    within_s: self.rests_within().as_secs_f64(),
-                });
+                return Err(self.still_moving());
             }
             Phase::Approaching { .. } | Phase::Running | Phase::Paused { .. } => {}
         }
@@ -83,7 +81,7 @@ impl Keeper {
                 job: run.job(),
                 adjustment: run.begun.adjustment.clone(),
             });
-            self.changed = true;
+            self.outbox.note_change();
         }
     }
 }

@@ -35,20 +35,18 @@ impl Keeper {
 
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
-        self.check_trust()?;
+        self.arm.check_trust()?;
         self.check_saved()?;
-        if self.session.under_way() > 0 || self.session.waiting() > 0 {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
+        if !self.arm.is_idle() {
+            return Err(self.still_moving());
         }
         if begun.plan.burns() {
-            self.check_laser_armed()?;
+            self.arm.check_laser_armed()?;
         }
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = self.located(begun)?;
         let Approach { first, lower } = self.approach(&begun);
-        let mut run = Run::new(begun, Phase::Approaching { last: None }, self.last);
+        let mut run = Run::new(begun, Phase::Approaching { last: None }, self.arm.last());
         (run.kept, run.asked_kept) = (kept, kept);
         let left = self.left_before(&run);
         if left.is_unknown {
@@ -57,12 +55,12 @@ impl Keeper {
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
         for command in first.iter().chain(&lower) {
-            self.session.check(command)?;
+            self.arm.session().check(command)?;
         }
         let mut last = None;
         for command in first {
-            self.check_way(&command)?;
-            last = Some(self.session.send(command)?);
+            self.arm.check_way(&command)?;
+            last = Some(self.arm.session_mut().send(command)?);
         }
         self.halt = None;
         let (job, behind) = (run.job(), run.behind());
@@ -95,7 +93,7 @@ impl Keeper {
 
     /// A job of which nobody knows how far it got goes on only from where the arm rests.
     fn located(&self, mut begun: Begun) -> Result<Begun, Refusal> {
-        let (Some(window), Some(status)) = (begun.doubt.take(), self.last) else {
+        let (Some(window), Some(status)) = (begun.doubt.take(), self.arm.last()) else {
             return Ok(begun);
         };
         let located = locate_at(&begun, &window, &status);
@@ -108,7 +106,7 @@ impl Keeper {
     fn approach(&self, begun: &Begun) -> Approach {
         let mut first = prelude(begun.plan.commands(), begun.completed);
         let start = begun.plan.start_position(begun.completed);
-        let (Some(start), Some(status)) = (start, self.last) else {
+        let (Some(start), Some(status)) = (start, self.arm.last()) else {
             return Approach { first, lower: None };
         };
         let here = position(&status);
@@ -158,9 +156,7 @@ impl Keeper {
         };
         if self.run.as_ref().is_some_and(resting) {
             self.check_link()?;
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
+            return Err(self.still_moving());
         }
         Ok(())
     }

@@ -26,7 +26,7 @@ impl Keeper {
 
     /// Takes that a command is over: of the job, or on the way to it.
     pub(in crate::keeper) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
-        let now = self.now;
+        let now = self.arm.now();
         let Some(run) = &mut self.run else {
             return;
         };
@@ -41,7 +41,7 @@ impl Keeper {
         match failed {
             Some(why) if of_job.is_some() || of_way || run.is_approaching() => {
                 let why = why.to_owned();
-                self.part_from_laser();
+                self.arm.part_from_laser();
                 self.drop_waiting(&why);
                 self.interrupt_run(&why);
             }
@@ -53,7 +53,7 @@ impl Keeper {
 
     /// Keeps the session and the journal supplied.
     pub(in crate::keeper) fn pump(&mut self) {
-        let now = self.now;
+        let now = self.arm.now();
         let Some(run) = &mut self.run else {
             return;
         };
@@ -64,12 +64,12 @@ impl Keeper {
             return;
         }
         self.ask_journal();
-        while self.session.waiting() < KEEP_WAITING
+        while self.arm.session().waiting() < KEEP_WAITING
             && let Some(command) = self.next_of_run()
         {
             if let Err(refusal) = self.lower_run().and_then(|()| self.give(&command)) {
                 let why = refusal.to_string();
-                self.part_from_laser();
+                self.arm.part_from_laser();
                 self.drain(JobPhase::Paused, &why, true);
                 break;
             }
@@ -91,8 +91,8 @@ impl Keeper {
     fn lower_run(&mut self) -> Result<(), Refusal> {
         let lower = self.run.as_mut().and_then(|it| it.lower.take());
         if let Some(command) = lower {
-            self.check_way(&command)?;
-            let id = self.session.send(command)?;
+            self.arm.check_way(&command)?;
+            let id = self.arm.session_mut().send(command)?;
             if let Some(run) = &mut self.run {
                 run.lowering = Some((id, command));
             }
@@ -101,8 +101,8 @@ impl Keeper {
     }
 
     fn give(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.check_way(command)?;
-        let id = self.session.send(*command)?;
+        self.arm.check_way(command)?;
+        let id = self.arm.session_mut().send(*command)?;
         let run = self.run.as_mut().expect("the command is of the run");
         let (index, left) = (run.next, run.after(run.left(), command));
         run.given.push_back(Given { id, index, left });
@@ -150,7 +150,7 @@ impl Keeper {
         if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
             return;
         }
-        let Some(upto) = self.last.map(|status| run.window_end(&status)) else {
+        let Some(upto) = self.arm.last().map(|status| run.window_end(&status)) else {
             return;
         };
         let upto = upto.min(run.limit);

@@ -55,9 +55,9 @@ impl Keeper {
         let Some(run) = &self.run else {
             return;
         };
-        let idle = self.session.under_way() == 0 && self.session.waiting() == 0;
+        let idle = self.arm.is_idle();
         match &run.phase {
-            Phase::Locating { window } if self.still >= run.rests_after(window) => {
+            Phase::Locating { window } if self.arm.still() >= run.rests_after(window) => {
                 let window = *window;
                 self.locate_run(&window);
             }
@@ -85,10 +85,10 @@ impl Keeper {
         let Some(mut run) = self.run.take() else {
             return;
         };
-        self.part_from_laser();
+        self.arm.part_from_laser();
         run.note_ran();
         let (job, title) = (run.job(), &run.begun.title);
-        let (phase, reason) = match self.last.and_then(|status| run.misses_end(&status)) {
+        let (phase, reason) = match self.arm.last().and_then(|status| run.misses_end(&status)) {
             None => (JobPhase::Done, None),
             Some(reason) => (JobPhase::Failed, Some(reason)),
         };
@@ -108,7 +108,7 @@ impl Keeper {
 
     /// The arm rests: which command was the last one that it did?
     fn locate_run(&mut self, window: &Window) {
-        let (Some(run), Some(status)) = (&mut self.run, self.last) else {
+        let (Some(run), Some(status)) = (&mut self.run, self.arm.last()) else {
             return;
         };
         let located = locate_at(&run.begun, window, &status);
