@@ -31,7 +31,7 @@ use self::arm::Arm;
 use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::Held;
-use self::lease::Lease;
+use self::lease::{Change, Leases};
 use self::link::Linked;
 use self::outbox::Outbox;
 use self::run::Run;
@@ -53,9 +53,7 @@ pub struct Keeper {
     arm: Arm,
     outbox: Outbox,
     link: Linked,
-    clients: HashMap<ClientId, Known>,
-    next_client: u64,
-    lease: Option<Lease>,
+    leases: Leases,
     stop: Option<Stop>,
     held: Option<Held>,
     halt: Option<Halt>,
@@ -70,17 +68,6 @@ pub struct Keeper {
     effects: VecDeque<Effect>,
 }
 
-/// A client that is connected.
-#[derive(Clone, Debug)]
-struct Known {
-    name: String,
-    role: Role,
-    /// It speaks the arm's own protocol, which has no words for leases.
-    is_program: bool,
-    /// What was changed last of what it sent.
-    amended: Option<String>,
-}
-
 impl Keeper {
     /// A keeper that has no arm yet. It trusts the pose of one whose port it has opened only when a
     /// person has confirmed it, that of a virtual one from the start.
@@ -90,9 +77,7 @@ impl Keeper {
             arm: Arm::new(policy, dialect),
             outbox: Outbox::new(),
             link: Linked::default(),
-            clients: HashMap::new(),
-            next_client: 1,
-            lease: None,
+            leases: Leases::new(),
             stop: None,
             held: None,
             halt: None,
@@ -325,9 +310,51 @@ impl Keeper {
     }
 
     fn name(&self, client: ClientId) -> String {
-        self.clients
-            .get(&client)
-            .map_or_else(|| format!("client {}", client.0), |it| it.name.clone())
+        self.leases.name(client)
+    }
+
+    /// Takes that a client came.
+    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
+        self.handle_time(now);
+        self.outbox.note_change();
+        self.leases.handle_client(name, role)
+    }
+
+    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
+    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
+        self.handle_time(now);
+        let changes = self.leases.handle_left(client);
+        self.follow_lease(changes);
+        self.outbox.note_change();
+    }
+
+    fn follow_lease(&mut self, changes: impl IntoIterator<Item = Change>) {
+        for change in changes {
+            match change {
+                Change::Ended { client, why } => self.lease_over(client, &why),
+                Change::Taken(client) => {
+                    let text = format!("{} has control", self.name(client));
+                    self.tell(News::LeaseTaken { client }, text);
+                }
+                Change::Asked(client) => {
+                    let text = format!("{} asks for control", self.name(client));
+                    self.tell(News::LeaseAsked { client }, text);
+                }
+            }
+        }
+    }
+
+    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
+    /// the laser goes off. A drawing with a pen goes on; it is the station's.
+    fn lease_over(&mut self, client: ClientId, why: &str) {
+        self.arm.part_from_laser();
+        self.disarm_laser(why);
+        self.let_go();
+        self.end_detection(why);
+        if self.pending.values().any(|it| *it == client) {
+            self.drop_waiting(why);
+        }
+        self.tell(News::LeaseFree, format!("nobody has control: {why}"));
     }
 }
 

@@ -63,7 +63,7 @@ impl Keeper {
         jog: Jog,
         patience_s: f64,
     ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
+        self.leases.check(client)?;
         if released(jog) {
             self.let_go();
             return Ok(Reply::Done);
@@ -235,7 +235,7 @@ impl Keeper {
 
     /// Whether a client may move the arm by hand now.
     pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
-        self.check_lease(client)?;
+        self.leases.check(client)?;
         self.check_free()
     }
 

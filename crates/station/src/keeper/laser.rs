@@ -16,7 +16,7 @@ impl Keeper {
     }
 
     pub(super) fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
-        self.check_arms_laser(client)?;
+        self.leases.check_arms_laser(client)?;
         self.check_stop()?;
         let most_s = self.arm.policy().laser.arm_for_s;
         if !self.arm.policy().laser.allowed {

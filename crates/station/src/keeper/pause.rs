@@ -20,8 +20,8 @@ impl Keeper {
     }
 
     pub(super) fn cancel_job(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
-        if self.lease.is_some() {
-            self.check_lease(client)?;
+        if self.leases.is_taken() {
+            self.leases.check(client)?;
         }
         if self.run.as_ref().is_none_or(|it| it.job() != job) {
             return Err(Refusal::NoSuchJob(job));

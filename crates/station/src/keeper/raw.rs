@@ -30,13 +30,9 @@ impl Keeper {
     }
 
     fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
-        if let Some(known) = self.clients.get_mut(&client) {
-            known.is_program = true;
-        }
-        if self.lease.is_none() {
-            self.give_lease(client);
-        }
-        self.check_lease(client)?;
+        let taken = self.leases.handle_program(self.arm.now(), client);
+        self.follow_lease(taken);
+        self.leases.check(client)?;
         let packet = &self.amended(client, packet);
         let command = self.arm.session().parse(packet)?;
         let patience_s = self.arm.policy().jog.raw_dead_man_s;
@@ -65,10 +61,7 @@ impl Keeper {
             return *packet;
         };
         let text = format!("{}: {what}", self.name(client));
-        if let Some(known) = self.clients.get_mut(&client)
-            && known.amended.as_ref() != Some(&text)
-        {
-            known.amended = Some(text.clone());
+        if self.leases.handle_amended(client, &text) {
             self.tell(News::Amended { client }, text);
         }
         sent
@@ -80,7 +73,7 @@ impl Keeper {
             return;
         }
         // The arm's own protocol has no words for that: whoever reads this is the only one to know.
-        let is_program = self.clients.get(&client).is_some_and(|it| it.is_program);
+        let is_program = self.leases.is_program(client);
         let remedy = refusal
             .hint()
             .or_else(|| is_program.then(|| GOES_ON.into()));

@@ -30,7 +30,7 @@ impl Keeper {
         };
         if let Some(Err(refusal)) = &answer {
             self.tell_refused(client, refusal);
-            if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.has_lease(client) {
+            if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
                 // What its client believes about the arm is wrong.
                 self.arm.part_from_laser();
             }
@@ -46,13 +46,7 @@ impl Keeper {
     ///
     /// [`Refusal::Role`].
     pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
-        let known = self.clients.get(&client);
-        let found = known.map_or(crate::words::Role::Watch, |it| it.role);
-        let needed = request.role();
-        if found < needed {
-            return Err(Refusal::Role { needed, found });
-        }
-        Ok(())
+        self.leases.check_role(client, request.role())
     }
 
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
@@ -60,7 +54,7 @@ impl Keeper {
             Request::Command { command } => self.command(client, &command),
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
-                self.check_lease(client)?;
+                self.leases.check(client)?;
                 self.let_go();
                 Ok(Reply::Done)
             }
@@ -68,11 +62,11 @@ impl Keeper {
                 Ok(self.stop(client, reason.map(|it| plain(&it, REASON_LEN))))
             }
             Request::ResetStop => self.reset_stop(client),
-            Request::TakeLease => self.take_lease(client),
-            Request::ReleaseLease => self.release_lease(client),
-            Request::AskLease => self.ask_lease(client),
-            Request::GrantLease { to } => self.grant_lease(client, to),
-            Request::SeizeLease => Ok(self.seize_lease(client)),
+            Request::TakeLease
+            | Request::ReleaseLease
+            | Request::AskLease
+            | Request::GrantLease { .. }
+            | Request::SeizeLease => self.change_lease(client, &request),
             Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
             Request::DisarmLaser => {
                 self.disarm_laser("a client asked for it");
@@ -91,6 +85,21 @@ impl Keeper {
                 Refusal::Malformed("jobs and detections are not asked for this way".into()),
             ),
         }
+    }
+
+    fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {
+        let now = self.arm.now();
+        let changes = match *request {
+            Request::ReleaseLease => self.leases.release(client)?,
+            Request::AskLease => self.leases.ask(now, client)?,
+            Request::GrantLease { to } => self.leases.grant(now, client, to)?,
+            Request::SeizeLease => self.leases.seize(now, client),
+            _ => self.leases.take(now, client)?,
+        };
+        self.follow_lease(changes);
+        Ok(Reply::Lease {
+            lease: self.leases.view(),
+        })
     }
 
     /// Sends one command, if its whole way is allowed.

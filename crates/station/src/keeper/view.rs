@@ -24,11 +24,11 @@ impl Keeper {
                 under_way: self.arm.session().under_way(),
                 ahead_s: self.arm.session().ahead_s(),
             },
-            lease: self.lease_view(),
+            lease: self.leases.view(),
             stop: self.stop_view(),
             laser: self.arm.laser_view(),
             job: self.job(),
-            clients: self.clients.len(),
+            clients: self.leases.clients(),
         }
     }
 

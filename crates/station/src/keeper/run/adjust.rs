@@ -13,7 +13,7 @@ impl Keeper {
         client: ClientId,
         percent: f64,
     ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
+        self.leases.check(client)?;
         check_range("percent", percent, SLOWEST_PERCENT, FASTEST_PERCENT, "%")?;
         self.check_adjustable()?;
         self.take_back();
@@ -32,7 +32,7 @@ impl Keeper {
         client: ClientId,
         offset_mm: f64,
     ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
+        self.leases.check(client)?;
         check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")?;
         self.check_adjustable()?;
         self.take_back();
