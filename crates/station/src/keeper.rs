@@ -23,7 +23,7 @@ use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
 
 use dobot_client::{CommandId, Finding, SendError, Session};
-use dobot_course::Model;
+use dobot_course::{LASER_OFF, Model};
 use dobot_safety::Policy;
 use dobot_wire::{Dialect, Packet, Status};
 
@@ -54,9 +54,9 @@ pub struct Keeper {
     outbox: Outbox,
     link: Linked,
     leases: Leases,
-    stop: Option<Stop>,
+    stop: Stop,
     held: Option<Held>,
-    halt: Option<Halt>,
+    halt: Halt,
     run: Option<Run>,
     /// The last phase of a job that the journal was to keep.
     kept: Option<Effect>,
@@ -78,9 +78,9 @@ impl Keeper {
             outbox: Outbox::new(),
             link: Linked::default(),
             leases: Leases::new(),
-            stop: None,
+            stop: Stop::default(),
             held: None,
-            halt: None,
+            halt: Halt::default(),
             run: None,
             kept: None,
             unsaved: None,
@@ -126,11 +126,25 @@ impl Keeper {
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
-        self.halt_now();
+        self.halt.begin(&mut self.arm);
         self.held = None;
         self.drop_waiting("the station ended");
         self.interrupt_run("the station ended");
         self.end_detection("the station ended");
+    }
+
+    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
+    /// as after a fault. Its guardian may have said it, too.
+    pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
+        self.arm.set_time(now);
+        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        self.arm.send_at_once(LASER_OFF);
+        self.withdraw(Refusal::LetGo(why.clone()));
+        self.tell(
+            News::Trouble,
+            format!("{why}: the laser was switched off and the button let go"),
+        );
+        self.disarm_laser(&why);
     }
 
     /// Takes the passing of time.
@@ -139,7 +153,8 @@ impl Keeper {
         self.follow_session();
         self.watch_dead_man();
         self.watch_press();
-        self.repeat_halt();
+        let (is_linked, unknown) = (self.is_linked(), self.unknown_motion());
+        self.halt.repeat(&mut self.arm, is_linked, unknown);
         self.repeat_unsaved();
         self.pump();
     }
@@ -176,7 +191,7 @@ impl Keeper {
             Some(self.arm.session().poll_wakeup()).filter(|_| self.is_linked()),
             self.held.as_ref().and_then(Held::falls_silent),
             self.arm.session().laser_armed_until(),
-            self.halt.as_ref().and_then(Halt::next),
+            self.halt.next(),
             self.unsaved.as_ref().map(Unsaved::next),
             self.arm.line_wakeup(),
         ]
@@ -254,12 +269,17 @@ impl Keeper {
 
     /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
     fn rests_within(&self) -> Duration {
+        self.arm.rests_within(self.unknown_motion())
+    }
+
+    /// How long the arm may be at what the session does not know of.
+    fn unknown_motion(&self) -> Duration {
         let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
         let question = self
             .detecting
             .as_ref()
             .map_or(Duration::ZERO, |_| detecting::MOTION);
-        self.arm.rests_within(seconds(unseen).max(question))
+        seconds(unseen).max(question)
     }
 
     /// Forgets the commands that have not been sent.

@@ -23,7 +23,7 @@ impl Keeper {
         match self.begin_detection(client) {
             Ok(detecting) => {
                 self.detecting = Some(detecting);
-                self.halt = None;
+                self.halt.forget();
                 None
             }
             Err(refusal) => Some(Err(refusal)),

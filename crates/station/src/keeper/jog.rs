@@ -126,7 +126,7 @@ impl Keeper {
         self.check_free()?;
         self.arm.check_way(&jog.command())?;
         self.arm.session_mut().send(jog.command())?;
-        self.halt = None;
+        self.halt.forget();
         Ok(())
     }
 
@@ -175,7 +175,7 @@ impl Keeper {
 
     fn release_button(&mut self) {
         self.drop_waiting("the button was released");
-        self.release_now();
+        self.halt.release(&mut self.arm);
     }
 
     /// Whether those who watch know already why a button does nothing, which is said as often as its
@@ -242,7 +242,7 @@ impl Keeper {
     /// Whether nothing hinders the arm from being moved by hand.
     fn check_free(&self) -> Result<(), Refusal> {
         self.check_link()?;
-        self.check_stop()?;
+        self.stop.check()?;
         self.check_not_detecting()?;
         match &self.run {
             Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),

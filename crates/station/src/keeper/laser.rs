@@ -17,7 +17,7 @@ impl Keeper {
 
     pub(super) fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.leases.check_arms_laser(client)?;
-        self.check_stop()?;
+        self.stop.check()?;
         let most_s = self.arm.policy().laser.arm_for_s;
         if !self.arm.policy().laser.allowed {
             return Err(Refusal::OutOfRange {

@@ -125,13 +125,16 @@ impl Keeper {
             self.link.greeted = true;
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
-            self.release_again();
+            self.halt.release_again(&self.arm);
         }
         self.outbox.pass_on(status);
         self.arm.handle_status(status);
         self.watch_jog();
-        self.watch_halt();
-        self.watch_stop();
+        let rests = self.arm.is_at_rest();
+        self.halt.handle_status(rests);
+        if self.stop.handle_status(rests) {
+            self.tell(News::AtRest, "the arm is at rest".into());
+        }
         self.watch_run();
         self.watch_detection(&status);
     }

@@ -58,9 +58,7 @@ impl Keeper {
                 self.let_go();
                 Ok(Reply::Done)
             }
-            Request::Stop { reason } => {
-                Ok(self.stop(client, reason.map(|it| plain(&it, REASON_LEN))))
-            }
+            Request::Stop { reason } => Ok(self.stop_arm(client, reason)),
             Request::ResetStop => self.reset_stop(client),
             Request::TakeLease
             | Request::ReleaseLease
@@ -85,6 +83,38 @@ impl Keeper {
                 Refusal::Malformed("jobs and detections are not asked for this way".into()),
             ),
         }
+    }
+
+    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
+    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
+    /// again.
+    fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
+        let by = self.name(client);
+        let rests_within = self.rests_within();
+        self.halt.begin(&mut self.arm);
+        self.disarm_laser("the arm was stopped");
+        let why = format!("the arm was stopped by {by}");
+        self.bar(Refusal::LetGo(why.clone()));
+        self.drop_waiting(&why);
+        self.interrupt_run(&why);
+        self.end_detection(&why);
+        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let now = self.arm.now();
+        if let Some(text) = self.stop.handle_stop(now, by, reason, rests_within) {
+            self.tell(News::Stopped, text);
+        }
+        Reply::Stopping {
+            rests_within_s: rests_within.as_secs_f64(),
+        }
+    }
+
+    fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        if self.stop.reset(self.arm.now(), self.is_linked())? {
+            self.halt.forget();
+            let text = format!("{} lets the arm move again", self.name(client));
+            self.tell(News::StopReset, text);
+        }
+        Ok(Reply::Done)
     }
 
     fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {
@@ -125,7 +155,7 @@ impl Keeper {
         self.check_place(command)?;
         self.arm.check_way(command)?;
         let id = self.arm.session_mut().send(*command)?;
-        self.halt = None;
+        self.halt.forget();
         self.pending.insert(id, client);
         Ok(Reply::Accepted {
             command: id.0,

@@ -25,7 +25,7 @@ impl Keeper {
                 ahead_s: self.arm.session().ahead_s(),
             },
             lease: self.leases.view(),
-            stop: self.stop_view(),
+            stop: self.stop.view(),
             laser: self.arm.laser_view(),
             job: self.job(),
             clients: self.leases.clients(),

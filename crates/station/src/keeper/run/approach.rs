@@ -62,7 +62,7 @@ impl Keeper {
             self.arm.check_way(&command)?;
             last = Some(self.arm.session_mut().send(command)?);
         }
-        self.halt = None;
+        self.halt.forget();
         let (job, behind) = (run.job(), run.behind());
         let text = format!("job {job} ({}) is under way", run.begun.title);
         let phase = Phase::Approaching { last };
