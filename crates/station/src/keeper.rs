@@ -30,7 +30,7 @@ use dobot_wire::{Dialect, Packet, Status};
 use self::arm::Arm;
 use self::detecting::Detecting;
 use self::halt::Halt;
-use self::jog::Held;
+use self::jog::{Jogging, Silence};
 use self::lease::{Change, Leases};
 use self::link::Linked;
 use self::outbox::Outbox;
@@ -55,7 +55,7 @@ pub struct Keeper {
     link: Linked,
     leases: Leases,
     stop: Stop,
-    held: Option<Held>,
+    jogging: Jogging,
     halt: Halt,
     run: Option<Run>,
     /// The last phase of a job that the journal was to keep.
@@ -79,7 +79,7 @@ impl Keeper {
             link: Linked::default(),
             leases: Leases::new(),
             stop: Stop::default(),
-            held: None,
+            jogging: Jogging::default(),
             halt: Halt::default(),
             run: None,
             kept: None,
@@ -127,7 +127,7 @@ impl Keeper {
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
         self.halt.begin(&mut self.arm);
-        self.held = None;
+        self.jogging.let_go();
         self.drop_waiting("the station ended");
         self.interrupt_run("the station ended");
         self.end_detection("the station ended");
@@ -189,7 +189,7 @@ impl Keeper {
     pub fn poll_wakeup(&self) -> Duration {
         [
             Some(self.arm.session().poll_wakeup()).filter(|_| self.is_linked()),
-            self.held.as_ref().and_then(Held::falls_silent),
+            self.jogging.falls_silent(),
             self.arm.session().laser_armed_until(),
             self.halt.next(),
             self.unsaved.as_ref().map(Unsaved::next),
@@ -235,6 +235,61 @@ impl Keeper {
     #[must_use]
     pub const fn session(&self) -> &Session {
         self.arm.session()
+    }
+
+    /// Lets go of the button, if one is pressed: its client did.
+    fn let_go(&mut self) {
+        if self.jogging.let_go() {
+            self.release_button();
+        }
+    }
+
+    /// The station lets go of the button, and its client has to press it anew; says whether the arm
+    /// moved by it.
+    fn withdraw(&mut self, why: Refusal) -> bool {
+        let acted = self.jogging.bar(why);
+        if acted {
+            self.release_button();
+        }
+        acted
+    }
+
+    fn release_button(&mut self) {
+        self.drop_waiting("the button was released");
+        self.halt.release(&mut self.arm);
+    }
+
+    /// A press that waited acts, as soon as the arm rests.
+    fn watch_press(&mut self) {
+        let waits = self.jogging.waits();
+        let Some((client, jog)) = waits.filter(|_| !self.arm.session().is_moving()) else {
+            return;
+        };
+        match self
+            .check_free()
+            .and_then(|()| jog::act(&mut self.arm, jog))
+        {
+            Ok(()) => {
+                self.halt.forget();
+                self.jogging.handle_moves(self.arm.now());
+            }
+            Err(refusal) => {
+                self.withdraw(refusal.clone());
+                self.tell_refused(client, &refusal);
+            }
+        }
+    }
+
+    fn watch_dead_man(&mut self) {
+        let Some(Silence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
+            return;
+        };
+        let who = client.map_or_else(|| "the arm".into(), |it| self.name(it));
+        let silent_ms = lasts.as_secs_f64() * 1e3;
+        let why = format!("{who} fell silent for {silent_ms:.0} ms");
+        if self.withdraw(Refusal::LetGo(why.clone())) {
+            self.tell(News::DeadMan, format!("{why}: the button was released"));
+        }
     }
 
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {

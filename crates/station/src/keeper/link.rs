@@ -129,7 +129,10 @@ impl Keeper {
         }
         self.outbox.pass_on(status);
         self.arm.handle_status(status);
-        self.watch_jog();
+        if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
+            self.withdraw(refusal.clone());
+            self.tell_refused(client, &refusal);
+        }
         let rests = self.arm.is_at_rest();
         self.halt.handle_status(rests);
         if self.stop.handle_status(rests) {
@@ -171,7 +174,8 @@ impl Keeper {
         self.arm.part_from_laser();
         // Statuses may be lost on a line that still carries packets.
         self.arm.release_urgently();
-        self.bar(Refusal::LetGo("the link to the arm was lost".into()));
+        self.jogging
+            .bar(Refusal::LetGo("the link to the arm was lost".into()));
         self.drop_waiting("the link to the arm was lost");
         let text = match &self.link.problem {
             Some(problem) => format!("the link to the arm was lost: {problem}"),
@@ -183,7 +187,7 @@ impl Keeper {
     }
 
     fn notice_reset(&mut self, evidence: &str) {
-        self.bar(Refusal::LetGo("the arm was reset".into()));
+        self.jogging.bar(Refusal::LetGo("the arm was reset".into()));
         self.arm.part_from_laser();
         // The session has forgotten what was under way, too.
         for id in self.under_way() {

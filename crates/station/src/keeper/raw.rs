@@ -69,7 +69,7 @@ impl Keeper {
 
     /// Tells all who watch that something was refused.
     pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
-        if self.is_told(client, refusal) {
+        if self.jogging.is_told(client, refusal) {
             return;
         }
         // The arm's own protocol has no words for that: whoever reads this is the only one to know.

@@ -8,7 +8,8 @@ use dobot_course::{Button, CourseError, Model};
 use dobot_safety::Violation;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
 
-use super::Keeper;
+use super::jog::{Press, Still, act, is_released, moves};
+use super::{Keeper, seconds};
 use crate::words::{ClientId, Jog, LinkPhase, News, Refusal, Reply, Request, plain};
 
 impl Keeper {
@@ -94,7 +95,7 @@ impl Keeper {
         self.halt.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
         let why = format!("the arm was stopped by {by}");
-        self.bar(Refusal::LetGo(why.clone()));
+        self.jogging.bar(Refusal::LetGo(why.clone()));
         self.drop_waiting(&why);
         self.interrupt_run(&why);
         self.end_detection(&why);
@@ -130,6 +131,69 @@ impl Keeper {
         Ok(Reply::Lease {
             lease: self.leases.view(),
         })
+    }
+
+    /// Presses a jog button, or holds it.
+    pub(super) fn jog(
+        &mut self,
+        client: ClientId,
+        jog: Jog,
+        patience_s: f64,
+    ) -> Result<Reply, Refusal> {
+        self.leases.check(client)?;
+        if is_released(jog) {
+            self.let_go();
+            return Ok(Reply::Done);
+        }
+        if !moves(jog) {
+            return self.command(client, &jog.command());
+        }
+        if let Some(held) = self.jogging.handle_hold(self.arm.now(), client, jog) {
+            return match held? {
+                Still::Same => Ok(Reply::Done),
+                Still::OtherSpeed => self.change_speed(jog),
+            };
+        }
+        self.let_go();
+        let press = Press {
+            client,
+            jog,
+            patience: seconds(patience_s),
+        };
+        let (free, within) = (self.check_free(), self.rests_within());
+        let pressed = self
+            .jogging
+            .handle_press(&mut self.arm, press, free, within);
+        if pressed? {
+            self.halt.forget();
+        }
+        Ok(Reply::Done)
+    }
+
+    fn change_speed(&mut self, jog: Jog) -> Result<Reply, Refusal> {
+        if let Err(why) = self.check_free().and_then(|()| act(&mut self.arm, jog)) {
+            self.withdraw(why.clone());
+            return Err(why);
+        }
+        self.halt.forget();
+        Ok(Reply::Done)
+    }
+
+    /// Whether a client may move the arm by hand now.
+    pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
+        self.leases.check(client)?;
+        self.check_free()
+    }
+
+    /// Whether nothing hinders the arm from being moved by hand.
+    pub(super) fn check_free(&self) -> Result<(), Refusal> {
+        self.check_link()?;
+        self.stop.check()?;
+        self.check_not_detecting()?;
+        match &self.run {
+            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
+            _ => Ok(()),
+        }
     }
 
     /// Sends one command, if its whole way is allowed.
