@@ -19,7 +19,7 @@ mod save;
 mod stop;
 mod view;
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
 use std::time::Duration;
 
 use dobot_client::{CommandId, Finding, SendError, Session};
@@ -35,7 +35,7 @@ use self::lease::{Change, Leases};
 use self::link::Linked;
 use self::outbox::Outbox;
 use self::run::Run;
-use self::save::Unsaved;
+use self::save::Save;
 use self::stop::Stop;
 use crate::words::{ClientId, News, Notice, Refusal, Reply, Role};
 
@@ -58,14 +58,10 @@ pub struct Keeper {
     jogging: Jogging,
     halt: Halt,
     run: Option<Run>,
-    /// The last phase of a job that the journal was to keep.
-    kept: Option<Effect>,
-    unsaved: Option<Unsaved>,
-    detecting: Option<Detecting>,
-    finding: Option<Finding>,
+    save: Save,
+    detecting: Detecting,
     /// Commands of clients that are not over, and who sent them.
     pending: HashMap<CommandId, ClientId>,
-    effects: VecDeque<Effect>,
 }
 
 impl Keeper {
@@ -82,12 +78,9 @@ impl Keeper {
             jogging: Jogging::default(),
             halt: Halt::default(),
             run: None,
-            kept: None,
-            unsaved: None,
-            detecting: None,
-            finding: None,
+            save: Save::default(),
+            detecting: Detecting::default(),
             pending: HashMap::new(),
-            effects: VecDeque::new(),
         }
     }
 
@@ -112,7 +105,7 @@ impl Keeper {
     /// How the dialect was found, if the arm was asked for it.
     #[must_use]
     pub const fn finding(&self) -> Option<&Finding> {
-        self.finding.as_ref()
+        self.detecting.finding()
     }
 
     /// Takes which dialect the arm is known to speak, unless somebody has said it already.
@@ -155,7 +148,7 @@ impl Keeper {
         self.watch_press();
         let (is_linked, unknown) = (self.is_linked(), self.unknown_motion());
         self.halt.repeat(&mut self.arm, is_linked, unknown);
-        self.repeat_unsaved();
+        self.save.handle_time(self.arm.now());
         self.pump();
     }
 
@@ -176,7 +169,7 @@ impl Keeper {
 
     /// What the journal is to keep, in order.
     pub fn poll_effect(&mut self) -> Option<Effect> {
-        self.effects.pop_front()
+        self.save.poll_effect()
     }
 
     /// Whether something changed since this was asked last.
@@ -192,7 +185,7 @@ impl Keeper {
             self.jogging.falls_silent(),
             self.arm.session().laser_armed_until(),
             self.halt.next(),
-            self.unsaved.as_ref().map(Unsaved::next),
+            self.save.next(),
             self.arm.line_wakeup(),
         ]
         .into_iter()
@@ -292,6 +285,48 @@ impl Keeper {
         }
     }
 
+    /// Takes what came of an [`Effect`]: it is on the disk, or why it is not. No more of a job is
+    /// sent then until somebody goes on with it.
+    pub fn handle_written(&mut self, now: Duration, effect: &Effect, outcome: Result<(), String>) {
+        self.handle_time(now);
+        match outcome {
+            Ok(()) => self.written(effect),
+            Err(why) => self.not_written(effect, &why),
+        }
+        self.pump();
+    }
+
+    fn written(&mut self, effect: &Effect) {
+        if self.save.handle_written(effect) {
+            let text = "the journal of jobs can be written again".to_owned();
+            self.tell(News::Trouble, text);
+        }
+        if let Some(run) = &mut self.run {
+            run.handle_written(effect);
+        }
+    }
+
+    fn not_written(&mut self, effect: &Effect, why: &str) {
+        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
+        let why = format!("the journal of jobs cannot be written: {why}");
+        if self.run.as_ref().is_some_and(Run::has_the_arm) {
+            self.arm.part_from_laser();
+            self.drop_waiting(&why);
+            self.interrupt_run(&why);
+        }
+        if is_news {
+            self.tell(News::Trouble, why);
+        }
+    }
+
+    /// Ends a detection that cannot go on.
+    fn end_detection(&mut self, why: &str) {
+        if let Some(client) = self.detecting.end() {
+            let refusal = Refusal::NotFound(why.to_owned());
+            self.outbox.answer((client, Err(refusal)));
+        }
+    }
+
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {
         self.run_command_over(id, failed.as_deref());
         if self.pending.remove(&id).is_none() {
@@ -330,11 +365,7 @@ impl Keeper {
     /// How long the arm may be at what the session does not know of.
     fn unknown_motion(&self) -> Duration {
         let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
-        let question = self
-            .detecting
-            .as_ref()
-            .map_or(Duration::ZERO, |_| detecting::MOTION);
-        seconds(unseen).max(question)
+        seconds(unseen).max(self.detecting.motion())
     }
 
     /// Forgets the commands that have not been sent.

@@ -7,7 +7,7 @@ use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
 use super::Keeper;
-use crate::words::{LinkPhase, News, Refusal};
+use crate::words::{LinkPhase, News, Refusal, Reply};
 
 /// The way to the arm.
 #[derive(Debug)]
@@ -140,6 +140,20 @@ impl Keeper {
         }
         self.watch_run();
         self.watch_detection(&status);
+    }
+
+    fn watch_detection(&mut self, status: &Status) {
+        let (packet, outcome) = self.detecting.handle_status(self.arm.now(), status);
+        if let Some(packet) = packet {
+            self.arm.send_urgent_packet(packet);
+        }
+        if let Some((client, found)) = outcome {
+            let answer = found.and_then(|finding| {
+                self.set_dialect(finding.dialect)
+                    .map(|_| Reply::Found { finding })
+            });
+            self.outbox.answer((client, answer));
+        }
     }
 
     /// An arm that stands still without a word looks dead.

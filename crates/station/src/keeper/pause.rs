@@ -150,7 +150,7 @@ impl Keeper {
             window,
             behind: run.behind(),
         };
-        self.keep_phase(effect);
+        self.save.keep_phase(effect);
         if then.is_over() {
             self.run = None;
         }

@@ -26,7 +26,7 @@ impl Keeper {
         self.handle_time(now);
         let answer = match self.check_request(client, &request) {
             Err(refusal) => Some(Err(refusal)),
-            Ok(()) if matches!(request, Request::Detect) => self.detect(client),
+            Ok(()) if matches!(request, Request::Detect) => self.detect(client).err().map(Err),
             Ok(()) => Some(self.obey(client, request)),
         };
         if let Some(Err(refusal)) = &answer {
@@ -48,6 +48,16 @@ impl Keeper {
     /// [`Refusal::Role`].
     pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
         self.leases.check_role(client, request.role())
+    }
+
+    /// Begins to ask the arm for its dialect; the answer comes when the arm has made its motions.
+    fn detect(&mut self, client: ClientId) -> Result<(), Refusal> {
+        self.check_may_move(client)?;
+        self.arm.check_trust()?;
+        let rests_within = self.rests_within();
+        self.detecting.begin(client, &self.arm, rests_within)?;
+        self.halt.forget();
+        Ok(())
     }
 
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
@@ -73,7 +83,7 @@ impl Keeper {
             }
             Request::ConfirmPose => self.confirm_pose(client),
             Request::SetDialect { dialect } => {
-                self.finding = None;
+                self.detecting.forget_finding();
                 self.set_dialect(dialect)
             }
             Request::PauseJob => self.pause_job(client),
@@ -189,7 +199,7 @@ impl Keeper {
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
         self.check_link()?;
         self.stop.check()?;
-        self.check_not_detecting()?;
+        self.detecting.check()?;
         match &self.run {
             Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
             _ => Ok(()),

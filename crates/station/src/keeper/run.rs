@@ -231,8 +231,17 @@ impl Run {
         self.begun.plan.lift_mm()
     }
 
+    /// Takes what the journal has, perhaps of this job.
+    pub(super) fn handle_written(&mut self, effect: &Effect) {
+        match effect {
+            Effect::Give { job, upto, .. } if *job == self.job() => self.given_for_good(*upto),
+            Effect::Adjust { job, adjustment } if *job == self.job() => self.adjusted(adjustment),
+            _ => {}
+        }
+    }
+
     /// Takes that the journal has what it was asked for.
-    pub(super) fn given_for_good(&mut self, upto: usize) {
+    fn given_for_good(&mut self, upto: usize) {
         self.durable = self.durable.max(upto.min(self.asked));
         if self.durable == self.asked {
             self.kept = self.asked_kept;

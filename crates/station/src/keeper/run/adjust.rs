@@ -77,7 +77,7 @@ impl Keeper {
 
     fn keep_adjustment(&mut self) {
         if let Some(run) = &self.run {
-            self.effects.push_back(Effect::Adjust {
+            self.save.ask(Effect::Adjust {
                 job: run.job(),
                 adjustment: run.begun.adjustment.clone(),
             });
@@ -119,7 +119,7 @@ impl Run {
     }
 
     /// Takes that the journal has what a person changed.
-    pub(in crate::keeper) fn adjusted(&mut self, adjustment: &Adjustment) {
+    pub(super) fn adjusted(&mut self, adjustment: &Adjustment) {
         self.unkept.take_if(|it| it.heights == adjustment.heights);
     }
 }

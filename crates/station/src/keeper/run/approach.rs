@@ -36,7 +36,7 @@ impl Keeper {
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         self.arm.check_trust()?;
-        self.check_saved()?;
+        self.save.check()?;
         if !self.arm.is_idle() {
             return Err(self.still_moving());
         }
@@ -72,7 +72,7 @@ impl Keeper {
             ..run
         });
         let phase = JobPhase::Running;
-        self.keep_phase(Effect::Phase {
+        self.save.keep_phase(Effect::Phase {
             job,
             phase,
             reason: None,

@@ -162,7 +162,7 @@ impl Keeper {
                 upto,
                 start: run.start(),
             };
-            self.effects.push_back(effect);
+            self.save.ask(effect);
         }
     }
 }

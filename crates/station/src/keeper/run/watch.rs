@@ -96,7 +96,7 @@ impl Keeper {
             .as_ref()
             .map_or_else(|| run.took(), |it| format!(": {it}"));
         let text = format!("job {job} ({title}) is {}{why}", word(phase));
-        self.keep_phase(Effect::Phase {
+        self.save.keep_phase(Effect::Phase {
             job,
             phase,
             reason,
