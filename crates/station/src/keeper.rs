@@ -3,6 +3,7 @@
 mod amend;
 mod arm;
 mod detecting;
+mod events;
 mod halt;
 mod jog;
 mod laser;
@@ -32,7 +33,7 @@ use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::{Jogging, Silence};
 use self::lease::{Change, Leases};
-use self::link::Linked;
+use self::link::Link;
 use self::outbox::Outbox;
 use self::run::Run;
 use self::save::Save;
@@ -52,7 +53,7 @@ pub use self::run::{Begun, Effect};
 pub struct Keeper {
     arm: Arm,
     outbox: Outbox,
-    link: Linked,
+    link: Link,
     leases: Leases,
     stop: Stop,
     jogging: Jogging,
@@ -72,7 +73,7 @@ impl Keeper {
         Self {
             arm: Arm::new(policy, dialect),
             outbox: Outbox::new(),
-            link: Linked::default(),
+            link: Link::default(),
             leases: Leases::new(),
             stop: Stop::default(),
             jogging: Jogging::default(),
@@ -146,7 +147,7 @@ impl Keeper {
         self.follow_session();
         self.watch_dead_man();
         self.watch_press();
-        let (is_linked, unknown) = (self.is_linked(), self.unknown_motion());
+        let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
         self.halt.repeat(&mut self.arm, is_linked, unknown);
         self.save.handle_time(self.arm.now());
         self.pump();
@@ -181,7 +182,7 @@ impl Keeper {
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         [
-            Some(self.arm.session().poll_wakeup()).filter(|_| self.is_linked()),
+            Some(self.arm.session().poll_wakeup()).filter(|_| self.link.is_there()),
             self.jogging.falls_silent(),
             self.arm.session().laser_armed_until(),
             self.halt.next(),

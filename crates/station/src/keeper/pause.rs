@@ -122,7 +122,7 @@ impl Keeper {
     pub(super) fn lift_run(&mut self, then: JobPhase, reason: String) {
         let up = self.run.as_ref().map_or(0.0, Run::lift_mm);
         let command = straight(up.into());
-        let wanted = up > 0.0 && !self.stop.holds() && self.is_linked();
+        let wanted = up > 0.0 && !self.stop.holds() && self.link.is_there();
         let lifts = wanted
             && self.arm.check_way(&command).is_ok()
             && self.arm.session_mut().send(command).is_ok();

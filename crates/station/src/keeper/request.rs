@@ -10,7 +10,7 @@ use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, V
 
 use super::jog::{Press, Still, act, is_released, moves};
 use super::{Keeper, seconds};
-use crate::words::{ClientId, Jog, LinkPhase, News, Refusal, Reply, Request, plain};
+use crate::words::{ClientId, Jog, News, Refusal, Reply, Request, plain};
 
 impl Keeper {
     /// Takes a request. `None` when the answer takes its time: [`Keeper::poll_answer`] has it then.
@@ -120,7 +120,7 @@ impl Keeper {
     }
 
     fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        if self.stop.reset(self.arm.now(), self.is_linked())? {
+        if self.stop.reset(self.arm.now(), self.link.is_there())? {
             self.halt.forget();
             let text = format!("{} lets the arm move again", self.name(client));
             self.tell(News::StopReset, text);
@@ -197,7 +197,7 @@ impl Keeper {
 
     /// Whether nothing hinders the arm from being moved by hand.
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
-        self.check_link()?;
+        self.link.check()?;
         self.stop.check()?;
         self.detecting.check()?;
         match &self.run {
@@ -290,7 +290,7 @@ impl Keeper {
     }
 
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        self.check_link()?;
+        self.link.check()?;
         // Nothing moves until it is confirmed, so nobody has to have control for that.
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
@@ -312,18 +312,6 @@ impl Keeper {
             );
         }
         Ok(Reply::Done)
-    }
-
-    pub(super) fn check_link(&self) -> Result<(), Refusal> {
-        if self.link.phase == LinkPhase::Up {
-            return Ok(());
-        }
-        let why = match (&self.link.problem, self.link.phase) {
-            (Some(problem), _) => problem.clone(),
-            (None, LinkPhase::Searching) => "no arm has been found yet".into(),
-            (None, _) => "the arm has not told anything yet".into(),
-        };
-        Err(Refusal::NoLink(why))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the keeper tells all the time.
 
 use super::Keeper;
-use crate::words::{ArmView, LinkView, QueueView, State, TrustView};
+use crate::words::{ArmView, QueueView, State, TrustView};
 
 impl Keeper {
     /// All that is known now.
@@ -9,7 +9,7 @@ impl Keeper {
     pub fn state(&self) -> State {
         State {
             at_s: self.arm.now().as_secs_f64(),
-            link: self.link_view(),
+            link: self.link.view(&self.arm.session().link()),
             arm: self.arm.last().map(|status| ArmView {
                 status,
                 moving: self.arm.still() == 0,
@@ -29,20 +29,6 @@ impl Keeper {
             laser: self.arm.laser_view(),
             job: self.job(),
             clients: self.leases.clients(),
-        }
-    }
-
-    fn link_view(&self) -> LinkView {
-        let quality = self.arm.session().link();
-        LinkView {
-            address: self.link.address.clone(),
-            phase: self.link.phase,
-            problem: self.link.problem.clone(),
-            bluetooth: quality.bluetooth,
-            statuses_per_s: quality.statuses_per_s,
-            lost_statuses: quality.lost,
-            damaged_bytes: quality.damaged_bytes,
-            latency_ms: quality.latency.map(|it| it.as_secs_f64() * 1e3),
         }
     }
 }

@@ -155,7 +155,7 @@ impl Keeper {
                 )
         };
         if self.run.as_ref().is_some_and(resting) {
-            self.check_link()?;
+            self.link.check()?;
             return Err(self.still_moving());
         }
         Ok(())
