@@ -5,13 +5,13 @@ mod arm;
 mod detecting;
 mod events;
 mod halt;
+mod job;
 mod jog;
 mod laser;
 mod lease;
 mod line;
 mod link;
 mod outbox;
-mod pause;
 mod plan;
 mod raw;
 mod request;
@@ -377,7 +377,9 @@ impl Keeper {
     }
 
     fn command_forgotten(&mut self, id: CommandId, why: &str) {
-        self.run_command_forgotten(id);
+        if let Some(run) = &mut self.run {
+            run.handle_forgotten(id);
+        }
         if self.pending.remove(&id).is_some() {
             let command = id.0;
             self.tell(

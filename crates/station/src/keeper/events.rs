@@ -6,7 +6,7 @@ use dobot_client::{Address, CommandId, Event};
 use dobot_course::LASER_OFF;
 use dobot_wire::Status;
 
-use super::Keeper;
+use super::{Keeper, Run};
 use crate::words::{LinkPhase, News, Refusal, Reply};
 
 impl Keeper {
@@ -89,7 +89,7 @@ impl Keeper {
         if self.stop.handle_status(rests) {
             self.tell(News::AtRest, "the arm is at rest".into());
         }
-        self.watch_run();
+        self.of_run(Run::handle_status);
         self.watch_detection(&status);
     }
 

@@ -4,6 +4,7 @@ mod adjust;
 mod approach;
 mod begun;
 mod pace;
+mod rest;
 mod supply;
 mod watch;
 
@@ -13,13 +14,13 @@ use std::time::Duration;
 use dobot_client::CommandId;
 use dobot_course::Model;
 use dobot_draw::{Machine, end_speed_mm_s};
-use dobot_journal::{Adjustment, Behind, Window, model_at, window_end};
+use dobot_journal::{Adjustment, Window, model_at, window_end};
 use dobot_wire::{Command, Status};
 
-use super::Keeper;
-use crate::words::{JobPhase, JobView, Reply};
+use crate::words::{JobPhase, JobView, News};
 
-pub(super) use self::approach::straight;
+pub(super) use self::adjust::{check_height, check_speed};
+use self::approach::straight;
 pub use self::begun::{Begun, Effect};
 use self::pace::Pace;
 
@@ -27,7 +28,7 @@ use self::pace::Pace;
 #[derive(Debug)]
 pub(super) struct Run {
     begun: Begun,
-    pub(super) phase: Phase,
+    phase: Phase,
     /// The arm when the job was started or gone on with.
     from: Option<Status>,
     /// The next command to be given to the session.
@@ -61,6 +62,19 @@ pub(super) struct Run {
     last_over: Duration,
 }
 
+/// What a job wants of the keeper.
+#[derive(Debug)]
+pub(super) enum Wish {
+    /// The journal is asked to keep this.
+    Ask(Effect),
+    /// The journal is to keep the job's phase, however long that takes.
+    Keep(Effect),
+    /// Those who watch are told.
+    Tell(News, String),
+    /// Nobody needs the job any more.
+    Forget,
+}
+
 /// A command of the job that the session has.
 #[derive(Clone, Copy, Debug)]
 struct Given {
@@ -83,7 +97,7 @@ struct Left {
 }
 
 #[derive(Debug)]
-pub(super) enum Phase {
+enum Phase {
     /// The station was started after a crash: where does the arm rest?
     Locating {
         window: Window,
@@ -110,6 +124,17 @@ pub(super) enum Phase {
 }
 
 impl Run {
+    pub(super) const RESTARTED: &str = "the station was restarted in the middle of the job";
+
+    /// A job that was at work when the station ended without saying so.
+    pub(super) fn recovered(mut begun: Begun, window: Window) -> Self {
+        // How long it ran nobody knows any more.
+        begun.behind.ran_s = None;
+        let mut run = Self::new(begun, Phase::Locating { window }, None);
+        run.left.is_unknown = true;
+        run
+    }
+
     fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
@@ -181,38 +206,6 @@ impl Run {
         }
     }
 
-    /// No more than what was given already.
-    pub(super) fn end_here(&mut self) {
-        self.limit = self.next;
-        self.waits = false;
-    }
-
-    /// Whether it waits for a person at a place to which it will not come.
-    pub(super) const fn is_cut_short(&self) -> bool {
-        self.waits && self.next < self.limit
-    }
-
-    /// What it has behind it, besides commands.
-    pub(super) const fn behind(&self) -> Behind {
-        self.begun.behind
-    }
-
-    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
-    /// do stops dead.
-    pub(super) fn brake(&mut self) {
-        let Left {
-            speed_mm_s, moves, ..
-        } = self.left();
-        if moves && let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
-            self.limit = upto;
-        }
-    }
-
-    /// Whether the tool is where the job goes on: not above that, on its way.
-    pub(super) const fn is_down(&self) -> bool {
-        !matches!(self.phase, Phase::Approaching { .. }) && self.lower.is_none()
-    }
-
     /// Whether nobody else may move the arm.
     pub(super) const fn has_the_arm(&self) -> bool {
         !matches!(self.phase, Phase::Paused { .. })
@@ -223,11 +216,23 @@ impl Run {
         matches!(self.phase, Phase::Approaching { .. } | Phase::Running)
     }
 
+    pub(super) const fn is_running(&self) -> bool {
+        matches!(self.phase, Phase::Running)
+    }
+
+    /// Whether it gives no more commands, and the arm may still move for its sake.
+    pub(super) const fn is_coming_to_rest(&self) -> bool {
+        matches!(
+            self.phase,
+            Phase::Draining { .. } | Phase::Lifting { .. } | Phase::Locating { .. }
+        )
+    }
+
     pub(super) const fn burns(&self) -> bool {
         self.begun.plan.burns()
     }
 
-    pub(super) const fn lift_mm(&self) -> f32 {
+    const fn lift_mm(&self) -> f32 {
         self.begun.plan.lift_mm()
     }
 
@@ -246,24 +251,6 @@ impl Run {
         if self.durable == self.asked {
             self.kept = self.asked_kept;
         }
-    }
-
-    /// Comes to rest; gives how far the job is, where that is certain.
-    pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
-        if matches!(self.phase, Phase::Lifting { .. }) {
-            self.left = self.after(self.left, &straight(self.lift_mm().into()));
-        }
-        self.next = self.begun.completed;
-        let waited = self.begun.next_pause().map(|it| it.before);
-        if self.waits && waited == Some(self.next) {
-            self.begun.behind.pauses += 1;
-        }
-        self.end_here();
-        self.note_ran();
-        self.phase = Phase::Paused {
-            reason: reason.to_owned(),
-        };
-        self.begun.doubt.is_none().then(|| self.certain())
     }
 
     /// Takes note of how long it ran.
@@ -298,7 +285,7 @@ impl Run {
 
     fn reason(&self) -> Option<String> {
         match &self.phase {
-            Phase::Locating { .. } => Some(RESTARTED.to_owned()),
+            Phase::Locating { .. } => Some(Self::RESTARTED.to_owned()),
             Phase::Draining { reason, .. }
             | Phase::Lifting { reason, .. }
             | Phase::Paused { reason } => Some(reason.clone()),
@@ -361,32 +348,7 @@ impl Run {
     }
 }
 
-impl Keeper {
-    /// Takes a job that was at work when the station ended without saying so: the laser goes off,
-    /// and where the arm comes to rest tells how far the job got.
-    pub fn handle_recovered(&mut self, now: Duration, mut begun: Begun, window: Window) {
-        self.handle_time(now);
-        self.arm.session_mut().distrust(RESTARTED);
-        // How long it ran nobody knows any more.
-        begun.behind.ran_s = None;
-        let mut run = Run::new(begun, Phase::Locating { window }, None);
-        run.left.is_unknown = true;
-        self.run = Some(run);
-        self.outbox.note_change();
-    }
-
-    /// The job that is at work or paused.
-    #[must_use]
-    pub fn job(&self) -> Option<JobView> {
-        self.run.as_ref().map(Run::view)
-    }
-
-    pub(super) fn job_reply(&self) -> Reply {
-        self.job().map_or(Reply::Done, |job| Reply::Job { job })
-    }
-}
-
-pub(super) const fn word(phase: JobPhase) -> &'static str {
+const fn word(phase: JobPhase) -> &'static str {
     match phase {
         JobPhase::Queued => "queued",
         JobPhase::Running => "running",
@@ -397,7 +359,6 @@ pub(super) const fn word(phase: JobPhase) -> &'static str {
     }
 }
 
-const RESTARTED: &str = "the station was restarted in the middle of the job";
 /// A stock arm goes in whole ticks, takes a bit for each command, and was perhaps on its way to
 /// where the job goes on.
 const ROUNDING: f64 = 1.02;

@@ -3,119 +3,109 @@
 use std::time::Duration;
 
 use dobot_client::CommandId;
-use dobot_wire::Command;
+use dobot_wire::{Command, Status};
 
-use super::{Effect, Given, Phase, Run};
-use crate::keeper::Keeper;
+use super::{Effect, Given, Phase, Run, Wish};
+use crate::keeper::arm::Arm;
 use crate::words::{JobPhase, Refusal};
 
-impl Keeper {
-    pub(in crate::keeper) fn run_command_forgotten(&mut self, id: CommandId) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if let Some(at) = run.given.iter().position(|it| it.id == id) {
-            let index = run.given[at].index;
-            run.given.truncate(at);
-            run.next = run.next.min(index);
+impl Run {
+    /// Takes that a command was not sent, and is forgotten.
+    pub(in crate::keeper) fn handle_forgotten(&mut self, id: CommandId) {
+        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+            let index = self.given[at].index;
+            self.given.truncate(at);
+            self.next = self.next.min(index);
         }
         // The tool is still above.
-        let lowering = run.lowering.take_if(|(it, _)| *it == id);
-        run.lower = lowering.map(|(_, command)| command).or(run.lower);
+        let lowering = self.lowering.take_if(|(it, _)| *it == id);
+        self.lower = lowering.map(|(_, command)| command).or(self.lower);
     }
 
-    /// Takes that a command is over: of the job, or on the way to it.
-    pub(in crate::keeper) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
-        let now = self.arm.now();
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        let of_job = run.given.iter().position(|it| it.id == id);
-        let of_way = match &run.phase {
+    /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
+    /// by one that failed.
+    pub(in crate::keeper) fn handle_over(
+        &mut self,
+        id: CommandId,
+        now: Duration,
+        is_done: bool,
+    ) -> bool {
+        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => run.lowering.is_some_and(|(it, _)| it == id),
+            _ => self.lowering.is_some_and(|(it, _)| it == id),
         };
         if let Some(at) = of_job {
-            run.over(at, now, failed.is_none());
+            self.over(at, now, is_done);
         }
-        match failed {
-            Some(why) if of_job.is_some() || of_way || run.is_approaching() => {
-                let why = why.to_owned();
-                self.arm.part_from_laser();
-                self.drop_waiting(&why);
-                self.interrupt_run(&why);
-            }
-            None if of_way && run.is_approaching() => run.set_out(now),
-            None if of_way => run.lowering = None,
-            _ => {}
+        if !is_done {
+            return of_job.is_some() || of_way || self.is_approaching();
         }
+        if of_way && self.is_approaching() {
+            self.set_out(now);
+        } else if of_way {
+            self.lowering = None;
+        }
+        false
     }
 
-    /// Keeps the session and the journal supplied.
-    pub(in crate::keeper) fn pump(&mut self) {
-        let now = self.arm.now();
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if matches!(run.phase, Phase::Approaching { last: None }) {
-            run.set_out(now);
+    /// Keeps the session and the journal supplied. The tool is lifted only where it may.
+    pub(in crate::keeper) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<Wish> {
+        if matches!(self.phase, Phase::Approaching { last: None }) {
+            self.set_out(arm.now());
         }
-        if !run.gives() {
-            return;
+        if !self.gives() {
+            return Vec::new();
         }
-        self.ask_journal();
-        while self.arm.session().waiting() < KEEP_WAITING
-            && let Some(command) = self.next_of_run()
+        let mut wishes: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
+        while arm.session().waiting() < KEEP_WAITING
+            && let Some(command) = self.next_command()
         {
-            if let Err(refusal) = self.lower_run().and_then(|()| self.give(&command)) {
-                let why = refusal.to_string();
-                self.arm.part_from_laser();
-                self.drain(JobPhase::Paused, &why, true);
+            let given = self.lower(arm).and_then(|()| self.give(arm, &command));
+            if let Err(refusal) = given {
+                arm.part_from_laser();
+                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), true));
                 break;
             }
         }
-        self.reach_limit();
+        wishes.extend(self.reach_limit(arm, may_lift));
+        wishes
     }
 
-    fn next_of_run(&mut self) -> Option<Command> {
-        let run = self.run.as_mut()?;
-        if run.next >= run.limit.min(run.durable) || run.unkept.is_some() {
+    fn next_command(&mut self) -> Option<Command> {
+        if self.next >= self.limit.min(self.durable) || self.unkept.is_some() {
             return None;
         }
-        let speed_mm_s = run.speed_mm_s();
-        run.pace.command(&run.begun.plan, run.next, speed_mm_s)
+        let speed_mm_s = self.speed_mm_s();
+        self.pace.command(&self.begun.plan, self.next, speed_mm_s)
     }
 
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
     /// makes a blot.
-    fn lower_run(&mut self) -> Result<(), Refusal> {
-        let lower = self.run.as_mut().and_then(|it| it.lower.take());
-        if let Some(command) = lower {
-            self.arm.check_way(&command)?;
-            let id = self.arm.session_mut().send(command)?;
-            if let Some(run) = &mut self.run {
-                run.lowering = Some((id, command));
-            }
+    fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Some(command) = self.lower.take() {
+            arm.check_way(&command)?;
+            let id = arm.session_mut().send(command)?;
+            self.lowering = Some((id, command));
         }
         Ok(())
     }
 
-    fn give(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.arm.check_way(command)?;
-        let id = self.arm.session_mut().send(*command)?;
-        let run = self.run.as_mut().expect("the command is of the run");
-        let (index, left) = (run.next, run.after(run.left(), command));
-        run.given.push_back(Given { id, index, left });
-        run.next += 1;
+    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+        arm.check_way(command)?;
+        let id = arm.session_mut().send(*command)?;
+        let (index, left) = (self.next, self.after(self.left(), command));
+        self.given.push_back(Given { id, index, left });
+        self.next += 1;
         Ok(())
     }
 
     /// All was given up to where the job comes to rest: for a person, or to be lifted.
-    fn reach_limit(&mut self) {
-        let Some(run) = self.run.as_ref().filter(|it| it.next >= it.limit) else {
-            return;
-        };
-        match &run.phase {
+    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<Wish> {
+        if self.next < self.limit {
+            return None;
+        }
+        match &self.phase {
             Phase::Running => self.wait_for_person(),
             Phase::Draining {
                 then,
@@ -123,51 +113,39 @@ impl Keeper {
                 lift: true,
             } => {
                 let (then, reason) = (*then, reason.clone());
-                self.lift_run(then, reason);
+                self.lift(arm, may_lift, then, reason);
+                None
             }
-            _ => {}
+            _ => None,
         }
     }
 
-    fn wait_for_person(&mut self) {
-        let Some(run) = &self.run else {
-            return;
-        };
-        let here = run.begun.next_pause().filter(|it| it.before == run.next);
-        if let Some(message) = here.map(|it| it.message.clone()) {
-            self.drain(JobPhase::Paused, &message, false);
-            if let Some(run) = &mut self.run {
-                run.waits = true;
-            }
-        }
+    fn wait_for_person(&mut self) -> Option<Wish> {
+        let here = self.begun.next_pause().filter(|it| it.before == self.next);
+        let message = here?.message.clone();
+        let wish = self.drain(JobPhase::Paused, &message, false);
+        self.waits = true;
+        Some(wish)
     }
 
     /// The journal is asked in time, so that the arm does not wait for the disk.
-    fn ask_journal(&mut self) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
-            return;
+    fn ask_journal(&mut self, status: Option<Status>) -> Option<Wish> {
+        if self.asked > self.durable || self.durable >= self.next + LOW_WATER {
+            return None;
         }
-        let Some(upto) = self.arm.last().map(|status| run.window_end(&status)) else {
-            return;
-        };
-        let upto = upto.min(run.limit);
-        if upto > run.asked {
-            (run.asked, run.asked_kept) = (upto, run.begun.completed);
-            let effect = Effect::Give {
-                job: run.job(),
-                completed: run.begun.completed,
-                upto,
-                start: run.start(),
-            };
-            self.save.ask(effect);
+        let upto = self.window_end(&status?).min(self.limit);
+        if upto <= self.asked {
+            return None;
         }
+        (self.asked, self.asked_kept) = (upto, self.begun.completed);
+        Some(Wish::Ask(Effect::Give {
+            job: self.job(),
+            completed: self.begun.completed,
+            upto,
+            start: self.start(),
+        }))
     }
-}
 
-impl Run {
     /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
     fn set_out(&mut self, now: Duration) {
         self.phase = Phase::Running;
