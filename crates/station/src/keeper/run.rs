@@ -4,6 +4,7 @@ mod adjust;
 mod approach;
 mod begun;
 mod pace;
+mod permit;
 mod rest;
 mod supply;
 mod watch;
@@ -14,7 +15,7 @@ use std::time::Duration;
 use dobot_client::CommandId;
 use dobot_course::Model;
 use dobot_draw::{Machine, end_speed_mm_s};
-use dobot_journal::{Adjustment, Window, model_at, window_end};
+use dobot_journal::{Window, model_at, window_end};
 use dobot_wire::{Command, Status};
 
 use crate::words::{JobPhase, JobView, News};
@@ -23,6 +24,7 @@ pub(super) use self::adjust::{check_height, check_speed};
 use self::approach::straight;
 pub use self::begun::{Begun, Effect};
 use self::pace::Pace;
+use self::permit::Permit;
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
@@ -33,33 +35,15 @@ pub(super) struct Run {
     from: Option<Status>,
     /// The next command to be given to the session.
     next: usize,
-    /// Commands below this one may be sent: the journal has it.
-    durable: usize,
-    /// The journal has been asked for that.
-    asked: usize,
-    /// As many commands are done as the journal has it: a station that is started after a crash
-    /// looks for the arm from there on.
-    kept: usize,
-    /// The same when what it was asked for is there.
-    asked_kept: usize,
-    /// Commands below this one may be given: there the job comes to rest.
-    limit: usize,
-    /// It comes to rest there because it waits for a person.
-    waits: bool,
-    /// The journal does not have this yet: what it changes is not sent before.
-    unkept: Option<Adjustment>,
+    permit: Permit,
     pace: Pace,
     /// Given to the session and not over.
     given: VecDeque<Given>,
     /// What the last command has left that is over.
     left: Left,
-    /// What lowers the tool to where the job goes on, as soon as something can be sent behind it.
-    lower: Option<Command>,
-    /// The same under way.
-    lowering: Option<(CommandId, Command)>,
-    /// Since when it runs, and when its last command was over.
-    since: Option<Duration>,
-    last_over: Duration,
+    tool: Tool,
+    /// From where it goes on to where it rests.
+    ran: Option<Ran>,
 }
 
 /// What a job wants of the keeper.
@@ -96,6 +80,22 @@ struct Left {
     is_unknown: bool,
 }
 
+/// Where the tool is, seen from where the job goes on.
+#[derive(Clone, Copy, Debug)]
+enum Tool {
+    /// This lowers it, as soon as something can be sent behind it.
+    Above(Command),
+    Lowering(CommandId, Command),
+    Down,
+}
+
+/// Since when a job runs, and when its last command was over.
+#[derive(Clone, Copy, Debug)]
+struct Ran {
+    since: Duration,
+    last_over: Duration,
+}
+
 #[derive(Debug)]
 enum Phase {
     /// The station was started after a crash: where does the arm rest?
@@ -106,12 +106,16 @@ enum Phase {
     Approaching {
         last: Option<CommandId>,
     },
-    Running,
-    /// The arm does what it has got already.
+    /// Commands below `upto` may be given: there it waits for a person, or ends.
+    Running {
+        upto: usize,
+    },
+    /// The arm does what it has got already, and perhaps a bit more, to come to rest on its way.
     Draining {
         then: JobPhase,
         reason: String,
-        lift: bool,
+        upto: usize,
+        rests: Rests,
     },
     /// The tool is lifted for a pause.
     Lifting {
@@ -123,6 +127,16 @@ enum Phase {
     },
 }
 
+/// How a job comes to rest behind the last command that it gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rests {
+    AsItIs,
+    /// The tool is lifted, as soon as all is given.
+    Lifted,
+    /// A person is waited for there.
+    ForPerson,
+}
+
 impl Run {
     pub(super) const RESTARTED: &str = "the station was restarted in the middle of the job";
 
@@ -130,34 +144,28 @@ impl Run {
     pub(super) fn recovered(mut begun: Begun, window: Window) -> Self {
         // How long it ran nobody knows any more.
         begun.behind.ran_s = None;
-        let mut run = Self::new(begun, Phase::Locating { window }, None);
+        let kept = begun.completed;
+        let mut run = Self::new(begun, kept, Phase::Locating { window }, None);
         run.left.is_unknown = true;
         run
     }
 
-    fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
+    /// A job of which so many commands are done as the journal has it.
+    fn new(begun: Begun, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
         let pace = Pace::new(begun.adjustment.speed_percent, machine);
         Self {
-            limit: begun.plan.len(),
             begun,
             phase,
             from,
             next: completed,
-            durable: completed,
-            asked: completed,
-            kept: completed,
-            asked_kept: completed,
-            waits: false,
-            unkept: None,
+            permit: Permit::new(completed, kept),
             pace,
             given: VecDeque::new(),
             left: Left::default(),
-            lower: None,
-            lowering: None,
-            since: None,
-            last_over: Duration::ZERO,
+            tool: Tool::Down,
+            ran: None,
         }
     }
 
@@ -213,11 +221,14 @@ impl Run {
 
     /// Whether it gives the arm commands, or is about to.
     pub(super) const fn is_at_work(&self) -> bool {
-        matches!(self.phase, Phase::Approaching { .. } | Phase::Running)
+        matches!(
+            self.phase,
+            Phase::Approaching { .. } | Phase::Running { .. }
+        )
     }
 
     pub(super) const fn is_running(&self) -> bool {
-        matches!(self.phase, Phase::Running)
+        matches!(self.phase, Phase::Running { .. })
     }
 
     /// Whether it gives no more commands, and the arm may still move for its sake.
@@ -239,28 +250,18 @@ impl Run {
     /// Takes what the journal has, perhaps of this job.
     pub(super) fn handle_written(&mut self, effect: &Effect) {
         match effect {
-            Effect::Give { job, upto, .. } if *job == self.job() => self.given_for_good(*upto),
-            Effect::Adjust { job, adjustment } if *job == self.job() => self.adjusted(adjustment),
+            Effect::Give { job, upto, .. } if *job == self.job() => self.permit.handle_given(*upto),
+            Effect::Adjust { job, adjustment } if *job == self.job() => {
+                self.permit.handle_adjusted(adjustment)
+            }
             _ => {}
-        }
-    }
-
-    /// Takes that the journal has what it was asked for.
-    fn given_for_good(&mut self, upto: usize) {
-        self.durable = self.durable.max(upto.min(self.asked));
-        if self.durable == self.asked {
-            self.kept = self.asked_kept;
         }
     }
 
     /// Takes note of how long it ran.
     fn note_ran(&mut self) {
-        let ran = self
-            .since
-            .take()
-            .map(|it| self.last_over.saturating_sub(it));
-        if let (Some(ran), Some(before_s)) = (ran, &mut self.begun.behind.ran_s) {
-            *before_s += ran.as_secs_f64();
+        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.begun.behind.ran_s) {
+            *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }
 
@@ -277,7 +278,7 @@ impl Run {
 
     const fn view_phase(&self) -> JobPhase {
         match &self.phase {
-            Phase::Approaching { .. } | Phase::Running => JobPhase::Running,
+            Phase::Approaching { .. } | Phase::Running { .. } => JobPhase::Running,
             Phase::Draining { then, .. } | Phase::Lifting { then, .. } => *then,
             Phase::Locating { .. } | Phase::Paused { .. } => JobPhase::Paused,
         }
@@ -289,7 +290,7 @@ impl Run {
             Phase::Draining { reason, .. }
             | Phase::Lifting { reason, .. }
             | Phase::Paused { reason } => Some(reason.clone()),
-            Phase::Approaching { .. } | Phase::Running => None,
+            Phase::Approaching { .. } | Phase::Running { .. } => None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What a person changes on a job while it runs: its speed and its height.
 
-use dobot_journal::{Adjustment, HeightChange};
+use dobot_journal::HeightChange;
 use dobot_safety::Policy;
 
 use super::{Effect, Phase, Run, Wish};
@@ -48,7 +48,7 @@ impl Run {
         self.begun.plan = plan;
         self.note_height(change);
         self.change_pace();
-        self.unkept = Some(self.begun.adjustment.clone());
+        self.permit.wait_for(self.begun.adjustment.clone());
         Ok(self.keep_adjustment())
     }
 
@@ -86,13 +86,8 @@ impl Run {
     fn note_height(&mut self, change: HeightChange) {
         let heights = &mut self.begun.adjustment.heights;
         heights.retain(|it| it.from < change.from);
-        forget_older(heights, self.kept);
+        forget_older(heights, self.permit.kept());
         heights.push(change);
-    }
-
-    /// Takes that the journal has what a person changed.
-    pub(super) fn adjusted(&mut self, adjustment: &Adjustment) {
-        self.unkept.take_if(|it| it.heights == adjustment.heights);
     }
 }
 

@@ -6,7 +6,7 @@ use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
 use super::watch::locate_at;
-use super::{Begun, Effect, Left, Phase, Run, Wish};
+use super::{Begun, Effect, Left, Phase, Run, Tool, Wish};
 use crate::keeper::arm::Arm;
 use crate::words::{JobPhase, News, Refusal};
 
@@ -21,8 +21,7 @@ impl Run {
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = located(begun, status)?;
         let Approach { first, lower } = approach(&begun, status);
-        let mut run = Self::new(begun, Phase::Approaching { last: None }, status);
-        (run.kept, run.asked_kept) = (kept, kept);
+        let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
         let left = run.left_before(paused);
         if left.is_unknown {
             run.pace.rest_each(&run.begun.plan, run.begun.completed);
@@ -38,7 +37,7 @@ impl Run {
             last = Some(arm.session_mut().send(command)?);
         }
         run.phase = Phase::Approaching { last };
-        run.lower = lower;
+        run.tool = lower.map_or(Tool::Down, Tool::Above);
         let wishes = run.begins();
         Ok((run, wishes))
     }

@@ -2,7 +2,7 @@
 
 use dobot_journal::Window;
 
-use super::{Effect, Phase, Run, Wish, straight, word};
+use super::{Effect, Phase, Rests, Run, Tool, Wish, straight, word};
 use crate::keeper::arm::Arm;
 use crate::words::{JobPhase, News};
 
@@ -12,21 +12,26 @@ impl Run {
         match &mut self.phase {
             // Nothing moves for its sake: how far the job got, nobody needs to know any more.
             Phase::Paused { .. } | Phase::Locating { .. } => {
-                Some(self.drain(JobPhase::Stopped, why, false))
+                Some(self.drain(JobPhase::Stopped, why, Rests::AsItIs))
             }
             Phase::Draining { then, reason, .. } | Phase::Lifting { then, reason, .. } => {
                 *then = JobPhase::Stopped;
                 why.clone_into(reason);
                 Some(self.tell(JobPhase::Stopped, why))
             }
-            Phase::Running | Phase::Approaching { .. } => None,
+            Phase::Running { .. } | Phase::Approaching { .. } => None,
         }
     }
 
     /// The job goes no further: it comes to rest on its way, and the tool is lifted. What was not sent
     /// is forgotten already.
     pub(in crate::keeper) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> Wish {
-        let wish = self.drain(then, why, self.is_down());
+        let rests = if self.is_down() {
+            Rests::Lifted
+        } else {
+            Rests::AsItIs
+        };
+        let wish = self.drain(then, why, rests);
         self.brake();
         wish
     }
@@ -34,30 +39,35 @@ impl Run {
     /// The job goes no further: what is under way comes to its end, then it is paused.
     pub(in crate::keeper) fn interrupt(&mut self, why: &str) -> Option<Wish> {
         if self.is_at_work() {
-            return Some(self.drain(JobPhase::Paused, why, false));
+            return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
         }
-        let cut_short = self.is_cut_short();
-        self.end_here();
-        if let Phase::Draining { lift, reason, .. } = &mut self.phase {
-            *lift = false;
-            if cut_short {
+        if let Phase::Draining {
+            reason,
+            upto,
+            rests,
+            ..
+        } = &mut self.phase
+        {
+            // It does not come to the place where it was to wait for a person.
+            if *rests == Rests::ForPerson && self.next < *upto {
                 why.clone_into(reason);
             }
+            (*upto, *rests) = (self.next, Rests::AsItIs);
         }
         None
     }
 
     /// A job that burns goes no further, and the tool is lifted.
     pub(in crate::keeper) fn interrupt_burning(&mut self, why: &str) -> Wish {
-        self.drain(JobPhase::Paused, why, true)
+        self.drain(JobPhase::Paused, why, Rests::Lifted)
     }
 
-    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, lift: bool) -> Wish {
-        self.end_here();
+    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, rests: Rests) -> Wish {
         self.phase = Phase::Draining {
             then,
             reason: reason.to_owned(),
-            lift,
+            upto: self.next,
+            rests,
         };
         // The journal keeps it as running until nothing is under way: a crash until then has to find
         // out how far the job got.
@@ -76,8 +86,12 @@ impl Run {
         self.phase = if lifts {
             Phase::Lifting { then, reason }
         } else {
-            let lift = false;
-            Phase::Draining { then, reason, lift }
+            Phase::Draining {
+                then,
+                reason,
+                upto: self.next,
+                rests: Rests::AsItIs,
+            }
         };
     }
 
@@ -98,15 +112,18 @@ impl Run {
 
     /// Gives how far the job is, where that is certain.
     fn come_to_end(&mut self, reason: &str) -> Option<Window> {
+        let for_person = match &self.phase {
+            Phase::Draining { rests, .. } => *rests == Rests::ForPerson,
+            _ => false,
+        };
         if matches!(self.phase, Phase::Lifting { .. }) {
             self.left = self.after(self.left, &straight(self.lift_mm().into()));
         }
         self.next = self.begun.completed;
         let waited = self.begun.next_pause().map(|it| it.before);
-        if self.waits && waited == Some(self.next) {
+        if for_person && waited == Some(self.next) {
             self.begun.behind.pauses += 1;
         }
-        self.end_here();
         self.note_ran();
         self.phase = Phase::Paused {
             reason: reason.to_owned(),
@@ -125,27 +142,17 @@ impl Run {
     fn brake(&mut self) {
         let left = self.left();
         if left.moves
-            && let Some(upto) = self
+            && let Some(end) = self
                 .pace
                 .brake(&self.begun.plan, self.next, left.speed_mm_s)
+            && let Phase::Draining { upto, .. } = &mut self.phase
         {
-            self.limit = upto;
+            *upto = end;
         }
-    }
-
-    /// No more than what was given already.
-    fn end_here(&mut self) {
-        self.limit = self.next;
-        self.waits = false;
-    }
-
-    /// Whether it waits for a person at a place to which it will not come.
-    const fn is_cut_short(&self) -> bool {
-        self.waits && self.next < self.limit
     }
 
     /// Whether the tool is where the job goes on: not above that, on its way.
     const fn is_down(&self) -> bool {
-        !matches!(self.phase, Phase::Approaching { .. }) && self.lower.is_none()
+        !matches!(self.phase, Phase::Approaching { .. }) && !matches!(self.tool, Tool::Above(_))
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_client::CommandId;
 use dobot_wire::{Command, Status};
 
-use super::{Effect, Given, Phase, Run, Wish};
+use super::{Effect, Given, Phase, Ran, Rests, Run, Tool, Wish};
 use crate::keeper::arm::Arm;
 use crate::words::{JobPhase, Refusal};
 
@@ -18,8 +18,11 @@ impl Run {
             self.next = self.next.min(index);
         }
         // The tool is still above.
-        let lowering = self.lowering.take_if(|(it, _)| *it == id);
-        self.lower = lowering.map(|(_, command)| command).or(self.lower);
+        if let Tool::Lowering(it, command) = self.tool
+            && it == id
+        {
+            self.tool = Tool::Above(command);
+        }
     }
 
     /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
@@ -33,7 +36,7 @@ impl Run {
         let of_job = self.given.iter().position(|it| it.id == id);
         let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => self.lowering.is_some_and(|(it, _)| it == id),
+            _ => matches!(self.tool, Tool::Lowering(it, _) if it == id),
         };
         if let Some(at) = of_job {
             self.over(at, now, is_done);
@@ -44,7 +47,7 @@ impl Run {
         if of_way && self.is_approaching() {
             self.set_out(now);
         } else if of_way {
-            self.lowering = None;
+            self.tool = Tool::Down;
         }
         false
     }
@@ -64,7 +67,7 @@ impl Run {
             let given = self.lower(arm).and_then(|()| self.give(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
-                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), true));
+                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
                 break;
             }
         }
@@ -73,7 +76,7 @@ impl Run {
     }
 
     fn next_command(&mut self) -> Option<Command> {
-        if self.next >= self.limit.min(self.durable) || self.unkept.is_some() {
+        if self.next >= self.upto() || !self.permit.allows(self.next) {
             return None;
         }
         let speed_mm_s = self.speed_mm_s();
@@ -83,10 +86,12 @@ impl Run {
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
     /// makes a blot.
     fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
-        if let Some(command) = self.lower.take() {
+        if let Tool::Above(command) = self.tool {
+            // Where that fails, nothing of the job is given behind it.
+            self.tool = Tool::Down;
             arm.check_way(&command)?;
             let id = arm.session_mut().send(command)?;
-            self.lowering = Some((id, command));
+            self.tool = Tool::Lowering(id, command);
         }
         Ok(())
     }
@@ -102,15 +107,16 @@ impl Run {
 
     /// All was given up to where the job comes to rest: for a person, or to be lifted.
     fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<Wish> {
-        if self.next < self.limit {
+        if self.next < self.upto() {
             return None;
         }
         match &self.phase {
-            Phase::Running => self.wait_for_person(),
+            Phase::Running { .. } => self.wait_for_person(),
             Phase::Draining {
                 then,
                 reason,
-                lift: true,
+                rests: Rests::Lifted,
+                ..
             } => {
                 let (then, reason) = (*then, reason.clone());
                 self.lift(arm, may_lift, then, reason);
@@ -123,35 +129,37 @@ impl Run {
     fn wait_for_person(&mut self) -> Option<Wish> {
         let here = self.begun.next_pause().filter(|it| it.before == self.next);
         let message = here?.message.clone();
-        let wish = self.drain(JobPhase::Paused, &message, false);
-        self.waits = true;
-        Some(wish)
+        Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson))
     }
 
     /// The journal is asked in time, so that the arm does not wait for the disk.
     fn ask_journal(&mut self, status: Option<Status>) -> Option<Wish> {
-        if self.asked > self.durable || self.durable >= self.next + LOW_WATER {
+        if !self.permit.is_low(self.next) {
             return None;
         }
-        let upto = self.window_end(&status?).min(self.limit);
-        if upto <= self.asked {
-            return None;
-        }
-        (self.asked, self.asked_kept) = (upto, self.begun.completed);
-        Some(Wish::Ask(Effect::Give {
+        let completed = self.begun.completed;
+        let upto = self.window_end(&status?).min(self.upto());
+        let effect = Effect::Give {
             job: self.job(),
-            completed: self.begun.completed,
+            completed,
             upto,
             start: self.start(),
-        }))
+        };
+        self.permit
+            .ask(upto, completed)
+            .then_some(Wish::Ask(effect))
     }
 
     /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
     fn set_out(&mut self, now: Duration) {
-        self.phase = Phase::Running;
-        (self.since, self.last_over) = (Some(now), now);
         let pause = self.begun.next_pause().map(|it| it.before);
-        self.limit = pause.unwrap_or(self.begun.plan.len());
+        self.phase = Phase::Running {
+            upto: pause.unwrap_or(self.begun.plan.len()),
+        };
+        self.ran = Some(Ran {
+            since: now,
+            last_over: now,
+        });
     }
 
     const fn is_approaching(&self) -> bool {
@@ -161,16 +169,26 @@ impl Run {
     /// Whether there are commands to be given.
     fn gives(&self) -> bool {
         match self.phase {
-            Phase::Running => true,
-            Phase::Draining { lift, .. } => lift || self.next < self.limit,
+            Phase::Running { .. } => true,
+            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
             _ => false,
+        }
+    }
+
+    /// Commands below this one may be given: there the job comes to rest.
+    const fn upto(&self) -> usize {
+        match self.phase {
+            Phase::Running { upto } | Phase::Draining { upto, .. } => upto,
+            _ => self.next,
         }
     }
 
     /// The command at this place of those given is over.
     fn over(&mut self, at: usize, now: Duration, is_done: bool) {
         let given = self.given.remove(at).expect("it was found there");
-        self.last_over = now;
+        if let Some(ran) = &mut self.ran {
+            ran.last_over = now;
+        }
         if is_done && self.begun.completed == given.index {
             self.begun.completed = given.index + 1;
             self.left = given.left;
@@ -180,5 +198,3 @@ impl Run {
 
 /// So many commands wait in the session, so that a permit finds one.
 const KEEP_WAITING: usize = 2;
-/// The journal is asked for more when so few are left.
-const LOW_WATER: usize = 12;

@@ -55,9 +55,9 @@ impl Run {
                 let window = *window;
                 self.locate(arm, &window)
             }
-            Phase::Draining { then, reason, .. }
-                if arm.is_idle() && self.given.is_empty() && self.next >= self.limit =>
-            {
+            Phase::Draining {
+                then, reason, upto, ..
+            } if arm.is_idle() && self.given.is_empty() && self.next >= *upto => {
                 let (then, reason) = (*then, reason.clone());
                 self.rest(arm, then, reason)
             }
@@ -67,7 +67,7 @@ impl Run {
                 let (then, reason) = (*then, reason.clone());
                 self.rest(arm, then, reason)
             }
-            Phase::Running if self.is_complete() && arm.is_at_rest() => self.finish(arm),
+            Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => self.finish(arm),
             _ => Vec::new(),
         }
     }
