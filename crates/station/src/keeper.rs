@@ -2,6 +2,7 @@
 
 mod amend;
 mod arm;
+mod commands;
 mod detecting;
 mod events;
 mod halt;
@@ -20,7 +21,6 @@ mod save;
 mod stop;
 mod view;
 
-use std::collections::HashMap;
 use std::time::Duration;
 
 use dobot_client::{CommandId, Finding, SendError, Session};
@@ -29,6 +29,7 @@ use dobot_safety::Policy;
 use dobot_wire::{Dialect, Packet, Status};
 
 use self::arm::Arm;
+use self::commands::Commands;
 use self::detecting::Detecting;
 use self::halt::Halt;
 use self::jog::{Jogging, Silence};
@@ -61,8 +62,7 @@ pub struct Keeper {
     run: Option<Run>,
     save: Save,
     detecting: Detecting,
-    /// Commands of clients that are not over, and who sent them.
-    pending: HashMap<CommandId, ClientId>,
+    commands: Commands,
 }
 
 impl Keeper {
@@ -81,7 +81,7 @@ impl Keeper {
             run: None,
             save: Save::default(),
             detecting: Detecting::default(),
-            pending: HashMap::new(),
+            commands: Commands::default(),
         }
     }
 
@@ -89,6 +89,11 @@ impl Keeper {
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
         self.tell(News::Trouble, text);
+    }
+
+    /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
+    pub fn free_laser(&mut self) {
+        self.arm.session_mut().free_laser();
     }
 
     /// The pose is not to be trusted until a person confirms it, and why.
@@ -330,7 +335,7 @@ impl Keeper {
 
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {
         self.run_command_over(id, failed.as_deref());
-        if self.pending.remove(&id).is_none() {
+        if !self.commands.handle_over(id) {
             return;
         }
         let command = id.0;
@@ -351,7 +356,7 @@ impl Keeper {
 
     /// The commands that are not over, of clients and of the job.
     fn under_way(&self) -> Vec<CommandId> {
-        let of_clients = self.pending.keys().copied();
+        let of_clients = self.commands.ids();
         let of_run = self.run.iter().flat_map(Run::under_way);
         let mut ids: Vec<_> = of_clients.chain(of_run).collect();
         ids.sort_unstable();
@@ -380,7 +385,7 @@ impl Keeper {
         if let Some(run) = &mut self.run {
             run.handle_forgotten(id);
         }
-        if self.pending.remove(&id).is_some() {
+        if self.commands.handle_over(id) {
             let command = id.0;
             self.tell(
                 News::CommandFailed { command },
@@ -460,10 +465,16 @@ impl Keeper {
         self.disarm_laser(why);
         self.let_go();
         self.end_detection(why);
-        if self.pending.values().any(|it| *it == client) {
+        if self.commands.any_of(client) {
             self.drop_waiting(why);
         }
         self.tell(News::LeaseFree, format!("nobody has control: {why}"));
+    }
+}
+
+fn still_moving(within: Duration) -> Refusal {
+    Refusal::StillMoving {
+        within_s: within.as_secs_f64(),
     }
 }
 

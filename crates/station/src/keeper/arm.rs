@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_client::{SendError, Session};
+use dobot_client::{CommandId, SendError, Session};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
 
@@ -41,6 +41,7 @@ impl Arm {
         &self.session
     }
 
+    /// The conversation itself, for the keeper: the parts only ask it.
     pub(super) const fn session_mut(&mut self) -> &mut Session {
         &mut self.session
     }
@@ -129,8 +130,13 @@ impl Arm {
         Err(Refusal::Send(SendError::Untrusted))
     }
 
-    /// Whether the whole way of a command is allowed.
-    pub(super) fn check_way(&self, command: &Command) -> Result<(), Refusal> {
+    /// Sends a command when its turn comes, if its whole way is allowed.
+    pub(super) fn send(&mut self, command: &Command) -> Result<CommandId, Refusal> {
+        self.check_way(command)?;
+        Ok(self.session.send(*command)?)
+    }
+
+    fn check_way(&self, command: &Command) -> Result<(), Refusal> {
         self.session.check(command)?;
         if let Some(model) = self.session.model() {
             self.policy.check(model, command)?;

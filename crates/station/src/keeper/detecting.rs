@@ -8,6 +8,7 @@ use dobot_course::Place;
 use dobot_wire::{Packet, Status};
 
 use super::arm::Arm;
+use super::still_moving;
 use crate::words::{ClientId, Refusal};
 
 /// The detection that is under way, if one is, and what the last one found.
@@ -36,8 +37,7 @@ impl Detecting {
         rests_within: Duration,
     ) -> Result<(), Refusal> {
         let Some(status) = arm.last().filter(|_| arm.is_at_rest()) else {
-            let within_s = rests_within.as_secs_f64();
-            return Err(Refusal::StillMoving { within_s });
+            return Err(still_moving(rests_within));
         };
         let tool = arm.session().model().map_or(Tool::SuctionCup, |it| it.tool);
         let allowed = |joints: &Joints| {

@@ -62,7 +62,7 @@ impl Keeper {
                     self.command_forgotten(command, &Refusal::from(reason).to_string());
                 }
                 Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
-                Event::LaserOff => self.laser_switched_off(),
+                Event::LaserOff => self.tell(News::LaserOff, SWITCHED_OFF.into()),
                 _ => {}
             }
         }
@@ -105,6 +105,27 @@ impl Keeper {
             });
             self.outbox.answer((client, answer));
         }
+    }
+
+    /// Switches the laser off and keeps it off; a job that burns is paused.
+    pub(super) fn disarm_laser(&mut self, why: &str) {
+        let (was_armed, forgotten) = self.arm.disarm_laser();
+        for id in forgotten {
+            self.command_forgotten(id, &Refusal::LaserDisarmed.to_string());
+        }
+        if was_armed {
+            self.laser_disarmed(why);
+        }
+    }
+
+    /// The laser is disarmed: it goes off, and a job that burns is paused.
+    fn laser_disarmed(&mut self, why: &str) {
+        self.arm.part_from_laser();
+        self.interrupt_burning(why);
+        self.tell(
+            News::LaserDisarmed,
+            format!("the laser is off and disarmed: {why}"),
+        );
     }
 
     /// An arm that stands still without a word looks dead.
@@ -165,5 +186,6 @@ fn failure(event: Event) -> String {
         .map_or_else(String::new, |error| error.to_string())
 }
 
+const SWITCHED_OFF: &str = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
 const OPENED: &str =
     "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

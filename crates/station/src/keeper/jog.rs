@@ -5,6 +5,7 @@ use std::time::Duration;
 use dobot_wire::{JointJogAxis, LinearJogAxis};
 
 use super::arm::Arm;
+use super::still_moving;
 use crate::words::{ClientId, Jog, Refusal};
 
 /// The button that a client presses, if one does.
@@ -212,16 +213,12 @@ fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<Phase, Refus
     if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
         return Ok(Phase::Waits);
     }
-    Err(Refusal::StillMoving {
-        within_s: rests_within.as_secs_f64(),
-    })
+    Err(still_moving(rests_within))
 }
 
 /// Moves the arm by a button, if the way is allowed.
 pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<(), Refusal> {
-    arm.check_way(&jog.command())?;
-    arm.session_mut().send(jog.command())?;
-    Ok(())
+    arm.send(&jog.command()).map(|_| ())
 }
 
 /// Whether it is the release of a button.

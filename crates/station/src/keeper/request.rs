@@ -2,12 +2,9 @@
 
 use std::time::Duration;
 
-use dobot_arm::Pose;
-use dobot_client::SendError;
-use dobot_course::{Button, CourseError, Model};
-use dobot_safety::Violation;
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
+use dobot_wire::{Command, Dialect};
 
+use super::commands::button;
 use super::jog::{Press, Still, act, is_released, moves};
 use super::{Keeper, seconds};
 use crate::words::{ClientId, Jog, News, Refusal, Reply, Request, plain};
@@ -206,6 +203,16 @@ impl Keeper {
         }
     }
 
+    fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
+        self.leases.check_arms_laser(client)?;
+        self.stop.check()?;
+        self.arm.arm_laser(for_s)?;
+        let name = self.name(client);
+        let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
+        self.tell(News::LaserArmed, text);
+        Ok(Reply::Done)
+    }
+
     /// Sends one command, if its whole way is allowed.
     pub(super) fn command(
         &mut self,
@@ -218,75 +225,19 @@ impl Keeper {
         self.check_may_move(client)?;
         // Whoever sends another command does not hold his button any more.
         self.let_go();
-        let command = &self.understood(command)?;
-        let waiting = self.arm.session().waiting();
-        if waiting >= MOST_WAITING {
-            return Err(Refusal::TooMany {
-                waiting,
-                most: MOST_WAITING,
-            });
-        }
-        self.check_place(command)?;
-        self.arm.check_way(command)?;
-        let id = self.arm.session_mut().send(*command)?;
+        let within = self.rests_within();
+        let id = self
+            .commands
+            .handle_command(&mut self.arm, client, command, within)?;
         self.halt.forget();
-        self.pending.insert(id, client);
         Ok(Reply::Accepted {
             command: id.0,
             takes_s: Some(self.arm.session().ahead_s()),
         })
     }
 
-    /// A command as this arm understands it: what is said to one that does not hear voice is carried
-    /// out as the motion or the button that the words mean (note N50).
-    fn understood(&self, command: &Command) -> Result<Command, Refusal> {
-        let Command::Voice(voice) = command else {
-            return Ok(*command);
-        };
-        let Some(dialect) = self.arm.session().dialect() else {
-            let field = "voice";
-            return Err(Refusal::Send(SendError::Undecided { field }));
-        };
-        if self.arm.session().is_bluetooth() {
-            // It waits in the session until the arm rests.
-            return Ok(*command);
-        }
-        if dialect.hears_voice {
-            // From the first byte of a text on, a motion under way would rest and lose its place.
-            return self.check_rest().map(|()| *command);
-        }
-        let (Some(order), Some(model)) = (VoiceOrder::parse(voice), self.arm.session().model())
-        else {
-            let error = CourseError::NotUnderstood;
-            return Err(Refusal::Policy(Box::new(Violation::of_course(&error))));
-        };
-        Ok(spoken(order, model))
-    }
-
-    /// Whether the arm rests.
-    fn check_rest(&self) -> Result<(), Refusal> {
-        if !self.is_at_rest() || self.arm.session().is_moving() || self.arm.session().waiting() > 0
-        {
-            return Err(self.still_moving());
-        }
-        Ok(())
-    }
-
-    /// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
-    /// elsewhere, until the arm was seen at rest.
-    fn check_place(&self, command: &Command) -> Result<(), Refusal> {
-        match self.arm.session().model() {
-            Some(model) if !model.knows_place() && leads_somewhere(command) => {
-                Err(self.still_moving())
-            }
-            _ => Ok(()),
-        }
-    }
-
     pub(super) fn still_moving(&self) -> Refusal {
-        Refusal::StillMoving {
-            within_s: self.rests_within().as_secs_f64(),
-        }
+        super::still_moving(self.rests_within())
     }
 
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
@@ -315,66 +266,4 @@ impl Keeper {
     }
 }
 
-/// A button by which the arm moves has to be held, and its release is of its kind, however they are
-/// pressed.
-fn button(command: &Command) -> Option<Jog> {
-    let switches = matches!(
-        Button::of(command),
-        Some(Button::Suction(_) | Button::Laser(_))
-    );
-    match command {
-        Command::JointJog(it) if !switches => Some(Jog::Joint(*it)),
-        Command::LinearJog(it) if !switches => Some(Jog::Linear(*it)),
-        _ => None,
-    }
-}
-
-/// Whether the way of a command begins where the arm is.
-const fn leads_somewhere(command: &Command) -> bool {
-    match command {
-        Command::WriteVector(it) => !it.stop,
-        Command::MoveTo(_)
-        | Command::MoveJoints(_)
-        | Command::MouseMove(_)
-        | Command::Gesture(_)
-        | Command::Voice(_) => true,
-        _ => false,
-    }
-}
-
-/// What an order means, as a command that every arm hears: a straight line at the speed that is set
-/// for lines, with pump and gripper as they are, or the pump's button.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a packet carries single precision"
-)]
-fn spoken(order: VoiceOrder, model: &Model) -> Command {
-    let button = |axis| {
-        Command::from(JointJog {
-            axis,
-            speed_percent: 0.0,
-        })
-    };
-    match order {
-        VoiceOrder::Catch => button(JointJogAxis::SuctionOn),
-        VoiceOrder::Release => button(JointJogAxis::SuctionOff),
-        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
-            let Pose { position, rotation } = model.place.pose;
-            MoveTo {
-                x_mm: position.x.0 as f32 + x_mm,
-                y_mm: position.y.0 as f32 + y_mm,
-                z_mm: position.z.0 as f32 + z_mm,
-                rotation_deg: rotation.0 as f32,
-                suction: model.suction,
-                mode: MovingMode::MovL,
-                gripper_deg: model.gripper_deg as f32,
-                pause_s: 0.0,
-            }
-            .into()
-        }
-    }
-}
-
-/// A client that has so much waiting had better send a job.
-const MOST_WAITING: usize = 64;
 const REASON_LEN: usize = 200;

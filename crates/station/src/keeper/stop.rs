@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::still_moving;
 use crate::words::{Refusal, StopView};
 
 /// The stop that holds the arm, if one does.
@@ -45,9 +46,7 @@ impl Stop {
     pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
         if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest && is_linked) {
             let within = stop.rests_by.saturating_sub(now).max(SOON);
-            return Err(Refusal::StillMoving {
-                within_s: within.as_secs_f64(),
-            });
+            return Err(still_moving(within));
         }
         Ok(self.holding.take().is_some())
     }

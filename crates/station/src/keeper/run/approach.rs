@@ -33,8 +33,7 @@ impl Run {
         }
         let mut last = None;
         for command in first {
-            arm.check_way(&command)?;
-            last = Some(arm.session_mut().send(command)?);
+            last = Some(arm.send(&command)?);
         }
         run.phase = Phase::Approaching { last };
         run.tool = lower.map_or(Tool::Down, Tool::Above);

@@ -79,10 +79,7 @@ impl Run {
     pub(super) fn lift(&mut self, arm: &mut Arm, may_lift: bool, then: JobPhase, reason: String) {
         let up = self.lift_mm();
         let command = straight(up.into());
-        let lifts = up > 0.0
-            && may_lift
-            && arm.check_way(&command).is_ok()
-            && arm.session_mut().send(command).is_ok();
+        let lifts = up > 0.0 && may_lift && arm.send(&command).is_ok();
         self.phase = if lifts {
             Phase::Lifting { then, reason }
         } else {

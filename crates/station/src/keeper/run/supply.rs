@@ -89,16 +89,13 @@ impl Run {
         if let Tool::Above(command) = self.tool {
             // Where that fails, nothing of the job is given behind it.
             self.tool = Tool::Down;
-            arm.check_way(&command)?;
-            let id = arm.session_mut().send(command)?;
-            self.tool = Tool::Lowering(id, command);
+            self.tool = Tool::Lowering(arm.send(&command)?, command);
         }
         Ok(())
     }
 
     fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
-        arm.check_way(command)?;
-        let id = arm.session_mut().send(*command)?;
+        let id = arm.send(command)?;
         let (index, left) = (self.next, self.after(self.left(), command));
         self.given.push_back(Given { id, index, left });
         self.next += 1;
