@@ -2,6 +2,7 @@
 
 mod amend;
 mod arm;
+mod button;
 mod commands;
 mod detecting;
 mod events;
@@ -14,16 +15,14 @@ mod line;
 mod link;
 mod outbox;
 mod plan;
-mod raw;
 mod request;
 mod run;
 mod save;
 mod stop;
-mod view;
 
 use std::time::Duration;
 
-use dobot_client::{CommandId, Finding, SendError, Session};
+use dobot_client::{Finding, SendError, Session};
 use dobot_course::{LASER_OFF, Model};
 use dobot_safety::Policy;
 use dobot_wire::{Dialect, Packet, Status};
@@ -32,14 +31,14 @@ use self::arm::Arm;
 use self::commands::Commands;
 use self::detecting::Detecting;
 use self::halt::Halt;
-use self::jog::{Jogging, Silence};
-use self::lease::{Change, Leases};
+use self::jog::Jogging;
+use self::lease::Leases;
 use self::link::Link;
 use self::outbox::Outbox;
-use self::run::Run;
+use self::run::{Run, Wish};
 use self::save::Save;
 use self::stop::Stop;
-use crate::words::{ClientId, News, Notice, Refusal, Reply, Role};
+use crate::words::{ArmView, ClientId, News, Notice, QueueView, Refusal, Reply, State, TrustView};
 
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
@@ -50,19 +49,23 @@ pub use self::run::{Begun, Effect};
 /// the station and never goes back. Every byte that reaches the arm passes here, and with it every
 /// rule: who has control, what the policy allows, that a stop holds, that the laser is off unless a
 /// person has armed it.
+///
+/// Each rule is a part with a state of its own, which no other part sees. The keeper orders them: it
+/// asks one what another has to know, and does what they want of each other.
 #[derive(Debug)]
 pub struct Keeper {
-    arm: Arm,
-    outbox: Outbox,
-    link: Link,
+    /// Who is there, and who has control.
     leases: Leases,
+    link: Link,
+    arm: Arm,
     stop: Stop,
-    jogging: Jogging,
     halt: Halt,
+    jogging: Jogging,
+    commands: Commands,
+    detecting: Detecting,
     run: Option<Run>,
     save: Save,
-    detecting: Detecting,
-    commands: Commands,
+    outbox: Outbox,
 }
 
 impl Keeper {
@@ -71,17 +74,17 @@ impl Keeper {
     #[must_use]
     pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
         Self {
-            arm: Arm::new(policy, dialect),
-            outbox: Outbox::new(),
-            link: Link::default(),
             leases: Leases::new(),
+            link: Link::default(),
+            arm: Arm::new(policy, dialect),
             stop: Stop::default(),
-            jogging: Jogging::default(),
             halt: Halt::default(),
+            jogging: Jogging::default(),
+            commands: Commands::default(),
+            detecting: Detecting::default(),
             run: None,
             save: Save::default(),
-            detecting: Detecting::default(),
-            commands: Commands::default(),
+            outbox: Outbox::new(),
         }
     }
 
@@ -122,40 +125,121 @@ impl Keeper {
         }
     }
 
-    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
-    pub fn handle_end(&mut self, now: Duration) {
-        self.handle_time(now);
-        self.halt.begin(&mut self.arm);
-        self.jogging.let_go();
-        self.drop_waiting("the station ended");
-        self.interrupt_run("the station ended");
-        self.end_detection("the station ended");
-    }
-
-    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
-    /// as after a fault. Its guardian may have said it, too.
-    pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
-        self.arm.set_time(now);
-        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
-        self.arm.send_at_once(LASER_OFF);
-        self.withdraw(Refusal::LetGo(why.clone()));
-        self.tell(
-            News::Trouble,
-            format!("{why}: the laser was switched off and the button let go"),
-        );
-        self.disarm_laser(&why);
-    }
-
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
+        // What the arm has told so far comes first: all others judge by it.
         self.arm.handle_time(now);
         self.follow_session();
+        // A client that fell silent is heard before its press that waits: no arm moves for it any more.
         self.watch_dead_man();
         self.watch_press();
+        // Behind both, for the one begins a halt, and the other ends one.
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
         self.halt.repeat(&mut self.arm, is_linked, unknown);
         self.save.handle_time(self.arm.now());
+        // The job last: nothing of it is given before all that may hinder it was heard.
         self.pump();
+    }
+
+    /// Takes a status: each part sees it, in this order. None of them gives the arm a command of a job;
+    /// that comes behind all events.
+    fn see(&mut self, status: Status) {
+        // The link first: the first packet to an arm that is heard again switches the laser off.
+        // Whatever was before: a crash, another program, a cable that was out.
+        if self.link.handle_status() {
+            self.tell(News::LinkUp, "the arm tells its state".into());
+        }
+        if self.link.greet() {
+            // What was said last may have got lost with the link.
+            self.arm.send_urgent(LASER_OFF);
+            self.halt.release_again(&self.arm);
+        }
+        // From here on it is known where the arm is, and whether it rests.
+        self.outbox.pass_on(status);
+        self.arm.handle_status(status);
+        // A button that leads to where the arm may not be is let go of before anything else is decided,
+        // and before the halt, for it begins one.
+        if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
+            self.withdraw(refusal.clone());
+            self.tell_refused(client, &refusal);
+        }
+        let rests = self.arm.is_at_rest();
+        self.halt.handle_status(rests);
+        // The stop before the job: that the arm rests is told before what it means for the job.
+        if self.stop.handle_status(rests) {
+            self.tell(News::AtRest, "the arm is at rest".into());
+        }
+        self.of_run(Run::handle_status);
+        // The detection last: it sets the dialect, which a job that has the arm would forbid.
+        self.watch_detection(&status);
+    }
+
+    fn watch_detection(&mut self, status: &Status) {
+        let (packet, outcome) = self.detecting.handle_status(self.arm.now(), status);
+        if let Some(packet) = packet {
+            self.arm.send_urgent_packet(packet);
+        }
+        if let Some((client, found)) = outcome {
+            let answer = found.and_then(|finding| {
+                self.set_dialect(finding.dialect)
+                    .map(|_| Reply::Found { finding })
+            });
+            self.outbox.answer((client, answer));
+        }
+    }
+
+    /// Keeps the session and the journal supplied with what the job needs next.
+    fn pump(&mut self) {
+        let may_lift = !self.stop.holds() && self.link.is_there();
+        self.of_run(|run, arm| run.pump(arm, may_lift));
+    }
+
+    /// Has the job do something, if there is one, and what it wants.
+    fn of_run<W: IntoIterator<Item = Wish>>(&mut self, act: impl FnOnce(&mut Run, &mut Arm) -> W) {
+        if let Some(run) = &mut self.run {
+            let wishes = act(run, &mut self.arm);
+            self.fulfil(wishes);
+        }
+    }
+
+    fn fulfil(&mut self, wishes: impl IntoIterator<Item = Wish>) {
+        for wish in wishes {
+            match wish {
+                Wish::Ask(effect) => self.save.ask(effect),
+                Wish::Keep(effect) => self.save.keep_phase(effect),
+                Wish::Tell(news, text) => self.tell(news, text),
+                Wish::Forget => self.run = None,
+            }
+            self.outbox.note_change();
+        }
+    }
+
+    /// All that is known now.
+    #[must_use]
+    pub fn state(&self) -> State {
+        State {
+            at_s: self.arm.now().as_secs_f64(),
+            link: self.link.view(&self.arm.session().link()),
+            arm: self.arm.last().map(|status| ArmView {
+                status,
+                moving: self.arm.still() == 0,
+            }),
+            dialect: self.arm.session().dialect().copied(),
+            trust: TrustView {
+                trusted: self.arm.session().is_trusted(),
+                reason: self.arm.session().distrust_reason().map(str::to_owned),
+            },
+            queue: QueueView {
+                waiting: self.arm.session().waiting(),
+                under_way: self.arm.session().under_way(),
+                ahead_s: self.arm.session().ahead_s(),
+            },
+            lease: self.leases.view(),
+            stop: self.stop.view(),
+            laser: self.arm.laser_view(),
+            job: self.job(),
+            clients: self.leases.clients(),
+        }
     }
 
     /// The next thing that happened, for all who watch.
@@ -236,133 +320,6 @@ impl Keeper {
         self.arm.session()
     }
 
-    /// Lets go of the button, if one is pressed: its client did.
-    fn let_go(&mut self) {
-        if self.jogging.let_go() {
-            self.release_button();
-        }
-    }
-
-    /// The station lets go of the button, and its client has to press it anew; says whether the arm
-    /// moved by it.
-    fn withdraw(&mut self, why: Refusal) -> bool {
-        let acted = self.jogging.bar(why);
-        if acted {
-            self.release_button();
-        }
-        acted
-    }
-
-    fn release_button(&mut self) {
-        self.drop_waiting("the button was released");
-        self.halt.release(&mut self.arm);
-    }
-
-    /// A press that waited acts, as soon as the arm rests.
-    fn watch_press(&mut self) {
-        let waits = self.jogging.waits();
-        let Some((client, jog)) = waits.filter(|_| !self.arm.session().is_moving()) else {
-            return;
-        };
-        match self
-            .check_free()
-            .and_then(|()| jog::act(&mut self.arm, jog))
-        {
-            Ok(()) => {
-                self.halt.forget();
-                self.jogging.handle_moves(self.arm.now());
-            }
-            Err(refusal) => {
-                self.withdraw(refusal.clone());
-                self.tell_refused(client, &refusal);
-            }
-        }
-    }
-
-    fn watch_dead_man(&mut self) {
-        let Some(Silence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
-            return;
-        };
-        let who = client.map_or_else(|| "the arm".into(), |it| self.name(it));
-        let silent_ms = lasts.as_secs_f64() * 1e3;
-        let why = format!("{who} fell silent for {silent_ms:.0} ms");
-        if self.withdraw(Refusal::LetGo(why.clone())) {
-            self.tell(News::DeadMan, format!("{why}: the button was released"));
-        }
-    }
-
-    /// Takes what came of an [`Effect`]: it is on the disk, or why it is not. No more of a job is
-    /// sent then until somebody goes on with it.
-    pub fn handle_written(&mut self, now: Duration, effect: &Effect, outcome: Result<(), String>) {
-        self.handle_time(now);
-        match outcome {
-            Ok(()) => self.written(effect),
-            Err(why) => self.not_written(effect, &why),
-        }
-        self.pump();
-    }
-
-    fn written(&mut self, effect: &Effect) {
-        if self.save.handle_written(effect) {
-            let text = "the journal of jobs can be written again".to_owned();
-            self.tell(News::Trouble, text);
-        }
-        if let Some(run) = &mut self.run {
-            run.handle_written(effect);
-        }
-    }
-
-    fn not_written(&mut self, effect: &Effect, why: &str) {
-        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
-        let why = format!("the journal of jobs cannot be written: {why}");
-        if self.run.as_ref().is_some_and(Run::has_the_arm) {
-            self.arm.part_from_laser();
-            self.drop_waiting(&why);
-            self.interrupt_run(&why);
-        }
-        if is_news {
-            self.tell(News::Trouble, why);
-        }
-    }
-
-    /// Ends a detection that cannot go on.
-    fn end_detection(&mut self, why: &str) {
-        if let Some(client) = self.detecting.end() {
-            let refusal = Refusal::NotFound(why.to_owned());
-            self.outbox.answer((client, Err(refusal)));
-        }
-    }
-
-    fn command_over(&mut self, id: CommandId, failed: Option<String>) {
-        self.run_command_over(id, failed.as_deref());
-        if !self.commands.handle_over(id) {
-            return;
-        }
-        let command = id.0;
-        match failed {
-            None => self.tell(
-                News::CommandDone { command },
-                format!("command {command} is done"),
-            ),
-            Some(why) => {
-                self.arm.part_from_laser();
-                self.tell(
-                    News::CommandFailed { command },
-                    format!("command {command}: {why}"),
-                );
-            }
-        }
-    }
-
-    /// The commands that are not over, of clients and of the job.
-    fn under_way(&self) -> Vec<CommandId> {
-        let of_clients = self.commands.ids();
-        let of_run = self.run.iter().flat_map(Run::under_way);
-        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
-        ids.sort_unstable();
-        ids
-    }
-
     /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
     fn rests_within(&self) -> Duration {
         self.arm.rests_within(self.unknown_motion())
@@ -372,26 +329,6 @@ impl Keeper {
     fn unknown_motion(&self) -> Duration {
         let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
         seconds(unseen).max(self.detecting.motion())
-    }
-
-    /// Forgets the commands that have not been sent.
-    fn drop_waiting(&mut self, why: &str) {
-        for id in self.arm.session_mut().forget_waiting() {
-            self.command_forgotten(id, why);
-        }
-    }
-
-    fn command_forgotten(&mut self, id: CommandId, why: &str) {
-        if let Some(run) = &mut self.run {
-            run.handle_forgotten(id);
-        }
-        if self.commands.handle_over(id) {
-            let command = id.0;
-            self.tell(
-                News::CommandFailed { command },
-                format!("command {command} was not sent: {why}"),
-            );
-        }
     }
 
     fn tell(&mut self, news: News, text: String) {
@@ -425,50 +362,6 @@ impl Keeper {
 
     fn name(&self, client: ClientId) -> String {
         self.leases.name(client)
-    }
-
-    /// Takes that a client came.
-    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
-        self.handle_time(now);
-        self.outbox.note_change();
-        self.leases.handle_client(name, role)
-    }
-
-    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
-    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
-        self.handle_time(now);
-        let changes = self.leases.handle_left(client);
-        self.follow_lease(changes);
-        self.outbox.note_change();
-    }
-
-    fn follow_lease(&mut self, changes: impl IntoIterator<Item = Change>) {
-        for change in changes {
-            match change {
-                Change::Ended { client, why } => self.lease_over(client, &why),
-                Change::Taken(client) => {
-                    let text = format!("{} has control", self.name(client));
-                    self.tell(News::LeaseTaken { client }, text);
-                }
-                Change::Asked(client) => {
-                    let text = format!("{} asks for control", self.name(client));
-                    self.tell(News::LeaseAsked { client }, text);
-                }
-            }
-        }
-    }
-
-    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
-    /// the laser goes off. A drawing with a pen goes on; it is the station's.
-    fn lease_over(&mut self, client: ClientId, why: &str) {
-        self.arm.part_from_laser();
-        self.disarm_laser(why);
-        self.let_go();
-        self.end_detection(why);
-        if self.commands.any_of(client) {
-            self.drop_waiting(why);
-        }
-        self.tell(News::LeaseFree, format!("nobody has control: {why}"));
     }
 }
 

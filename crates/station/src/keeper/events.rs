@@ -1,13 +1,13 @@
-//! What comes from the arm, and what the keeper has its parts do about it.
+//! What happens to the arm, its link and its journal, and what the keeper has its parts do about it.
 
 use std::time::Duration;
 
 use dobot_client::{Address, CommandId, Event};
 use dobot_course::LASER_OFF;
-use dobot_wire::Status;
 
-use super::{Keeper, Run};
-use crate::words::{LinkPhase, News, Refusal, Reply};
+use super::Keeper;
+use super::run::{Effect, Run};
+use crate::words::{LinkPhase, News, Refusal};
 
 impl Keeper {
     /// Takes that the port is open: statuses may come. Each opening resets a real arm, whatever was
@@ -41,6 +41,64 @@ impl Keeper {
         self.pump();
     }
 
+    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
+    /// as after a fault. Its guardian may have said it, too.
+    pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
+        self.arm.set_time(now);
+        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        self.arm.send_at_once(LASER_OFF);
+        self.withdraw(Refusal::LetGo(why.clone()));
+        self.tell(
+            News::Trouble,
+            format!("{why}: the laser was switched off and the button let go"),
+        );
+        self.disarm_laser(&why);
+    }
+
+    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
+    pub fn handle_end(&mut self, now: Duration) {
+        self.handle_time(now);
+        self.halt.begin(&mut self.arm);
+        self.jogging.let_go();
+        self.drop_waiting("the station ended");
+        self.interrupt_run("the station ended");
+        self.end_detection("the station ended");
+    }
+
+    /// Takes what came of an [`Effect`]: it is on the disk, or why it is not. No more of a job is
+    /// sent then until somebody goes on with it.
+    pub fn handle_written(&mut self, now: Duration, effect: &Effect, outcome: Result<(), String>) {
+        self.handle_time(now);
+        match outcome {
+            Ok(()) => self.written(effect),
+            Err(why) => self.not_written(effect, &why),
+        }
+        self.pump();
+    }
+
+    fn written(&mut self, effect: &Effect) {
+        if self.save.handle_written(effect) {
+            let text = "the journal of jobs can be written again".to_owned();
+            self.tell(News::Trouble, text);
+        }
+        if let Some(run) = &mut self.run {
+            run.handle_written(effect);
+        }
+    }
+
+    fn not_written(&mut self, effect: &Effect, why: &str) {
+        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
+        let why = format!("the journal of jobs cannot be written: {why}");
+        if self.run.as_ref().is_some_and(Run::has_the_arm) {
+            self.arm.part_from_laser();
+            self.drop_waiting(&why);
+            self.interrupt_run(&why);
+        }
+        if is_news {
+            self.tell(News::Trouble, why);
+        }
+    }
+
     /// Takes what happened in the session.
     pub(super) fn follow_session(&mut self) {
         while let Some(event) = self.arm.session_mut().poll_event() {
@@ -68,45 +126,6 @@ impl Keeper {
         }
     }
 
-    fn see(&mut self, status: Status) {
-        if self.link.handle_status() {
-            self.tell(News::LinkUp, "the arm tells its state".into());
-        }
-        if self.link.greet() {
-            // Whatever was before: a crash, another program, a cable that was out.
-            // What was said last may have got lost with the link.
-            self.arm.send_urgent(LASER_OFF);
-            self.halt.release_again(&self.arm);
-        }
-        self.outbox.pass_on(status);
-        self.arm.handle_status(status);
-        if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
-            self.withdraw(refusal.clone());
-            self.tell_refused(client, &refusal);
-        }
-        let rests = self.arm.is_at_rest();
-        self.halt.handle_status(rests);
-        if self.stop.handle_status(rests) {
-            self.tell(News::AtRest, "the arm is at rest".into());
-        }
-        self.of_run(Run::handle_status);
-        self.watch_detection(&status);
-    }
-
-    fn watch_detection(&mut self, status: &Status) {
-        let (packet, outcome) = self.detecting.handle_status(self.arm.now(), status);
-        if let Some(packet) = packet {
-            self.arm.send_urgent_packet(packet);
-        }
-        if let Some((client, found)) = outcome {
-            let answer = found.and_then(|finding| {
-                self.set_dialect(finding.dialect)
-                    .map(|_| Reply::Found { finding })
-            });
-            self.outbox.answer((client, answer));
-        }
-    }
-
     /// Switches the laser off and keeps it off; a job that burns is paused.
     pub(super) fn disarm_laser(&mut self, why: &str) {
         let (was_armed, forgotten) = self.arm.disarm_laser();
@@ -126,6 +145,64 @@ impl Keeper {
             News::LaserDisarmed,
             format!("the laser is off and disarmed: {why}"),
         );
+    }
+
+    fn command_over(&mut self, id: CommandId, failed: Option<String>) {
+        self.run_command_over(id, failed.as_deref());
+        if !self.commands.handle_over(id) {
+            return;
+        }
+        let command = id.0;
+        match failed {
+            None => self.tell(
+                News::CommandDone { command },
+                format!("command {command} is done"),
+            ),
+            Some(why) => {
+                self.arm.part_from_laser();
+                self.tell(
+                    News::CommandFailed { command },
+                    format!("command {command}: {why}"),
+                );
+            }
+        }
+    }
+
+    pub(super) fn command_forgotten(&mut self, id: CommandId, why: &str) {
+        if let Some(run) = &mut self.run {
+            run.handle_forgotten(id);
+        }
+        if self.commands.handle_over(id) {
+            let command = id.0;
+            self.tell(
+                News::CommandFailed { command },
+                format!("command {command} was not sent: {why}"),
+            );
+        }
+    }
+
+    /// Forgets the commands that have not been sent.
+    pub(super) fn drop_waiting(&mut self, why: &str) {
+        for id in self.arm.session_mut().forget_waiting() {
+            self.command_forgotten(id, why);
+        }
+    }
+
+    /// The commands that are not over, of clients and of the job.
+    fn under_way(&self) -> Vec<CommandId> {
+        let of_clients = self.commands.ids();
+        let of_run = self.run.iter().flat_map(Run::under_way);
+        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        ids.sort_unstable();
+        ids
+    }
+
+    /// Ends a detection that cannot go on.
+    pub(super) fn end_detection(&mut self, why: &str) {
+        if let Some(client) = self.detecting.end() {
+            let refusal = Refusal::NotFound(why.to_owned());
+            self.outbox.answer((client, Err(refusal)));
+        }
     }
 
     /// An arm that stands still without a word looks dead.

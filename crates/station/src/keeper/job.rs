@@ -6,7 +6,7 @@ use dobot_client::CommandId;
 use dobot_journal::Window;
 
 use super::Keeper;
-use super::run::{Begun, Run, Wish, check_height, check_speed};
+use super::run::{Begun, Run, check_height, check_speed};
 use crate::words::{ClientId, JobPhase, JobView, Refusal, Reply};
 
 impl Keeper {
@@ -206,35 +206,6 @@ impl Keeper {
             self.arm.part_from_laser();
             self.drop_waiting(why);
             self.interrupt_run(why);
-        }
-    }
-
-    /// Keeps the session and the journal supplied with what the job needs next.
-    pub(super) fn pump(&mut self) {
-        let may_lift = !self.stop.holds() && self.link.is_there();
-        self.of_run(|run, arm| run.pump(arm, may_lift));
-    }
-
-    /// Has the job do something, if there is one, and what it wants.
-    pub(super) fn of_run<W: IntoIterator<Item = Wish>>(
-        &mut self,
-        act: impl FnOnce(&mut Run, &mut super::Arm) -> W,
-    ) {
-        if let Some(run) = &mut self.run {
-            let wishes = act(run, &mut self.arm);
-            self.fulfil(wishes);
-        }
-    }
-
-    fn fulfil(&mut self, wishes: impl IntoIterator<Item = Wish>) {
-        for wish in wishes {
-            match wish {
-                Wish::Ask(effect) => self.save.ask(effect),
-                Wish::Keep(effect) => self.save.keep_phase(effect),
-                Wish::Tell(news, text) => self.tell(news, text),
-                Wish::Forget => self.run = None,
-            }
-            self.outbox.note_change();
         }
     }
 }

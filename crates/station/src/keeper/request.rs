@@ -1,15 +1,51 @@
-//! What clients ask for.
+//! What clients ask for, in the words of the station or in the arm's own packets.
 
 use std::time::Duration;
 
-use dobot_wire::{Command, Dialect};
+use dobot_wire::{Command, Dialect, Packet};
 
+use super::Keeper;
+use super::amend::amended;
 use super::commands::button;
-use super::jog::{Press, Still, act, is_released, moves};
-use super::{Keeper, seconds};
-use crate::words::{ClientId, Jog, News, Refusal, Reply, Request, plain};
+use super::lease::Change;
+use crate::words::{ClientId, Jog, News, Refusal, Reply, Request, Role, plain};
 
 impl Keeper {
+    /// Takes that a client came.
+    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
+        self.handle_time(now);
+        self.outbox.note_change();
+        self.leases.handle_client(name, role)
+    }
+
+    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
+    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
+        self.handle_time(now);
+        let changes = self.leases.handle_left(client);
+        self.follow_lease(changes);
+        self.outbox.note_change();
+    }
+
+    /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the packet is not sent then, and all who watch are told.
+    pub fn handle_raw(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        packet: &Packet,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        let taken = self.take_raw(client, packet);
+        if let Err(refusal) = &taken {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        taken
+    }
+
     /// Takes a request. `None` when the answer takes its time: [`Keeper::poll_answer`] has it then.
     ///
     /// Jobs are kept and planned by the caller, since that may take long: he answers
@@ -140,67 +176,39 @@ impl Keeper {
         })
     }
 
-    /// Presses a jog button, or holds it.
-    pub(super) fn jog(
-        &mut self,
-        client: ClientId,
-        jog: Jog,
-        patience_s: f64,
-    ) -> Result<Reply, Refusal> {
-        self.leases.check(client)?;
-        if is_released(jog) {
-            self.let_go();
-            return Ok(Reply::Done);
-        }
-        if !moves(jog) {
-            return self.command(client, &jog.command());
-        }
-        if let Some(held) = self.jogging.handle_hold(self.arm.now(), client, jog) {
-            return match held? {
-                Still::Same => Ok(Reply::Done),
-                Still::OtherSpeed => self.change_speed(jog),
-            };
-        }
-        self.let_go();
-        let press = Press {
-            client,
-            jog,
-            patience: seconds(patience_s),
-        };
-        let (free, within) = (self.check_free(), self.rests_within());
-        let pressed = self
-            .jogging
-            .handle_press(&mut self.arm, press, free, within);
-        if pressed? {
-            self.halt.forget();
-        }
-        Ok(Reply::Done)
-    }
-
-    fn change_speed(&mut self, jog: Jog) -> Result<Reply, Refusal> {
-        if let Err(why) = self.check_free().and_then(|()| act(&mut self.arm, jog)) {
-            self.withdraw(why.clone());
-            return Err(why);
-        }
-        self.halt.forget();
-        Ok(Reply::Done)
-    }
-
     /// Whether a client may move the arm by hand now.
     pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check(client)?;
         self.check_free()
     }
 
-    /// Whether nothing hinders the arm from being moved by hand.
-    pub(super) fn check_free(&self) -> Result<(), Refusal> {
-        self.link.check()?;
-        self.stop.check()?;
-        self.detecting.check()?;
-        match &self.run {
-            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
-            _ => Ok(()),
+    fn follow_lease(&mut self, changes: impl IntoIterator<Item = Change>) {
+        for change in changes {
+            match change {
+                Change::Ended { client, why } => self.lease_over(client, &why),
+                Change::Taken(client) => {
+                    let text = format!("{} has control", self.name(client));
+                    self.tell(News::LeaseTaken { client }, text);
+                }
+                Change::Asked(client) => {
+                    let text = format!("{} asks for control", self.name(client));
+                    self.tell(News::LeaseAsked { client }, text);
+                }
+            }
         }
+    }
+
+    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
+    /// the laser goes off. A drawing with a pen goes on; it is the station's.
+    fn lease_over(&mut self, client: ClientId, why: &str) {
+        self.arm.part_from_laser();
+        self.disarm_laser(why);
+        self.let_go();
+        self.end_detection(why);
+        if self.commands.any_of(client) {
+            self.drop_waiting(why);
+        }
+        self.tell(News::LeaseFree, format!("nobody has control: {why}"));
     }
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
@@ -236,6 +244,60 @@ impl Keeper {
         })
     }
 
+    fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        let taken = self.leases.handle_program(self.arm.now(), client);
+        self.follow_lease(taken);
+        self.leases.check(client)?;
+        let packet = &self.amended(client, packet);
+        let command = self.arm.session().parse(packet)?;
+        let patience_s = self.arm.policy().jog.raw_dead_man_s;
+        match command {
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            command => {
+                // Another packet than that of the button means that it is not held any more.
+                self.let_go();
+                self.command(client, &command)
+            }
+        }
+        .map(|_| ())
+    }
+
+    /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
+    /// for all that follow and are changed alike.
+    fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
+        let model = self
+            .arm
+            .session()
+            .model()
+            .filter(|_| self.arm.session().dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, self.arm.policy()));
+        let Some((sent, what)) = changed else {
+            return *packet;
+        };
+        let text = format!("{}: {what}", self.name(client));
+        if self.leases.handle_amended(client, &text) {
+            self.tell(News::Amended { client }, text);
+        }
+        sent
+    }
+
+    /// Tells all who watch that something was refused.
+    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        if self.jogging.is_told(client, refusal) {
+            return;
+        }
+        // The arm's own protocol has no words for that: whoever reads this is the only one to know.
+        let is_program = self.leases.is_program(client);
+        let remedy = refusal
+            .hint()
+            .or_else(|| is_program.then(|| GOES_ON.into()));
+        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let text = format!("refused to {}: {refusal}{remedy}", self.name(client));
+        let kind = refusal.kind().to_owned();
+        self.tell(News::Refused { client, kind }, text);
+    }
+
     pub(super) fn still_moving(&self) -> Refusal {
         super::still_moving(self.rests_within())
     }
@@ -266,4 +328,6 @@ impl Keeper {
     }
 }
 
+/// What to do about a packet that nothing helps.
+const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
 const REASON_LEN: usize = 200;

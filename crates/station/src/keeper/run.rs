@@ -252,7 +252,7 @@ impl Run {
         match effect {
             Effect::Give { job, upto, .. } if *job == self.job() => self.permit.handle_given(*upto),
             Effect::Adjust { job, adjustment } if *job == self.job() => {
-                self.permit.handle_adjusted(adjustment)
+                self.permit.handle_adjusted(adjustment);
             }
             _ => {}
         }
