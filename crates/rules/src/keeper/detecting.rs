@@ -2,91 +2,102 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, Reply};
+use dobot_api::ClientId;
 use dobot_arm::{Joints, Tool};
-use dobot_client::Detection;
+use dobot_client::{Detection, Finding};
 use dobot_course::Place;
-use dobot_wire::Status;
+use dobot_wire::{Packet, Status};
 
-use super::Keeper;
-use crate::Refusal;
+use super::arm::Arm;
+use super::still_moving;
+use crate::refusal::Refusal;
 
-/// A detection that is under way, and who asked for it.
-#[derive(Debug)]
+/// The detection that is under way, if one is, and what the last one found.
+#[derive(Debug, Default)]
 pub(super) struct Detecting {
+    under_way: Option<UnderWay>,
+    finding: Option<Finding>,
+}
+
+/// A detection, and who asked for it.
+#[derive(Debug)]
+struct UnderWay {
     client: ClientId,
     detection: Detection,
 }
 
-impl Keeper {
-    /// Begins; the answer comes when the arm has made its motions.
-    pub(super) fn detect(&mut self, client: ClientId) -> Option<Result<Reply, Refusal>> {
-        match self.begin_detection(client) {
-            Ok(detecting) => {
-                self.detecting = Some(detecting);
-                self.halt = None;
-                None
-            }
-            Err(refusal) => Some(Err(refusal)),
-        }
-    }
+/// What a client is answered whose detection is over.
+pub(super) type Outcome = (ClientId, Result<Finding, Refusal>);
 
-    fn begin_detection(&self, client: ClientId) -> Result<Detecting, Refusal> {
-        self.check_may_move(client)?;
-        self.check_trust()?;
-        let within_s = self.rests_within().as_secs_f64();
-        let Some(status) = self.last.filter(|_| self.is_at_rest()) else {
-            return Err(Refusal::StillMoving { within_s });
+impl Detecting {
+    /// Begins, where the arm rests.
+    pub(super) fn begin(
+        &mut self,
+        client: ClientId,
+        arm: &Arm,
+        rests_within: Duration,
+    ) -> Result<(), Refusal> {
+        let Some(status) = arm.last().filter(|_| arm.is_at_rest()) else {
+            return Err(still_moving(rests_within));
         };
-        let tool = self.session.model().map_or(Tool::SuctionCup, |it| it.tool);
+        let tool = arm.session().model().map_or(Tool::SuctionCup, |it| it.tool);
         let allowed = |joints: &Joints| {
             let place = Place::at_joints(*joints, tool);
-            self.policy.allows(&place, tool)
+            arm.policy().allows(&place, tool)
         };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;
-        Ok(Detecting { client, detection })
+        self.under_way = Some(UnderWay { client, detection });
+        Ok(())
     }
 
-    pub(super) fn check_not_detecting(&self) -> Result<(), Refusal> {
-        match self.detecting {
+    pub(super) const fn check(&self) -> Result<(), Refusal> {
+        match self.under_way {
             None => Ok(()),
             Some(_) => Err(Refusal::Detecting),
         }
     }
 
-    pub(super) fn watch_detection(&mut self, status: &Status) {
-        let now = self.now;
-        let Some(detecting) = &mut self.detecting else {
-            return;
-        };
-        detecting.detection.handle_status(now, status);
-        if let Some(packet) = detecting.detection.poll_packet() {
-            self.urgent.push_back(packet);
-        }
-        if let Some(outcome) = detecting.detection.poll_outcome() {
-            let client = detecting.client;
-            self.detecting = None;
-            let answer = match outcome {
-                Ok(finding) => {
-                    self.finding = Some(finding.clone());
-                    let set = self.set_dialect(finding.dialect);
-                    set.map(|_| Reply::Found { finding })
-                }
-                Err(error) => Err(Refusal::NotFound(error.to_string())),
-            };
-            self.answers.push_back((client, answer));
-        }
+    /// How long the arm may be at what it was asked.
+    pub(super) fn motion(&self) -> Duration {
+        self.under_way.as_ref().map_or(Duration::ZERO, |_| MOTION)
     }
 
-    /// Ends a detection that cannot go on.
-    pub(super) fn end_detection(&mut self, why: &str) {
-        if let Some(detecting) = self.detecting.take() {
-            let refusal = Refusal::NotFound(why.to_owned());
-            self.answers.push_back((detecting.client, Err(refusal)));
-        }
+    /// With each status: what is to be sent now, and what came of it.
+    pub(super) fn handle_status(
+        &mut self,
+        now: Duration,
+        status: &Status,
+    ) -> (Option<Packet>, Option<Outcome>) {
+        let Some(UnderWay { client, detection }) = &mut self.under_way else {
+            return (None, None);
+        };
+        detection.handle_status(now, status);
+        let (client, packet) = (*client, detection.poll_packet());
+        let outcome = detection.poll_outcome().map(|outcome| {
+            self.under_way = None;
+            let found = outcome.map_err(|error| Refusal::NotFound(error.to_string()));
+            self.finding = found.as_ref().ok().cloned().or(self.finding.take());
+            (client, found)
+        });
+        (packet, outcome)
+    }
+
+    /// Ends a detection that cannot go on; says whose it was.
+    pub(super) fn end(&mut self) -> Option<ClientId> {
+        self.under_way.take().map(|it| it.client)
+    }
+
+    /// How the dialect was found, if the arm was asked for it.
+    pub(super) const fn finding(&self) -> Option<&Finding> {
+        self.finding.as_ref()
+    }
+
+    /// Somebody says the dialect.
+    pub(super) fn forget_finding(&mut self) {
+        self.finding = None;
     }
 }
 
 /// None of the motions takes longer.
-pub(super) const MOTION: Duration = Duration::from_secs(5);
+const MOTION: Duration = Duration::from_secs(5);

@@ -2,16 +2,21 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, Jog, News, Reply};
-use dobot_client::SendError;
-use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
+use dobot_api::{ClientId, Jog};
+use dobot_wire::{JointJogAxis, LinearJogAxis};
 
-use super::{Keeper, seconds};
-use crate::Refusal;
+use super::arm::Arm;
+use super::still_moving;
+use crate::refusal::Refusal;
 
-/// The button that a client presses.
+/// The button that a client presses, if one does.
+#[derive(Debug, Default)]
+pub(super) struct Jogging {
+    held: Option<Held>,
+}
+
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+struct Held {
     client: ClientId,
     jog: Jog,
     /// When it was said last.
@@ -19,6 +24,32 @@ pub(super) struct Held {
     /// How long its client may be silent.
     patience: Duration,
     phase: Phase,
+}
+
+/// A button, and who presses it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Press {
+    pub(super) client: ClientId,
+    pub(super) jog: Jog,
+    /// How long its client may be silent.
+    pub(super) patience: Duration,
+}
+
+/// What is done about a button that is still held.
+#[derive(Debug)]
+pub(super) enum Still {
+    /// Nothing.
+    Same,
+    /// The arm is to move at another speed.
+    OtherSpeed,
+}
+
+/// Who fell silent while a button was held.
+#[derive(Debug)]
+pub(super) struct Silence {
+    /// The client; else the arm.
+    pub(super) client: Option<ClientId>,
+    pub(super) lasts: Duration,
 }
 
 /// What a press does.
@@ -42,7 +73,7 @@ enum Phase {
 
 impl Held {
     /// When it is let go of: its client or the arm has fallen silent.
-    pub(super) fn falls_silent(&self) -> Option<Duration> {
+    fn falls_silent(&self) -> Option<Duration> {
         let silent = self.said + self.patience;
         match self.phase {
             Phase::Waits => Some(silent),
@@ -56,109 +87,67 @@ impl Held {
     }
 }
 
-impl Keeper {
-    /// Presses a jog button, or holds it. Where the arm runs down from the last motion, the press waits
-    /// for its end.
-    pub(super) fn jog(
+impl Jogging {
+    /// Takes that a client holds a button; `None` when it is another than the one that is held.
+    pub(super) fn handle_hold(
         &mut self,
+        now: Duration,
         client: ClientId,
         jog: Jog,
-        patience_s: f64,
-    ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
-        if released(jog) {
-            self.let_go();
-            return Ok(Reply::Done);
-        }
-        if !moves(jog) {
-            return self.command(client, &jog.command());
-        }
+    ) -> Option<Result<Still, Refusal>> {
         let same = |it: &&mut Held| it.client == client && is_same_button(it.jog, jog);
-        if let Some(held) = self.held.as_mut().filter(same) {
-            held.said = self.now;
-            let changed = held.jog != jog;
-            held.jog = jog;
-            return match &held.phase {
-                Phase::Over { why, .. } => Err(why.clone()),
-                Phase::Acts { .. } if changed => self.change_speed(jog),
-                Phase::Acts { .. } | Phase::Waits => Ok(Reply::Done),
-            };
-        }
-        self.let_go();
-        let pressed = self.press(jog);
+        let held = self.held.as_mut().filter(same)?;
+        held.said = now;
+        let changed = held.jog != jog;
+        held.jog = jog;
+        Some(match &held.phase {
+            Phase::Over { why, .. } => Err(why.clone()),
+            Phase::Acts { .. } if changed => Ok(Still::OtherSpeed),
+            Phase::Acts { .. } | Phase::Waits => Ok(Still::Same),
+        })
+    }
+
+    /// Takes that a client presses a button, where nothing but its end hinders the motion before. Where
+    /// the arm runs down from that, for so long at the most, the press waits. Says whether the arm moves.
+    pub(super) fn handle_press(
+        &mut self,
+        arm: &mut Arm,
+        press: Press,
+        free: Result<(), Refusal>,
+        rests_within: Duration,
+    ) -> Result<bool, Refusal> {
+        let pressed = free.and_then(|()| begin(arm, press.jog, rests_within));
         let refused = pressed.as_ref().err().cloned();
-        self.held = Some(Held {
-            client,
-            jog,
-            said: self.now,
-            patience: seconds(patience_s),
+        let held = self.held.insert(Held {
+            client: press.client,
+            jog: press.jog,
+            said: arm.now(),
+            patience: press.patience,
             phase: pressed.unwrap_or_else(|why| Phase::Over { why, told: false }),
         });
-        refused.map_or(Ok(Reply::Done), Err)
+        refused.map_or(Ok(held.acts()), Err)
     }
 
-    /// What a new press does, if it may.
-    fn press(&mut self, jog: Jog) -> Result<Phase, Refusal> {
-        if self.session.is_moving() {
-            self.check_free()?;
-            // Whoever presses while the arm is at something longer means that, and not what follows it.
-            let runs_down = self.session.waiting() == 0 && self.rests_within() <= LONGEST_RUN_DOWN;
-            return if runs_down {
-                Ok(Phase::Waits)
-            } else {
-                Err(self.still_moving())
-            };
-        }
-        self.act(jog)?;
-        Ok(Phase::Acts { seen: self.now })
+    /// The press that waits for the arm to rest.
+    pub(super) fn waits(&self) -> Option<(ClientId, Jog)> {
+        let held = self.held.as_ref();
+        let waits = held.filter(|it| matches!(it.phase, Phase::Waits));
+        waits.map(|it| (it.client, it.jog))
     }
 
-    fn change_speed(&mut self, jog: Jog) -> Result<Reply, Refusal> {
-        let changed = self.act(jog);
-        if let Err(why) = &changed {
-            self.withdraw(why.clone());
-        }
-        changed.map(|()| Reply::Done)
-    }
-
-    fn act(&mut self, jog: Jog) -> Result<(), Refusal> {
-        self.check_free()?;
-        self.check_way(&jog.command())?;
-        self.session.send(jog.command())?;
-        self.halt = None;
-        Ok(())
-    }
-
-    /// A press that waited acts, as soon as the arm rests.
-    pub(super) fn watch_press(&mut self) {
-        let Some(held) = &self.held else { return };
-        if !matches!(held.phase, Phase::Waits) || self.session.is_moving() {
-            return;
-        }
-        let (client, jog) = (held.client, held.jog);
-        if let Err(refusal) = self.act(jog) {
-            self.withdraw(refusal.clone());
-            self.tell_refused(client, &refusal);
-        } else if let Some(held) = &mut self.held {
-            held.phase = Phase::Acts { seen: self.now };
+    /// Takes that the press that waited moves the arm now.
+    pub(super) fn handle_moves(&mut self, now: Duration) {
+        if let Some(held) = &mut self.held {
+            held.phase = Phase::Acts { seen: now };
         }
     }
 
-    /// Lets go of the button, if one is pressed: its client did.
-    pub(super) fn let_go(&mut self) {
-        if self.held.take().is_some_and(|it| it.acts()) {
-            self.release_button();
-        }
+    /// Lets go of the button, if one is pressed: its client did. Says whether the arm moved by it.
+    pub(super) fn let_go(&mut self) -> bool {
+        self.held.take().is_some_and(|it| it.acts())
     }
 
-    /// The station lets go of the button, and its client has to press it anew.
-    pub(super) fn withdraw(&mut self, why: Refusal) {
-        if self.bar(why) {
-            self.release_button();
-        }
-    }
-
-    /// The same of an arm that is told otherwise to come to rest; says whether the button moved it.
+    /// Lets go of the button, and its client has to press it anew. Says whether the arm moved by it.
     pub(super) fn bar(&mut self, why: Refusal) -> bool {
         let Some(held) = &mut self.held else {
             return false;
@@ -168,11 +157,6 @@ impl Keeper {
             held.phase = Phase::Over { why, told: false };
         }
         acted
-    }
-
-    fn release_button(&mut self) {
-        self.drop_waiting("the button was released");
-        self.release_now();
     }
 
     /// Whether those who watch know already why a button does nothing, which is said as often as its
@@ -188,80 +172,58 @@ impl Keeper {
         }
     }
 
-    pub(super) fn watch_dead_man(&mut self) {
-        let Some(held) = &self.held else { return };
-        if held.falls_silent().is_none_or(|it| it > self.now) {
-            return;
-        }
-        let silent = held.said + held.patience <= self.now;
-        let (who, silence) = if silent {
-            (self.name(held.client), held.patience)
-        } else {
-            ("the arm".into(), BLIND)
-        };
-        let silent_ms = silence.as_secs_f64() * 1e3;
-        let why = format!("{who} fell silent for {silent_ms:.0} ms");
-        let acted = held.acts();
-        self.withdraw(Refusal::LetGo(why.clone()));
-        if acted {
-            self.tell(News::DeadMan, format!("{why}: the button was released"));
-        }
+    /// When the button is let go of: its client or the arm has fallen silent.
+    pub(super) fn falls_silent(&self) -> Option<Duration> {
+        self.held.as_ref().and_then(Held::falls_silent)
+    }
+
+    /// Who has fallen silent, so that the button has to be let go of.
+    pub(super) fn silence(&self, now: Duration) -> Option<Silence> {
+        let held = self.held.as_ref()?;
+        held.falls_silent().filter(|it| *it <= now)?;
+        let of_client = held.said + held.patience <= now;
+        Some(Silence {
+            client: of_client.then_some(held.client),
+            lasts: if of_client { held.patience } else { BLIND },
+        })
     }
 
     /// With each status: where the arm would come to before it could be stopped has to be allowed.
-    pub(super) fn watch_jog(&mut self) {
-        let (Some(held), Some(model)) = (&mut self.held, self.session.seen_model()) else {
-            return;
-        };
+    /// Says what hinders whose button.
+    pub(super) fn handle_status(&mut self, arm: &Arm) -> Option<(ClientId, Refusal)> {
+        let (held, model) = (self.held.as_mut()?, arm.session().seen_model()?);
         let Phase::Acts { seen } = &mut held.phase else {
-            return;
+            return None;
         };
-        *seen = self.now;
+        *seen = arm.now();
         let within_s = held.patience.min(BLIND).as_secs_f64() + LINE_S;
-        if let Err(violation) = self.policy.check_jog(&model, &held.jog.command(), within_s) {
-            let client = held.client;
-            let refusal = Refusal::from(violation);
-            self.withdraw(refusal.clone());
-            self.tell_refused(client, &refusal);
-        }
-    }
-
-    /// Whether a client may move the arm by hand now.
-    pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
-        self.check_lease(client)?;
-        self.check_free()
-    }
-
-    /// Whether nothing hinders the arm from being moved by hand.
-    fn check_free(&self) -> Result<(), Refusal> {
-        self.check_link()?;
-        self.check_stop()?;
-        self.check_not_detecting()?;
-        match &self.run {
-            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
-            _ => Ok(()),
-        }
-    }
-
-    /// Whether the arm is where it says.
-    pub(super) fn check_trust(&self) -> Result<(), Refusal> {
-        if self.session.is_trusted() {
-            return Ok(());
-        }
-        Err(Refusal::Send(SendError::Untrusted))
-    }
-
-    /// Whether the whole way of a command is allowed.
-    pub(super) fn check_way(&self, command: &Command) -> Result<(), Refusal> {
-        self.session.check(command)?;
-        if let Some(model) = self.session.model() {
-            self.policy.check(model, command)?;
-        }
-        Ok(())
+        let checked = arm
+            .policy()
+            .check_jog(&model, &held.jog.command(), within_s);
+        checked.err().map(|it| (held.client, it.into()))
     }
 }
 
-const fn released(jog: Jog) -> bool {
+/// What a new press does, if it may.
+fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<Phase, Refusal> {
+    if !arm.session().is_moving() {
+        act(arm, jog)?;
+        return Ok(Phase::Acts { seen: arm.now() });
+    }
+    // Whoever presses while the arm is at something longer means that, and not what follows it.
+    if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
+        return Ok(Phase::Waits);
+    }
+    Err(still_moving(rests_within))
+}
+
+/// Moves the arm by a button, if the way is allowed.
+pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<(), Refusal> {
+    arm.send(&jog.command()).map(|_| ())
+}
+
+/// Whether it is the release of a button.
+pub(super) const fn is_released(jog: Jog) -> bool {
     match jog {
         Jog::Joint(it) => matches!(it.axis, JointJogAxis::Released),
         Jog::Linear(it) => matches!(it.axis, LinearJogAxis::Released),
@@ -278,7 +240,7 @@ fn is_same_button(one: Jog, other: Jog) -> bool {
 }
 
 /// Whether the button has to be held: switches have not.
-fn moves(jog: Jog) -> bool {
+pub(super) fn moves(jog: Jog) -> bool {
     match jog {
         Jog::Joint(it) => it.axis.moves(),
         Jog::Linear(it) => it.axis.moves(),

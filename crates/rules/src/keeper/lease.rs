@@ -1,23 +1,63 @@
-//! One client has control.
+//! Who is connected, and which one of them has control.
 
-use dobot_api::{Asking, ClientId, LeaseView, News, Reply, Role};
+use std::collections::HashMap;
 use std::time::Duration;
 
-use super::{Keeper, Known};
-use crate::{Holder, Refusal, plain};
+use dobot_api::{Asking, ClientId, LeaseView, Role};
 
-/// Who has control.
-#[derive(Clone, Debug)]
-pub(super) struct Lease {
-    pub(super) client: ClientId,
-    pub(super) since: Duration,
-    pub(super) asked_by: Vec<ClientId>,
+use crate::plain;
+use crate::refusal::{Holder, Refusal};
+
+/// The clients, and the lease that one of them has.
+#[derive(Debug)]
+pub(super) struct Leases {
+    clients: HashMap<ClientId, Known>,
+    next_client: u64,
+    lease: Option<Lease>,
 }
 
-impl Keeper {
+/// A client that is connected.
+#[derive(Debug)]
+struct Known {
+    name: String,
+    role: Role,
+    /// It speaks the arm's own protocol, which has no words for leases.
+    is_program: bool,
+    /// What was changed last of what it sent.
+    amended: Option<String>,
+}
+
+/// Who has control.
+#[derive(Debug)]
+struct Lease {
+    client: ClientId,
+    since: Duration,
+    asked_by: Vec<ClientId>,
+}
+
+/// What became of the lease, in order.
+#[derive(Debug)]
+pub(super) enum Change {
+    /// This client has control no more.
+    Ended {
+        client: ClientId,
+        why: String,
+    },
+    Taken(ClientId),
+    Asked(ClientId),
+}
+
+impl Leases {
+    pub(super) fn new() -> Self {
+        Self {
+            clients: HashMap::new(),
+            next_client: 1,
+            lease: None,
+        }
+    }
+
     /// Takes that a client came.
-    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
-        self.handle_time(now);
+    pub(super) fn handle_client(&mut self, name: &str, role: Role) -> ClientId {
         let client = ClientId(self.next_client);
         self.next_client += 1;
         self.clients.insert(
@@ -29,30 +69,109 @@ impl Keeper {
                 amended: None,
             },
         );
-        self.changed = true;
         client
     }
 
-    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
-    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
-        self.handle_time(now);
-        if self.has_lease(client) {
-            self.end_lease("the client that had control is gone");
-        }
+    /// Takes that a client left, wanted or not.
+    pub(super) fn handle_left(&mut self, client: ClientId) -> Vec<Change> {
+        let changes = if self.has(client) {
+            self.end("the client that had control is gone")
+        } else {
+            Vec::new()
+        };
         if let Some(lease) = &mut self.lease {
             lease.asked_by.retain(|it| *it != client);
         }
         self.clients.remove(&client);
-        self.changed = true;
+        changes
     }
 
-    pub(super) fn has_lease(&self, client: ClientId) -> bool {
+    pub(super) fn take(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
+        let mut changes = Vec::new();
+        if self.holder_cannot_answer() && self.is_admin(client) && !self.is_program(client) {
+            let name = self.name(client);
+            changes = self.end(&format!("{name} took it from a program on the raw port"));
+        }
+        if self.lease.is_some() {
+            self.check(client)?;
+        } else {
+            changes.push(self.give(now, client));
+        }
+        Ok(changes)
+    }
+
+    pub(super) fn release(&mut self, client: ClientId) -> Result<Vec<Change>, Refusal> {
+        self.check(client)?;
+        Ok(self.end("control was given back"))
+    }
+
+    pub(super) fn ask(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
+        match &mut self.lease {
+            None => self.take(now, client),
+            Some(lease) if lease.client == client || lease.asked_by.contains(&client) => {
+                Ok(Vec::new())
+            }
+            Some(lease) => {
+                lease.asked_by.push(client);
+                Ok(vec![Change::Asked(client)])
+            }
+        }
+    }
+
+    pub(super) fn grant(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        to: ClientId,
+    ) -> Result<Vec<Change>, Refusal> {
+        self.check(client)?;
+        let asks = |it: &Lease| it.asked_by.contains(&to);
+        if !self.lease.as_ref().is_some_and(asks) {
+            return Err(Refusal::NotAsking(to.0));
+        }
+        let mut changes = self.end("control was given to another client");
+        changes.push(self.give(now, to));
+        Ok(changes)
+    }
+
+    pub(super) fn seize(&mut self, now: Duration, client: ClientId) -> Vec<Change> {
+        if self.has(client) {
+            return Vec::new();
+        }
+        let mut changes = self.end("control was taken by an administrator");
+        changes.push(self.give(now, client));
+        changes
+    }
+
+    /// Takes that a client sends the arm's own packets. The first one takes the lease if nobody has it.
+    pub(super) fn handle_program(&mut self, now: Duration, client: ClientId) -> Option<Change> {
+        if let Some(known) = self.clients.get_mut(&client) {
+            known.is_program = true;
+        }
+        self.lease.is_none().then(|| self.give(now, client))
+    }
+
+    /// Takes what is changed of what a client sends; says whether that is news.
+    pub(super) fn handle_amended(&mut self, client: ClientId, text: &str) -> bool {
+        let known = self.clients.get_mut(&client);
+        let Some(known) = known.filter(|it| it.amended.as_deref() != Some(text)) else {
+            return false;
+        };
+        known.amended = Some(text.to_owned());
+        true
+    }
+
+    pub(super) fn has(&self, client: ClientId) -> bool {
         self.lease.as_ref().is_some_and(|it| it.client == client)
     }
 
+    pub(super) const fn is_taken(&self) -> bool {
+        self.lease.is_some()
+    }
+
     /// Whether a client has control.
-    pub(super) fn check_lease(&self, client: ClientId) -> Result<(), Refusal> {
-        if self.has_lease(client) {
+    pub(super) fn check(&self, client: ClientId) -> Result<(), Refusal> {
+        if self.has(client) {
             return Ok(());
         }
         let holder = self.lease.as_ref().map(|it| Holder {
@@ -62,20 +181,52 @@ impl Keeper {
         Err(Refusal::NoLease { holder })
     }
 
-    pub(super) fn take_lease(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        if self.holder_cannot_answer() && self.is_admin(client) && !self.is_program(client) {
-            let why = format!(
-                "{} took it from a program on the raw port",
-                self.name(client)
-            );
-            self.end_lease(&why);
+    /// Whether a client may arm the laser: one that has control, or an administrator for a raw program
+    /// that has it, whose protocol has no words for that.
+    pub(super) fn check_arms_laser(&self, client: ClientId) -> Result<(), Refusal> {
+        if self.holder_cannot_answer() && self.is_admin(client) {
+            return Ok(());
         }
-        if self.lease.is_some() {
-            self.check_lease(client)?;
-        } else {
-            self.give_lease(client);
+        self.check(client)
+    }
+
+    /// Whether a client may ask for what needs this role.
+    pub(super) fn check_role(&self, client: ClientId, needed: Role) -> Result<(), Refusal> {
+        let found = self.clients.get(&client).map_or(Role::Watch, |it| it.role);
+        if found < needed {
+            return Err(Refusal::Role { needed, found });
         }
-        Ok(self.lease_reply())
+        Ok(())
+    }
+
+    /// Whether a client speaks the arm's own protocol.
+    pub(super) fn is_program(&self, client: ClientId) -> bool {
+        self.clients.get(&client).is_some_and(|it| it.is_program)
+    }
+
+    /// What a client calls itself.
+    pub(super) fn name(&self, client: ClientId) -> String {
+        self.clients
+            .get(&client)
+            .map_or_else(|| format!("client {}", client.0), |it| it.name.clone())
+    }
+
+    pub(super) fn clients(&self) -> usize {
+        self.clients.len()
+    }
+
+    pub(super) fn view(&self) -> Option<LeaseView> {
+        let asking = |&client: &ClientId| Asking {
+            client,
+            name: self.name(client),
+        };
+        self.lease.as_ref().map(|it| LeaseView {
+            client: it.client,
+            name: self.name(it.client),
+            is_program: self.is_program(it.client),
+            since_s: it.since.as_secs_f64(),
+            asked_by: it.asked_by.iter().map(asking).collect(),
+        })
     }
 
     /// Whether a raw program has control: nobody can ask it for that.
@@ -84,114 +235,26 @@ impl Keeper {
         lease.is_some_and(|it| self.is_program(it.client))
     }
 
-    pub(super) fn is_program(&self, client: ClientId) -> bool {
-        self.clients.get(&client).is_some_and(|it| it.is_program)
-    }
-
     fn is_admin(&self, client: ClientId) -> bool {
         let known = self.clients.get(&client);
         known.is_some_and(|it| it.role == Role::Admin)
     }
 
-    /// Whether a client may arm the laser: one that has control, or an administrator for a raw program
-    /// that has it, whose protocol has no words for that.
-    pub(super) fn check_arms_laser(&self, client: ClientId) -> Result<(), Refusal> {
-        if self.holder_cannot_answer() && self.is_admin(client) {
-            return Ok(());
-        }
-        self.check_lease(client)
-    }
-
-    pub(super) fn release_lease(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
-        self.end_lease("control was given back");
-        Ok(self.lease_reply())
-    }
-
-    pub(super) fn ask_lease(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        match &mut self.lease {
-            None => return self.take_lease(client),
-            Some(lease) if lease.client == client || lease.asked_by.contains(&client) => {}
-            Some(lease) => {
-                lease.asked_by.push(client);
-                let text = format!("{} asks for control", self.name(client));
-                self.tell(News::LeaseAsked { client }, text);
-            }
-        }
-        Ok(self.lease_reply())
-    }
-
-    pub(super) fn grant_lease(&mut self, client: ClientId, to: ClientId) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
-        let asks = |it: &Lease| it.asked_by.contains(&to);
-        if !self.lease.as_ref().is_some_and(asks) {
-            return Err(Refusal::NotAsking(to.0));
-        }
-        self.end_lease("control was given to another client");
-        self.give_lease(to);
-        Ok(self.lease_reply())
-    }
-
-    pub(super) fn seize_lease(&mut self, client: ClientId) -> Reply {
-        if self.lease.is_some() && !self.has_lease(client) {
-            self.end_lease("control was taken by an administrator");
-        }
-        if self.lease.is_none() {
-            self.give_lease(client);
-        }
-        self.lease_reply()
-    }
-
-    pub(super) fn lease_view(&self) -> Option<LeaseView> {
-        self.lease.as_ref().map(|it| LeaseView {
-            client: it.client,
-            name: self.name(it.client),
-            is_program: self.is_program(it.client),
-            since_s: it.since.as_secs_f64(),
-            asked_by: it
-                .asked_by
-                .iter()
-                .map(|&client| Asking {
-                    client,
-                    name: self.name(client),
-                })
-                .collect(),
-        })
-    }
-
-    pub(super) fn give_lease(&mut self, client: ClientId) {
+    fn give(&mut self, now: Duration, client: ClientId) -> Change {
         self.lease = Some(Lease {
             client,
-            since: self.now,
+            since: now,
             asked_by: Vec::new(),
         });
-        let text = format!("{} has control", self.name(client));
-        self.tell(News::LeaseTaken { client }, text);
+        Change::Taken(client)
     }
 
-    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
-    /// the laser goes off. A drawing with a pen goes on; it is the station's.
-    fn end_lease(&mut self, why: &str) {
-        if let Some(lease) = self.lease.take() {
-            self.part_from_laser();
-            self.disarm_laser(why);
-            self.let_go();
-            self.end_detection(why);
-            self.drop_pending_of(lease.client, why);
-            self.tell(News::LeaseFree, format!("nobody has control: {why}"));
-        }
-    }
-
-    fn drop_pending_of(&mut self, client: ClientId, why: &str) {
-        if self.pending.values().any(|it| *it == client) {
-            self.drop_waiting(why);
-        }
-    }
-
-    fn lease_reply(&self) -> Reply {
-        Reply::Lease {
-            lease: self.lease_view(),
-        }
+    fn end(&mut self, why: &str) -> Vec<Change> {
+        let ended = self.lease.take().map(|it| Change::Ended {
+            client: it.client,
+            why: why.to_owned(),
+        });
+        ended.into_iter().collect()
     }
 }
 

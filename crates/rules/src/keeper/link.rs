@@ -1,28 +1,23 @@
-//! The link to the arm: what comes over it, and what is done when nothing comes any more.
+//! The way to the arm: whether there is one, and why not.
 
-use std::time::Duration;
+use dobot_api::{LinkPhase, LinkView};
+use dobot_client::LinkQuality;
 
-use dobot_api::{LinkPhase, News};
-use dobot_client::{Address, CommandId, Event};
-use dobot_course::LASER_OFF;
-use dobot_wire::Status;
+use crate::refusal::Refusal;
 
-use super::Keeper;
-use crate::Refusal;
-
-/// The way to the arm.
+/// The link as far as the arm was heard over it.
 #[derive(Debug)]
-pub(super) struct Linked {
-    pub(super) phase: LinkPhase,
-    pub(super) address: Option<String>,
-    pub(super) problem: Option<String>,
+pub(super) struct Link {
+    phase: LinkPhase,
+    address: Option<String>,
+    problem: Option<String>,
     /// Why there is none any more, where there was one.
     lost: Option<String>,
     /// The laser has been switched off since the link came up.
-    pub(super) greeted: bool,
+    greeted: bool,
 }
 
-impl Default for Linked {
+impl Default for Link {
     /// No port has been found yet.
     fn default() -> Self {
         Self {
@@ -35,188 +30,94 @@ impl Default for Linked {
     }
 }
 
-impl Keeper {
-    /// Takes that the port is open: statuses may come. Each opening resets a real arm, whatever was
-    /// confirmed before (note N35).
-    pub fn handle_link_up(&mut self, now: Duration, address: &str) {
-        self.handle_time(now);
-        if !matches!(address.parse(), Ok(Address::Virtual)) {
-            self.session.distrust(OPENED);
-        }
-        self.link = Linked {
+impl Link {
+    /// Takes that the port is open: statuses may come.
+    pub(super) fn handle_up(&mut self, address: &str) {
+        *self = Self {
             phase: LinkPhase::Listening,
             address: Some(address.to_owned()),
-            problem: None,
-            lost: None,
-            greeted: false,
+            ..Self::default()
         };
-        self.session.handle_open(self.now);
-        self.still = 0;
-        self.changed = true;
     }
 
-    /// Takes that the port is gone, or could not be opened, and why.
-    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
-        self.handle_time(now);
-        let lost = matches!(self.link.phase, LinkPhase::Up | LinkPhase::Listening);
-        self.link.phase = phase;
-        if lost {
-            self.link.lost = problem;
-            self.link.problem.clone_from(&self.link.lost);
+    /// Takes that the port is gone, or could not be opened, and why; says whether there was one.
+    pub(super) fn handle_down(&mut self, phase: LinkPhase, problem: Option<String>) -> bool {
+        let is_lost = self.is_there();
+        self.phase = phase;
+        if is_lost {
+            self.greeted = false;
+            self.lost = problem;
+            self.problem.clone_from(&self.lost);
         } else {
             // That it is not found again tells less than why it was lost.
-            self.link.problem = match (&self.link.lost, problem) {
+            self.problem = match (&self.lost, problem) {
                 (Some(lost), Some(since)) => Some(format!("{lost}; since then: {since}")),
                 (_, since) => since,
             };
         }
-        self.changed = true;
-        if lost {
-            self.lose_link();
-            self.disarm_laser("the link to the arm was lost");
-        }
+        is_lost
     }
 
-    /// Takes bytes from the arm.
-    pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
-        self.handle_time(now);
-        self.session.handle_bytes(self.now, bytes);
-        self.follow_session();
-        self.pump();
-    }
-
-    /// Whether the arm was seen at rest for a while, after all that it was sent.
-    #[must_use]
-    pub fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.session.under_way() == 0
-    }
-
-    pub(super) const fn is_linked(&self) -> bool {
-        matches!(self.link.phase, LinkPhase::Listening | LinkPhase::Up)
-    }
-
-    /// Takes what happened in the session.
-    pub(super) fn follow_session(&mut self) {
-        while let Some(event) = self.session.poll_event() {
-            self.changed = true;
-            match event {
-                Event::Status(status) => self.see(status),
-                Event::Completed(id) => self.command_over(id, None),
-                Event::NotReached { command, .. } => {
-                    self.command_over(command, Some(failure(event)));
-                }
-                Event::Pausing {
-                    command,
-                    lasts,
-                    by_default,
-                } => self.tell_pause(command, lasts, by_default),
-                Event::LinkLost { .. } => self.fall_silent(event),
-                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
-                Event::NotSent { command, reason } => {
-                    self.command_forgotten(command, &Refusal::from(reason).to_string());
-                }
-                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
-                Event::LaserOff => self.laser_switched_off(),
-                _ => {}
-            }
-        }
-    }
-
-    fn see(&mut self, status: Status) {
-        if self.link.phase == LinkPhase::Listening || self.link.phase == LinkPhase::Lost {
-            self.link.phase = LinkPhase::Up;
-            self.link.problem = None;
-            self.tell(News::LinkUp, "the arm tells its state".into());
-        }
-        if !self.link.greeted {
-            // Whatever was before: a crash, another program, a cable that was out.
-            self.link.greeted = true;
-            // What was said last may have got lost with the link.
-            self.send_urgent(LASER_OFF);
-            self.release_again();
-        }
-        self.statuses.push_back(status);
-        self.still = if self.last == Some(status) {
-            self.still + 1
-        } else {
-            0
-        };
-        self.last = Some(status);
-        self.watch_jog();
-        self.watch_halt();
-        self.watch_stop();
-        self.watch_run();
-        self.watch_detection(&status);
-    }
-
-    /// An arm that stands still without a word looks dead.
-    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
-        let (command, lasts_s) = (command.0, lasts.as_secs_f64());
-        let whose = if by_default {
-            "its default pause (state 9, mode 1)".to_owned()
-        } else {
-            format!("the pause of command {command}")
-        };
-        self.tell(
-            News::Pausing { command, lasts_s },
-            format!("the arm waits {lasts_s} s here: {whose}"),
-        );
-    }
-
-    fn fall_silent(&mut self, event: Event) {
-        let why = failure(event);
-        self.link.phase = LinkPhase::Lost;
-        self.link.greeted = false;
-        self.link.problem = Some(format!(
+    /// Takes that nothing comes over it any more.
+    pub(super) fn handle_silence(&mut self, why: &str) {
+        self.phase = LinkPhase::Lost;
+        self.greeted = false;
+        self.problem = Some(format!(
             "{why}; is the arm switched on, and the cable in its place?"
         ));
-        self.link.lost.clone_from(&self.link.problem);
-        self.lose_link();
+        self.lost.clone_from(&self.problem);
     }
 
-    /// What was not sent is forgotten; what the arm has, it does.
-    fn lose_link(&mut self) {
-        self.link.greeted = false;
-        self.still = 0;
-        self.part_from_laser();
-        // Statuses may be lost on a line that still carries packets.
-        self.release_urgently();
-        self.bar(Refusal::LetGo("the link to the arm was lost".into()));
-        self.drop_waiting("the link to the arm was lost");
-        let text = match &self.link.problem {
+    /// With each status: says whether it is up only now.
+    pub(super) fn handle_status(&mut self) -> bool {
+        let comes_up = matches!(self.phase, LinkPhase::Listening | LinkPhase::Lost);
+        if comes_up {
+            self.phase = LinkPhase::Up;
+            self.problem = None;
+        }
+        comes_up
+    }
+
+    /// Whether the laser has still to be switched off since it came up: by whoever asks.
+    pub(super) const fn greet(&mut self) -> bool {
+        !std::mem::replace(&mut self.greeted, true)
+    }
+
+    pub(super) const fn is_there(&self) -> bool {
+        matches!(self.phase, LinkPhase::Listening | LinkPhase::Up)
+    }
+
+    /// Whether the arm can be heard.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        if self.phase == LinkPhase::Up {
+            return Ok(());
+        }
+        let why = match (&self.problem, self.phase) {
+            (Some(problem), _) => problem.clone(),
+            (None, LinkPhase::Searching) => "no arm has been found yet".into(),
+            (None, _) => "the arm has not told anything yet".into(),
+        };
+        Err(Refusal::NoLink(why))
+    }
+
+    /// That it was lost, and why, in one line.
+    pub(super) fn loss(&self) -> String {
+        match &self.problem {
             Some(problem) => format!("the link to the arm was lost: {problem}"),
             None => "the link to the arm was lost".to_owned(),
-        };
-        self.interrupt_run(&text);
-        self.end_detection("the link to the arm was lost");
-        self.tell(News::LinkLost, text);
-    }
-
-    fn notice_reset(&mut self, evidence: &str) {
-        self.bar(Refusal::LetGo("the arm was reset".into()));
-        self.part_from_laser();
-        // The session has forgotten what was under way, too.
-        for id in self.under_way() {
-            self.command_over(id, Some("the arm was reset".into()));
         }
-        self.interrupt_run("the arm was reset");
-        self.end_detection("the arm was reset");
-        self.tell(
-            News::Reset,
-            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
-        );
+    }
+
+    pub(super) fn view(&self, quality: &LinkQuality) -> LinkView {
+        LinkView {
+            address: self.address.clone(),
+            phase: self.phase,
+            problem: self.problem.clone(),
+            bluetooth: quality.bluetooth,
+            statuses_per_s: quality.statuses_per_s,
+            lost_statuses: quality.lost,
+            damaged_bytes: quality.damaged_bytes,
+            latency_ms: quality.latency.map(|it| it.as_secs_f64() * 1e3),
+        }
     }
 }
-
-/// What a failed event says.
-fn failure(event: Event) -> String {
-    event
-        .or_failed()
-        .err()
-        .map_or_else(String::new, |error| error.to_string())
-}
-
-const OPENED: &str =
-    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
-/// So many statuses in a row that tell the same: the arm is at rest.
-const AT_REST: u32 = 3;

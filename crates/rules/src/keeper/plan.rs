@@ -12,7 +12,6 @@ use dobot_safety::{Policy, Violation};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 use self::height::Height;
-
 use crate::Refusal;
 
 /// A job whose whole way has been checked: where each command ends, and how long it takes.

@@ -4,61 +4,58 @@ mod adjust;
 mod approach;
 mod begun;
 mod pace;
+mod permit;
+mod rest;
 mod supply;
 mod watch;
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_api::{JobPhase, JobView, Reply};
+use dobot_api::{JobPhase, JobView, News};
 use dobot_client::CommandId;
 use dobot_course::Model;
-use dobot_journal::{Adjustment, Behind, Window, model_at, window_end};
+use dobot_journal::{Window, model_at, window_end};
 use dobot_plan::{Machine, end_speed_mm_s};
 use dobot_wire::{Command, Status};
 
-use super::Keeper;
-
-pub(super) use self::approach::straight;
+pub(super) use self::adjust::{check_height, check_speed};
+use self::approach::straight;
 pub use self::begun::{Begun, Effect};
 use self::pace::Pace;
+use self::permit::Permit;
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
 pub(super) struct Run {
     begun: Begun,
-    pub(super) phase: Phase,
+    phase: Phase,
     /// The arm when the job was started or gone on with.
     from: Option<Status>,
     /// The next command to be given to the session.
     next: usize,
-    /// Commands below this one may be sent: the journal has it.
-    durable: usize,
-    /// The journal has been asked for that.
-    asked: usize,
-    /// As many commands are done as the journal has it: a station that is started after a crash
-    /// looks for the arm from there on.
-    kept: usize,
-    /// The same when what it was asked for is there.
-    asked_kept: usize,
-    /// Commands below this one may be given: there the job comes to rest.
-    limit: usize,
-    /// It comes to rest there because it waits for a person.
-    waits: bool,
-    /// The journal does not have this yet: what it changes is not sent before.
-    unkept: Option<Adjustment>,
+    permit: Permit,
     pace: Pace,
     /// Given to the session and not over.
     given: VecDeque<Given>,
     /// What the last command has left that is over.
     left: Left,
-    /// What lowers the tool to where the job goes on, as soon as something can be sent behind it.
-    lower: Option<Command>,
-    /// The same under way.
-    lowering: Option<(CommandId, Command)>,
-    /// Since when it runs, and when its last command was over.
-    since: Option<Duration>,
-    last_over: Duration,
+    tool: Tool,
+    /// From where it goes on to where it rests.
+    ran: Option<Ran>,
+}
+
+/// What a job wants of the keeper.
+#[derive(Debug)]
+pub(super) enum Wish {
+    /// The journal is asked to keep this.
+    Ask(Effect),
+    /// The journal is to keep the job's phase, however long that takes.
+    Keep(Effect),
+    /// Those who watch are told.
+    Tell(News, String),
+    /// Nobody needs the job any more.
+    Forget,
 }
 
 /// A command of the job that the session has.
@@ -82,8 +79,24 @@ struct Left {
     is_unknown: bool,
 }
 
+/// Where the tool is, seen from where the job goes on.
+#[derive(Clone, Copy, Debug)]
+enum Tool {
+    /// This lowers it, as soon as something can be sent behind it.
+    Above(Command),
+    Lowering(CommandId, Command),
+    Down,
+}
+
+/// Since when a job runs, and when its last command was over.
+#[derive(Clone, Copy, Debug)]
+struct Ran {
+    since: Duration,
+    last_over: Duration,
+}
+
 #[derive(Debug)]
-pub(super) enum Phase {
+enum Phase {
     /// The station was started after a crash: where does the arm rest?
     Locating {
         window: Window,
@@ -92,12 +105,16 @@ pub(super) enum Phase {
     Approaching {
         last: Option<CommandId>,
     },
-    Running,
-    /// The arm does what it has got already.
+    /// Commands below `upto` may be given: there it waits for a person, or ends.
+    Running {
+        upto: usize,
+    },
+    /// The arm does what it has got already, and perhaps a bit more, to come to rest on its way.
     Draining {
         then: JobPhase,
         reason: String,
-        lift: bool,
+        upto: usize,
+        rests: Rests,
     },
     /// The tool is lifted for a pause.
     Lifting {
@@ -109,30 +126,45 @@ pub(super) enum Phase {
     },
 }
 
+/// How a job comes to rest behind the last command that it gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rests {
+    AsItIs,
+    /// The tool is lifted, as soon as all is given.
+    Lifted,
+    /// A person is waited for there.
+    ForPerson,
+}
+
 impl Run {
-    fn new(begun: Begun, phase: Phase, from: Option<Status>) -> Self {
+    pub(super) const RESTARTED: &str = "the station was restarted in the middle of the job";
+
+    /// A job that was at work when the station ended without saying so.
+    pub(super) fn recovered(mut begun: Begun, window: Window) -> Self {
+        // How long it ran nobody knows any more.
+        begun.behind.ran_s = None;
+        let kept = begun.completed;
+        let mut run = Self::new(begun, kept, Phase::Locating { window }, None);
+        run.left.is_unknown = true;
+        run
+    }
+
+    /// A job of which so many commands are done as the journal has it.
+    fn new(begun: Begun, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
         let pace = Pace::new(begun.adjustment.speed_percent, machine);
         Self {
-            limit: begun.plan.len(),
             begun,
             phase,
             from,
             next: completed,
-            durable: completed,
-            asked: completed,
-            kept: completed,
-            asked_kept: completed,
-            waits: false,
-            unkept: None,
+            permit: Permit::new(completed, kept),
             pace,
             given: VecDeque::new(),
             left: Left::default(),
-            lower: None,
-            lowering: None,
-            since: None,
-            last_over: Duration::ZERO,
+            tool: Tool::Down,
+            ran: None,
         }
     }
 
@@ -181,38 +213,6 @@ impl Run {
         }
     }
 
-    /// No more than what was given already.
-    pub(super) fn end_here(&mut self) {
-        self.limit = self.next;
-        self.waits = false;
-    }
-
-    /// Whether it waits for a person at a place to which it will not come.
-    pub(super) const fn is_cut_short(&self) -> bool {
-        self.waits && self.next < self.limit
-    }
-
-    /// What it has behind it, besides commands.
-    pub(super) const fn behind(&self) -> Behind {
-        self.begun.behind
-    }
-
-    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
-    /// do stops dead.
-    pub(super) fn brake(&mut self) {
-        let Left {
-            speed_mm_s, moves, ..
-        } = self.left();
-        if moves && let Some(upto) = self.pace.brake(&self.begun.plan, self.next, speed_mm_s) {
-            self.limit = upto;
-        }
-    }
-
-    /// Whether the tool is where the job goes on: not above that, on its way.
-    pub(super) const fn is_down(&self) -> bool {
-        !matches!(self.phase, Phase::Approaching { .. }) && self.lower.is_none()
-    }
-
     /// Whether nobody else may move the arm.
     pub(super) const fn has_the_arm(&self) -> bool {
         !matches!(self.phase, Phase::Paused { .. })
@@ -220,51 +220,47 @@ impl Run {
 
     /// Whether it gives the arm commands, or is about to.
     pub(super) const fn is_at_work(&self) -> bool {
-        matches!(self.phase, Phase::Approaching { .. } | Phase::Running)
+        matches!(
+            self.phase,
+            Phase::Approaching { .. } | Phase::Running { .. }
+        )
+    }
+
+    pub(super) const fn is_running(&self) -> bool {
+        matches!(self.phase, Phase::Running { .. })
+    }
+
+    /// Whether it gives no more commands, and the arm may still move for its sake.
+    pub(super) const fn is_coming_to_rest(&self) -> bool {
+        matches!(
+            self.phase,
+            Phase::Draining { .. } | Phase::Lifting { .. } | Phase::Locating { .. }
+        )
     }
 
     pub(super) const fn burns(&self) -> bool {
         self.begun.plan.burns()
     }
 
-    pub(super) const fn lift_mm(&self) -> f32 {
+    const fn lift_mm(&self) -> f32 {
         self.begun.plan.lift_mm()
     }
 
-    /// Takes that the journal has what it was asked for.
-    pub(super) fn given_for_good(&mut self, upto: usize) {
-        self.durable = self.durable.max(upto.min(self.asked));
-        if self.durable == self.asked {
-            self.kept = self.asked_kept;
+    /// Takes what the journal has, perhaps of this job.
+    pub(super) fn handle_written(&mut self, effect: &Effect) {
+        match effect {
+            Effect::Give { job, upto, .. } if *job == self.job() => self.permit.handle_given(*upto),
+            Effect::Adjust { job, adjustment } if *job == self.job() => {
+                self.permit.handle_adjusted(adjustment);
+            }
+            _ => {}
         }
-    }
-
-    /// Comes to rest; gives how far the job is, where that is certain.
-    pub(super) fn rest(&mut self, reason: &str) -> Option<Window> {
-        if matches!(self.phase, Phase::Lifting { .. }) {
-            self.left = self.after(self.left, &straight(self.lift_mm().into()));
-        }
-        self.next = self.begun.completed;
-        let waited = self.begun.next_pause().map(|it| it.before);
-        if self.waits && waited == Some(self.next) {
-            self.begun.behind.pauses += 1;
-        }
-        self.end_here();
-        self.note_ran();
-        self.phase = Phase::Paused {
-            reason: reason.to_owned(),
-        };
-        self.begun.doubt.is_none().then(|| self.certain())
     }
 
     /// Takes note of how long it ran.
     fn note_ran(&mut self) {
-        let ran = self
-            .since
-            .take()
-            .map(|it| self.last_over.saturating_sub(it));
-        if let (Some(ran), Some(before_s)) = (ran, &mut self.begun.behind.ran_s) {
-            *before_s += ran.as_secs_f64();
+        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.begun.behind.ran_s) {
+            *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }
 
@@ -281,7 +277,7 @@ impl Run {
 
     const fn view_phase(&self) -> JobPhase {
         match &self.phase {
-            Phase::Approaching { .. } | Phase::Running => JobPhase::Running,
+            Phase::Approaching { .. } | Phase::Running { .. } => JobPhase::Running,
             Phase::Draining { then, .. } | Phase::Lifting { then, .. } => *then,
             Phase::Locating { .. } | Phase::Paused { .. } => JobPhase::Paused,
         }
@@ -289,11 +285,11 @@ impl Run {
 
     fn reason(&self) -> Option<String> {
         match &self.phase {
-            Phase::Locating { .. } => Some(RESTARTED.to_owned()),
+            Phase::Locating { .. } => Some(Self::RESTARTED.to_owned()),
             Phase::Draining { reason, .. }
             | Phase::Lifting { reason, .. }
             | Phase::Paused { reason } => Some(reason.clone()),
-            Phase::Approaching { .. } | Phase::Running => None,
+            Phase::Approaching { .. } | Phase::Running { .. } => None,
         }
     }
 
@@ -352,32 +348,7 @@ impl Run {
     }
 }
 
-impl Keeper {
-    /// Takes a job that was at work when the station ended without saying so: the laser goes off,
-    /// and where the arm comes to rest tells how far the job got.
-    pub fn handle_recovered(&mut self, now: Duration, mut begun: Begun, window: Window) {
-        self.handle_time(now);
-        self.session.distrust(RESTARTED);
-        // How long it ran nobody knows any more.
-        begun.behind.ran_s = None;
-        let mut run = Run::new(begun, Phase::Locating { window }, None);
-        run.left.is_unknown = true;
-        self.run = Some(run);
-        self.changed = true;
-    }
-
-    /// The job that is at work or paused.
-    #[must_use]
-    pub fn job(&self) -> Option<JobView> {
-        self.run.as_ref().map(Run::view)
-    }
-
-    pub(super) fn job_reply(&self) -> Reply {
-        self.job().map_or(Reply::Done, |job| Reply::Job { job })
-    }
-}
-
-pub(super) const fn word(phase: JobPhase) -> &'static str {
+const fn word(phase: JobPhase) -> &'static str {
     match phase {
         JobPhase::Queued => "queued",
         JobPhase::Running => "running",
@@ -388,7 +359,6 @@ pub(super) const fn word(phase: JobPhase) -> &'static str {
     }
 }
 
-const RESTARTED: &str = "the station was restarted in the middle of the job";
 /// A stock arm goes in whole ticks, takes a bit for each command, and was perhaps on its way to
 /// where the job goes on.
 const ROUNDING: f64 = 1.02;

@@ -1,14 +1,20 @@
 //! Anyone may stop the arm, and it stays stopped until a person resets that.
 
-use dobot_api::{ClientId, News, Reply, StopView};
 use std::time::Duration;
 
-use super::Keeper;
-use crate::Refusal;
+use dobot_api::StopView;
 
-/// A stop that holds the arm.
-#[derive(Clone, Debug)]
+use super::still_moving;
+use crate::refusal::Refusal;
+
+/// The stop that holds the arm, if one does.
+#[derive(Debug, Default)]
 pub(super) struct Stop {
+    holding: Option<Holding>,
+}
+
+#[derive(Debug)]
+struct Holding {
     by: String,
     reason: Option<String>,
     at: Duration,
@@ -16,60 +22,40 @@ pub(super) struct Stop {
     at_rest: bool,
 }
 
-impl Keeper {
-    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
-    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
-    /// again.
-    pub(super) fn stop(&mut self, client: ClientId, reason: Option<String>) -> Reply {
-        let by = self.name(client);
-        let rests_within = self.rests_within();
-        self.halt_now();
-        self.disarm_laser("the arm was stopped");
-        let why = format!("the arm was stopped by {by}");
-        self.bar(Refusal::LetGo(why.clone()));
-        self.drop_waiting(&why);
-        self.interrupt_run(&why);
-        self.end_detection(&why);
-        if self.stop.is_none() {
-            let text = Refusal::Stopped {
-                by: by.clone(),
-                reason: reason.clone(),
-            }
-            .to_string();
-            self.stop = Some(Stop {
-                by,
-                reason,
-                at: self.now,
-                rests_by: self.now + rests_within,
-                at_rest: false,
-            });
-            self.tell(News::Stopped, text);
+impl Stop {
+    /// Takes that somebody stops the arm; says what is to be told, unless it is stopped already.
+    pub(super) fn handle_stop(
+        &mut self,
+        now: Duration,
+        by: String,
+        reason: Option<String>,
+        rests_within: Duration,
+    ) -> Option<String> {
+        if self.holding.is_some() {
+            return None;
         }
-        Reply::Stopping {
-            rests_within_s: rests_within.as_secs_f64(),
-        }
+        self.holding = Some(Holding {
+            by,
+            reason,
+            at: now,
+            rests_by: now + rests_within,
+            at_rest: false,
+        });
+        self.check().err().map(|it| it.to_string())
     }
 
-    pub(super) fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        let Some(stop) = &self.stop else {
-            return Ok(Reply::Done);
-        };
-        if !stop.at_rest && self.is_linked() {
-            let within = stop.rests_by.saturating_sub(self.now).max(SOON);
-            return Err(Refusal::StillMoving {
-                within_s: within.as_secs_f64(),
-            });
+    /// Lets go; says whether there was a stop. An arm that can be heard has to be at rest.
+    pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
+        if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest && is_linked) {
+            let within = stop.rests_by.saturating_sub(now).max(SOON);
+            return Err(still_moving(within));
         }
-        self.stop = None;
-        self.halt = None;
-        let text = format!("{} lets the arm move again", self.name(client));
-        self.tell(News::StopReset, text);
-        Ok(Reply::Done)
+        Ok(self.holding.take().is_some())
     }
 
     /// Whether no stop holds the arm.
-    pub(super) fn check_stop(&self) -> Result<(), Refusal> {
-        match &self.stop {
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        match &self.holding {
             None => Ok(()),
             Some(stop) => Err(Refusal::Stopped {
                 by: stop.by.clone(),
@@ -78,19 +64,18 @@ impl Keeper {
         }
     }
 
-    pub(super) fn watch_stop(&mut self) {
-        let rests = self.is_at_rest();
-        if let Some(stop) = &mut self.stop
-            && !stop.at_rest
-            && rests
-        {
-            stop.at_rest = true;
-            self.tell(News::AtRest, "the arm is at rest".into());
-        }
+    pub(super) const fn holds(&self) -> bool {
+        self.holding.is_some()
     }
 
-    pub(super) fn stop_view(&self) -> Option<StopView> {
-        self.stop.as_ref().map(|it| StopView {
+    /// With each status: says whether the arm has come to rest now.
+    pub(super) fn handle_status(&mut self, rests: bool) -> bool {
+        let moving = self.holding.as_mut().filter(|it| !it.at_rest && rests);
+        moving.map(|it| it.at_rest = true).is_some()
+    }
+
+    pub(super) fn view(&self) -> Option<StopView> {
+        self.holding.as_ref().map(|it| StopView {
             by: it.by.clone(),
             reason: it.reason.clone(),
             at_s: it.at.as_secs_f64(),

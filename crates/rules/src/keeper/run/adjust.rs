@@ -1,95 +1,64 @@
 //! What a person changes on a job while it runs: its speed and its height.
 
-use dobot_api::{ClientId, Reply};
-use dobot_journal::{Adjustment, HeightChange};
+use dobot_journal::HeightChange;
+use dobot_safety::Policy;
 
-use super::{Effect, Phase, Run};
-use crate::Refusal;
-use crate::keeper::{JobPlan, Keeper};
+use super::{Effect, Phase, Run, Wish};
+use crate::keeper::JobPlan;
+use crate::refusal::Refusal;
 
-impl Keeper {
-    /// Draws the vectors that are not sent yet at another speed.
-    pub(in crate::keeper) fn set_job_speed(
-        &mut self,
-        client: ClientId,
-        percent: f64,
-    ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
-        check_range("percent", percent, SLOWEST_PERCENT, FASTEST_PERCENT, "%")?;
-        self.check_adjustable()?;
-        self.take_back();
-        if let Some(run) = &mut self.run {
-            run.begun.adjustment.speed_percent = percent;
-            run.change_pace();
-        }
-        self.keep_adjustment();
-        Ok(self.job_reply())
-    }
+/// Whether a job may be drawn at this share of its speed.
+pub(in crate::keeper) fn check_speed(percent: f64) -> Result<(), Refusal> {
+    check_range("percent", percent, SLOWEST_PERCENT, FASTEST_PERCENT, "%")
+}
 
-    /// Draws what is not sent yet higher or lower: bit by bit while it runs, at once where it is
-    /// paused, for there the tool comes from above.
-    pub(in crate::keeper) fn set_job_height(
-        &mut self,
-        client: ClientId,
-        offset_mm: f64,
-    ) -> Result<Reply, Refusal> {
-        self.check_lease(client)?;
-        check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")?;
-        self.check_adjustable()?;
-        self.take_back();
-        if let Some(run) = &mut self.run {
-            let (plan, change) = run.at_height(offset_mm);
-            plan.check_lowest(&self.policy, change.from)?;
-            run.begun.plan = plan;
-            run.note_height(change);
-            run.change_pace();
-            run.unkept = Some(run.begun.adjustment.clone());
-        }
-        self.keep_adjustment();
-        Ok(self.job_reply())
-    }
+/// Whether a job may be drawn so much higher.
+pub(in crate::keeper) fn check_height(offset_mm: f64) -> Result<(), Refusal> {
+    check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")
+}
 
-    /// Whether there is a job whose vectors can be changed now.
-    fn check_adjustable(&self) -> Result<(), Refusal> {
-        let run = self.run.as_ref().ok_or(Refusal::NoJobRuns)?;
-        match run.phase {
-            Phase::Locating { .. } | Phase::Draining { .. } | Phase::Lifting { .. } => {
-                return Err(Refusal::StillMoving {
-                    within_s: self.rests_within().as_secs_f64(),
-                });
-            }
-            Phase::Approaching { .. } | Phase::Running | Phase::Paused { .. } => {}
-        }
-        if run.begun.doubt.is_some() {
+impl Run {
+    /// Whether the vectors of a job that is not coming to rest can be changed.
+    pub(in crate::keeper) fn check_adjustable(&self) -> Result<(), Refusal> {
+        if self.begun.doubt.is_some() {
             let why = "nobody knows yet how far it is; start it first".to_owned();
             return Err(Refusal::CannotResume(why));
         }
-        if !run.begun.plan.has_vectors() {
-            return Err(Refusal::NoVectors(run.job()));
+        if !self.begun.plan.has_vectors() {
+            return Err(Refusal::NoVectors(self.job()));
         }
         Ok(())
     }
 
-    /// What was given and not sent is given again.
-    fn take_back(&mut self) {
-        let runs = |it: &Run| matches!(it.phase, Phase::Running);
-        if self.run.as_ref().is_some_and(runs) {
-            self.drop_waiting("it is sent at another speed or height");
-        }
+    /// Draws the vectors that are not given yet at another speed.
+    pub(in crate::keeper) fn set_speed(&mut self, percent: f64) -> Wish {
+        self.begun.adjustment.speed_percent = percent;
+        self.change_pace();
+        self.keep_adjustment()
     }
 
-    fn keep_adjustment(&mut self) {
-        if let Some(run) = &self.run {
-            self.effects.push_back(Effect::Adjust {
-                job: run.job(),
-                adjustment: run.begun.adjustment.clone(),
-            });
-            self.changed = true;
-        }
+    /// Draws what is not given yet higher or lower.
+    pub(in crate::keeper) fn set_height(
+        &mut self,
+        offset_mm: f64,
+        policy: &Policy,
+    ) -> Result<Wish, Refusal> {
+        let (plan, change) = self.at_height(offset_mm);
+        plan.check_lowest(policy, change.from)?;
+        self.begun.plan = plan;
+        self.note_height(change);
+        self.change_pace();
+        self.permit.wait_for(self.begun.adjustment.clone());
+        Ok(self.keep_adjustment())
     }
-}
 
-impl Run {
+    fn keep_adjustment(&self) -> Wish {
+        Wish::Ask(Effect::Adjust {
+            job: self.job(),
+            adjustment: self.begun.adjustment.clone(),
+        })
+    }
+
     fn change_pace(&mut self) {
         let speed_mm_s = self.speed_mm_s();
         let percent = self.begun.adjustment.speed_percent;
@@ -117,13 +86,8 @@ impl Run {
     fn note_height(&mut self, change: HeightChange) {
         let heights = &mut self.begun.adjustment.heights;
         heights.retain(|it| it.from < change.from);
-        forget_older(heights, self.kept);
+        forget_older(heights, self.permit.kept());
         heights.push(change);
-    }
-
-    /// Takes that the journal has what a person changed.
-    pub(in crate::keeper) fn adjusted(&mut self, adjustment: &Adjustment) {
-        self.unkept.take_if(|it| it.heights == adjustment.heights);
     }
 }
 

@@ -1,170 +1,118 @@
 //! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
 
-use std::time::Duration;
-
-use dobot_api::{ClientId, JobPhase, News, Reply};
+use dobot_api::{JobPhase, News};
 use dobot_arm::Position;
 use dobot_client::position;
 use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
 use super::watch::locate_at;
-use super::{Begun, Effect, Left, Phase, Run};
-use crate::Refusal;
-use crate::keeper::Keeper;
+use super::{Begun, Effect, Left, Phase, Run, Tool, Wish};
+use crate::keeper::arm::Arm;
+use crate::refusal::Refusal;
 
-impl Keeper {
-    /// Begins a job, or goes on with a paused one.
-    ///
-    /// # Errors
-    ///
-    /// [`Refusal`]; nothing has moved then.
-    pub fn handle_start(
-        &mut self,
-        now: Duration,
-        client: ClientId,
+impl Run {
+    /// Begins a job, or goes on with a paused one: with this one, if it is the same.
+    pub(in crate::keeper) fn begin(
         begun: Begun,
-    ) -> Result<Reply, Refusal> {
-        self.handle_time(now);
-        let started = self.start(client, begun);
-        if let Err(refusal) = &started {
-            self.tell_refused(client, refusal);
-        }
-        self.pump();
-        started
-    }
-
-    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
-        self.check_may_move(client)?;
-        self.check_trust()?;
-        self.check_saved()?;
-        if self.session.under_way() > 0 || self.session.waiting() > 0 {
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
-        }
-        if begun.plan.burns() {
-            self.check_laser_armed()?;
-        }
+        arm: &mut Arm,
+        paused: Option<&Self>,
+    ) -> Result<(Self, [Wish; 2]), Refusal> {
+        let status = arm.last();
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
-        let begun = self.located(begun)?;
-        let Approach { first, lower } = self.approach(&begun);
-        let mut run = Run::new(begun, Phase::Approaching { last: None }, self.last);
-        (run.kept, run.asked_kept) = (kept, kept);
-        let left = self.left_before(&run);
+        let begun = located(begun, status)?;
+        let Approach { first, lower } = approach(&begun, status);
+        let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
+        let left = run.left_before(paused);
         if left.is_unknown {
             run.pace.rest_each(&run.begun.plan, run.begun.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
         for command in first.iter().chain(&lower) {
-            self.session.check(command)?;
+            arm.session().check(command)?;
         }
         let mut last = None;
         for command in first {
-            self.check_way(&command)?;
-            last = Some(self.session.send(command)?);
+            last = Some(arm.send(&command)?);
         }
-        self.halt = None;
-        let (job, behind) = (run.job(), run.behind());
-        let text = format!("job {job} ({}) is under way", run.begun.title);
-        let phase = Phase::Approaching { last };
-        self.run = Some(Run {
-            phase,
-            lower,
-            ..run
-        });
-        let phase = JobPhase::Running;
-        self.keep_phase(Effect::Phase {
+        run.phase = Phase::Approaching { last };
+        run.tool = lower.map_or(Tool::Down, Tool::Above);
+        let wishes = run.begins();
+        Ok((run, wishes))
+    }
+
+    fn begins(&self) -> [Wish; 2] {
+        let (job, phase) = (self.job(), JobPhase::Running);
+        let text = format!("job {job} ({}) is under way", self.begun.title);
+        let effect = Effect::Phase {
             job,
             phase,
             reason: None,
             window: None,
-            behind,
-        });
-        self.tell(News::Job { job, phase }, text);
-        Ok(self.job_reply())
+            behind: self.begun.behind,
+        };
+        [
+            Wish::Keep(effect),
+            Wish::Tell(News::Job { job, phase }, text),
+        ]
     }
 
     /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
     /// left, or else what the plan says.
-    fn left_before(&self, run: &Run) -> Left {
-        let paused = self.run.as_ref().filter(|it| it.job() == run.job());
+    fn left_before(&self, paused: Option<&Self>) -> Left {
+        let paused = paused.filter(|it| it.job() == self.job());
         let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
-        left.unwrap_or_else(|| run.planned_left())
+        left.unwrap_or_else(|| self.planned_left())
     }
+}
 
-    /// A job of which nobody knows how far it got goes on only from where the arm rests.
-    fn located(&self, mut begun: Begun) -> Result<Begun, Refusal> {
-        let (Some(window), Some(status)) = (begun.doubt.take(), self.last) else {
-            return Ok(begun);
-        };
-        let located = locate_at(&begun, &window, &status);
-        begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
-        Ok(begun)
-    }
+/// A job of which nobody knows how far it got goes on only from where the arm rests.
+fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
+    let (Some(window), Some(status)) = (begun.doubt.take(), status) else {
+        return Ok(begun);
+    };
+    let located = locate_at(&begun, &window, &status);
+    begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+    Ok(begun)
+}
 
-    /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
-    /// and the way there. A tool that is lifted in a pause comes down from above.
-    fn approach(&self, begun: &Begun) -> Approach {
-        let mut first = prelude(begun.plan.commands(), begun.completed);
-        let start = begun.plan.start_position(begun.completed);
-        let (Some(start), Some(status)) = (start, self.last) else {
-            return Approach { first, lower: None };
-        };
-        let here = position(&status);
-        if start.distance(here).0 <= THERE_MM {
-            let higher_mm = start.z.0 - here.z.0;
-            if higher_mm.abs() > LEVEL_MM {
-                first.push(straight(higher_mm));
-            } else if may_jump(begun) {
-                first.extend(settle());
-            }
-            return Approach { first, lower: None };
+/// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
+/// and the way there. A tool that is lifted in a pause comes down from above.
+fn approach(begun: &Begun, status: Option<Status>) -> Approach {
+    let mut first = prelude(begun.plan.commands(), begun.completed);
+    let start = begun.plan.start_position(begun.completed);
+    let (Some(start), Some(status)) = (start, status) else {
+        return Approach { first, lower: None };
+    };
+    let here = position(&status);
+    if start.distance(here).0 <= THERE_MM {
+        let higher_mm = start.z.0 - here.z.0;
+        if higher_mm.abs() > LEVEL_MM {
+            first.push(straight(higher_mm));
+        } else if may_jump(begun) {
+            first.extend(settle());
         }
-        let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
-        let above = start + Position::new(0.0, 0.0, lift_mm);
-        let mut below_mm = lift_mm;
-        if above.distance(here).0 <= THERE_MM {
-            below_mm = here.z.0 - start.z.0;
-        } else {
-            let held = last_target(&begun.plan.commands()[..begun.completed]);
-            first.push(hop(above, &status, held));
-            if lift_mm == 0.0 && may_jump(begun) {
-                first.extend(settle());
-            }
-        }
-        let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
-        if begun.completed == begun.plan.len() {
-            // Nothing comes behind it.
-            first.extend(lower.take());
-        }
-        Approach { first, lower }
+        return Approach { first, lower: None };
     }
-
-    /// Whether a job may be started as far as its own last motion goes: one that was paused a
-    /// moment ago still does what the arm has got, and lifts the tool; one that a killed station left
-    /// shows how far it got where the arm comes to rest.
-    ///
-    /// # Errors
-    ///
-    /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] where nothing tells that the arm rests.
-    pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
-        let resting = |run: &Run| {
-            run.job() == job
-                && matches!(
-                    run.phase,
-                    Phase::Draining { .. } | Phase::Lifting { .. } | Phase::Locating { .. }
-                )
-        };
-        if self.run.as_ref().is_some_and(resting) {
-            self.check_link()?;
-            return Err(Refusal::StillMoving {
-                within_s: self.rests_within().as_secs_f64(),
-            });
+    let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
+    let above = start + Position::new(0.0, 0.0, lift_mm);
+    let mut below_mm = lift_mm;
+    if above.distance(here).0 <= THERE_MM {
+        below_mm = here.z.0 - start.z.0;
+    } else {
+        let held = last_target(&begun.plan.commands()[..begun.completed]);
+        first.push(hop(above, &status, held));
+        if lift_mm == 0.0 && may_jump(begun) {
+            first.extend(settle());
         }
-        Ok(())
     }
+    let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
+    if begun.completed == begun.plan.len() {
+        // Nothing comes behind it.
+        first.extend(lower.take());
+    }
+    Approach { first, lower }
 }
 
 /// The way to where a job begins or goes on.
@@ -176,7 +124,7 @@ struct Approach {
 }
 
 /// Straight up or down, slowly, with the laser off.
-pub(in crate::keeper) fn straight(z_mm: f64) -> Command {
+pub(super) fn straight(z_mm: f64) -> Command {
     WriteVector {
         mode: WriteMode::Writing,
         x_mm: 0.0,

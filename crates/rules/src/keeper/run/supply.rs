@@ -4,177 +4,160 @@ use std::time::Duration;
 
 use dobot_api::JobPhase;
 use dobot_client::CommandId;
-use dobot_wire::Command;
+use dobot_wire::{Command, Status};
 
-use super::{Effect, Given, Phase, Run};
-use crate::Refusal;
-use crate::keeper::Keeper;
+use super::{Effect, Given, Phase, Ran, Rests, Run, Tool, Wish};
+use crate::keeper::arm::Arm;
+use crate::refusal::Refusal;
 
-impl Keeper {
-    pub(in crate::keeper) fn run_command_forgotten(&mut self, id: CommandId) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if let Some(at) = run.given.iter().position(|it| it.id == id) {
-            let index = run.given[at].index;
-            run.given.truncate(at);
-            run.next = run.next.min(index);
+impl Run {
+    /// Takes that a command was not sent, and is forgotten.
+    pub(in crate::keeper) fn handle_forgotten(&mut self, id: CommandId) {
+        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+            let index = self.given[at].index;
+            self.given.truncate(at);
+            self.next = self.next.min(index);
         }
         // The tool is still above.
-        let lowering = run.lowering.take_if(|(it, _)| *it == id);
-        run.lower = lowering.map(|(_, command)| command).or(run.lower);
+        if let Tool::Lowering(it, command) = self.tool
+            && it == id
+        {
+            self.tool = Tool::Above(command);
+        }
     }
 
-    /// Takes that a command is over: of the job, or on the way to it.
-    pub(in crate::keeper) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
-        let now = self.now;
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        let of_job = run.given.iter().position(|it| it.id == id);
-        let of_way = match &run.phase {
+    /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
+    /// by one that failed.
+    pub(in crate::keeper) fn handle_over(
+        &mut self,
+        id: CommandId,
+        now: Duration,
+        is_done: bool,
+    ) -> bool {
+        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => run.lowering.is_some_and(|(it, _)| it == id),
+            _ => matches!(self.tool, Tool::Lowering(it, _) if it == id),
         };
         if let Some(at) = of_job {
-            run.over(at, now, failed.is_none());
+            self.over(at, now, is_done);
         }
-        match failed {
-            Some(why) if of_job.is_some() || of_way || run.is_approaching() => {
-                let why = why.to_owned();
-                self.part_from_laser();
-                self.drop_waiting(&why);
-                self.interrupt_run(&why);
-            }
-            None if of_way && run.is_approaching() => run.set_out(now),
-            None if of_way => run.lowering = None,
-            _ => {}
+        if !is_done {
+            return of_job.is_some() || of_way || self.is_approaching();
         }
+        if of_way && self.is_approaching() {
+            self.set_out(now);
+        } else if of_way {
+            self.tool = Tool::Down;
+        }
+        false
     }
 
-    /// Keeps the session and the journal supplied.
-    pub(in crate::keeper) fn pump(&mut self) {
-        let now = self.now;
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if matches!(run.phase, Phase::Approaching { last: None }) {
-            run.set_out(now);
+    /// Keeps the session and the journal supplied. The tool is lifted only where it may.
+    pub(in crate::keeper) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<Wish> {
+        if matches!(self.phase, Phase::Approaching { last: None }) {
+            self.set_out(arm.now());
         }
-        if !run.gives() {
-            return;
+        if !self.gives() {
+            return Vec::new();
         }
-        self.ask_journal();
-        while self.session.waiting() < KEEP_WAITING
-            && let Some(command) = self.next_of_run()
+        let mut wishes: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
+        while arm.session().waiting() < KEEP_WAITING
+            && let Some(command) = self.next_command()
         {
-            if let Err(refusal) = self.lower_run().and_then(|()| self.give(&command)) {
-                let why = refusal.to_string();
-                self.part_from_laser();
-                self.drain(JobPhase::Paused, &why, true);
+            let given = self.lower(arm).and_then(|()| self.give(arm, &command));
+            if let Err(refusal) = given {
+                arm.part_from_laser();
+                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
                 break;
             }
         }
-        self.reach_limit();
+        wishes.extend(self.reach_limit(arm, may_lift));
+        wishes
     }
 
-    fn next_of_run(&mut self) -> Option<Command> {
-        let run = self.run.as_mut()?;
-        if run.next >= run.limit.min(run.durable) || run.unkept.is_some() {
+    fn next_command(&mut self) -> Option<Command> {
+        if self.next >= self.upto() || !self.permit.allows(self.next) {
             return None;
         }
-        let speed_mm_s = run.speed_mm_s();
-        run.pace.command(&run.begun.plan, run.next, speed_mm_s)
+        let speed_mm_s = self.speed_mm_s();
+        self.pace.command(&self.begun.plan, self.next, speed_mm_s)
     }
 
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
     /// makes a blot.
-    fn lower_run(&mut self) -> Result<(), Refusal> {
-        let lower = self.run.as_mut().and_then(|it| it.lower.take());
-        if let Some(command) = lower {
-            self.check_way(&command)?;
-            let id = self.session.send(command)?;
-            if let Some(run) = &mut self.run {
-                run.lowering = Some((id, command));
-            }
+    fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Tool::Above(command) = self.tool {
+            // Where that fails, nothing of the job is given behind it.
+            self.tool = Tool::Down;
+            self.tool = Tool::Lowering(arm.send(&command)?, command);
         }
         Ok(())
     }
 
-    fn give(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.check_way(command)?;
-        let id = self.session.send(*command)?;
-        let run = self.run.as_mut().expect("the command is of the run");
-        let (index, left) = (run.next, run.after(run.left(), command));
-        run.given.push_back(Given { id, index, left });
-        run.next += 1;
+    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+        let id = arm.send(command)?;
+        let (index, left) = (self.next, self.after(self.left(), command));
+        self.given.push_back(Given { id, index, left });
+        self.next += 1;
         Ok(())
     }
 
     /// All was given up to where the job comes to rest: for a person, or to be lifted.
-    fn reach_limit(&mut self) {
-        let Some(run) = self.run.as_ref().filter(|it| it.next >= it.limit) else {
-            return;
-        };
-        match &run.phase {
-            Phase::Running => self.wait_for_person(),
+    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<Wish> {
+        if self.next < self.upto() {
+            return None;
+        }
+        match &self.phase {
+            Phase::Running { .. } => self.wait_for_person(),
             Phase::Draining {
                 then,
                 reason,
-                lift: true,
+                rests: Rests::Lifted,
+                ..
             } => {
                 let (then, reason) = (*then, reason.clone());
-                self.lift_run(then, reason);
+                self.lift(arm, may_lift, then, reason);
+                None
             }
-            _ => {}
+            _ => None,
         }
     }
 
-    fn wait_for_person(&mut self) {
-        let Some(run) = &self.run else {
-            return;
-        };
-        let here = run.begun.next_pause().filter(|it| it.before == run.next);
-        if let Some(message) = here.map(|it| it.message.clone()) {
-            self.drain(JobPhase::Paused, &message, false);
-            if let Some(run) = &mut self.run {
-                run.waits = true;
-            }
-        }
+    fn wait_for_person(&mut self) -> Option<Wish> {
+        let here = self.begun.next_pause().filter(|it| it.before == self.next);
+        let message = here?.message.clone();
+        Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson))
     }
 
     /// The journal is asked in time, so that the arm does not wait for the disk.
-    fn ask_journal(&mut self) {
-        let Some(run) = &mut self.run else {
-            return;
-        };
-        if run.asked > run.durable || run.durable >= run.next + LOW_WATER {
-            return;
+    fn ask_journal(&mut self, status: Option<Status>) -> Option<Wish> {
+        if !self.permit.is_low(self.next) {
+            return None;
         }
-        let Some(upto) = self.last.map(|status| run.window_end(&status)) else {
-            return;
+        let completed = self.begun.completed;
+        let upto = self.window_end(&status?).min(self.upto());
+        let effect = Effect::Give {
+            job: self.job(),
+            completed,
+            upto,
+            start: self.start(),
         };
-        let upto = upto.min(run.limit);
-        if upto > run.asked {
-            (run.asked, run.asked_kept) = (upto, run.begun.completed);
-            let effect = Effect::Give {
-                job: run.job(),
-                completed: run.begun.completed,
-                upto,
-                start: run.start(),
-            };
-            self.effects.push_back(effect);
-        }
+        self.permit
+            .ask(upto, completed)
+            .then_some(Wish::Ask(effect))
     }
-}
 
-impl Run {
     /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
     fn set_out(&mut self, now: Duration) {
-        self.phase = Phase::Running;
-        (self.since, self.last_over) = (Some(now), now);
         let pause = self.begun.next_pause().map(|it| it.before);
-        self.limit = pause.unwrap_or(self.begun.plan.len());
+        self.phase = Phase::Running {
+            upto: pause.unwrap_or(self.begun.plan.len()),
+        };
+        self.ran = Some(Ran {
+            since: now,
+            last_over: now,
+        });
     }
 
     const fn is_approaching(&self) -> bool {
@@ -184,16 +167,26 @@ impl Run {
     /// Whether there are commands to be given.
     fn gives(&self) -> bool {
         match self.phase {
-            Phase::Running => true,
-            Phase::Draining { lift, .. } => lift || self.next < self.limit,
+            Phase::Running { .. } => true,
+            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
             _ => false,
+        }
+    }
+
+    /// Commands below this one may be given: there the job comes to rest.
+    const fn upto(&self) -> usize {
+        match self.phase {
+            Phase::Running { upto } | Phase::Draining { upto, .. } => upto,
+            _ => self.next,
         }
     }
 
     /// The command at this place of those given is over.
     fn over(&mut self, at: usize, now: Duration, is_done: bool) {
         let given = self.given.remove(at).expect("it was found there");
-        self.last_over = now;
+        if let Some(ran) = &mut self.ran {
+            ran.last_over = now;
+        }
         if is_done && self.begun.completed == given.index {
             self.begun.completed = given.index + 1;
             self.left = given.left;
@@ -203,5 +196,3 @@ impl Run {
 
 /// So many commands wait in the session, so that a permit finds one.
 const KEEP_WAITING: usize = 2;
-/// The journal is asked for more when so few are left.
-const LOW_WATER: usize = 12;

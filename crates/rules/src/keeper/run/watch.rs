@@ -7,8 +7,8 @@ use dobot_journal::{Unclear, Window, locate, model_at};
 use dobot_wire::{Command, Status};
 
 use super::approach::THERE_MM;
-use super::{Begun, Effect, Phase, RESTARTED, Run, word};
-use crate::keeper::Keeper;
+use super::{Begun, Effect, Phase, Run, Wish, word};
+use crate::keeper::arm::Arm;
 
 impl Run {
     /// So many statuses in a row that tell the same: nothing of a window is under way any more, not
@@ -47,83 +47,81 @@ impl Run {
         let planned_s = self.begun.plan.planned_s();
         format!(", in {ran_s:.1} s, planned were {planned_s:.1} s")
     }
-}
 
-impl Keeper {
     /// With each status: is the job located, drained, lifted, done?
-    pub(in crate::keeper) fn watch_run(&mut self) {
-        let Some(run) = &self.run else {
-            return;
-        };
-        let idle = self.session.under_way() == 0 && self.session.waiting() == 0;
-        match &run.phase {
-            Phase::Locating { window } if self.still >= run.rests_after(window) => {
+    pub(in crate::keeper) fn handle_status(&mut self, arm: &mut Arm) -> Vec<Wish> {
+        match &self.phase {
+            Phase::Locating { window } if arm.still() >= self.rests_after(window) => {
                 let window = *window;
-                self.locate_run(&window);
+                self.locate(arm, &window)
             }
-            Phase::Draining { then, reason, .. }
-                if idle && run.given.is_empty() && run.next >= run.limit =>
-            {
+            Phase::Draining {
+                then, reason, upto, ..
+            } if arm.is_idle() && self.given.is_empty() && self.next >= *upto => {
                 let (then, reason) = (*then, reason.clone());
-                self.rest_run(then, reason);
+                self.rest(arm, then, reason)
             }
             // The session may be done with commands of which it has not told yet: how far the job is,
             // only what was told says.
-            Phase::Lifting { then, reason } if idle && run.given.is_empty() => {
+            Phase::Lifting { then, reason } if arm.is_idle() && self.given.is_empty() => {
                 let (then, reason) = (*then, reason.clone());
-                self.rest_run(then, reason);
+                self.rest(arm, then, reason)
             }
-            Phase::Running if run.begun.completed == run.begun.plan.len() && self.is_at_rest() => {
-                self.run_over();
-            }
-            _ => {}
+            Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => self.finish(arm),
+            _ => Vec::new(),
         }
     }
 
+    fn is_complete(&self) -> bool {
+        self.begun.completed == self.begun.plan.len()
+    }
+
     /// All of the job was seen to be over, and the arm rests: where the job ends?
-    fn run_over(&mut self) {
-        let Some(mut run) = self.run.take() else {
-            return;
-        };
-        self.part_from_laser();
-        run.note_ran();
-        let (job, title) = (run.job(), &run.begun.title);
-        let (phase, reason) = match self.last.and_then(|status| run.misses_end(&status)) {
+    fn finish(&mut self, arm: &mut Arm) -> Vec<Wish> {
+        arm.part_from_laser();
+        self.note_ran();
+        let (job, title) = (self.job(), &self.begun.title);
+        let (phase, reason) = match arm.last().and_then(|status| self.misses_end(&status)) {
             None => (JobPhase::Done, None),
             Some(reason) => (JobPhase::Failed, Some(reason)),
         };
         let why = reason
             .as_ref()
-            .map_or_else(|| run.took(), |it| format!(": {it}"));
+            .map_or_else(|| self.took(), |it| format!(": {it}"));
         let text = format!("job {job} ({title}) is {}{why}", word(phase));
-        self.keep_phase(Effect::Phase {
+        let effect = Effect::Phase {
             job,
             phase,
             reason,
-            window: Some(run.certain()),
-            behind: run.begun.behind,
-        });
-        self.tell(News::Job { job, phase }, text);
+            window: Some(self.certain()),
+            behind: self.begun.behind,
+        };
+        vec![
+            Wish::Keep(effect),
+            Wish::Tell(News::Job { job, phase }, text),
+            Wish::Forget,
+        ]
     }
 
     /// The arm rests: which command was the last one that it did?
-    fn locate_run(&mut self, window: &Window) {
-        let (Some(run), Some(status)) = (&mut self.run, self.last) else {
-            return;
+    fn locate(&mut self, arm: &mut Arm, window: &Window) -> Vec<Wish> {
+        let Some(status) = arm.last() else {
+            return Vec::new();
         };
-        let located = locate_at(&run.begun, window, &status);
-        let reason = match located {
+        let restarted = Self::RESTARTED;
+        let reason = match locate_at(&self.begun, window, &status) {
             Ok(next) => {
-                run.begun.completed = next;
-                format!("{RESTARTED}; the arm rests where command {next} begins")
+                self.begun.completed = next;
+                format!("{restarted}; the arm rests where command {next} begins")
             }
             Err(unclear) => {
-                run.begun.doubt = Some(*window);
-                format!("{RESTARTED}; {unclear}")
+                self.begun.doubt = Some(*window);
+                format!("{restarted}; {unclear}")
             }
         };
-        self.rest_run(JobPhase::Paused, reason);
-        self.tell_job_paused();
+        let mut wishes = self.rest(arm, JobPhase::Paused, reason.clone());
+        wishes.push(self.tell(JobPhase::Paused, &reason));
+        wishes
     }
 }
 

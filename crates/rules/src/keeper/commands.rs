@@ -1,0 +1,160 @@
+//! Single commands of clients: how an arm understands them, and which are not over.
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog};
+use dobot_arm::Pose;
+use dobot_client::{CommandId, SendError};
+use dobot_course::{Button, CourseError, Model};
+use dobot_safety::Violation;
+use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
+
+use super::arm::Arm;
+use super::still_moving;
+use crate::refusal::Refusal;
+
+/// Commands of clients that are not over, and who sent them.
+#[derive(Debug, Default)]
+pub(super) struct Commands {
+    pending: HashMap<CommandId, ClientId>,
+}
+
+impl Commands {
+    /// Takes a command that a client may send: it is sent if its whole way is allowed.
+    pub(super) fn handle_command(
+        &mut self,
+        arm: &mut Arm,
+        client: ClientId,
+        command: &Command,
+        rests_within: Duration,
+    ) -> Result<CommandId, Refusal> {
+        let command = understood(arm, command, rests_within)?;
+        let waiting = arm.session().waiting();
+        if waiting >= MOST_WAITING {
+            return Err(Refusal::TooMany {
+                waiting,
+                most: MOST_WAITING,
+            });
+        }
+        if leads_somewhere(&command) && !knows_place(arm) {
+            return Err(still_moving(rests_within));
+        }
+        let id = arm.send(&command)?;
+        self.pending.insert(id, client);
+        Ok(id)
+    }
+
+    /// Takes that a command is over, or forgotten; says whether it was one of a client.
+    pub(super) fn handle_over(&mut self, id: CommandId) -> bool {
+        self.pending.remove(&id).is_some()
+    }
+
+    pub(super) fn any_of(&self, client: ClientId) -> bool {
+        self.pending.values().any(|it| *it == client)
+    }
+
+    /// Those that are not over.
+    pub(super) fn ids(&self) -> impl Iterator<Item = CommandId> {
+        self.pending.keys().copied()
+    }
+}
+
+/// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
+/// elsewhere, until the arm was seen at rest.
+fn knows_place(arm: &Arm) -> bool {
+    arm.session().model().is_none_or(Model::knows_place)
+}
+
+/// A command as this arm understands it: what is said to one that does not hear voice is carried
+/// out as the motion or the button that the words mean (note N50).
+fn understood(arm: &Arm, command: &Command, rests_within: Duration) -> Result<Command, Refusal> {
+    let Command::Voice(voice) = command else {
+        return Ok(*command);
+    };
+    let Some(dialect) = arm.session().dialect() else {
+        let field = "voice";
+        return Err(Refusal::Send(SendError::Undecided { field }));
+    };
+    if arm.session().is_bluetooth() {
+        // It waits in the session until the arm rests.
+        return Ok(*command);
+    }
+    if dialect.hears_voice {
+        // From the first byte of a text on, a motion under way would rest and lose its place.
+        let rests = arm.is_at_rest() && arm.is_idle() && !arm.session().is_moving();
+        return if rests {
+            Ok(*command)
+        } else {
+            Err(still_moving(rests_within))
+        };
+    }
+    let (Some(order), Some(model)) = (VoiceOrder::parse(voice), arm.session().model()) else {
+        let error = CourseError::NotUnderstood;
+        return Err(Refusal::Policy(Box::new(Violation::of_course(&error))));
+    };
+    Ok(spoken(order, model))
+}
+
+/// A button by which the arm moves has to be held, and its release is of its kind, however they are
+/// pressed.
+pub(super) fn button(command: &Command) -> Option<Jog> {
+    let switches = matches!(
+        Button::of(command),
+        Some(Button::Suction(_) | Button::Laser(_))
+    );
+    match command {
+        Command::JointJog(it) if !switches => Some(Jog::Joint(*it)),
+        Command::LinearJog(it) if !switches => Some(Jog::Linear(*it)),
+        _ => None,
+    }
+}
+
+/// Whether the way of a command begins where the arm is.
+const fn leads_somewhere(command: &Command) -> bool {
+    match command {
+        Command::WriteVector(it) => !it.stop,
+        Command::MoveTo(_)
+        | Command::MoveJoints(_)
+        | Command::MouseMove(_)
+        | Command::Gesture(_)
+        | Command::Voice(_) => true,
+        _ => false,
+    }
+}
+
+/// What an order means, as a command that every arm hears: a straight line at the speed that is set
+/// for lines, with pump and gripper as they are, or the pump's button.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a packet carries single precision"
+)]
+fn spoken(order: VoiceOrder, model: &Model) -> Command {
+    let button = |axis| {
+        Command::from(JointJog {
+            axis,
+            speed_percent: 0.0,
+        })
+    };
+    match order {
+        VoiceOrder::Catch => button(JointJogAxis::SuctionOn),
+        VoiceOrder::Release => button(JointJogAxis::SuctionOff),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
+            let Pose { position, rotation } = model.place.pose;
+            MoveTo {
+                x_mm: position.x.0 as f32 + x_mm,
+                y_mm: position.y.0 as f32 + y_mm,
+                z_mm: position.z.0 as f32 + z_mm,
+                rotation_deg: rotation.0 as f32,
+                suction: model.suction,
+                mode: MovingMode::MovL,
+                gripper_deg: model.gripper_deg as f32,
+                pause_s: 0.0,
+            }
+            .into()
+        }
+    }
+}
+
+/// A client that has so much waiting had better send a job.
+const MOST_WAITING: usize = 64;
