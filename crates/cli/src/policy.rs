@@ -8,7 +8,7 @@ use clap::{Subcommand, ValueEnum};
 use dobot_arm::{Degrees, Pose, Position, Tool};
 use dobot_course::{Model, Place};
 use dobot_safety::Policy;
-use dobot_wire::{Dialect, MoveTo, MovingMode};
+use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
 use crate::failure::Failure;
 use crate::output;
@@ -156,12 +156,4 @@ fn position(numbers: &[f32]) -> Position {
 
 fn told(numbers: &[f32]) -> String {
     format!("x {} y {} z {} mm", numbers[0], numbers[1], numbers[2])
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the wire holds single precision"
-)]
-const fn single(value: f64) -> f32 {
-    value as f32
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_course::{Button, LASER_OFF};
-use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, Status};
+use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, PACKET_GAP, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};
 
@@ -154,7 +154,7 @@ impl Arm {
     pub async fn stop(&mut self) -> Result<Status, LinkError> {
         self.connection.session_mut().send_now(LASER_OFF)?;
         if let Some(release) = self.connection.session().release() {
-            self.connection.pass(GAP).await?;
+            self.connection.pass(PACKET_GAP).await?;
             self.connection.session_mut().send_now(release)?;
         }
         let mut last = self.status().await?;
@@ -199,7 +199,5 @@ impl Arm {
     }
 }
 
-/// Longer than a packet takes on the line (note N26).
-const GAP: Duration = Duration::from_millis(60);
 /// What the two packets take on the line, and a status that left after them.
 const AT_REST: Duration = Duration::from_millis(240);

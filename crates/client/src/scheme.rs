@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use dobot_arm::{Joints, Tool, forward};
-use dobot_wire::{Frame, Status};
+use dobot_wire::{Frame, Status, single};
 
 /// Tells by the statuses which port of the arm this is.
 #[derive(Clone, Copy, Debug, Default)]
@@ -78,10 +78,6 @@ pub fn plausible(frame: &Frame) -> bool {
 }
 
 /// The very first message has angles, and 0 for the pose, which follows from them.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a status carries single precision"
-)]
 fn with_pose(message: Status) -> Status {
     let pose = [message.x_mm, message.y_mm, message.z_mm];
     if pose != [0.0; 3] {
@@ -96,10 +92,10 @@ fn with_pose(message: Status) -> Status {
     let [base, rear, fore, servo] = angles.map(f64::from);
     let pose = forward(&Joints::new(base, rear, fore, servo), Tool::SuctionCup);
     Status {
-        x_mm: pose.position.x.0 as f32,
-        y_mm: pose.position.y.0 as f32,
-        z_mm: pose.position.z.0 as f32,
-        rotation_deg: pose.rotation.0 as f32,
+        x_mm: single(pose.position.x.0),
+        y_mm: single(pose.position.y.0),
+        z_mm: single(pose.position.z.0),
+        rotation_deg: single(pose.rotation.0),
         ..message
     }
 }

@@ -9,7 +9,7 @@ use dobot_wire::{
     Status, WriteMode, WriteVector,
 };
 
-const PERIOD: Duration = Duration::from_millis(80);
+const PERIOD: Duration = Dialect::SPECIFICATION.status_period;
 
 /// Rear arm upright, forearm level.
 const STATUS: Status = Status {

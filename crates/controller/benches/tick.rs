@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
+use dobot_arm::TICK;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_wire::{
     Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode,
@@ -143,7 +144,6 @@ const SLOWLY: Command = Command::PlaybackAdjustment(PlaybackAdjustment {
     acceleration_percent: 50.0,
     teach_speed_percent: 50.0,
 });
-const TICK: Duration = Duration::from_millis(20);
 const TICKS: u32 = 500;
 /// The ticks after which a motion has its speed.
 const SPED_UP: u32 = 10;

@@ -1,7 +1,7 @@
 //! How a stock arm follows mouse and hand: scaled, and smoothed by what it was sent before (note
 //! N49).
 
-use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, Tool};
+use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, TICK_S, Tool};
 use dobot_motion::{JointMove, Speeds};
 use dobot_wire::{Gesture, MouseMove};
 
@@ -287,7 +287,6 @@ const SAMPLES: usize = 10;
 const MOUSE_DEG: f64 = 0.225;
 const MOUSE_MM: f64 = 0.4;
 const FOLLOW_S: f64 = 0.1;
-const TICK_S: f64 = 0.02;
 /// Of a number of ticks, by single precision.
 const ROUNDING: f64 = 1e-3;
 const HIGHEST_MM: f64 = 135.0;

@@ -1,6 +1,6 @@
 //! The course of a writing or laser vector (state 4).
 
-use dobot_arm::{Position, stock};
+use dobot_arm::{Position, TICK_S, stock};
 use dobot_motion::{Cut, Stroke, StrokeSpeeds};
 use dobot_wire::{WriteMode, WriteVector};
 
@@ -213,7 +213,7 @@ fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
 /// Without the laser, laser mode accelerates a hundredfold (note N48).
 fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, CourseError> {
     let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
-    let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
+    let least_mm_s = acceleration_mm_s2 * TICK_S / 2.0;
     if speeds.max_mm_s >= least_mm_s {
         return Ok(StrokeSpeeds {
             acceleration_mm_s2,
@@ -247,8 +247,6 @@ const SURE_MM: f64 = 0.05;
 const RAPID_FACTOR: f64 = 100.0;
 /// With less a vector takes for ever, or none of it is done.
 const CREEPS_MM_S: f64 = 0.1;
-/// Half a control tick of 20 ms.
-const HALF_A_TICK_S: f64 = 0.01;
 /// What may have been left is known as well as that, in mm/s.
 const KNOWN_MM_S: f32 = 0.05;
 /// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.

@@ -1,7 +1,7 @@
 //! Which commands of a job the arm may have done.
 
 use dobot_course::Model;
-use dobot_wire::Status;
+use dobot_wire::{Status, single};
 
 /// Which commands of a job the arm may have done: those before `completed` for sure, those in
 /// `completed..upto` perhaps, those from `upto` on for sure not.
@@ -50,9 +50,4 @@ fn status(model: &Model) -> Status {
         suction: model.suction,
         gripper_deg: single(model.gripper_deg),
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::Position;
+use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_course::{CourseError, Model};
 use dobot_wire::{
@@ -209,7 +209,6 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
     }
 }
 
-const TICK: Duration = Duration::from_millis(20);
 /// A minute and more.
 const MOST_TICKS: u32 = 5000;
 /// Until it is taken, and a tick for each of the three parts of a JUMP and for its rounding.

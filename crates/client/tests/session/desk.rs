@@ -6,7 +6,7 @@ use dobot_arm::{Joints, Pose, Position, Tool, forward, inverse};
 use dobot_client::{CommandId, Event, Session};
 use dobot_wire::{Dialect, MoveTo, MovingMode, Status, WriteMode, WriteVector};
 
-pub(crate) const PERIOD: Duration = Duration::from_millis(80);
+pub(crate) const PERIOD: Duration = Dialect::SPECIFICATION.status_period;
 
 /// A session, and an arm that does nothing but stand where it is put.
 pub(crate) struct Desk {

@@ -76,6 +76,28 @@ fn statuses_that_come_in_a_heap_permit_one_command() {
 }
 
 #[test]
+fn of_a_dialect_with_twenty_statuses_a_second_one_is_due_every_50_ms() {
+    let mut dialect = Dialect::FIRMWARE_1_1;
+    dialect.status_period = Duration::from_millis(50);
+    for mut session in [Session::trusted(Some(dialect)), Session::trusted(None)] {
+        session.set_dialect(dialect);
+        let bytes = status(200.0, 0.0, 0.0).emit().to_bytes();
+        let mut at_ms = 0;
+        // Two are missing.
+        for gap_ms in [50, 50, 50, 150, 50, 50, 50] {
+            at_ms += gap_ms;
+            session.handle_bytes(Duration::from_millis(at_ms), &bytes);
+        }
+        let quality = session.link();
+        assert_eq!(quality.lost, 2);
+        assert!(
+            (quality.statuses_per_s - 6.0 / 0.4).abs() < 1e-9,
+            "{quality:?}"
+        );
+    }
+}
+
+#[test]
 fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
     let mut session = Session::trusted(None);
     for command in [

@@ -1,6 +1,7 @@
 //! Random programs within reach, against a model of where they lead.
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
+use dobot_wire::single;
 use proptest::prelude::*;
 
 use super::*;
@@ -285,14 +286,6 @@ impl Model {
         let by = Position::new(x_mm.into(), y_mm.into(), z_mm.into());
         self.pose.position = self.pose.position + by;
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the wire is single precision"
-)]
-fn single(number: f64) -> f32 {
-    number as f32
 }
 
 /// Runs a program in one go from each jog to the next: where a jog ends, only the arm knows.
