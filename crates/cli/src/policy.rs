@@ -135,18 +135,13 @@ fn command(test: &Test) -> MoveTo {
     let Degrees(rotation_deg) = position(&test.target).direction();
     let [x_mm, y_mm, z_mm] = [test.target[0], test.target[1], test.target[2]];
     MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
         rotation_deg: single(rotation_deg),
-        suction: false,
         mode: match test.path {
             Way::Jump => MovingMode::Jump,
             Way::Movl => MovingMode::MovL,
             Way::Movj => MovingMode::MovJ,
         },
-        gripper_deg: 0.0,
-        pause_s: 0.0,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
     }
 }
 

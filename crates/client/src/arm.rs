@@ -19,16 +19,7 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// println!("{:?}: does it stand so?", arm.status().await?);
 /// // ... a person looks, and says yes:
 /// arm.confirm_pose();
-/// let status = arm.move_to(MoveTo {
-///     x_mm: 220.0,
-///     y_mm: 0.0,
-///     z_mm: 20.0,
-///     rotation_deg: 0.0,
-///     suction: false,
-///     mode: MovingMode::MovJ,
-///     gripper_deg: 0.0,
-///     pause_s: 0.0,
-/// }).await?;
+/// let status = arm.move_to(MoveTo::to(220.0, 0.0, 20.0).with_mode(MovingMode::MovJ)).await?;
 /// assert!((status.x_mm - 220.0).abs() < 0.05);
 /// # Ok(())
 /// # }

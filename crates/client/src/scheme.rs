@@ -3,8 +3,9 @@
 
 use std::time::Duration;
 
-use dobot_arm::{Joints, Tool, forward};
-use dobot_wire::{Frame, Status, single};
+use dobot_arm::Tool;
+use dobot_course::Place;
+use dobot_wire::{Frame, Status};
 
 /// Tells by the statuses which port of the arm this is.
 #[derive(Clone, Copy, Debug, Default)]
@@ -83,20 +84,11 @@ fn with_pose(message: Status) -> Status {
     if pose != [0.0; 3] {
         return message;
     }
-    let angles = [
-        message.base_deg,
-        message.rear_deg,
-        message.fore_deg,
-        message.servo_deg,
-    ];
-    let [base, rear, fore, servo] = angles.map(f64::from);
-    let pose = forward(&Joints::new(base, rear, fore, servo), Tool::SuctionCup);
+    let joints = Place::of_status(&message).joints;
     Status {
-        x_mm: single(pose.position.x.0),
-        y_mm: single(pose.position.y.0),
-        z_mm: single(pose.position.z.0),
-        rotation_deg: single(pose.rotation.0),
-        ..message
+        suction: message.suction,
+        gripper_deg: message.gripper_deg,
+        ..Place::at_joints(joints, Tool::SuctionCup).status()
     }
 }
 

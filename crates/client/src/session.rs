@@ -43,7 +43,7 @@ use crate::{Disarmed, Event, SendError};
 /// use dobot_wire::{Dialect, JointJog, JointJogAxis};
 ///
 /// let mut session = Session::new(Some(Dialect::SPECIFICATION));
-/// session.send(JointJog { axis: JointJogAxis::LaserOff, speed_percent: 0.0 })?;
+/// session.send(JointJog::new(JointJogAxis::LaserOff, 0.0))?;
 /// assert_eq!(session.poll_bytes(), None); // no status yet, so no permit
 /// session.handle_time(Duration::from_secs(10));
 /// assert!(matches!(session.poll_event(), Some(Event::LinkLost { .. })));
@@ -117,7 +117,7 @@ impl Session {
             belief: Belief::new(dialect.as_ref()),
             trust: Trust::new(trusted),
             laser: Laser::default(),
-            meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period),
+            meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period()),
             ahead: AHEAD,
             now: Duration::ZERO,
             dialect,
@@ -226,7 +226,7 @@ impl Session {
     /// Which dialect the arm speaks is known now, or known better.
     pub fn set_dialect(&mut self, dialect: Dialect) {
         self.dialect = Some(dialect);
-        self.meter.set_period(dialect.status_period);
+        self.meter.set_period(dialect.status_period());
         self.belief.set_dialect(dialect);
     }
 

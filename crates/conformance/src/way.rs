@@ -141,6 +141,6 @@ fn apart(a: &Seen, b: &Seen) -> f64 {
 }
 
 /// The time between two statuses (note N20).
-pub(crate) const PERIOD_S: f64 = Dialect::SPECIFICATION.status_period.as_secs_f64();
+pub(crate) const PERIOD_S: f64 = Dialect::SPECIFICATION.status_period().as_secs_f64();
 /// A status tells of a place where it is as near as this.
 const HERE_MM: f64 = 0.01;

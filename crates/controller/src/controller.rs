@@ -20,7 +20,6 @@ use crate::{Personality, Port, PowerUp, Refused};
 /// statuses at least every second, else the oldest are lost.
 #[derive(Debug)]
 pub struct Controller {
-    dialect: Dialect,
     program: Program,
     /// The number of the next control tick, and when it is due.
     tick: u32,
@@ -45,10 +44,10 @@ impl Controller {
     /// Switches a controller on.
     #[must_use]
     pub fn power_up(power_up: PowerUp) -> Self {
-        Self::speaking(power_up.personality.dialect(), &power_up)
+        Self::speaking(&power_up.personality.dialect(), &power_up)
     }
 
-    fn speaking(dialect: Dialect, power_up: &PowerUp) -> Self {
+    fn speaking(dialect: &Dialect, power_up: &PowerUp) -> Self {
         let (program, port) = match power_up.personality {
             Personality::Specification => {
                 let program = Specification::power_up(power_up);
@@ -61,12 +60,11 @@ impl Controller {
         };
         let outputs = Outputs::new([0; 3], program.hands());
         Self {
-            dialect,
             program,
             tick: 0,
             next_tick: Duration::ZERO,
             ticks_at_rest: 0,
-            schedule: Schedule::new(port, dialect.status_period),
+            schedule: Schedule::new(port, dialect.status_period()),
             steppers: Steppers::default(),
             outputs,
             uploads: Uploads::new(),
@@ -148,10 +146,10 @@ impl Controller {
         }
     }
 
-    /// The dialect that it speaks.
+    /// From one status to the next while there is room in the queue.
     #[must_use]
-    pub const fn dialect(&self) -> &Dialect {
-        &self.dialect
+    pub const fn status_period(&self) -> Duration {
+        self.schedule.period()
     }
 
     /// What the last control tick told the machine.
@@ -310,10 +308,10 @@ mod tests {
     #[test]
     fn a_status_comes_as_often_as_the_dialect_says_even_if_that_is_no_whole_number_of_ticks() {
         let mut dialect = Dialect::FIRMWARE_1_1;
-        dialect.status_period = Duration::from_millis(50);
+        dialect.status_period_ms = 50;
         for step_ms in [1, 1000] {
             let power_up = PowerUp::new(Personality::Firmware11);
-            let mut controller = Controller::speaking(dialect, &power_up);
+            let mut controller = Controller::speaking(&dialect, &power_up);
             let mut came = 0;
             for now_ms in (0..10_000).step_by(step_ms) {
                 controller.handle_time(Duration::from_millis(now_ms));

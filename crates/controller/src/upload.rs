@@ -48,6 +48,13 @@ impl Schedule {
         }
     }
 
+    pub(crate) const fn period(&self) -> Duration {
+        Duration::from_millis(match self {
+            Self::Usb { period_ms, .. } => *period_ms as u64,
+            Self::Bluetooth { .. } => BLUETOOTH_CYCLE as u64 / 2 * TICK_MS as u64,
+        })
+    }
+
     /// How many ticks from now on send nothing, as long as nothing waits.
     pub(crate) const fn silent_ticks(&self) -> u32 {
         match self {

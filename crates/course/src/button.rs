@@ -62,14 +62,10 @@ impl Button {
         };
         let speed_percent = 0.0;
         Some(match command {
-            Command::LinearJog(_) => Command::LinearJog(LinearJog {
-                axis: LinearJogAxis::Released,
-                speed_percent,
-            }),
-            _ => Command::JointJog(JointJog {
-                axis: JointJogAxis::Released,
-                speed_percent,
-            }),
+            Command::LinearJog(_) => {
+                Command::LinearJog(LinearJog::new(LinearJogAxis::Released, speed_percent))
+            }
+            _ => Command::JointJog(JointJog::new(JointJogAxis::Released, speed_percent)),
         })
     }
 }

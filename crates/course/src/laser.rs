@@ -13,7 +13,7 @@ use crate::Button;
 /// use dobot_course::burns;
 /// use dobot_wire::{Command, JointJog, JointJogAxis};
 ///
-/// let button = |axis| Command::from(JointJog { axis, speed_percent: 0.0 });
+/// let button = |axis| Command::from(JointJog::new(axis, 0.0));
 /// assert!(burns(&button(JointJogAxis::LaserOn)));
 /// assert!(!burns(&button(JointJogAxis::LaserOff)));
 /// ```
@@ -26,7 +26,4 @@ pub fn burns(command: &Command) -> bool {
 }
 
 /// What switches the laser off, and does nothing else: jog axis 14 (Table 2.5).
-pub const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
+pub const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));

@@ -16,13 +16,10 @@ use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
 /// ```
 /// # use dobot_arm::{Joints, Tool};
 /// # use dobot_course::{Model, Place};
-/// # use dobot_wire::{Command, Dialect, WriteMode, WriteVector};
+/// # use dobot_wire::{Command, Dialect, WriteVector};
 /// let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
 /// let model = Model::standing(Dialect::SPECIFICATION, here);
-/// let vector = Command::from(WriteVector {
-///     mode: WriteMode::Writing, x_mm: 0.0, y_mm: 20.0, z_mm: 0.0, laser: false,
-///     start_speed_mm_s: 0.0, end_speed_mm_s: 0.0, max_speed_mm_s: 40.0, stop: false,
-/// });
+/// let vector = Command::from(WriteVector::by(0.0, 20.0, 0.0, 40.0));
 /// let course = model.course(&vector)?;
 /// // 8 mm speeding up to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
 /// assert!((course.duration_s().unwrap() - 0.9).abs() < 1e-9);

@@ -268,14 +268,9 @@ mod tests {
         model.left = Left::known(0.8);
         let rapid = Command::from(WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: -1.4,
-            z_mm: 0.0,
-            laser: false,
             start_speed_mm_s: 34.0,
             end_speed_mm_s: 40.0,
-            max_speed_mm_s: 150.0,
-            stop: false,
+            ..WriteVector::by(0.0, -1.4, 0.0, 150.0)
         });
         assert!(model.course(&rapid).is_ok());
         model.lose_place();
@@ -292,14 +287,8 @@ mod tests {
         // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
         let mut vector = WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: -3.1,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
             end_speed_mm_s: 10.0,
-            max_speed_mm_s: 10.0,
-            stop: false,
+            ..WriteVector::by(0.0, -3.1, 0.0, 10.0)
         };
         assert!(model.course(&vector.into()).is_ok());
         model.left = model.left.perhaps();
@@ -329,14 +318,7 @@ mod tests {
         model.left = Left::known(57.5);
         let rapid = WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: 26.764,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s: 150.0,
-            stop: false,
+            ..WriteVector::by(0.0, 26.764, 0.0, 150.0)
         };
         let course = model.course(&rapid.into());
         let Err(CourseError::LeavesBackwards { left_mm_s, back_mm }) = course else {
@@ -360,15 +342,8 @@ mod tests {
         model.settings.write_acceleration_mm_s2 = 200.0;
         model.left = Left::known(-0.9);
         let vector = Command::from(WriteVector {
-            mode: WriteMode::Writing,
-            x_mm: 0.3,
-            y_mm: 0.0,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
             end_speed_mm_s: 1.0,
-            max_speed_mm_s: 10.0,
-            stop: false,
+            ..WriteVector::by(0.3, 0.0, 0.0, 10.0)
         });
         assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
     }

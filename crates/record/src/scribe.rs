@@ -380,16 +380,7 @@ mod tests {
     }
 
     fn target(mode: MovingMode) -> [u8; 42] {
-        let target = MoveTo {
-            x_mm: 200.0,
-            y_mm: 0.0,
-            z_mm: 20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        };
+        let target = MoveTo::to(200.0, 0.0, 20.0).with_mode(mode);
         target.emit(&Dialect::SPECIFICATION).to_bytes()
     }
 
@@ -398,14 +389,10 @@ mod tests {
         Status {
             x_mm: 0.0,
             y_mm: 215.07,
-            z_mm: 135.0,
             rotation_deg: 90.0,
             base_deg: 90.0,
-            rear_deg: 0.0,
-            fore_deg: 0.0,
-            servo_deg: 0.0,
             suction: true,
-            gripper_deg: 0.0,
+            ..Status::AT_ZERO
         }
     }
 

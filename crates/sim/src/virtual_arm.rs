@@ -58,7 +58,7 @@ impl VirtualArm {
         Self {
             mechanics: Mechanics::new(controller.joints_at(Duration::ZERO)),
             uploaded: Duration::ZERO,
-            spacing: controller.dialect().status_period,
+            spacing: controller.status_period(),
             ticks: 0,
             controller,
             started: Duration::ZERO,

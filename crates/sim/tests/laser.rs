@@ -34,14 +34,8 @@ fn vector(x_mm: f32, y_mm: f32, laser: bool) -> Command {
         } else {
             WriteMode::Writing
         },
-        x_mm,
-        y_mm,
-        z_mm: 0.0,
         laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
+        ..WriteVector::by(x_mm, y_mm, 0.0, 40.0)
     }
     .into()
 }
@@ -49,14 +43,9 @@ fn vector(x_mm: f32, y_mm: f32, laser: bool) -> Command {
 /// To a place, with a pause of two seconds there.
 fn target(x_mm: f32, y_mm: f32) -> Command {
     MoveTo {
-        x_mm,
-        y_mm,
-        z_mm: 30.0,
-        rotation_deg: 0.0,
-        suction: false,
         mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
         pause_s: 2.0,
+        ..MoveTo::to(x_mm, y_mm, 30.0)
     }
     .into()
 }
@@ -83,10 +72,7 @@ async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
 
 #[tokio::test]
 async fn nothing_that_a_program_sends_leaves_the_laser_burning_on_the_spot() {
-    let on = Command::from(JointJog {
-        axis: JointJogAxis::LaserOn,
-        speed_percent: 0.0,
-    });
+    let on = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
     for personality in Personality::ALL {
         for (what, commands) in [
             ("one vector", vec![vector(10.0, 0.0, true)]),

@@ -22,6 +22,15 @@ impl JointJog {
     /// Float 1 of this command.
     pub const STATE: f32 = 2.0;
 
+    /// Presses or releases a button.
+    #[must_use]
+    pub const fn new(axis: JointJogAxis, speed_percent: f32) -> Self {
+        Self {
+            axis,
+            speed_percent,
+        }
+    }
+
     /// The jog that moves over the Bluetooth port what this one moves over USB, and the other way
     /// round: base and rear arm change places, and the two directions of the forearm (note N38).
     #[must_use]

@@ -10,18 +10,9 @@
 //! No I/O, no clock, no heap.
 //!
 //! ```
-//! use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet};
+//! use dobot_wire::{Command, Decoder, Dialect, MoveTo, Packet};
 //!
-//! let command = Command::from(MoveTo {
-//!     x_mm: 200.0,
-//!     y_mm: -50.0,
-//!     z_mm: 20.0,
-//!     rotation_deg: 15.0,
-//!     suction: false,
-//!     mode: MovingMode::Jump,
-//!     gripper_deg: 0.0,
-//!     pause_s: 0.0,
-//! });
+//! let command = Command::from(MoveTo { rotation_deg: 15.0, ..MoveTo::to(200.0, -50.0, 20.0) });
 //! let bytes = command.emit(&Dialect::SPECIFICATION).to_bytes();
 //!
 //! let mut decoder = Decoder::commands();

@@ -22,6 +22,15 @@ impl LinearJog {
     /// Float 1 of this command.
     pub const STATE: f32 = 7.0;
 
+    /// Presses or releases a button.
+    #[must_use]
+    pub const fn new(axis: LinearJogAxis, speed_percent: f32) -> Self {
+        Self {
+            axis,
+            speed_percent,
+        }
+    }
+
     /// Reads the command.
     ///
     /// # Errors

@@ -16,18 +16,9 @@ use crate::going::{Going, line_with};
 use crate::killing::{burns, spiral};
 use crate::program::{command, command_at, run};
 
-const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
-const JOINT_RELEASE: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::Released,
-    speed_percent: 0.0,
-});
-const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog {
-    axis: LinearJogAxis::Released,
-    speed_percent: 0.0,
-});
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+const JOINT_RELEASE: Command = Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
+const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
 /// What passes the wire, and when.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use std::time::Duration;
 use dobot_station::{JobKind, NewJob};
 use dobot_wire::{
     Command, Configuration, Decoder, Dialect, EndEffector, JointJog, JointJogAxis, MoveTo,
-    MovingMode, WriteMode, WriteVector,
+    WriteMode, WriteVector,
 };
 use serde_json::Value;
 use tempfile::TempDir;
@@ -19,10 +19,7 @@ use crate::going::Going;
 use crate::program::{command, command_at, run};
 
 const DIALECT: Dialect = Dialect::SPECIFICATION;
-const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 /// What passes the wire to the arm.
 enum Passed {
@@ -87,17 +84,7 @@ pub(crate) fn spiral() -> NewJob {
             tool: EndEffector::Laser,
         }
         .into(),
-        MoveTo {
-            x_mm: 220.0,
-            y_mm: 0.0,
-            z_mm: -20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode: MovingMode::Jump,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        }
-        .into(),
+        MoveTo::to(220.0, 0.0, -20.0).into(),
         vector([0.0, 0.0, -10.0], false),
     ];
     commands.extend((0_u8..16).map(|line| {
@@ -128,14 +115,8 @@ fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
         } else {
             WriteMode::Writing
         },
-        x_mm,
-        y_mm,
-        z_mm,
         laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
+        ..WriteVector::by(x_mm, y_mm, z_mm, 40.0)
     }
     .into()
 }

@@ -29,10 +29,7 @@ fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
 
 /// A button of the joints at half its speed, or the release of all.
 fn jog(axis: JointJogAxis) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent: 50.0,
-    }
+    JointJog::new(axis, 50.0)
 }
 
 /// A button is pressed and let go, and a straight line to where the arm stood waits behind that.

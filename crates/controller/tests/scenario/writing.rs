@@ -5,17 +5,7 @@ use dobot_wire::{Configuration, JointJog, JointJogAxis, WriteMode, WriteVector};
 use crate::lab::Lab;
 
 fn vector(x_mm: f32, y_mm: f32, z_mm: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
+    WriteVector::by(x_mm, y_mm, z_mm, 40.0)
 }
 
 #[test]
@@ -104,10 +94,7 @@ fn a_refused_vector_switches_the_laser_off() {
 
 #[test]
 fn a_laser_switched_on_by_hand_stays_on_until_it_is_switched_off() {
-    let press = |axis| JointJog {
-        axis,
-        speed_percent: 0.0,
-    };
+    let press = |axis| JointJog::new(axis, 0.0);
     let lab = Lab::power_up()
         .send(press(JointJogAxis::LaserOn))
         .wait_ms(5000);

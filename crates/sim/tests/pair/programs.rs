@@ -180,10 +180,7 @@ impl Model {
                 packets,
                 percent,
             } => {
-                let jog = LinearJog {
-                    axis,
-                    speed_percent: percent,
-                };
+                let jog = LinearJog::new(axis, percent);
                 let mut commands = vec![Command::from(jog); packets];
                 commands.push(button(JointJogAxis::Released, 0.0).into());
                 commands
@@ -214,16 +211,7 @@ impl Model {
         let rounded = [base_deg, rear_deg, fore_deg, servo_deg].map(f64::from);
         let [base, rear, fore, servo] = rounded;
         self.pose = forward(&Joints::new(base, rear, fore, servo), self.tool);
-        Command::from(MoveJoints {
-            base_deg,
-            rear_deg,
-            fore_deg,
-            servo_deg,
-            suction: false,
-            mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        })
+        Command::from(MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]).with_mode(mode))
     }
 
     fn write(&mut self, to: Place, max_mm_s: f32, shares: (f32, f32)) -> Vec<Command> {
@@ -267,16 +255,11 @@ impl Model {
             Step::Speeds {
                 speed,
                 default_pause_s,
-            } => Configuration::Playback {
-                joint_speed_deg_s: speed,
-                joint_acceleration_deg_s2: speed,
-                servo_speed_deg_s: speed,
-                servo_acceleration_deg_s2: speed,
-                linear_speed_mm_s: speed,
-                linear_acceleration_mm_s2: speed,
+            } => Configuration::playback(
+                [speed, speed, speed, speed, speed, speed],
                 default_pause_s,
-                jump_height_mm: 15.0,
-            }
+                15.0,
+            )
             .into(),
             _ => unreachable!("the other steps move"),
         }
