@@ -42,6 +42,7 @@ mod direction;
 mod error;
 mod frame;
 mod gesture;
+mod jog;
 mod joint_jog;
 mod leniency;
 mod linear_jog;
