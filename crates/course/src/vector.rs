@@ -1,15 +1,14 @@
 //! The course of a writing or laser vector (state 4).
 
-use dobot_arm::{Position, TICK_S, stock};
+use dobot_arm::{Pose, Position, TICK_S, stock};
 use dobot_motion::{Cut, Stroke, StrokeSpeeds};
 use dobot_wire::{WriteMode, WriteVector};
 
 use crate::error::MOST_COUNTED_S;
+use crate::left::{CREEPS_MM_S, Left};
 use crate::place::position;
-use crate::plan::relative;
 use crate::way::Way;
 use crate::{Course, CourseError, Model, Place};
-use dobot_arm::Pose;
 
 /// Plans a vector from where the arm is.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
@@ -40,7 +39,7 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
         rotation: from.rotation,
         held_z: is_flat.then_some(from.position.z),
     };
-    let course = relative(way, model)?;
+    let course = Course::relative(way, model)?;
     let length_mm = by.length().0;
     Ok(Course {
         knows_end: course.knows_end
@@ -71,48 +70,6 @@ fn stock_end(course: &Course, model: &Model) -> Place {
     };
     let place = Place::at_pose(pose, model.tool).ok();
     place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
-}
-
-/// The end speed of the last vector in mm/s, with which the next one starts where the dialect does not
-/// use its start speed (notes N5 and N48); where it does, nobody cares.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Left {
-    pub(crate) believed_mm_s: f32,
-    /// What it may be instead where nobody knows: of an arm that others used before, or behind a vector
-    /// that may have been cut short.
-    perhaps_mm_s: Option<[f32; 3]>,
-}
-
-impl Left {
-    /// At power-up.
-    pub(crate) const NOTHING: Self = Self::known(0.0);
-
-    const fn known(believed_mm_s: f32) -> Self {
-        Self {
-            believed_mm_s,
-            perhaps_mm_s: None,
-        }
-    }
-
-    /// Whether it is that, near enough.
-    fn is_known(self) -> bool {
-        let mut perhaps = self.perhaps_mm_s.iter().flatten();
-        perhaps.all(|it| (it - self.believed_mm_s).abs() <= KNOWN_MM_S)
-    }
-
-    /// Whether what begins with it and gets no faster might creep.
-    fn may_creep(self) -> bool {
-        let mut perhaps = self.perhaps_mm_s.iter().flatten();
-        perhaps.any(|it| f64::from(*it) < CREEPS_MM_S)
-    }
-
-    /// The same, where nobody knows whether it is so.
-    pub(crate) const fn perhaps(self) -> Self {
-        Self {
-            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
-            ..self
-        }
-    }
 }
 
 /// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
@@ -245,12 +202,6 @@ const BACK_MM: f32 = 0.5;
 const SURE_MM: f64 = 0.05;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
-/// With less a vector takes for ever, or none of it is done.
-const CREEPS_MM_S: f64 = 0.1;
-/// What may have been left is known as well as that, in mm/s.
-const KNOWN_MM_S: f32 = 0.05;
-/// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
-const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
 
 #[cfg(test)]
 mod tests {

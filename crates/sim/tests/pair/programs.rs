@@ -1,6 +1,7 @@
 //! Random programs within reach, against a model of where they lead.
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
+use dobot_course::tool_named;
 use dobot_wire::single;
 use proptest::prelude::*;
 
@@ -244,11 +245,7 @@ impl Model {
             }
             Step::Tool(tool) => {
                 let joints = self.joints();
-                self.tool = match tool {
-                    EndEffector::SuctionCup => Tool::SuctionCup,
-                    EndEffector::Gripper => Tool::Gripper,
-                    EndEffector::Laser => Tool::Laser,
-                };
+                self.tool = tool_named(tool);
                 self.pose = forward(&joints, self.tool);
                 Configuration::EndEffector { tool }.into()
             }
