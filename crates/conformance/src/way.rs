@@ -4,7 +4,8 @@ use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_client::position;
 use dobot_wire::{Dialect, Status};
 
-use crate::rig::{Seen, joints};
+use crate::rig::joints;
+use crate::seen::Seen;
 
 /// The statuses of one motion, from rest to rest.
 #[derive(Debug)]

@@ -30,6 +30,7 @@ mod laser;
 mod limits;
 mod path;
 mod place;
+mod point;
 mod policy;
 mod policy_error;
 mod sections;

@@ -7,7 +7,8 @@ use dobot_wire::{PACKET_LEN, Status};
 
 use crate::hindrance::Hindrance;
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Seen, Trouble, disagreement, joints, lenient, tool_of, turned};
+use crate::rig::{Rig, Trouble, disagreement, joints, lenient, tool_of, turned};
+use crate::seen::Seen;
 use crate::way::PERIOD_S;
 
 /// Listens, and tells what does not belong to statuses.

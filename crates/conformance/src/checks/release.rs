@@ -7,7 +7,8 @@ use dobot_wire::{Frame, Status, single};
 use crate::checks::settings::reach_of;
 use crate::outcome::Outcome;
 use crate::packet::{configuration, jog};
-use crate::rig::{Rig, Seen, Trouble};
+use crate::rig::{Rig, Trouble};
+use crate::seen::Seen;
 use crate::way::PERIOD_S;
 
 /// A joint jog that a linear release ends, and the other way round. By the document it runs down

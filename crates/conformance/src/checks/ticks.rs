@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use crate::outcome::Outcome;
 use crate::packet::{JUMP_MM, playback, target};
-use crate::rig::{Rig, Seen, Trouble};
+use crate::rig::{Rig, Trouble};
+use crate::seen::Seen;
 use crate::way::periods;
 use dobot_arm::TICK_S;
 use dobot_wire::single;
