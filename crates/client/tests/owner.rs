@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_client::{Event, SendError, Session};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet,
-    Status, WriteMode, WriteVector,
+    Status, WriteVector,
 };
 
 const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
@@ -156,11 +156,7 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
 }
 
 fn burn(y_mm: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..stroke(y_mm)
-    }
+    stroke(y_mm).burning()
 }
 
 fn events(session: &mut Session) -> Vec<Event> {

@@ -9,7 +9,7 @@ use std::time::Duration;
 use dobot_client::{Connection, LinkError, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, RECORDING_PERIOD, VirtualArm};
-use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 use self::light::longest_stand_s;
 
@@ -28,16 +28,8 @@ fn arm(personality: Personality) -> (InProcess, Connection) {
 }
 
 fn vector(x_mm: f32, y_mm: f32, laser: bool) -> Command {
-    WriteVector {
-        mode: if laser {
-            WriteMode::Laser
-        } else {
-            WriteMode::Writing
-        },
-        laser,
-        ..WriteVector::by(x_mm, y_mm, 0.0, 40.0)
-    }
-    .into()
+    let stroke = WriteVector::by(x_mm, y_mm, 0.0, 40.0);
+    if laser { stroke.burning() } else { stroke }.into()
 }
 
 /// To a place, with a pause of two seconds there.

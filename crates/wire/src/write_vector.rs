@@ -38,7 +38,8 @@ impl WriteVector {
     /// ```
     /// # use dobot_wire::{WriteMode, WriteVector};
     /// let stroke = WriteVector::by(0.0, 20.0, 0.0, 40.0);
-    /// let burn = WriteVector { mode: WriteMode::Laser, laser: true, ..stroke };
+    /// assert_eq!(stroke.burning().mode, WriteMode::Laser);
+    /// let through = WriteVector { end_speed_mm_s: 40.0, ..stroke };
     /// ```
     #[must_use]
     pub const fn by(x_mm: f32, y_mm: f32, z_mm: f32, max_speed_mm_s: f32) -> Self {
@@ -52,6 +53,16 @@ impl WriteVector {
             end_speed_mm_s: 0.0,
             max_speed_mm_s,
             stop: false,
+        }
+    }
+
+    /// The same with the laser, which is on.
+    #[must_use]
+    pub const fn burning(self) -> Self {
+        Self {
+            mode: WriteMode::Laser,
+            laser: true,
+            ..self
         }
     }
 

@@ -1,6 +1,6 @@
 //! State 4: writing and laser.
 
-use dobot_wire::{Configuration, JointJog, JointJogAxis, WriteMode, WriteVector};
+use dobot_wire::{Configuration, JointJog, JointJogAxis, WriteVector};
 
 use crate::lab::Lab;
 
@@ -57,11 +57,7 @@ fn the_writing_acceleration_can_be_set() {
 
 #[test]
 fn the_laser_burns_in_its_mode_only_and_goes_off_with_the_last_vector() {
-    let burn = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(0.0, 20.0, 0.0)
-    };
+    let burn = vector(0.0, 20.0, 0.0).burning();
     let lab = Lab::power_up().send(burn).send(burn).wait_ms(1000);
     assert!(lab.controller.laser());
     let lab = lab.wait_ms(3000);
@@ -77,16 +73,8 @@ fn the_laser_burns_in_its_mode_only_and_goes_off_with_the_last_vector() {
 
 #[test]
 fn a_refused_vector_switches_the_laser_off() {
-    let burn = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(0.0, 20.0, 0.0)
-    };
-    let too_far = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(500.0, 0.0, 0.0)
-    };
+    let burn = vector(0.0, 20.0, 0.0).burning();
+    let too_far = vector(500.0, 0.0, 0.0).burning();
     let lab = Lab::power_up().send(burn).send(too_far).wait_ms(5000);
     assert!(!lab.controller.laser());
     lab.expect_refusal("on its way");

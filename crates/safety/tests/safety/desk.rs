@@ -5,7 +5,7 @@ use dobot_course::{Course, Model, Place};
 use dobot_safety::{Policy, Violation};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
-    MovingMode, WriteMode, WriteVector,
+    MovingMode, WriteVector,
 };
 
 /// An arm that stands at a point, and the policy that watches over it.
@@ -92,11 +92,7 @@ pub(crate) fn vector(x: f32, y: f32, z: f32) -> WriteVector {
 }
 
 pub(crate) fn burning(x: f32, y: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(x, y, 0.0)
-    }
+    vector(x, y, 0.0).burning()
 }
 
 pub(crate) fn jog(axis: JointJogAxis, speed_percent: f32) -> JointJog {

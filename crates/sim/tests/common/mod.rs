@@ -42,6 +42,21 @@ pub(crate) fn playback(speed: f32) -> Configuration {
     Configuration::playback([speed, 200.0, speed, 200.0, speed, 200.0], 0.0, 20.0)
 }
 
+/// Three targets, a zigzag of vectors, and back.
+pub(crate) fn program() -> Vec<Command> {
+    let mut program: Vec<Command> = vec![
+        move_to(MovingMode::MovL, 220.0, 0.0, 0.0).into(),
+        move_to(MovingMode::MovJ, 240.0, 40.0, 20.0).into(),
+        move_to(MovingMode::Jump, 210.0, -20.0, 0.0).into(),
+    ];
+    for n in 0..20_u8 {
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        program.push(vector(1.0, 10.0 * sign, 20.0).into());
+    }
+    program.push(move_to(MovingMode::MovJ, 200.0, 0.0, 0.0).into());
+    program
+}
+
 /// Gives all commands at once and waits until the last one is over or something goes wrong;
 /// returns what happened, statuses aside.
 pub(crate) async fn run(connection: &mut Connection, program: &[Command]) -> Vec<Event> {
