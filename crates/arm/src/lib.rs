@@ -1,4 +1,4 @@
-//! The original Dobot Arm: units, poses, tools, limits and kinematics.
+//! The original Dobot Arm: units, poses, tools, limits, kinematics, and the tick of its controller.
 //!
 //! Angles are degrees and lengths millimetres everywhere; radians stay inside. `docs/kinematics.md`
 //! shows the frames, the signs and the formulas with pictures.
@@ -26,6 +26,7 @@ mod limits;
 mod pose;
 mod position;
 pub mod stock;
+mod tick;
 mod tool;
 mod units;
 mod unreachable;
@@ -36,6 +37,7 @@ pub use kinematics::{FOREARM, REAR_ARM, forward, inverse};
 pub use limits::{Limits, Span};
 pub use pose::Pose;
 pub use position::Position;
+pub use tick::{TICK, TICK_S};
 pub use tool::Tool;
 pub use units::{Degrees, Millimeters};
 pub use unreachable::{Quantity, Unreachable};

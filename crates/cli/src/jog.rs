@@ -111,43 +111,27 @@ async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(
 impl Button {
     fn pressed(self, speed_percent: f32) -> Command {
         match self {
-            Self::Joint(axis) => JointJog {
-                axis,
-                speed_percent,
-            }
-            .into(),
-            Self::Linear(axis) => LinearJog {
-                axis,
-                speed_percent,
-            }
-            .into(),
+            Self::Joint(axis) => JointJog::new(axis, speed_percent).into(),
+            Self::Linear(axis) => LinearJog::new(axis, speed_percent).into(),
         }
     }
 
     /// What has to be held; nothing, for a switch.
     fn held(self, speed_percent: f32) -> Option<Jog> {
         match self {
-            Self::Joint(axis) => axis.moves().then_some(Jog::Joint(JointJog {
-                axis,
-                speed_percent,
-            })),
-            Self::Linear(axis) => Some(Jog::Linear(LinearJog {
-                axis,
-                speed_percent,
-            })),
+            Self::Joint(axis) => axis
+                .moves()
+                .then_some(Jog::Joint(JointJog::new(axis, speed_percent))),
+            Self::Linear(axis) => Some(Jog::Linear(LinearJog::new(axis, speed_percent))),
         }
     }
 
     /// What ends a switch; nothing where it may stay as it is, or where a button is let go.
     fn released(self) -> Option<Command> {
         match self {
-            Self::Joint(JointJogAxis::LaserOn) => Some(
-                JointJog {
-                    axis: JointJogAxis::LaserOff,
-                    speed_percent: 0.0,
-                }
-                .into(),
-            ),
+            Self::Joint(JointJogAxis::LaserOn) => {
+                Some(JointJog::new(JointJogAxis::LaserOff, 0.0).into())
+            }
             Self::Joint(_) | Self::Linear(_) => None,
         }
     }

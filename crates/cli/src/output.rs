@@ -124,7 +124,7 @@ const UNITS: [(&str, &str); 8] = [
 
 #[cfg(test)]
 mod tests {
-    use dobot_wire::{MoveTo, MovingMode};
+    use dobot_wire::MoveTo;
 
     use super::*;
 
@@ -140,14 +140,10 @@ mod tests {
     #[test]
     fn fields_carry_their_units() {
         let target = MoveTo {
-            x_mm: 200.1,
-            y_mm: -50.0,
-            z_mm: 0.0,
             rotation_deg: 15.5,
             suction: true,
-            mode: MovingMode::Jump,
-            gripper_deg: 0.0,
             pause_s: 0.5,
+            ..MoveTo::to(200.1, -50.0, 0.0)
         };
         let text = fields(&target);
         for part in [

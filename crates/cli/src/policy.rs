@@ -8,7 +8,7 @@ use clap::{Subcommand, ValueEnum};
 use dobot_arm::{Degrees, Pose, Position, Tool};
 use dobot_course::{Model, Place};
 use dobot_safety::Policy;
-use dobot_wire::{Dialect, MoveTo, MovingMode};
+use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
 use crate::failure::Failure;
 use crate::output;
@@ -135,18 +135,13 @@ fn command(test: &Test) -> MoveTo {
     let Degrees(rotation_deg) = position(&test.target).direction();
     let [x_mm, y_mm, z_mm] = [test.target[0], test.target[1], test.target[2]];
     MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
         rotation_deg: single(rotation_deg),
-        suction: false,
         mode: match test.path {
             Way::Jump => MovingMode::Jump,
             Way::Movl => MovingMode::MovL,
             Way::Movj => MovingMode::MovJ,
         },
-        gripper_deg: 0.0,
-        pause_s: 0.0,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
     }
 }
 
@@ -156,12 +151,4 @@ fn position(numbers: &[f32]) -> Position {
 
 fn told(numbers: &[f32]) -> String {
     format!("x {} y {} z {} mm", numbers[0], numbers[1], numbers[2])
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the wire holds single precision"
-)]
-const fn single(value: f64) -> f32 {
-    value as f32
 }

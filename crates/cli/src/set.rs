@@ -155,14 +155,14 @@ fn command(group: &Group) -> Command {
             servo_acceleration,
             linear_speed,
             linear_acceleration,
-        } => Configuration::Teach {
-            joint_speed_deg_s: joint_speed,
-            joint_acceleration_deg_s2: joint_acceleration,
-            servo_speed_deg_s: servo_speed,
-            servo_acceleration_deg_s2: servo_acceleration,
-            linear_speed_mm_s: linear_speed,
-            linear_acceleration_mm_s2: linear_acceleration,
-        }
+        } => Configuration::teach([
+            joint_speed,
+            joint_acceleration,
+            servo_speed,
+            servo_acceleration,
+            linear_speed,
+            linear_acceleration,
+        ])
         .into(),
         Group::Moves {
             joint_speed,
@@ -173,16 +173,18 @@ fn command(group: &Group) -> Command {
             linear_acceleration,
             pause,
             jump_height,
-        } => Configuration::Playback {
-            joint_speed_deg_s: joint_speed,
-            joint_acceleration_deg_s2: joint_acceleration,
-            servo_speed_deg_s: servo_speed,
-            servo_acceleration_deg_s2: servo_acceleration,
-            linear_speed_mm_s: linear_speed,
-            linear_acceleration_mm_s2: linear_acceleration,
-            default_pause_s: pause,
-            jump_height_mm: jump_height,
-        }
+        } => Configuration::playback(
+            [
+                joint_speed,
+                joint_acceleration,
+                servo_speed,
+                servo_acceleration,
+                linear_speed,
+                linear_acceleration,
+            ],
+            pause,
+            jump_height,
+        )
         .into(),
         Group::Writing { acceleration } => Configuration::Writing {
             acceleration_mm_s2: acceleration,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_course::{Button, LASER_OFF};
-use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, Status};
+use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, PACKET_GAP, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};
 
@@ -19,16 +19,7 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// println!("{:?}: does it stand so?", arm.status().await?);
 /// // ... a person looks, and says yes:
 /// arm.confirm_pose();
-/// let status = arm.move_to(MoveTo {
-///     x_mm: 220.0,
-///     y_mm: 0.0,
-///     z_mm: 20.0,
-///     rotation_deg: 0.0,
-///     suction: false,
-///     mode: MovingMode::MovJ,
-///     gripper_deg: 0.0,
-///     pause_s: 0.0,
-/// }).await?;
+/// let status = arm.move_to(MoveTo::to(220.0, 0.0, 20.0).with_mode(MovingMode::MovJ)).await?;
 /// assert!((status.x_mm - 220.0).abs() < 0.05);
 /// # Ok(())
 /// # }
@@ -154,7 +145,7 @@ impl Arm {
     pub async fn stop(&mut self) -> Result<Status, LinkError> {
         self.connection.session_mut().send_now(LASER_OFF)?;
         if let Some(release) = self.connection.session().release() {
-            self.connection.pass(GAP).await?;
+            self.connection.pass(PACKET_GAP).await?;
             self.connection.session_mut().send_now(release)?;
         }
         let mut last = self.status().await?;
@@ -199,7 +190,5 @@ impl Arm {
     }
 }
 
-/// Longer than a packet takes on the line (note N26).
-const GAP: Duration = Duration::from_millis(60);
 /// What the two packets take on the line, and a status that left after them.
 const AT_REST: Duration = Duration::from_millis(240);

@@ -9,7 +9,7 @@
 //! println!("{:?}: does it stand so?", arm.status()?);
 //! // ... a person looks, and says yes:
 //! arm.confirm_pose();
-//! let up = LinearJog { axis: LinearJogAxis::ZPlus, speed_percent: 20.0 };
+//! let up = LinearJog::new(LinearJogAxis::ZPlus, 20.0);
 //! let status = arm.jog(up, Duration::from_secs(1))?;
 //! println!("{} mm high", status.z_mm);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

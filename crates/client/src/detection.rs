@@ -31,9 +31,11 @@ use crate::position;
 ///
 /// // Stretched out to its limit there is no room.
 /// let status = Status {
-///     x_mm: 315.07, y_mm: 0.0, z_mm: 0.0, rotation_deg: 0.0,
-///     base_deg: 0.0, rear_deg: 35.9, fore_deg: 41.6, servo_deg: 0.0,
-///     suction: false, gripper_deg: 0.0,
+///     x_mm: 315.07,
+///     z_mm: 0.0,
+///     rear_deg: 35.9,
+///     fore_deg: 41.6,
+///     ..Status::AT_ZERO
 /// };
 /// let error = Detection::new(&status, |_| true).unwrap_err();
 /// assert!(matches!(error, DetectionError::NoRoom { .. }));

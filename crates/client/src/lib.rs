@@ -5,23 +5,14 @@
 //!
 //! ```no_run
 //! use dobot_client::Connection;
-//! use dobot_wire::{Dialect, MoveTo, MovingMode};
+//! use dobot_wire::{Dialect, MoveTo};
 //!
 //! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
 //! let address = "serial:/dev/ttyUSB0".parse()?;
 //! let mut arm = Connection::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
 //! // ... when a person has looked that the arm stands where it says:
 //! arm.session_mut().confirm_pose();
-//! let there = arm.send(MoveTo {
-//!     x_mm: 220.0,
-//!     y_mm: 0.0,
-//!     z_mm: 20.0,
-//!     rotation_deg: 0.0,
-//!     suction: false,
-//!     mode: MovingMode::Jump,
-//!     gripper_deg: 0.0,
-//!     pause_s: 0.0,
-//! })?;
+//! let there = arm.send(MoveTo::to(220.0, 0.0, 20.0))?;
 //! arm.completed(there).await?;
 //! # Ok(())
 //! # }

@@ -30,8 +30,10 @@ pub struct LinkQuality {
 /// Takes note of what a link does.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Meter {
+    /// From one status to the next, of those that tell where the arm is.
+    period: Duration,
     heard: VecDeque<Duration>,
-    /// When the last of the statuses came that come every 80 ms.
+    /// When the last of them came.
     told: Option<Duration>,
     /// Messages since the last permit: one behind it, and one before the next (note N38).
     messages: u64,
@@ -49,6 +51,21 @@ pub(crate) struct Meter {
 }
 
 impl Meter {
+    pub(crate) fn new(period: Duration) -> Self {
+        Self {
+            period,
+            ..Self::default()
+        }
+    }
+
+    pub(crate) const fn period(&self) -> Duration {
+        self.period
+    }
+
+    pub(crate) const fn set_period(&mut self, period: Duration) {
+        self.period = period;
+    }
+
     /// A motion left; it shows if nothing moved before.
     pub(crate) fn handle_sent(&mut self, now: Duration, at_rest: bool, moves: bool) {
         self.waits_since = (at_rest && moves).then_some(now);
@@ -68,8 +85,8 @@ impl Meter {
         {
             let gap = now.saturating_sub(told);
             self.note_gap(gap);
-            if gap <= PERIOD + MOST_JITTER {
-                self.jitter = self.jitter.max(gap.saturating_sub(PERIOD));
+            if gap <= self.period + MOST_JITTER {
+                self.jitter = self.jitter.max(gap.saturating_sub(self.period));
             }
         }
         let status = heard.status;
@@ -82,11 +99,11 @@ impl Meter {
 
     /// What comes in a heap behind a gap was late, and not lost.
     fn note_gap(&mut self, gap: Duration) {
-        if gap < PERIOD / 2 && self.late > 0 {
+        if gap < self.period / 2 && self.late > 0 {
             self.late -= 1;
             self.lost -= 1;
         } else {
-            self.late = missing(gap);
+            self.late = self.missing(gap);
             self.lost += self.late;
         }
     }
@@ -94,6 +111,12 @@ impl Meter {
     /// From a command to the first status that shows it, where that was measured.
     pub(crate) const fn latency(&self) -> Option<Duration> {
         self.latency
+    }
+
+    /// How many statuses are missing in a gap.
+    fn missing(&self, gap: Duration) -> u64 {
+        let periods = (gap + self.period / 2).as_millis() / self.period.as_millis();
+        u64::try_from(periods).unwrap_or(u64::MAX).saturating_sub(1)
     }
 
     fn note_permit(&mut self, permits: bool) {
@@ -124,7 +147,7 @@ impl Meter {
         };
         let took = last
             .saturating_sub(*first)
-            .max(now.saturating_sub(*first + PERIOD));
+            .max(now.saturating_sub(*first + self.period));
         let gaps = u32::try_from(recent().count() - 1).unwrap_or(u32::MAX);
         if took.is_zero() {
             return 0.0;
@@ -151,14 +174,6 @@ impl Meter {
     }
 }
 
-/// How many statuses are missing in a gap.
-fn missing(gap: Duration) -> u64 {
-    let periods = (gap + PERIOD / 2).as_millis() / PERIOD.as_millis();
-    u64::try_from(periods).unwrap_or(u64::MAX).saturating_sub(1)
-}
-
-/// A status comes that often (note N27).
-const PERIOD: Duration = Duration::from_millis(80);
 /// So many messages stand between two permits over Bluetooth (note N38).
 const MESSAGES: u64 = 2;
 const WINDOW: Duration = Duration::from_secs(2);

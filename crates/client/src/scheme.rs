@@ -3,7 +3,8 @@
 
 use std::time::Duration;
 
-use dobot_arm::{Joints, Tool, forward};
+use dobot_arm::Tool;
+use dobot_course::Place;
 use dobot_wire::{Frame, Status};
 
 /// Tells by the statuses which port of the arm this is.
@@ -78,29 +79,16 @@ pub fn plausible(frame: &Frame) -> bool {
 }
 
 /// The very first message has angles, and 0 for the pose, which follows from them.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a status carries single precision"
-)]
 fn with_pose(message: Status) -> Status {
     let pose = [message.x_mm, message.y_mm, message.z_mm];
     if pose != [0.0; 3] {
         return message;
     }
-    let angles = [
-        message.base_deg,
-        message.rear_deg,
-        message.fore_deg,
-        message.servo_deg,
-    ];
-    let [base, rear, fore, servo] = angles.map(f64::from);
-    let pose = forward(&Joints::new(base, rear, fore, servo), Tool::SuctionCup);
+    let joints = Place::of_status(&message).joints;
     Status {
-        x_mm: pose.position.x.0 as f32,
-        y_mm: pose.position.y.0 as f32,
-        z_mm: pose.position.z.0 as f32,
-        rotation_deg: pose.rotation.0 as f32,
-        ..message
+        suction: message.suction,
+        gripper_deg: message.gripper_deg,
+        ..Place::at_joints(joints, Tool::SuctionCup).status()
     }
 }
 

@@ -43,7 +43,7 @@ use crate::{Disarmed, Event, SendError};
 /// use dobot_wire::{Dialect, JointJog, JointJogAxis};
 ///
 /// let mut session = Session::new(Some(Dialect::SPECIFICATION));
-/// session.send(JointJog { axis: JointJogAxis::LaserOff, speed_percent: 0.0 })?;
+/// session.send(JointJog::new(JointJogAxis::LaserOff, 0.0))?;
 /// assert_eq!(session.poll_bytes(), None); // no status yet, so no permit
 /// session.handle_time(Duration::from_secs(10));
 /// assert!(matches!(session.poll_event(), Some(Event::LinkLost { .. })));
@@ -117,7 +117,7 @@ impl Session {
             belief: Belief::new(dialect.as_ref()),
             trust: Trust::new(trusted),
             laser: Laser::default(),
-            meter: Meter::default(),
+            meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period()),
             ahead: AHEAD,
             now: Duration::ZERO,
             dialect,
@@ -226,6 +226,7 @@ impl Session {
     /// Which dialect the arm speaks is known now, or known better.
     pub fn set_dialect(&mut self, dialect: Dialect) {
         self.dialect = Some(dialect);
+        self.meter.set_period(dialect.status_period());
         self.belief.set_dialect(dialect);
     }
 
@@ -351,11 +352,12 @@ impl Session {
         if heard.tells {
             self.tell(now, &heard);
         }
-        // Statuses that come in a heap were kept somewhere on the way: only one of them is news.
+        // Statuses that come in a heap, with less than half a period between them, were kept
+        // somewhere on the way: only one of them is news.
         self.permit |= heard.permits
             && self
                 .used
-                .is_none_or(|used| now.saturating_sub(used) >= SHORTEST_PERIOD)
+                .is_none_or(|used| now.saturating_sub(used) >= self.meter.period() / 2)
             && self.has_line();
         self.watch_laser();
         self.dispatch();
@@ -477,8 +479,10 @@ impl Session {
     /// Whether the arm would be silent for so long with the next command in its queue, and its base at
     /// 0 behind that, that nobody could tell it from a reset.
     fn would_hide_a_reset(&self) -> bool {
+        // A status period, and as much for what is late.
+        let not_yet_deaf = 2 * self.meter.period();
         self.may_be_full()
-            && self.belief.under_way().ahead(self.now) + NOT_YET_DEAF >= DEAF
+            && self.belief.under_way().ahead(self.now) + not_yet_deaf >= DEAF
             && (self.belief.comes_to_zero() || self.belief.would_come_to_zero())
     }
 
@@ -546,10 +550,8 @@ const fn own_pause_s(command: &Command) -> f32 {
     }
 }
 
-/// A status comes every 80 ms; a dozen missing are no accident.
+/// A dozen statuses missing are no accident.
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
-/// Half of the time between two statuses: what comes sooner was held up on the way.
-const SHORTEST_PERIOD: Duration = Duration::from_millis(40);
 /// What a packet takes on the line, and the 8 ms that a stock arm wants before the next: it loses one
 /// that follows without a gap (note N26). The next status permits it again.
 const SPACING: Duration = Duration::from_millis(52);
@@ -559,8 +561,6 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// status, and a packet each way. So an arm never waits for the link, whatever the bound is.
 const AHEAD: Duration = Duration::from_millis(500);
 /// A status that is later than that has been withheld.
-const OVERDUE: Duration = Duration::from_millis(140);
-/// A status period, and as much for what is late.
-const NOT_YET_DEAF: Duration = Duration::from_millis(160);
+const LATE: Duration = Duration::from_millis(60);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

@@ -8,23 +8,9 @@ use tokio::io::{AsyncReadExt, AsyncWriteExt, duplex};
 use tokio::net::{TcpListener, TcpStream};
 
 /// Rear arm upright, forearm level.
-const STATUS: Status = Status {
-    x_mm: 160.0 + 55.07,
-    y_mm: 0.0,
-    z_mm: 135.0,
-    rotation_deg: 0.0,
-    base_deg: 0.0,
-    rear_deg: 0.0,
-    fore_deg: 0.0,
-    servo_deg: 0.0,
-    suction: false,
-    gripper_deg: 0.0,
-};
+const STATUS: Status = Status::AT_ZERO;
 
-const LASER_OFF: JointJog = JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-};
+const LASER_OFF: JointJog = JointJog::new(JointJogAxis::LaserOff, 0.0);
 
 #[tokio::test(start_paused = true)]
 async fn a_command_leaves_with_the_first_status() {

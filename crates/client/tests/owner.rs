@@ -6,54 +6,24 @@ use std::time::Duration;
 use dobot_client::{Event, SendError, Session};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet,
-    Status, WriteMode, WriteVector,
+    Status, WriteVector,
 };
 
-const PERIOD: Duration = Duration::from_millis(80);
+const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
 
 /// Rear arm upright, forearm level.
-const STATUS: Status = Status {
-    x_mm: 160.0 + 55.07,
-    y_mm: 0.0,
-    z_mm: 135.0,
-    rotation_deg: 0.0,
-    base_deg: 0.0,
-    rear_deg: 0.0,
-    fore_deg: 0.0,
-    servo_deg: 0.0,
-    suction: false,
-    gripper_deg: 0.0,
-};
+const STATUS: Status = Status::AT_ZERO;
 
 fn tell(session: &mut Session, now: Duration) {
     session.handle_bytes(now, &STATUS.emit().to_bytes());
 }
 
 fn line(x_mm: f32) -> MoveTo {
-    MoveTo {
-        x_mm,
-        y_mm: 0.0,
-        z_mm: 100.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovL,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(x_mm, 0.0, 100.0).with_mode(MovingMode::MovL)
 }
 
 fn stroke(y_mm: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: 0.0,
-        y_mm,
-        z_mm: 0.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 50.0,
-        stop: false,
-    }
+    WriteVector::by(0.0, y_mm, 0.0, 50.0)
 }
 
 fn packets(session: &mut Session) -> usize {
@@ -86,10 +56,7 @@ fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknow
         unknown.parse(&packet),
         Err(SendError::Undecided { .. })
     ));
-    let jog = Command::from(JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: 10.0,
-    });
+    let jog = Command::from(JointJog::new(JointJogAxis::BasePlus, 10.0));
     assert_eq!(unknown.parse(&jog.emit(&Dialect::FIRMWARE_1_1)), Ok(jog));
 }
 
@@ -152,17 +119,11 @@ fn a_jog_is_released_by_its_own_kind() {
     ] {
         let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
         tell(&mut session, PERIOD);
-        let jog = LinearJog {
-            axis: held,
-            speed_percent: 10.0,
-        };
+        let jog = LinearJog::new(held, 10.0);
         session.send(jog).expect("it is allowed");
         assert_eq!(
             session.release(),
-            Some(Command::from(LinearJog {
-                axis: expected,
-                speed_percent: 0.0
-            }))
+            Some(Command::from(LinearJog::new(expected, 0.0)))
         );
         assert_eq!(session.rests_within(), Duration::MAX);
     }
@@ -172,10 +133,7 @@ fn a_jog_is_released_by_its_own_kind() {
 fn an_urgent_packet_that_left_beside_the_session_is_believed() {
     let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     tell(&mut session, PERIOD);
-    let laser = Command::from(JointJog {
-        axis: JointJogAxis::LaserOn,
-        speed_percent: 0.0,
-    });
+    let laser = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
     let packet = session.emit_now(&laser).expect("it is allowed");
     assert!(matches!(packet, Packet::Frame(_)));
     assert_eq!(packets(&mut session), 0, "the caller sends it");
@@ -187,10 +145,7 @@ fn an_urgent_packet_that_left_beside_the_session_is_believed() {
 fn an_urgent_packet_that_moves_nothing_is_over_soon() {
     let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     tell(&mut session, PERIOD);
-    let laser_off = JointJog {
-        axis: JointJogAxis::LaserOff,
-        speed_percent: 0.0,
-    };
+    let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     session.send_now(laser_off).expect("it is allowed");
     assert!(session.is_moving(), "nobody knows yet");
     for n in 2..8 {
@@ -201,11 +156,7 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
 }
 
 fn burn(y_mm: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..stroke(y_mm)
-    }
+    stroke(y_mm).burning()
 }
 
 fn events(session: &mut Session) -> Vec<Event> {
@@ -218,10 +169,7 @@ fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_ove
     tell(&mut session, PERIOD);
     let refused = Err(SendError::LaserDisarmed);
     assert_eq!(session.send(burn(10.0)), refused);
-    let on = JointJog {
-        axis: JointJogAxis::LaserOn,
-        speed_percent: 0.0,
-    };
+    let on = JointJog::new(JointJogAxis::LaserOn, 0.0);
     assert_eq!(session.send(on), refused);
     assert_eq!(packets(&mut session), 0);
     session.send(stroke(10.0)).expect("it does not burn");

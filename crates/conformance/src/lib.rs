@@ -23,12 +23,14 @@
 
 mod check;
 mod checks;
+mod flow;
 mod hindrance;
 mod latency;
 mod outcome;
 mod packet;
 mod report;
 mod rig;
+mod seen;
 mod suite;
 mod way;
 

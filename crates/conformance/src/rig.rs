@@ -7,12 +7,13 @@ use dobot_client::{Link, LinkError, plausible, position};
 use dobot_wire::{Decoder, Frame, PACKET_LEN, Status, Statuses};
 
 use crate::Options;
-use crate::checks::flow::Flow;
+use crate::flow::Flow;
 use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::packet::{
     STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, jog, percent, target, teach, writing,
 };
+use crate::seen::Seen;
 
 /// A link with a controller, and all that is known about it so far.
 #[derive(Debug)]
@@ -42,13 +43,6 @@ pub(crate) struct Rig {
     pub(crate) joint_mode: Option<f32>,
     /// What came of the overfull queue, once it was tried.
     pub(crate) flow: Option<Flow>,
-}
-
-/// A status and when it was there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
-    pub(crate) at: Duration,
-    pub(crate) status: Status,
 }
 
 /// Why a check, and with it what would come after it, came to nothing.

@@ -221,22 +221,12 @@ impl Suite {
 
 /// Whether a check begins where all do: not those of the line before anything moved, and not those
 /// after the arm was brought back.
-fn begins_at_home(probe: Probe) -> bool {
-    !matches!(
-        probe,
-        Probe::StatusForm
-            | Probe::StatusPeriod
-            | Probe::StatusPose
-            | Probe::StatusStart
-            | Probe::Delay
-            | Probe::Lift
-            | Probe::FlowAgain
-            | Probe::FlowSix
-            | Probe::FlowOrder
-            | Probe::Return
-            | Probe::TrapNoLength
-            | Probe::TrapState
-    )
+const fn begins_at_home(probe: Probe) -> bool {
+    can_be_repeated(probe)
+        && !matches!(
+            probe,
+            Probe::Lift | Probe::FlowAgain | Probe::FlowSix | Probe::FlowOrder | Probe::Return
+        )
 }
 
 /// Whether a check may be made again: neither those that only listened, nor those that a stock arm

@@ -2,9 +2,10 @@
 
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_client::position;
-use dobot_wire::Status;
+use dobot_wire::{Dialect, Status};
 
-use crate::rig::{Seen, joints};
+use crate::rig::joints;
+use crate::seen::Seen;
 
 /// The statuses of one motion, from rest to rest.
 #[derive(Debug)]
@@ -141,6 +142,6 @@ fn apart(a: &Seen, b: &Seen) -> f64 {
 }
 
 /// The time between two statuses (note N20).
-pub(crate) const PERIOD_S: f64 = 0.08;
+pub(crate) const PERIOD_S: f64 = Dialect::SPECIFICATION.status_period().as_secs_f64();
 /// A status tells of a place where it is as near as this.
 const HERE_MM: f64 = 0.01;

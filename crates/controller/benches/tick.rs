@@ -3,14 +3,13 @@
 //! `cargo bench -p dobot-controller --bench tick`: each sample is 500 ticks of 20 ms, with
 //! the statuses fetched as a host does. The aim: below 150 ns a tick while moving.
 
-use std::time::Duration;
-
 use divan::Bencher;
 use divan::counter::ItemsCount;
+use dobot_arm::TICK;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_wire::{
     Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode,
-    PlaybackAdjustment, WriteMode, WriteVector,
+    PlaybackAdjustment, WriteVector,
 };
 
 fn main() {
@@ -54,35 +53,19 @@ fn jump(bencher: Bencher, personality: Personality) {
 
 #[divan::bench(args = Personality::ALL)]
 fn write_vector(bencher: Bencher, personality: Personality) {
-    let vector = WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: -10.0,
-        y_mm: 80.0,
-        z_mm: 0.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 3.0,
-        stop: false,
-    };
+    let vector = WriteVector::by(-10.0, 80.0, 0.0, 3.0);
     bench(bencher, personality, Some(vector.into()), SPED_UP);
 }
 
 #[divan::bench(args = Personality::ALL)]
 fn joint_jog(bencher: Bencher, personality: Personality) {
-    let jog = JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: 10.0,
-    };
+    let jog = JointJog::new(JointJogAxis::BasePlus, 10.0);
     bench(bencher, personality, Some(jog.into()), SPED_UP);
 }
 
 #[divan::bench(args = Personality::ALL)]
 fn linear_jog(bencher: Bencher, personality: Personality) {
-    let jog = LinearJog {
-        axis: LinearJogAxis::YPlus,
-        speed_percent: 5.0,
-    };
+    let jog = LinearJog::new(LinearJogAxis::YPlus, 5.0);
     bench(bencher, personality, Some(jog.into()), SPED_UP);
 }
 
@@ -126,14 +109,9 @@ fn tick(controller: &mut Controller, from: u32) {
 
 fn target(mode: MovingMode) -> Command {
     Command::MoveTo(MoveTo {
-        x_mm: 180.0,
-        y_mm: 160.0,
-        z_mm: -20.0,
         rotation_deg: 10.0,
-        suction: false,
         mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
+        ..MoveTo::to(180.0, 160.0, -20.0)
     })
 }
 
@@ -143,7 +121,6 @@ const SLOWLY: Command = Command::PlaybackAdjustment(PlaybackAdjustment {
     acceleration_percent: 50.0,
     teach_speed_percent: 50.0,
 });
-const TICK: Duration = Duration::from_millis(20);
 const TICKS: u32 = 500;
 /// The ticks after which a motion has its speed.
 const SPED_UP: u32 = 10;

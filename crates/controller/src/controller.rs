@@ -2,8 +2,8 @@
 
 use core::time::Duration;
 
-use dobot_arm::{Joints, Pose};
-use dobot_wire::Frame;
+use dobot_arm::{Joints, Pose, TICK};
+use dobot_wire::{Dialect, Frame};
 
 use crate::firmware::Firmware;
 use crate::log::{Counters, Log};
@@ -44,13 +44,17 @@ impl Controller {
     /// Switches a controller on.
     #[must_use]
     pub fn power_up(power_up: PowerUp) -> Self {
+        Self::speaking(&power_up.personality.dialect(), &power_up)
+    }
+
+    fn speaking(dialect: &Dialect, power_up: &PowerUp) -> Self {
         let (program, port) = match power_up.personality {
             Personality::Specification => {
-                let program = Specification::power_up(&power_up);
+                let program = Specification::power_up(power_up);
                 (Program::Specification(program), Port::Usb)
             }
             Personality::Firmware11 => {
-                let program = Firmware::power_up(&power_up);
+                let program = Firmware::power_up(power_up);
                 (Program::Firmware(program), power_up.port)
             }
         };
@@ -60,7 +64,7 @@ impl Controller {
             tick: 0,
             next_tick: Duration::ZERO,
             ticks_at_rest: 0,
-            schedule: Schedule::new(port),
+            schedule: Schedule::new(port, dialect.status_period()),
             steppers: Steppers::default(),
             outputs,
             uploads: Uploads::new(),
@@ -140,6 +144,12 @@ impl Controller {
             Program::Specification(it) => it.joints_at(at),
             Program::Firmware(it) => it.joints_at(self.tick_share(at)),
         }
+    }
+
+    /// From one status to the next while there is room in the queue.
+    #[must_use]
+    pub const fn status_period(&self) -> Duration {
+        self.schedule.period()
     }
 
     /// What the last control tick told the machine.
@@ -290,5 +300,25 @@ impl Program {
 
 /// After so many ticks without motion the last pulses are out, and all outputs are as they stay.
 const SETTLES_AFTER: u8 = 3;
-/// The control tick (note N27).
-pub(crate) const TICK: Duration = Duration::from_millis(20);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_status_comes_as_often_as_the_dialect_says_even_if_that_is_no_whole_number_of_ticks() {
+        let mut dialect = Dialect::FIRMWARE_1_1;
+        dialect.status_period_ms = 50;
+        for step_ms in [1, 1000] {
+            let power_up = PowerUp::new(Personality::Firmware11);
+            let mut controller = Controller::speaking(&dialect, &power_up);
+            let mut came = 0;
+            for now_ms in (0..10_000).step_by(step_ms) {
+                controller.handle_time(Duration::from_millis(now_ms));
+                came += core::iter::from_fn(|| controller.poll_bytes()).count();
+            }
+            let all = if step_ms == 1 { 200 } else { 180 };
+            assert_eq!(came, all, "in steps of {step_ms} ms");
+        }
+    }
+}

@@ -7,13 +7,12 @@ mod motion;
 
 use core::time::Duration;
 
-use dobot_arm::{Degrees, Joints, Pose, Tool, Unreachable};
+use dobot_arm::{Joints, Pose, TICK, Tool, Unreachable};
 use dobot_course::{Button, Course, JogAxis, JogCourse, Model, Place};
-use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder};
+use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder, single};
 use heapless::Deque;
 
 use self::motion::{Motion, Running};
-use crate::controller::TICK;
 use crate::log::Log;
 use crate::outputs::{Hands, servo_value};
 use crate::refused::QUEUE_LEN;
@@ -100,7 +99,7 @@ impl Specification {
             to.rear - from.rear,
             to.fore - from.fore,
         ]
-        .map(single)
+        .map(|it| single(it.0))
     }
 
     pub(crate) fn pose_at(&self, at: Duration) -> Pose {
@@ -113,8 +112,8 @@ impl Specification {
 
     pub(crate) fn hands(&self) -> Hands {
         Hands {
-            head_servo: servo_value(single(self.model.place.joints.servo)),
-            gripper_servo: servo_value(single(Degrees(self.model.gripper_deg))),
+            head_servo: servo_value(single(self.model.place.joints.servo.0)),
+            gripper_servo: servo_value(single(self.model.gripper_deg)),
             pump: self.model.suction,
             valve: self.model.suction,
             laser: self.model.laser,
@@ -341,12 +340,6 @@ fn is_motion(command: &Command) -> bool {
         Command::Voice(voice) => matches!(VoiceOrder::parse(voice), Some(VoiceOrder::Move { .. })),
         _ => false,
     }
-}
-
-/// The machine is told in single precision.
-#[expect(clippy::cast_possible_truncation, reason = "that is the precision")]
-const fn single(angle: Degrees) -> f32 {
-    angle.0 as f32
 }
 
 /// Table 3.7.

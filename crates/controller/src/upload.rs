@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+use dobot_arm::TICK;
 use dobot_wire::PACKET_LEN;
 use heapless::Deque;
 
@@ -25,8 +26,10 @@ pub(crate) type Uploads = Deque<Upload, UPLOADS_LEN>;
 #[derive(Debug)]
 pub(crate) enum Schedule {
     Usb {
-        /// Ticks since the last status in which the queue had room.
-        ticks_with_room: u8,
+        /// From one status to the next.
+        period_ms: u32,
+        /// For how long the queue had room since the last status was due.
+        with_room_ms: u32,
     },
     Bluetooth {
         /// Ticks since the cycle of eight began.
@@ -35,17 +38,30 @@ pub(crate) enum Schedule {
 }
 
 impl Schedule {
-    pub(crate) const fn new(port: Port) -> Self {
+    pub(crate) const fn new(port: Port, period: Duration) -> Self {
         match port {
-            Port::Usb => Self::Usb { ticks_with_room: 0 },
+            Port::Usb => Self::Usb {
+                period_ms: period.subsec_millis(),
+                with_room_ms: 0,
+            },
             Port::Bluetooth => Self::Bluetooth { ticks: 0 },
         }
+    }
+
+    pub(crate) const fn period(&self) -> Duration {
+        Duration::from_millis(match self {
+            Self::Usb { period_ms, .. } => *period_ms as u64,
+            Self::Bluetooth { .. } => BLUETOOTH_CYCLE as u64 / 2 * TICK_MS as u64,
+        })
     }
 
     /// How many ticks from now on send nothing, as long as nothing waits.
     pub(crate) const fn silent_ticks(&self) -> u32 {
         match self {
-            Self::Usb { ticks_with_room } => (TICKS_PER_STATUS - 1 - *ticks_with_room) as u32,
+            Self::Usb {
+                period_ms,
+                with_room_ms,
+            } => (*period_ms - *with_room_ms - 1) / TICK_MS,
             Self::Bluetooth { .. } => 0,
         }
     }
@@ -54,14 +70,17 @@ impl Schedule {
     /// added to its X.
     pub(crate) const fn tick(&mut self, waiting: usize) -> Option<f32> {
         match self {
-            Self::Usb { ticks_with_room } => {
+            Self::Usb {
+                period_ms,
+                with_room_ms,
+            } => {
                 if waiting < STALLS_AT {
-                    *ticks_with_room += 1;
+                    *with_room_ms += TICK_MS;
                 }
-                if *ticks_with_room < TICKS_PER_STATUS {
+                if *with_room_ms < *period_ms {
                     return None;
                 }
-                *ticks_with_room = 0;
+                *with_room_ms -= *period_ms;
                 Some(0.0)
             }
             Self::Bluetooth { ticks } => {
@@ -86,8 +105,7 @@ pub(crate) fn push(uploads: &mut Uploads, upload: Upload, log: &mut Log) {
     uploads.push_back(upload).expect("room was made just above");
 }
 
-/// A status comes every 80 ms (note N20).
-const TICKS_PER_STATUS: u8 = 4;
+const TICK_MS: u32 = TICK.subsec_millis();
 /// With that many commands waiting no status is sent (note N20).
 const STALLS_AT: usize = 4;
 /// With that many commands waiting no status over Bluetooth permits another one (note N38).

@@ -46,8 +46,20 @@ impl Button {
     #[must_use]
     pub fn of(command: &Command) -> Option<Self> {
         match command {
-            Command::JointJog(jog) => Some(of_joint(*jog)),
-            Command::LinearJog(jog) => Some(of_linear(*jog)),
+            Command::JointJog(JointJog {
+                axis,
+                speed_percent,
+            }) => {
+                let joints = [JogAxis::Base, JogAxis::Rear, JogAxis::Fore];
+                Some(button(*axis as u8, joints, *speed_percent))
+            }
+            Command::LinearJog(LinearJog {
+                axis,
+                speed_percent,
+            }) => {
+                let along = [JogAxis::X, JogAxis::Y, JogAxis::Z];
+                Some(button(*axis as u8, along, *speed_percent))
+            }
             _ => None,
         }
     }
@@ -60,64 +72,32 @@ impl Button {
         let Self::Held { .. } = Self::of(command)? else {
             return None;
         };
-        let speed_percent = 0.0;
         Some(match command {
-            Command::LinearJog(_) => Command::LinearJog(LinearJog {
-                axis: LinearJogAxis::Released,
-                speed_percent,
-            }),
-            _ => Command::JointJog(JointJog {
-                axis: JointJogAxis::Released,
-                speed_percent,
-            }),
+            Command::LinearJog(_) => LinearJog::new(LinearJogAxis::Released, 0.0).into(),
+            _ => JointJog::new(JointJogAxis::Released, 0.0).into(),
         })
     }
 }
 
-fn of_joint(jog: JointJog) -> Button {
-    use JointJogAxis as A;
-    let share = f64::from(jog.speed_percent) / 100.0;
-    match jog.axis {
-        A::Released => Button::Released,
-        A::BasePlus => held(JogAxis::Base, share),
-        A::BaseMinus => held(JogAxis::Base, -share),
-        A::RearPlus => held(JogAxis::Rear, share),
-        A::RearMinus => held(JogAxis::Rear, -share),
-        A::ForePlus => held(JogAxis::Fore, share),
-        A::ForeMinus => held(JogAxis::Fore, -share),
-        A::ServoPlus => held(JogAxis::Servo, share),
-        A::ServoMinus => held(JogAxis::Servo, -share),
-        A::GripperOpen => held(JogAxis::Gripper, share),
-        A::GripperClose => held(JogAxis::Gripper, -share),
-        A::SuctionOn => Button::Suction(true),
-        A::SuctionOff => Button::Suction(false),
-        A::LaserOn => Button::Laser(true),
-        A::LaserOff => Button::Laser(false),
+/// The button of a code, of which the first six move these three axes.
+fn button(code: u8, [first, second, third]: [JogAxis; 3], speed_percent: f32) -> Button {
+    let share = f64::from(speed_percent) / 100.0;
+    let held = |axis, share| Button::Held { axis, share };
+    match code {
+        1 => held(first, share),
+        2 => held(first, -share),
+        3 => held(second, share),
+        4 => held(second, -share),
+        5 => held(third, share),
+        6 => held(third, -share),
+        7 => held(JogAxis::Servo, share),
+        8 => held(JogAxis::Servo, -share),
+        9 => Button::Suction(true),
+        10 => Button::Suction(false),
+        11 => held(JogAxis::Gripper, share),
+        12 => held(JogAxis::Gripper, -share),
+        13 => Button::Laser(true),
+        14 => Button::Laser(false),
+        _ => Button::Released,
     }
-}
-
-fn of_linear(jog: LinearJog) -> Button {
-    use LinearJogAxis as A;
-    let share = f64::from(jog.speed_percent) / 100.0;
-    match jog.axis {
-        A::Released => Button::Released,
-        A::XPlus => held(JogAxis::X, share),
-        A::XMinus => held(JogAxis::X, -share),
-        A::YPlus => held(JogAxis::Y, share),
-        A::YMinus => held(JogAxis::Y, -share),
-        A::ZPlus => held(JogAxis::Z, share),
-        A::ZMinus => held(JogAxis::Z, -share),
-        A::ServoPlus => held(JogAxis::Servo, share),
-        A::ServoMinus => held(JogAxis::Servo, -share),
-        A::GripperOpen => held(JogAxis::Gripper, share),
-        A::GripperClose => held(JogAxis::Gripper, -share),
-        A::SuctionOn => Button::Suction(true),
-        A::SuctionOff => Button::Suction(false),
-        A::LaserOn => Button::Laser(true),
-        A::LaserOff => Button::Laser(false),
-    }
-}
-
-const fn held(axis: JogAxis, share: f64) -> Button {
-    Button::Held { axis, share }
 }

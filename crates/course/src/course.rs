@@ -3,9 +3,9 @@
 use dobot_arm::{Position, Tool, Unreachable};
 
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
-use crate::vector::Left;
+use crate::left::Left;
 use crate::way::Way;
-use crate::{CourseError, JogCourse, Place};
+use crate::{CourseError, JogCourse, Model, Place};
 
 /// Where a command leads: the whole way, as a pure function of the time since it began.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,40 @@ pub struct Course {
 }
 
 impl Course {
+    /// A way of an arm from where it is.
+    pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Self {
+        Self {
+            way,
+            from: model.place,
+            tool: model.tool,
+            to,
+            pause_s: 0.0,
+            burns: model.laser && way != Way::Still,
+            is_exact: model.knows_place,
+            knows_end: model.knows_place,
+            left: None,
+        }
+    }
+
+    /// A way by so much from wherever the arm is.
+    pub(crate) fn relative(way: Way, model: &Model) -> Result<Self, CourseError> {
+        let to = way
+            .place_at(f64::MAX, model.tool)
+            .unwrap_or(Ok(model.place));
+        Ok(match to {
+            Ok(to) => Self::moving(way, to, model),
+            Err(error) => {
+                // The arm cannot be there at all: where the way leaves the limits says more.
+                Self::moving(way, model.place, model).check()?;
+                return Err(error.into());
+            }
+        })
+    }
+
+    pub(crate) fn pausing(self, pause_s: f64) -> Self {
+        Self { pause_s, ..self }
+    }
+
     /// How long motion and pause take, in seconds; `None` for a jog, which goes on until told
     /// otherwise.
     #[must_use]

@@ -1,8 +1,8 @@
 //! What lights the laser, and what switches it off.
 
-use dobot_wire::{Command, JointJog, JointJogAxis};
+use dobot_wire::{Command, JointJog, JointJogAxis, WriteMode, WriteVector};
 
-use crate::Button;
+use crate::{Button, Model};
 
 /// Whether a command lights the laser, in whatever form: jog axis 13, or a write vector with its laser
 /// switch on, the stop of stock arms and the writing mode included.
@@ -13,7 +13,7 @@ use crate::Button;
 /// use dobot_course::burns;
 /// use dobot_wire::{Command, JointJog, JointJogAxis};
 ///
-/// let button = |axis| Command::from(JointJog { axis, speed_percent: 0.0 });
+/// let button = |axis| Command::from(JointJog::new(axis, 0.0));
 /// assert!(burns(&button(JointJogAxis::LaserOn)));
 /// assert!(!burns(&button(JointJogAxis::LaserOff)));
 /// ```
@@ -26,7 +26,19 @@ pub fn burns(command: &Command) -> bool {
 }
 
 /// What switches the laser off, and does nothing else: jog axis 14 (Table 2.5).
-pub const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
+pub const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+
+impl Model {
+    /// Whether the laser burns during a vector.
+    pub(crate) const fn laser_during(&self, vector: &WriteVector) -> bool {
+        if vector.stop {
+            return self.dialect.has_rapid_laser_mode
+                && matches!(vector.mode, WriteMode::Laser)
+                && vector.laser;
+        }
+        match vector.mode {
+            WriteMode::Laser => vector.laser,
+            WriteMode::Writing => self.dialect.has_rapid_laser_mode && self.laser,
+        }
+    }
+}

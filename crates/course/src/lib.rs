@@ -12,16 +12,10 @@
 //! use dobot_course::Model;
 //! use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status};
 //!
-//! let status = Status {
-//!     x_mm: 215.07, y_mm: 0.0, z_mm: 135.0, rotation_deg: 0.0,
-//!     base_deg: 0.0, rear_deg: 0.0, fore_deg: 0.0, servo_deg: 0.0,
-//!     suction: false, gripper_deg: 0.0,
-//! };
+//! let status = Status::AT_ZERO;
 //! let model = Model::new(Dialect::SPECIFICATION, &status);
-//! let down = Command::from(MoveTo {
-//!     x_mm: 215.07, y_mm: 0.0, z_mm: 35.0, rotation_deg: 0.0, suction: true,
-//!     mode: MovingMode::MovL, gripper_deg: 0.0, pause_s: 0.5,
-//! });
+//! let line = MoveTo::to(215.07, 0.0, 35.0).with_mode(MovingMode::MovL);
+//! let down = Command::from(MoveTo { suction: true, pause_s: 0.5, ..line });
 //! let course = model.course(&down)?;
 //! // 100 mm at 50 mm/s with ramps of half a second, and the pause.
 //! assert!((course.duration_s().unwrap() - 3.0).abs() < 1e-9);
@@ -37,8 +31,10 @@ mod button;
 mod course;
 mod error;
 mod follow;
+mod followed;
 mod jog;
 mod laser;
+mod left;
 mod lifts;
 mod model;
 mod place;
@@ -56,5 +52,5 @@ pub use jog::JogCourse;
 pub use laser::{LASER_OFF, burns};
 pub use model::Model;
 pub use place::Place;
-pub use settings::Settings;
+pub use settings::{Settings, tool_named};
 pub use stretch::{Bend, Stretch};

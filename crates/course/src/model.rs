@@ -2,27 +2,23 @@
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, MoveJoints, MoveTo, MovingMode, Status, Voice,
-    VoiceOrder, WriteMode, WriteVector,
+    Command, Configuration, Dialect, MoveJoints, MoveTo, MovingMode, Status, Voice, VoiceOrder,
 };
 
-use crate::follow::Followed;
-use crate::plan::plan;
-use crate::vector::Left;
-use crate::{Button, Course, CourseError, JogCourse, Place, Settings};
+use crate::followed::Followed;
+use crate::left::Left;
+use crate::settings::tool_named;
+use crate::{Button, Course, JogCourse, Place, Settings};
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
 ///
 /// ```
 /// # use dobot_arm::{Joints, Tool};
 /// # use dobot_course::{Model, Place};
-/// # use dobot_wire::{Command, Dialect, WriteMode, WriteVector};
+/// # use dobot_wire::{Command, Dialect, WriteVector};
 /// let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
 /// let model = Model::standing(Dialect::SPECIFICATION, here);
-/// let vector = Command::from(WriteVector {
-///     mode: WriteMode::Writing, x_mm: 0.0, y_mm: 20.0, z_mm: 0.0, laser: false,
-///     start_speed_mm_s: 0.0, end_speed_mm_s: 0.0, max_speed_mm_s: 40.0, stop: false,
-/// });
+/// let vector = Command::from(WriteVector::by(0.0, 20.0, 0.0, 40.0));
 /// let course = model.course(&vector)?;
 /// // 8 mm speeding up to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
 /// assert!((course.duration_s().unwrap() - 0.9).abs() < 1e-9);
@@ -152,27 +148,6 @@ impl Model {
         self.jog.as_ref()
     }
 
-    /// Where a command leads from here.
-    ///
-    /// # Errors
-    ///
-    /// [`CourseError`] where a value breaks its table, its end is out of reach or beyond the limits
-    /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
-    pub fn course(&self, command: &Command) -> Result<Course, CourseError> {
-        Command::parse(&command.emit(&self.dialect), &self.dialect)
-            .map_err(CourseError::Invalid)?;
-        let course = plan(self, command)?;
-        course.check_duration()?;
-        if self.dialect.counts_ticks_in_16_bits {
-            course.check_counters()?;
-        }
-        if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
-            // Its end is beyond a limit; the text tells where the way leaves it.
-            course.check()?;
-        }
-        Ok(course)
-    }
-
     /// The model in the moment in which a command begins: what acts at once has acted (settings,
     /// switches), what comes behind the motion has not.
     #[must_use]
@@ -244,19 +219,6 @@ impl Model {
         }
     }
 
-    /// Whether the laser burns during a vector.
-    pub(crate) const fn laser_during(&self, vector: &WriteVector) -> bool {
-        if vector.stop {
-            return self.dialect.has_rapid_laser_mode
-                && matches!(vector.mode, WriteMode::Laser)
-                && vector.laser;
-        }
-        match vector.mode {
-            WriteMode::Laser => vector.laser,
-            WriteMode::Writing => self.dialect.has_rapid_laser_mode && self.laser,
-        }
-    }
-
     fn suction_after(&self, voice: &Voice) -> bool {
         match VoiceOrder::parse(voice) {
             Some(VoiceOrder::Catch) => true,
@@ -300,15 +262,6 @@ impl Model {
         if let Configuration::EndEffector { tool } = configuration {
             self.tool = tool_named(*tool);
         }
-    }
-}
-
-/// The tool of a status that was told under a name.
-pub(crate) const fn tool_named(tool: EndEffector) -> Tool {
-    match tool {
-        EndEffector::SuctionCup => Tool::SuctionCup,
-        EndEffector::Gripper => Tool::Gripper,
-        EndEffector::Laser => Tool::Laser,
     }
 }
 

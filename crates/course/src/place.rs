@@ -1,7 +1,7 @@
 //! Where the arm is.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, forward, inverse};
-use dobot_wire::Status;
+use dobot_wire::{Status, single};
 
 /// Joint angles and the pose that they lead to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +31,24 @@ impl Place {
     /// [`Unreachable`] where the arm is too short or too long for it, or a number is not finite.
     pub fn at_pose(pose: Pose, tool: Tool) -> Result<Self, Unreachable> {
         inverse(&pose, tool).map(|joints| Self { joints, pose })
+    }
+
+    /// The status of an arm that stands here, with the pump off and the gripper at 0.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        let Self { joints, pose } = self;
+        Status {
+            x_mm: single(pose.position.x.0),
+            y_mm: single(pose.position.y.0),
+            z_mm: single(pose.position.z.0),
+            rotation_deg: single(pose.rotation.0),
+            base_deg: single(joints.base.0),
+            rear_deg: single(joints.rear.0),
+            fore_deg: single(joints.fore.0),
+            servo_deg: single(joints.servo.0),
+            suction: false,
+            gripper_deg: 0.0,
+        }
     }
 
     /// The place that a status tells.

@@ -8,14 +8,15 @@ use dobot_wire::{
 
 use crate::follow::{gestured, moused};
 use crate::lifts::Lifts;
-use crate::model::{Lines, tool_named};
+use crate::model::Lines;
 use crate::place::position;
+use crate::settings::tool_named;
 use crate::vector::vector;
 use crate::way::Way;
 use crate::{Button, Course, CourseError, JogCourse, Model, Place};
 
 /// Plans a command from where the arm is.
-pub(crate) fn plan(model: &Model, command: &Command) -> Result<Course, CourseError> {
+fn plan(model: &Model, command: &Command) -> Result<Course, CourseError> {
     match command {
         Command::MoveTo(it) => {
             let target = Target::Pose(Pose {
@@ -79,7 +80,7 @@ impl Target {
         Ok(Course {
             // It says itself where it ends, from wherever.
             knows_end: true,
-            ..moving(way, to, model)
+            ..Course::moving(way, to, model)
         })
     }
 }
@@ -122,7 +123,7 @@ fn mouse(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
         position: from.position + position(by.x, by.y, by.z),
         rotation: Degrees(by.rotation_deg.into()),
     };
-    relative(
+    Course::relative(
         Way::Line(
             LineMove::new(from, to, &model.settings.move_speeds())?,
             to.rotation,
@@ -160,7 +161,7 @@ fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
         ..from
     };
     let line = LineMove::new(from, to, &model.settings.move_speeds())?;
-    relative(Way::Line(line, to.rotation), model)
+    Course::relative(Way::Line(line, to.rotation), model)
 }
 
 /// A button pressed; while an arm jogs it goes on from the speed that it has.
@@ -180,7 +181,7 @@ fn pressed(command: &Command, model: &Model) -> Result<Course, CourseError> {
         _ => Way::Still,
     };
     let goes_on = matches!(way, Way::Jog(_) | Way::RunDown(_));
-    let course = moving(way, model.place, model);
+    let course = Course::moving(way, model.place, model);
     Ok(Course {
         knows_end: course.knows_end && !goes_on,
         burns: model.begun(command).laser && goes_on,
@@ -197,16 +198,37 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Course, Co
             place.check()?;
             return Ok(Course {
                 knows_end: true,
-                ..moving(Way::Still, place, model)
+                ..Course::moving(Way::Still, place, model)
             });
         }
         Configuration::EndEffector { tool } => Place::at_joints(joints, tool_named(tool)),
         _ => model.place,
     };
-    Ok(moving(Way::Still, to, model))
+    Ok(Course::moving(Way::Still, to, model))
 }
 
 impl Model {
+    /// Where a command leads from here.
+    ///
+    /// # Errors
+    ///
+    /// [`CourseError`] where a value breaks its table, its end is out of reach or beyond the limits
+    /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
+    pub fn course(&self, command: &Command) -> Result<Course, CourseError> {
+        Command::parse(&command.emit(&self.dialect), &self.dialect)
+            .map_err(CourseError::Invalid)?;
+        let course = plan(self, command)?;
+        course.check_duration()?;
+        if self.dialect.counts_ticks_in_16_bits {
+            course.check_counters()?;
+        }
+        if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
+            // Its end is beyond a limit; the text tells where the way leaves it.
+            course.check()?;
+        }
+        Ok(course)
+    }
+
     /// How long the arm waits behind a command, in seconds. A target without a pause of its own
     /// takes the default one, where there is one (note N10).
     #[must_use]
@@ -260,42 +282,7 @@ fn joints(target: &MoveJoints) -> Joints {
 }
 
 fn still(model: &Model) -> Course {
-    moving(Way::Still, model.place, model)
-}
-
-/// A way by so much from wherever the arm is.
-pub(crate) fn relative(way: Way, model: &Model) -> Result<Course, CourseError> {
-    let to = way
-        .place_at(f64::MAX, model.tool)
-        .unwrap_or(Ok(model.place));
-    Ok(match to {
-        Ok(to) => moving(way, to, model),
-        Err(error) => {
-            // The arm cannot be there at all: where the way leaves the limits says more.
-            moving(way, model.place, model).check()?;
-            return Err(error.into());
-        }
-    })
-}
-
-pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Course {
-    Course {
-        way,
-        from: model.place,
-        tool: model.tool,
-        to,
-        pause_s: 0.0,
-        burns: model.laser && way != Way::Still,
-        is_exact: model.knows_place,
-        knows_end: model.knows_place,
-        left: None,
-    }
-}
-
-impl Course {
-    fn pausing(self, pause_s: f64) -> Self {
-        Self { pause_s, ..self }
-    }
+    Course::moving(Way::Still, model.place, model)
 }
 
 /// A status says where the arm is to that much.

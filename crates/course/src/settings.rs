@@ -1,8 +1,8 @@
 //! What configuration has told an arm.
 
-use dobot_arm::Millimeters;
+use dobot_arm::{Millimeters, Tool};
 use dobot_motion::Speeds;
-use dobot_wire::{Configuration, Dialect, PlaybackAdjustment};
+use dobot_wire::{Configuration, Dialect, EndEffector, PlaybackAdjustment};
 
 /// What configuration has told an arm so far (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,14 +34,7 @@ impl Settings {
             speed_percent: 50.0,
             acceleration_percent: 50.0,
             teach_percent: 100.0,
-            teach: Speeds {
-                joint_deg_s: 15.0,
-                joint_deg_s2: 50.0,
-                servo_deg_s: 30.0,
-                servo_deg_s2: 50.0,
-                line_mm_s: 60.0,
-                line_mm_s2: 60.0,
-            },
+            teach: Speeds::new([15.0, 50.0, 30.0, 50.0, 60.0, 60.0]),
             write_acceleration_mm_s2: 100.0,
             jump_height: Millimeters(dialect.default_jump_height_mm.into()),
             default_pause_s: 0.0,
@@ -66,42 +59,16 @@ impl Settings {
 
     /// Takes what a configuration says of speeds, heights and pauses (state 9, modes 0 to 2).
     pub(crate) fn configure(&mut self, configuration: &Configuration) {
+        let speeds = configuration.speeds().unwrap_or_default();
+        let speeds = Speeds::new(speeds.map(f64::from));
         match *configuration {
-            Configuration::Teach {
-                joint_speed_deg_s,
-                joint_acceleration_deg_s2,
-                servo_speed_deg_s,
-                servo_acceleration_deg_s2,
-                linear_speed_mm_s,
-                linear_acceleration_mm_s2,
-            } => {
-                self.teach = Speeds {
-                    joint_deg_s: joint_speed_deg_s.into(),
-                    joint_deg_s2: joint_acceleration_deg_s2.into(),
-                    servo_deg_s: servo_speed_deg_s.into(),
-                    servo_deg_s2: servo_acceleration_deg_s2.into(),
-                    line_mm_s: linear_speed_mm_s.into(),
-                    line_mm_s2: linear_acceleration_mm_s2.into(),
-                };
-            }
+            Configuration::Teach { .. } => self.teach = speeds,
             Configuration::Playback {
-                joint_speed_deg_s,
-                joint_acceleration_deg_s2,
-                servo_speed_deg_s,
-                servo_acceleration_deg_s2,
-                linear_speed_mm_s,
-                linear_acceleration_mm_s2,
                 default_pause_s,
                 jump_height_mm,
+                ..
             } => {
-                self.playback = Speeds {
-                    joint_deg_s: joint_speed_deg_s.into(),
-                    joint_deg_s2: joint_acceleration_deg_s2.into(),
-                    servo_deg_s: servo_speed_deg_s.into(),
-                    servo_deg_s2: servo_acceleration_deg_s2.into(),
-                    line_mm_s: linear_speed_mm_s.into(),
-                    line_mm_s2: linear_acceleration_mm_s2.into(),
-                };
+                self.playback = speeds;
                 self.default_pause_s = default_pause_s.into();
                 self.jump_height = Millimeters(jump_height_mm.into());
             }
@@ -119,6 +86,16 @@ impl Settings {
         self.playback.servo_deg_s = FOLLOW_DEG_S;
         self.playback.joint_deg_s2 = acceleration_deg_s2;
         self.playback.servo_deg_s2 = acceleration_deg_s2;
+    }
+}
+
+/// The tool that a configuration names.
+#[must_use]
+pub const fn tool_named(tool: EndEffector) -> Tool {
+    match tool {
+        EndEffector::SuctionCup => Tool::SuctionCup,
+        EndEffector::Gripper => Tool::Gripper,
+        EndEffector::Laser => Tool::Laser,
     }
 }
 

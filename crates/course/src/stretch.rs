@@ -86,14 +86,9 @@ mod tests {
     fn course(dialect: Dialect, mode: MovingMode) -> Course {
         let here = Place::at_joints(Joints::new(-20.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let target = Command::from(MoveTo {
-            x_mm: 200.0,
-            y_mm: 80.0,
-            z_mm: 0.0,
             rotation_deg: 40.0,
-            suction: false,
             mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
+            ..MoveTo::to(200.0, 80.0, 0.0)
         });
         Model::standing(dialect, here).course(&target).unwrap()
     }

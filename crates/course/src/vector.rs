@@ -1,15 +1,14 @@
 //! The course of a writing or laser vector (state 4).
 
-use dobot_arm::{Position, stock};
+use dobot_arm::{Pose, Position, TICK_S, stock};
 use dobot_motion::{Cut, Stroke, StrokeSpeeds};
 use dobot_wire::{WriteMode, WriteVector};
 
 use crate::error::MOST_COUNTED_S;
+use crate::left::{CREEPS_MM_S, Left};
 use crate::place::position;
-use crate::plan::relative;
 use crate::way::Way;
 use crate::{Course, CourseError, Model, Place};
-use dobot_arm::Pose;
 
 /// Plans a vector from where the arm is.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
@@ -40,7 +39,7 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
         rotation: from.rotation,
         held_z: is_flat.then_some(from.position.z),
     };
-    let course = relative(way, model)?;
+    let course = Course::relative(way, model)?;
     let length_mm = by.length().0;
     Ok(Course {
         knows_end: course.knows_end
@@ -71,48 +70,6 @@ fn stock_end(course: &Course, model: &Model) -> Place {
     };
     let place = Place::at_pose(pose, model.tool).ok();
     place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
-}
-
-/// The end speed of the last vector in mm/s, with which the next one starts where the dialect does not
-/// use its start speed (notes N5 and N48); where it does, nobody cares.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Left {
-    pub(crate) believed_mm_s: f32,
-    /// What it may be instead where nobody knows: of an arm that others used before, or behind a vector
-    /// that may have been cut short.
-    perhaps_mm_s: Option<[f32; 3]>,
-}
-
-impl Left {
-    /// At power-up.
-    pub(crate) const NOTHING: Self = Self::known(0.0);
-
-    const fn known(believed_mm_s: f32) -> Self {
-        Self {
-            believed_mm_s,
-            perhaps_mm_s: None,
-        }
-    }
-
-    /// Whether it is that, near enough.
-    fn is_known(self) -> bool {
-        let mut perhaps = self.perhaps_mm_s.iter().flatten();
-        perhaps.all(|it| (it - self.believed_mm_s).abs() <= KNOWN_MM_S)
-    }
-
-    /// Whether what begins with it and gets no faster might creep.
-    fn may_creep(self) -> bool {
-        let mut perhaps = self.perhaps_mm_s.iter().flatten();
-        perhaps.any(|it| f64::from(*it) < CREEPS_MM_S)
-    }
-
-    /// The same, where nobody knows whether it is so.
-    pub(crate) const fn perhaps(self) -> Self {
-        Self {
-            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
-            ..self
-        }
-    }
 }
 
 /// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
@@ -213,7 +170,7 @@ fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
 /// Without the laser, laser mode accelerates a hundredfold (note N48).
 fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, CourseError> {
     let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
-    let least_mm_s = acceleration_mm_s2 * HALF_A_TICK_S;
+    let least_mm_s = acceleration_mm_s2 * TICK_S / 2.0;
     if speeds.max_mm_s >= least_mm_s {
         return Ok(StrokeSpeeds {
             acceleration_mm_s2,
@@ -245,14 +202,6 @@ const BACK_MM: f32 = 0.5;
 const SURE_MM: f64 = 0.05;
 /// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
 const RAPID_FACTOR: f64 = 100.0;
-/// With less a vector takes for ever, or none of it is done.
-const CREEPS_MM_S: f64 = 0.1;
-/// Half a control tick of 20 ms.
-const HALF_A_TICK_S: f64 = 0.01;
-/// What may have been left is known as well as that, in mm/s.
-const KNOWN_MM_S: f32 = 0.05;
-/// What a vector that was braked to rest leaves, in mm/s: a little less than nothing.
-const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
 
 #[cfg(test)]
 mod tests {
@@ -270,14 +219,9 @@ mod tests {
         model.left = Left::known(0.8);
         let rapid = Command::from(WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: -1.4,
-            z_mm: 0.0,
-            laser: false,
             start_speed_mm_s: 34.0,
             end_speed_mm_s: 40.0,
-            max_speed_mm_s: 150.0,
-            stop: false,
+            ..WriteVector::by(0.0, -1.4, 0.0, 150.0)
         });
         assert!(model.course(&rapid).is_ok());
         model.lose_place();
@@ -294,14 +238,8 @@ mod tests {
         // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
         let mut vector = WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: -3.1,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
             end_speed_mm_s: 10.0,
-            max_speed_mm_s: 10.0,
-            stop: false,
+            ..WriteVector::by(0.0, -3.1, 0.0, 10.0)
         };
         assert!(model.course(&vector.into()).is_ok());
         model.left = model.left.perhaps();
@@ -331,14 +269,7 @@ mod tests {
         model.left = Left::known(57.5);
         let rapid = WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: 26.764,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s: 150.0,
-            stop: false,
+            ..WriteVector::by(0.0, 26.764, 0.0, 150.0)
         };
         let course = model.course(&rapid.into());
         let Err(CourseError::LeavesBackwards { left_mm_s, back_mm }) = course else {
@@ -362,15 +293,8 @@ mod tests {
         model.settings.write_acceleration_mm_s2 = 200.0;
         model.left = Left::known(-0.9);
         let vector = Command::from(WriteVector {
-            mode: WriteMode::Writing,
-            x_mm: 0.3,
-            y_mm: 0.0,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
             end_speed_mm_s: 1.0,
-            max_speed_mm_s: 10.0,
-            stop: false,
+            ..WriteVector::by(0.3, 0.0, 0.0, 10.0)
         });
         assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
     }

@@ -23,38 +23,18 @@ fn model(dialect: Dialect) -> Model {
 }
 
 fn to(mode: MovingMode, x_mm: f32, y_mm: f32, z_mm: f32) -> MoveTo {
-    MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(x_mm, y_mm, z_mm).with_mode(mode)
 }
 
 fn vector(x_mm: f32, y_mm: f32, end_speed_mm_s: f32, max_speed_mm_s: f32) -> WriteVector {
     WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm: 0.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
         end_speed_mm_s,
-        max_speed_mm_s,
-        stop: false,
+        ..WriteVector::by(x_mm, y_mm, 0.0, max_speed_mm_s)
     }
 }
 
 fn jog(axis: JointJogAxis, speed_percent: f32) -> Command {
-    JointJog {
-        axis,
-        speed_percent,
-    }
-    .into()
+    JointJog::new(axis, speed_percent).into()
 }
 
 fn course(model: &Model, command: impl Into<Command>) -> Course {
@@ -118,16 +98,8 @@ fn a_short_joint_move_takes_twice_the_root_of_angle_by_acceleration() {
             clippy::cast_possible_truncation,
             reason = "the wire is single precision"
         )]
-        let turn = MoveJoints {
-            base_deg: 81.0,
-            rear_deg: joints.rear.0 as f32,
-            fore_deg: joints.fore.0 as f32,
-            servo_deg: 0.0,
-            suction: false,
-            mode: MovingMode::MovJ,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        };
+        let turn = MoveJoints::to([81.0, joints.rear.0 as f32, joints.fore.0 as f32, 0.0])
+            .with_mode(MovingMode::MovJ);
         // 100 degrees/s2, and the 100 degrees/s are never reached.
         let course = course(&from, turn);
         close(
@@ -221,16 +193,7 @@ fn the_tool_of_a_stock_arm_turns_at_the_end_of_a_line() {
 
 #[test]
 fn a_default_pause_counts_where_the_dialect_knows_it() {
-    let playback = Configuration::Playback {
-        joint_speed_deg_s: 200.0,
-        joint_acceleration_deg_s2: 200.0,
-        servo_speed_deg_s: 200.0,
-        servo_acceleration_deg_s2: 200.0,
-        linear_speed_mm_s: 100.0,
-        linear_acceleration_mm_s2: 200.0,
-        default_pause_s: 3.0,
-        jump_height_mm: 5.0,
-    };
+    let playback = Configuration::playback([200.0, 200.0, 200.0, 200.0, 100.0, 200.0], 3.0, 5.0);
     for (dialect, expected_s) in [(DOCUMENT, 3.0), (STOCK, 0.0)] {
         let model = after(&model(dialect), playback);
         let course = course(&model, to(MovingMode::MovJ, 230.0, 0.0, 20.0));
@@ -251,16 +214,7 @@ fn a_line_without_length_is_refused_for_an_arm_that_would_lose_its_pose() {
 fn a_line_behind_one_that_ends_at_a_limit_is_refused_for_an_arm_that_would_jump() {
     // The rear arm at -5 degrees exactly: rounding makes the last tick one beyond the limit, and what
     // the line has gone is kept for the next one (note N46).
-    let to_limit = MoveJoints {
-        base_deg: 10.0,
-        rear_deg: -5.0,
-        fore_deg: 35.0,
-        servo_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovL,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
+    let to_limit = MoveJoints::to([10.0, -5.0, 35.0, 0.0]).with_mode(MovingMode::MovL);
     let back = to(MovingMode::MovL, 220.0, 0.0, 20.0);
     let there = after(&model(STOCK), to_limit);
     assert_eq!(refusal(&there, back), CourseError::BehindCutLine);
@@ -345,10 +299,7 @@ fn the_jog_percentage_of_state_10_counts_where_the_dialect_uses_it() {
         acceleration_percent: 50.0,
         teach_speed_percent: 20.0,
     };
-    let held = LinearJog {
-        axis: LinearJogAxis::YMinus,
-        speed_percent: 50.0,
-    };
+    let held = LinearJog::new(LinearJogAxis::YMinus, 50.0);
     for (dialect, expected) in [(DOCUMENT, -6.0), (STOCK, -30.0)] {
         let course = course(&after(&model(dialect), adjustment), held);
         let jog = course.jog().expect("it is one");

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::time::Duration;
 
-use dobot_arm::Position;
+use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_geometry::{Point, Stroke, deviation};
 use dobot_plan::{Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Tool, respeed};
@@ -209,6 +209,5 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
     }
 }
 
-const TICK: Duration = Duration::from_millis(20);
 /// A status and a packet one after the other on the line.
 const STATUS_AND_PACKET: Duration = Duration::from_millis(88);

@@ -57,13 +57,8 @@ fn job(commands: usize) -> NewJob {
 
 const START: Status = Status {
     x_mm: 200.0,
-    y_mm: 0.0,
     z_mm: 50.0,
-    rotation_deg: 0.0,
-    base_deg: 0.0,
     rear_deg: 10.0,
     fore_deg: 30.0,
-    servo_deg: 0.0,
-    suction: false,
-    gripper_deg: 0.0,
+    ..Status::AT_ZERO
 };

@@ -1,7 +1,7 @@
 //! Which commands of a job the arm may have done.
 
 use dobot_course::Model;
-use dobot_wire::Status;
+use dobot_wire::{Status, single};
 
 /// Which commands of a job the arm may have done: those before `completed` for sure, those in
 /// `completed..upto` perhaps, those from `upto` on for sure not.
@@ -37,22 +37,9 @@ impl Window {
 
 /// The status of an arm that stands as the model says.
 fn status(model: &Model) -> Status {
-    let (joints, pose) = (model.place.joints, model.place.pose);
     Status {
-        x_mm: single(pose.position.x.0),
-        y_mm: single(pose.position.y.0),
-        z_mm: single(pose.position.z.0),
-        rotation_deg: single(pose.rotation.0),
-        base_deg: single(joints.base.0),
-        rear_deg: single(joints.rear.0),
-        fore_deg: single(joints.fore.0),
-        servo_deg: single(joints.servo.0),
         suction: model.suction,
         gripper_deg: single(model.gripper_deg),
+        ..model.place.status()
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
 }

@@ -127,10 +127,7 @@ fn two_ends_at_one_place_are_both_named() {
 
 #[test]
 fn a_jog_is_given_alone() {
-    let jog = Command::from(JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: 50.0,
-    });
+    let jog = Command::from(JointJog::new(JointJogAxis::BasePlus, 50.0));
     let commands = [vector(20.0, 0.0, 0.0), jog, vector(20.0, 0.0, 0.0)];
     let model = program::model(Dialect::SPECIFICATION);
     assert_eq!(window_end(&commands, 0, &model, None, 32), 1);

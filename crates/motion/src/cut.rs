@@ -1,5 +1,6 @@
 //! How a stock arm cuts a vector into ticks (note N48).
 
+use dobot_arm::TICK;
 use dobot_arm::stock::short;
 
 /// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
@@ -166,8 +167,7 @@ fn added(counts: [i16; 3]) -> i16 {
     counts.into_iter().fold(0, i16::wrapping_add)
 }
 
-/// The control tick in s.
-const TICK_S: f32 = 0.02;
+const TICK_S: f32 = TICK.as_secs_f32();
 /// How much of a step is spared, for rounding.
 const SPARE: f32 = 1e-5;
 

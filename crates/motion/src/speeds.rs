@@ -22,14 +22,41 @@ pub struct Speeds {
 
 impl Speeds {
     /// What a stock arm knows after power-up, before its percentages of 50 (state 10) are applied.
-    pub const STOCK: Self = Self {
-        joint_deg_s: 200.0,
-        joint_deg_s2: 200.0,
-        servo_deg_s: 200.0,
-        servo_deg_s2: 200.0,
-        line_mm_s: 100.0,
-        line_mm_s2: 200.0,
-    };
+    pub const STOCK: Self = Self::new([200.0, 200.0, 200.0, 200.0, 100.0, 200.0]);
+
+    /// Speed and acceleration of the joints, of the servo and of the tool, as Table 3.9 has them.
+    #[must_use]
+    pub const fn new(numbers: [f64; 6]) -> Self {
+        let [
+            joint_deg_s,
+            joint_deg_s2,
+            servo_deg_s,
+            servo_deg_s2,
+            line_mm_s,
+            line_mm_s2,
+        ] = numbers;
+        Self {
+            joint_deg_s,
+            joint_deg_s2,
+            servo_deg_s,
+            servo_deg_s2,
+            line_mm_s,
+            line_mm_s2,
+        }
+    }
+
+    /// The numbers that [`Speeds::new`] takes.
+    #[must_use]
+    pub const fn numbers(&self) -> [f64; 6] {
+        [
+            self.joint_deg_s,
+            self.joint_deg_s2,
+            self.servo_deg_s,
+            self.servo_deg_s2,
+            self.line_mm_s,
+            self.line_mm_s2,
+        ]
+    }
 
     /// The same with all speeds and all accelerations at a percentage (Table 3.9, state 10).
     ///

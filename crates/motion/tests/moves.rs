@@ -336,15 +336,7 @@ fn poses() -> impl Strategy<Value = Pose> {
 }
 
 fn speeds() -> impl Strategy<Value = Speeds> {
-    let limit = || 5.0..400.0;
-    (limit(), limit(), limit(), limit(), limit(), limit()).prop_map(|(a, b, c, d, e, f)| Speeds {
-        joint_deg_s: a,
-        joint_deg_s2: b,
-        servo_deg_s: c,
-        servo_deg_s2: d,
-        line_mm_s: e,
-        line_mm_s2: f,
-    })
+    prop::array::uniform6(5.0..400.0).prop_map(Speeds::new)
 }
 
 fn samples(duration_s: f64) -> impl Iterator<Item = f64> {

@@ -102,18 +102,7 @@ fn at(n: u32) -> Duration {
 }
 
 fn status() -> [u8; 42] {
-    let status = Status {
-        x_mm: 215.07,
-        y_mm: 0.0,
-        z_mm: 135.0,
-        rotation_deg: 0.0,
-        base_deg: 0.0,
-        rear_deg: 0.0,
-        fore_deg: 0.0,
-        servo_deg: 0.0,
-        suction: false,
-        gripper_deg: 0.0,
-    };
+    let status = Status::AT_ZERO;
     status.emit().to_bytes()
 }
 

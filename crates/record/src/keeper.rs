@@ -519,14 +519,9 @@ mod tests {
         let status = dobot_wire::Status {
             x_mm: radius_mm * base_deg.to_radians().cos(),
             y_mm: radius_mm * base_deg.to_radians().sin(),
-            z_mm: 135.0,
             rotation_deg: base_deg,
             base_deg,
-            rear_deg: 0.0,
-            fore_deg: 0.0,
-            servo_deg: 0.0,
-            suction: false,
-            gripper_deg: 0.0,
+            ..dobot_wire::Status::AT_ZERO
         };
         status.emit().to_bytes().to_vec()
     }

@@ -30,7 +30,6 @@ mod about;
 mod chapter;
 mod chunk;
 mod fields;
-mod hex;
 mod keeper;
 mod limits;
 mod moment;

@@ -8,13 +8,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
+use data_encoding::HEXLOWER_PERMISSIVE;
 use mcap::records::op;
 use serde_json::Value;
 
 use crate::fields::Fields;
 use crate::records::{BAD_RECORD, Flaw, Records};
 use crate::topic::{FROM_ARM, NAME_LEN, TO_ARM};
-use crate::{About, Damage, Entry, Moment, hex};
+use crate::{About, Damage, Entry, Moment};
 
 /// A recording, read from its beginning: an iterator of what was recorded, in the order in which it
 /// was.
@@ -251,7 +252,7 @@ impl Channel {
             return None;
         }
         let message: Repeated = serde_json::from_slice(data).ok()?;
-        let packet = hex::bytes(&message.bytes).filter(|it| !it.is_empty())?;
+        let packet = bytes_of(&message.bytes).filter(|it| !it.is_empty())?;
         let times_ns = message
             .gaps_ns
             .iter()
@@ -274,7 +275,7 @@ impl Channel {
             FROM_ARM => Some(Entry::FromArm),
             _ => None,
         };
-        let bytes = |value: &Value| value.get("bytes")?.as_str().and_then(hex::bytes);
+        let bytes = |value: &Value| value.get("bytes")?.as_str().and_then(bytes_of);
         match wire.and_then(|wire| bytes(&value).map(wire)) {
             Some(entry) => entry,
             None => Entry::Json(value),
@@ -297,4 +298,9 @@ fn metadata(fields: &mut Fields<'_>) -> Option<mcap::records::Metadata> {
         metadata.insert(rest.text()?.to_owned(), rest.text()?.to_owned());
     }
     Some(mcap::records::Metadata { name, metadata })
+}
+
+/// The bytes of hex digits; `None` where there is anything else.
+fn bytes_of(digits: &str) -> Option<Vec<u8>> {
+    HEXLOWER_PERMISSIVE.decode(digits.as_bytes()).ok()
 }

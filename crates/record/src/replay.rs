@@ -5,10 +5,11 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use data_encoding::HEXLOWER;
 use dobot_client::Peer;
 
 use crate::playback::Playback;
-use crate::{Damage, OpenError, hex};
+use crate::{Damage, OpenError};
 
 /// A virtual arm that plays a recording back: it sends what the arm sent, at the times at which it
 /// did, and compares what its client sends with what was recorded. So a bug report becomes a test.
@@ -116,7 +117,7 @@ impl Report {
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = |packet: &Option<[u8; 42]>| {
-            packet.map_or_else(|| "nothing".to_owned(), |packet| hex::digits(&packet))
+            packet.map_or_else(|| "nothing".to_owned(), |packet| HEXLOWER.encode(&packet))
         };
         write!(
             f,

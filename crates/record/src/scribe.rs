@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use data_encoding::HEXLOWER;
 use dobot_wire::{Command, Commands, Decoder, Dialect, Packet, Status, Statuses};
 use jiff::Timestamp;
 use serde::Serialize;
@@ -9,7 +10,7 @@ use serde_json::json;
 
 use crate::repeats::{Repeats, Told};
 use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
-use crate::{Record, Topic, hex, schema};
+use crate::{Record, Topic, schema};
 
 /// Writes down what happened: an engine, records in, messages out.
 ///
@@ -131,7 +132,7 @@ impl Scribe {
         for (piece, packet) in pieces(&mut self.commands, bytes) {
             let mut message = ToArm {
                 at_s: when.at_s,
-                bytes: hex::digits(piece),
+                bytes: HEXLOWER.encode(piece),
                 ..ToArm::default()
             };
             match packet.and_then(|packet| meaning(&packet, self.dialect)) {
@@ -289,7 +290,7 @@ impl FromArm {
     fn new(at_s: f64, bytes: &[u8], status: Option<Status>) -> Self {
         Self {
             at_s,
-            bytes: hex::digits(bytes),
+            bytes: HEXLOWER.encode(bytes),
             gaps_ns: None,
             status,
         }
@@ -380,16 +381,7 @@ mod tests {
     }
 
     fn target(mode: MovingMode) -> [u8; 42] {
-        let target = MoveTo {
-            x_mm: 200.0,
-            y_mm: 0.0,
-            z_mm: 20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        };
+        let target = MoveTo::to(200.0, 0.0, 20.0).with_mode(mode);
         target.emit(&Dialect::SPECIFICATION).to_bytes()
     }
 
@@ -398,14 +390,10 @@ mod tests {
         Status {
             x_mm: 0.0,
             y_mm: 215.07,
-            z_mm: 135.0,
             rotation_deg: 90.0,
             base_deg: 90.0,
-            rear_deg: 0.0,
-            fore_deg: 0.0,
-            servo_deg: 0.0,
             suction: true,
-            gripper_deg: 0.0,
+            ..Status::AT_ZERO
         }
     }
 

@@ -54,31 +54,11 @@ fn read(bytes: impl Into<Vec<u8>>) -> (Vec<Moment>, Recording) {
 
 /// Four seconds with an arm: statuses, commands, events.
 fn session() -> Vec<(Duration, Record)> {
-    let status = Status {
-        x_mm: 215.07,
-        y_mm: 0.0,
-        z_mm: 135.0,
-        rotation_deg: 0.0,
-        base_deg: 0.0,
-        rear_deg: 0.0,
-        fore_deg: 0.0,
-        servo_deg: 0.0,
-        suction: false,
-        gripper_deg: 0.0,
-    };
+    let status = Status::AT_ZERO;
     let mut records = Vec::new();
     for n in 0..50_u16 {
         let at = Duration::from_millis(80) * n.into();
-        let target = MoveTo {
-            x_mm: f32::from(n) + 100.0,
-            y_mm: 0.0,
-            z_mm: 20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode: MovingMode::MovL,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        };
+        let target = MoveTo::to(f32::from(n) + 100.0, 0.0, 20.0).with_mode(MovingMode::MovL);
         let packet = target.emit(&Dialect::SPECIFICATION).to_bytes();
         records.push((at, Record::FromArm(status.emit().to_bytes().to_vec())));
         records.push((at, Record::ToArm(packet.to_vec())));

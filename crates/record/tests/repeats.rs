@@ -16,16 +16,8 @@ use serde_json::{Value, json};
 /// Rear arm upright, forearm level, with or without the pump.
 fn status(suction: bool) -> [u8; 42] {
     let status = Status {
-        x_mm: 215.07,
-        y_mm: 0.0,
-        z_mm: 135.0,
-        rotation_deg: 0.0,
-        base_deg: 0.0,
-        rear_deg: 0.0,
-        fore_deg: 0.0,
-        servo_deg: 0.0,
         suction,
-        gripper_deg: 0.0,
+        ..Status::AT_ZERO
     };
     status.emit().to_bytes()
 }

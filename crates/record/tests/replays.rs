@@ -40,16 +40,7 @@ impl Peer for Tapped {
 /// Goes to a point and back; says where it was at the end.
 async fn there_and_back(arm: &mut Connection, x_mm: f32) -> Result<Status, LinkError> {
     for x_mm in [x_mm, 200.0] {
-        let id = arm.send(MoveTo {
-            x_mm,
-            y_mm: 0.0,
-            z_mm: 20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode: MovingMode::MovJ,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        })?;
+        let id = arm.send(MoveTo::to(x_mm, 0.0, 20.0).with_mode(MovingMode::MovJ))?;
         arm.completed(id).await?;
     }
     arm.next_status().await

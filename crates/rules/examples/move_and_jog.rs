@@ -9,32 +9,20 @@ use std::error::Error;
 use std::time::Duration;
 
 use dobot_api::{Jog, Reply, Request};
-use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo, MovingMode};
+use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo};
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
     let mut station = support::reach(std::env::args().nth(1)).await?;
     support::ready(&mut station).await?;
 
-    let command = Command::from(MoveTo {
-        x_mm: 220.0,
-        y_mm: 0.0,
-        z_mm: 30.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    });
+    let command = Command::from(MoveTo::to(220.0, 0.0, 30.0));
     let there = station.request(Request::Command { command }).await?;
     if let Reply::Accepted { command, .. } = there {
         station.finished(command).await?;
     }
 
-    let jog = Jog::Linear(LinearJog {
-        axis: LinearJogAxis::YPlus,
-        speed_percent: 50.0,
-    });
+    let jog = Jog::Linear(LinearJog::new(LinearJogAxis::YPlus, 50.0));
     // Hold to run: a button that is not said again for 150 ms is let go.
     for _ in 0..20 {
         station.request(Request::Jog { jog }).await?;

@@ -173,7 +173,7 @@ impl Owner {
                 self.keeper.handle_trouble(now, trouble);
             }
         }
-        self.part().await
+        Box::pin(self.part()).await
     }
 
     /// Tells what the guardian did while this loop stood still.

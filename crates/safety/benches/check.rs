@@ -8,9 +8,7 @@ use divan::counter::ItemsCount;
 use dobot_arm::{Joints, Tool};
 use dobot_course::{Model, Place};
 use dobot_safety::Policy;
-use dobot_wire::{
-    Command, Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode, WriteMode, WriteVector,
-};
+use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode, WriteVector};
 
 fn main() {
     divan::main();
@@ -46,11 +44,7 @@ fn jump(bencher: Bencher, policy: Named) {
 #[divan::bench(args = POLICIES)]
 fn jog(bencher: Bencher, policy: Named) {
     each(bencher, policy, |_| {
-        LinearJog {
-            axis: LinearJogAxis::YPlus,
-            speed_percent: 50.0,
-        }
-        .into()
+        LinearJog::new(LinearJogAxis::YPlus, 50.0).into()
     });
 }
 
@@ -121,31 +115,16 @@ fn hundred(command: fn(f64) -> Command) -> Vec<(Model, Command)> {
 
 #[expect(clippy::cast_possible_truncation, reason = "as a client would send it")]
 fn vector(x: f64, y: f64) -> Command {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: -x as f32,
-        y_mm: y as f32,
-        z_mm: 0.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
+    WriteVector::by(-x as f32, y as f32, 0.0, 40.0).into()
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "as a client would send it")]
 fn target(mode: MovingMode, part: f64) -> Command {
-    MoveTo {
-        x_mm: 200.0 + (30.0 * part) as f32,
-        y_mm: 80.0 - (160.0 * part) as f32,
-        z_mm: 10.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(
+        200.0 + (30.0 * part) as f32,
+        80.0 - (160.0 * part) as f32,
+        10.0,
+    )
+    .with_mode(mode)
     .into()
 }

@@ -3,7 +3,7 @@
 use dobot_arm::{Joints, REAR_ARM, Tool};
 use dobot_course::Place;
 
-use crate::zone::{Point, distance};
+use crate::point::{Point, distance};
 
 /// The arm at one place, as lines through its links.
 ///

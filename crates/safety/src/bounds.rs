@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use dobot_arm::{Degrees, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +22,10 @@ impl Bounds {
     #[must_use]
     pub const fn new(min: f64, max: f64) -> Self {
         Self { min, max }
+    }
+
+    pub(crate) const fn degrees(span: Span<Degrees>) -> Self {
+        Self::new(span.min.0, span.max.0)
     }
 
     /// Whether a value is allowed; NaN never is.

@@ -1,6 +1,6 @@
 //! The way that a jog can cover until a release is in force.
 
-use dobot_arm::{Degrees, Joints, Millimeters, Position};
+use dobot_arm::{Degrees, Joints, Millimeters, Position, TICK_S};
 use dobot_course::{JogAxis, JogCourse, Model, Place};
 use dobot_wire::Command;
 
@@ -106,6 +106,3 @@ fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
         JogAxis::Gripper => None,
     }
 }
-
-/// A control tick.
-const TICK_S: f64 = 0.02;

@@ -8,18 +8,12 @@
 //! ```
 //! use dobot_course::{Model, Place};
 //! use dobot_safety::Policy;
-//! use dobot_wire::{Command, Dialect, Status, WriteMode, WriteVector};
+//! use dobot_wire::{Command, Dialect, Status, WriteVector};
 //!
 //! let policy = Policy::from_toml("[table]\nz_mm = -103\n[tool_length]\nsuction_cup_mm = 90")?;
-//! let status = Status {
-//!     x_mm: 215.07, y_mm: 0.0, z_mm: 135.0, rotation_deg: 0.0, base_deg: 0.0, rear_deg: 0.0,
-//!     fore_deg: 0.0, servo_deg: 0.0, suction: false, gripper_deg: 0.0,
-//! };
+//! let status = Status::AT_ZERO;
 //! let model = Model::new(Dialect::SPECIFICATION, &status);
-//! let down = |z_mm| Command::from(WriteVector {
-//!     mode: WriteMode::Writing, x_mm: 0.0, y_mm: 0.0, z_mm, laser: false,
-//!     start_speed_mm_s: 0.0, end_speed_mm_s: 0.0, max_speed_mm_s: 40.0, stop: false,
-//! });
+//! let down = |z_mm| Command::from(WriteVector::by(0.0, 0.0, z_mm, 40.0));
 //! assert!(policy.check(&model, &down(-100.0)).is_ok());
 //!
 //! let violation = policy.check(&model, &down(-160.0)).unwrap_err();
@@ -36,6 +30,7 @@ mod laser;
 mod limits;
 mod path;
 mod place;
+mod point;
 mod policy;
 mod policy_error;
 mod sections;

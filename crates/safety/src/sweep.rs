@@ -6,7 +6,7 @@
 //! So all that is needed are bounds of second derivatives, and they follow from the kinematics:
 //! `docs/safety.md` derives them.
 
-use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM};
+use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM, Tool};
 use dobot_course::{Bend, Place};
 
 use crate::Bounds;
@@ -202,7 +202,7 @@ fn least_fold(a: &Place, b: &Place, tool_reach_mm: f64, way_mm: f64) -> Option<f
 const LINKS_V2: f64 = REAR_ARM.0 * REAR_ARM.0 + FOREARM.0 * FOREARM.0;
 
 /// Nothing of the arm is farther from the axis than its links and the longest tool.
-const FARTHEST_MM: f64 = REAR_ARM.0 + FOREARM.0 + 55.07;
+const FARTHEST_MM: f64 = REAR_ARM.0 + FOREARM.0 + Tool::SuctionCup.reach().0;
 
 /// A line that passes the axis nearer than this is looked at in shorter pieces.
 const NEAREST_MM: f64 = 1.0;

@@ -1,5 +1,6 @@
 //! Whether the values of a policy are in their ranges, and where in the file one is that is not.
 
+use dobot_arm::Limits;
 use toml::de::{DeTable, DeValue};
 
 use crate::body::PIVOT;
@@ -55,32 +56,52 @@ pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
 
 /// Ranges, and the widest that each may be: what the arm itself can do.
 fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
-    let (joints, space) = (&policy.joints, &policy.workspace);
+    let (joints, space, arm) = (&policy.joints, &policy.workspace, Limits::STOCK);
     [
         (
             "joints.base_deg",
             joints.base_deg,
-            Bounds::new(-180.0, 180.0),
+            Bounds::degrees(arm.base),
         ),
-        ("joints.rear_deg", joints.rear_deg, Bounds::new(-5.0, 85.0)),
-        ("joints.fore_deg", joints.fore_deg, Bounds::new(-10.0, 95.0)),
+        (
+            "joints.rear_deg",
+            joints.rear_deg,
+            Bounds::degrees(arm.rear),
+        ),
+        (
+            "joints.fore_deg",
+            joints.fore_deg,
+            Bounds::degrees(arm.fore),
+        ),
         (
             "joints.servo_deg",
             joints.servo_deg,
-            Bounds::new(-90.0, 90.0),
+            Bounds::degrees(arm.servo),
         ),
         (
             "joints.opening_deg",
             joints.opening_deg,
-            Bounds::new(-105.0, 35.0),
+            Bounds::new(-105.0, arm.opening.max.0),
         ),
-        ("workspace.x_mm", space.x_mm, Bounds::new(-321.0, 321.0)),
-        ("workspace.y_mm", space.y_mm, Bounds::new(-321.0, 321.0)),
-        ("workspace.z_mm", space.z_mm, Bounds::new(-300.0, 136.0)),
+        (
+            "workspace.x_mm",
+            space.x_mm,
+            Bounds::new(-arm.reach.max.0, arm.reach.max.0),
+        ),
+        (
+            "workspace.y_mm",
+            space.y_mm,
+            Bounds::new(-arm.reach.max.0, arm.reach.max.0),
+        ),
+        (
+            "workspace.z_mm",
+            space.z_mm,
+            Bounds::new(-300.0, Limits::STOCK.z.max.0),
+        ),
         (
             "workspace.reach_mm",
             space.reach_mm,
-            Bounds::new(129.0, 321.0),
+            Bounds::new(arm.reach.min.0, arm.reach.max.0),
         ),
     ]
 }
@@ -98,7 +119,11 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
     let steepest = Bounds::new(0.001, 10_000.0);
     let length = Bounds::new(0.0, 200.0);
     [
-        ("table.z_mm", policy.table.z_mm, Bounds::new(-300.0, 136.0)),
+        (
+            "table.z_mm",
+            policy.table.z_mm,
+            Bounds::new(-300.0, Limits::STOCK.z.max.0),
+        ),
         (
             "tool_length.suction_cup_mm",
             tool_length.suction_cup_mm,

@@ -4,7 +4,7 @@ use dobot_arm::Unreachable;
 
 use crate::fence::{Broken, Fence, Stop};
 use crate::path::Path;
-use crate::zone::distance;
+use crate::point::distance;
 
 /// Where and why a way is forbidden.
 #[derive(Clone, Debug)]

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Bounds;
+use crate::point::{Point, distance};
 
 /// What no part of the arm may touch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -40,9 +41,6 @@ pub struct Cylinder {
     /// From bottom to top.
     pub z_mm: Bounds,
 }
-
-/// A point in the base frame, in mm.
-pub(crate) type Point = [f64; 3];
 
 /// A part of the arm at the two ends of a stretch of its way: its line, then its line.
 pub(crate) type Swept = [[Point; 2]; 2];
@@ -170,11 +168,6 @@ fn within(
     let (enters, leaves) = ((span.min - at) / way, (span.max - at) / way);
     let part = [start.max(enters.min(leaves)), end.min(enters.max(leaves))];
     (part[0] <= part[1]).then_some(part)
-}
-
-pub(crate) fn distance(from: Point, to: Point) -> f64 {
-    let [x, y, z] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-    (x * x + y * y + z * z).sqrt()
 }
 
 fn mean(a: Point, b: Point) -> Point {

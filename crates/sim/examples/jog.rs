@@ -15,10 +15,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     let mut arm = connect::arm().await?;
     connect::ask(&mut arm).await?;
     for axis in [LinearJogAxis::ZPlus, LinearJogAxis::ZMinus] {
-        let held = LinearJog {
-            axis,
-            speed_percent: 50.0,
-        };
+        let held = LinearJog::new(axis, 50.0);
         let status = arm.jog(held, Duration::from_secs(1)).await?;
         println!("{axis:?}: z {:.2} mm", status.z_mm);
     }

@@ -14,16 +14,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     let mut arm = connect::arm().await?;
     connect::ask(&mut arm).await?;
     for (mode, y_mm) in [(MovingMode::MovL, 40.0), (MovingMode::Jump, -40.0)] {
-        let there = MoveTo {
-            x_mm: 220.0,
-            y_mm,
-            z_mm: 10.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        };
+        let there = MoveTo::to(220.0, y_mm, 10.0).with_mode(mode);
         let status = arm.move_to(there).await?;
         let at = arm.connection().now().as_secs_f64();
         let [x, y, z] = [status.x_mm, status.y_mm, status.z_mm];

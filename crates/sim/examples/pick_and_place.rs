@@ -8,7 +8,7 @@ use std::error::Error;
 use dobot_client::{Connection, LinkError};
 use dobot_controller::{Controller, PowerUp};
 use dobot_sim::{InProcess, Line, VirtualArm};
-use dobot_wire::{Dialect, MoveTo, MovingMode};
+use dobot_wire::{Dialect, MoveTo};
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
@@ -32,14 +32,9 @@ async fn main() -> Result<(), Box<dyn Error>> {
 async fn go(arm: &mut Connection, point: [f32; 3], suction: bool) -> Result<(), LinkError> {
     let [x_mm, y_mm, z_mm] = point;
     let there = arm.send(MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
         suction,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
         pause_s: 0.5,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
     })?;
     arm.completed(there).await?;
     println!("suction is {}", if suction { "on" } else { "off" });

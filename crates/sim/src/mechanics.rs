@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::Joints;
+use dobot_arm::{Joints, TICK};
 use dobot_controller::STEPS_PER_DEG;
 
 /// Where the joints really are: motors turn them, pulse by pulse, whatever the controller believes.
@@ -163,9 +163,6 @@ impl std::fmt::Display for Joint {
         f.write_str(self.name())
     }
 }
-
-/// The control tick (note N27).
-const TICK: Duration = Duration::from_millis(20);
 
 #[cfg(test)]
 mod tests {

@@ -7,6 +7,7 @@ mod views;
 
 use std::time::Duration;
 
+use dobot_arm::TICK_S;
 use dobot_controller::{Controller, Personality};
 
 use self::axis::Axis;
@@ -205,9 +206,6 @@ const JOINTS: [(usize, &str, &str); 4] = [
     (2, "forearm", "#009e73"),
     (3, "servo", "#aa4499"),
 ];
-
-/// The control tick (note N27).
-const TICK_S: f64 = 0.02;
 const WIDTH: f64 = 1200.0;
 const HEIGHT: f64 = 1268.0;
 const LEFT: f64 = 84.0;

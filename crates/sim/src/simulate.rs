@@ -4,6 +4,7 @@ mod feed;
 
 use std::time::Duration;
 
+use dobot_arm::TICK;
 use dobot_controller::{Controller, Personality, Port, PowerUp, Refused};
 use dobot_wire::PACKET_LEN;
 use thiserror::Error;
@@ -207,9 +208,6 @@ impl<'a> Run<'a> {
         }
     }
 }
-
-/// The control tick (note N27).
-const TICK: Duration = Duration::from_millis(20);
 /// How long a status is on the line.
 const PACKET_TIME: Duration = STOCK_BYTE_TIME.saturating_mul(42);
 /// Less than any time on the line.

@@ -4,6 +4,7 @@ mod compare;
 mod number;
 mod read;
 
+use dobot_arm::TICK;
 use dobot_controller::Outputs;
 
 pub use self::compare::{Comparison, Deviation, Difference, Tolerance};
@@ -126,7 +127,7 @@ pub(crate) const TICK_FIELDS: [&str; 12] = [
 ];
 
 /// The control tick in milliseconds (note N27).
-pub(crate) const TICK_MS: u32 = 20;
+pub(crate) const TICK_MS: u32 = TICK.subsec_millis();
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

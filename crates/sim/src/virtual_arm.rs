@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::Position;
+use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, PowerUp, Refused};
 
 use crate::faults::{Direction, Order, Tilt, Trouble};
@@ -58,7 +58,7 @@ impl VirtualArm {
         Self {
             mechanics: Mechanics::new(controller.joints_at(Duration::ZERO)),
             uploaded: Duration::ZERO,
-            spacing: STATUS_PERIOD,
+            spacing: controller.status_period(),
             ticks: 0,
             controller,
             started: Duration::ZERO,
@@ -444,12 +444,8 @@ impl Recorder {
     }
 }
 
-/// The control tick (note N27).
-const TICK: Duration = Duration::from_millis(20);
 /// After that much of a tick no controller calculates any more (note N39).
 const BUSY: Duration = Duration::from_millis(8);
-/// A status comes every 80 ms (note N20), or more often.
-const STATUS_PERIOD: Duration = Duration::from_millis(80);
 /// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which
 /// waits for a new program, and 0.7 s of its own.
 const START: Duration = Duration::from_secs(2);

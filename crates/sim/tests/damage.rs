@@ -4,7 +4,7 @@ mod common;
 
 use std::time::Duration;
 
-use common::{button, completed, in_process, move_to, ms, refusals, run, vector};
+use common::{button, completed, in_process, move_to, ms, refusals, run};
 use dobot_arm::Position;
 use dobot_client::{Connection, Event, LinkError, Peer};
 use dobot_sim::InProcess;
@@ -116,24 +116,15 @@ impl Random {
     }
 }
 
-fn program() -> Vec<Command> {
-    let mut program: Vec<Command> = vec![
-        move_to(MovingMode::MovL, 220.0, 0.0, 0.0).into(),
-        move_to(MovingMode::MovJ, 240.0, 40.0, 20.0).into(),
-        button(JointJogAxis::SuctionOn, 0.0).into(),
-        move_to(MovingMode::Jump, 210.0, -20.0, 0.0).into(),
-    ];
-    for n in 0..20_u8 {
-        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-        program.push(vector(1.0, 10.0 * sign, 20.0).into());
-    }
-    program.push(move_to(MovingMode::MovJ, 200.0, 0.0, 0.0).into());
+fn grabbing_program() -> Vec<Command> {
+    let mut program = common::program();
+    program.insert(2, button(JointJogAxis::SuctionOn, 0.0).into());
     program
 }
 
 #[tokio::test]
 async fn damaged_statuses_cost_time_and_nothing_else() {
-    let program = program();
+    let program = grabbing_program();
     let mut resyncs = 0;
     for seed in 0..100 {
         let arm = in_process();

@@ -144,10 +144,7 @@ fn an_arm_that_somebody_else_moves_is_left_alone() {
     for personality in Personality::ALL {
         let mut bench = Bench::new(personality, 45.0, 45.0, &[]);
         let status = bench.first();
-        let jog = Command::from(JointJog {
-            axis: JointJogAxis::BasePlus,
-            speed_percent: 20.0,
-        });
+        let jog = Command::from(JointJog::new(JointJogAxis::BasePlus, 20.0));
         let packet = jog.emit(&personality.dialect());
         bench.arm.send(&packet.to_bytes());
         let _ = bench.first();

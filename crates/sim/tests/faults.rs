@@ -4,7 +4,7 @@ mod common;
 
 use std::time::Duration;
 
-use common::{button, completed, move_to, ms, playback, run, vector};
+use common::{button, completed, move_to, ms, playback, program, run};
 use dobot_arm::Joints;
 use dobot_client::{Connection, Event, LinkError, Peer};
 use dobot_controller::{Controller, Personality, PowerUp};
@@ -364,20 +364,6 @@ mod link {
 
 mod client {
     use super::*;
-
-    fn program() -> Vec<Command> {
-        let mut program: Vec<Command> = vec![
-            move_to(MovingMode::MovL, 220.0, 0.0, 0.0).into(),
-            move_to(MovingMode::MovJ, 240.0, 40.0, 20.0).into(),
-            move_to(MovingMode::Jump, 210.0, -20.0, 0.0).into(),
-        ];
-        for n in 0..20_u8 {
-            let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-            program.push(vector(1.0, 10.0 * sign, 20.0).into());
-        }
-        program.push(move_to(MovingMode::MovJ, 200.0, 0.0, 0.0).into());
-        program
-    }
 
     #[tokio::test]
     async fn damage_on_the_way_from_the_arm_costs_a_client_nothing_but_time() {

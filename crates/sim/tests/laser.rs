@@ -9,7 +9,7 @@ use std::time::Duration;
 use dobot_client::{Connection, LinkError, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, RECORDING_PERIOD, VirtualArm};
-use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 use self::light::longest_stand_s;
 
@@ -28,35 +28,16 @@ fn arm(personality: Personality) -> (InProcess, Connection) {
 }
 
 fn vector(x_mm: f32, y_mm: f32, laser: bool) -> Command {
-    WriteVector {
-        mode: if laser {
-            WriteMode::Laser
-        } else {
-            WriteMode::Writing
-        },
-        x_mm,
-        y_mm,
-        z_mm: 0.0,
-        laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
+    let stroke = WriteVector::by(x_mm, y_mm, 0.0, 40.0);
+    if laser { stroke.burning() } else { stroke }.into()
 }
 
 /// To a place, with a pause of two seconds there.
 fn target(x_mm: f32, y_mm: f32) -> Command {
     MoveTo {
-        x_mm,
-        y_mm,
-        z_mm: 30.0,
-        rotation_deg: 0.0,
-        suction: false,
         mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
         pause_s: 2.0,
+        ..MoveTo::to(x_mm, y_mm, 30.0)
     }
     .into()
 }
@@ -83,10 +64,7 @@ async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
 
 #[tokio::test]
 async fn nothing_that_a_program_sends_leaves_the_laser_burning_on_the_spot() {
-    let on = Command::from(JointJog {
-        axis: JointJogAxis::LaserOn,
-        speed_percent: 0.0,
-    });
+    let on = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
     for personality in Personality::ALL {
         for (what, commands) in [
             ("one vector", vec![vector(10.0, 0.0, true)]),

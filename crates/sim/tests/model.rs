@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::Position;
+use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_course::{CourseError, Model};
 use dobot_wire::{
@@ -74,29 +74,13 @@ fn command() -> impl Strategy<Value = Command> {
     let point = [200.0..260.0_f32, -60.0..60.0_f32, -20.0..60.0_f32];
     let target = (mode, point, -20.0..20.0_f32).prop_map(|(mode, [x_mm, y_mm, z_mm], turn)| {
         Command::from(MoveTo {
-            x_mm,
-            y_mm,
-            z_mm,
             rotation_deg: turn,
-            suction: false,
             mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
+            ..MoveTo::to(x_mm, y_mm, z_mm)
         })
     });
-    let vector = (-20.0..20.0_f32, 5.0..20.0_f32, 20.0..60.0_f32).prop_map(|(x_mm, y_mm, max)| {
-        Command::from(WriteVector {
-            mode: WriteMode::Writing,
-            x_mm,
-            y_mm,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s: max,
-            stop: false,
-        })
-    });
+    let vector = (-20.0..20.0_f32, 5.0..20.0_f32, 20.0..60.0_f32)
+        .prop_map(|(x_mm, y_mm, max)| Command::from(WriteVector::by(x_mm, y_mm, 0.0, max)));
     let percent = (30.0..100.0_f32, 30.0..100.0_f32).prop_map(|(speed, acceleration)| {
         Command::from(PlaybackAdjustment {
             speed_percent: speed,
@@ -158,14 +142,7 @@ fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
         let model = Model::new(personality.dialect(), &status);
         let rapid = Command::from(WriteVector {
             mode: WriteMode::Laser,
-            x_mm: 0.0,
-            y_mm: 40.0,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s,
-            stop: false,
+            ..WriteVector::by(0.0, 40.0, 0.0, max_speed_mm_s)
         });
         lab.obey(&rapid, personality);
         let y_mm = lab.controller.pose_at(lab.now).position.y.0;
@@ -186,14 +163,9 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
     let personality = Personality::Firmware11;
     let vector = |y_mm: f32, laser: bool, speed: f32| WriteVector {
         mode: WriteMode::Laser,
-        x_mm: 0.0,
-        y_mm,
-        z_mm: 0.0,
         laser,
-        start_speed_mm_s: 0.0,
         end_speed_mm_s: speed,
-        max_speed_mm_s: speed,
-        stop: false,
+        ..WriteVector::by(0.0, y_mm, 0.0, speed)
     };
     for speed in [1.0, 1.5, 2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
         let mut lab = Lab::power_up(personality);
@@ -209,7 +181,6 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
     }
 }
 
-const TICK: Duration = Duration::from_millis(20);
 /// A minute and more.
 const MOST_TICKS: u32 = 5000;
 /// Until it is taken, and a tick for each of the three parts of a JUMP and for its rounding.

@@ -9,14 +9,13 @@ mod recordings;
 use std::time::Duration;
 
 use common::{move_to, ms, vector};
-use dobot_arm::Joints;
+use dobot_arm::{Joints, TICK};
 use dobot_client::{Connection, Event, Session};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{Fault, InProcess, Line, Script, VirtualArm, simulate_watched};
 use dobot_wire::{Command, Decoder, Dialect, Frame, MovingMode, Status};
 use proptest::prelude::*;
 
-const TICK: Duration = Duration::from_millis(20);
 /// A packet on the line (note N26).
 const PACKET: Duration = Duration::from_micros(43_680);
 /// From a reset to the first control tick.

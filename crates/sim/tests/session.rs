@@ -349,10 +349,7 @@ async fn an_arm_in_hand_does_what_each_call_says_and_returns_then() {
             .await
             .expect("it is reached");
         assert!((status.y_mm - 30.0).abs() < 0.05, "{status:?}");
-        let up = LinearJog {
-            axis: LinearJogAxis::ZPlus,
-            speed_percent: 50.0,
-        };
+        let up = LinearJog::new(LinearJogAxis::ZPlus, 50.0);
         let status = arm.jog(up, ms(1000)).await.expect("it moves");
         assert!((20.0..60.0).contains(&status.z_mm), "{status:?}");
 

@@ -4,7 +4,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::{Degrees, Joints, Pose, Position, inverse};
+use dobot_arm::{Degrees, Joints, Pose, Position, TICK, inverse};
 use dobot_controller::{Controller, PowerUp};
 use dobot_sim::world::{Actuators, Event, Object, Point, Scene, World, WorldState};
 use dobot_sim::{Line, VirtualArm};
@@ -528,5 +528,3 @@ proptest! {
         }
     }
 }
-
-const TICK: Duration = Duration::from_millis(20);

@@ -112,11 +112,7 @@ mod measure {
     }
 
     fn laser_off() -> [u8; 42] {
-        let command: Command = JointJog {
-            axis: JointJogAxis::LaserOff,
-            speed_percent: 0.0,
-        }
-        .into();
+        let command: Command = JointJog::new(JointJogAxis::LaserOff, 0.0).into();
         command.emit(&Personality::default().dialect()).to_bytes()
     }
 }

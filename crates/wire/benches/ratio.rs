@@ -51,14 +51,10 @@ fn time(run: impl FnOnce()) -> Duration {
 
 fn commands(packets: usize) -> Vec<u8> {
     let target = MoveTo {
-        x_mm: 200.0,
-        y_mm: -50.0,
-        z_mm: 20.0,
         rotation_deg: 15.0,
-        suction: false,
         mode: MovingMode::MovL,
-        gripper_deg: 0.0,
         pause_s: 0.5,
+        ..MoveTo::to(200.0, -50.0, 20.0)
     };
     let packet = target.emit(&Dialect::SPECIFICATION).to_bytes();
     packet.repeat(packets)

@@ -69,6 +69,63 @@ impl Configuration {
     /// Float 1 of this command.
     pub const STATE: f32 = 9.0;
 
+    /// How fast a jog is: the six numbers of [`speeds`](Self::speeds).
+    #[must_use]
+    pub const fn teach(speeds: [f32; 6]) -> Self {
+        let [joint, joint_ramp, servo, servo_ramp, linear, linear_ramp] = speeds;
+        Self::Teach {
+            joint_speed_deg_s: joint,
+            joint_acceleration_deg_s2: joint_ramp,
+            servo_speed_deg_s: servo,
+            servo_acceleration_deg_s2: servo_ramp,
+            linear_speed_mm_s: linear,
+            linear_acceleration_mm_s2: linear_ramp,
+        }
+    }
+
+    /// How fast a target is reached: the six numbers of [`speeds`](Self::speeds), the pause of targets
+    /// that have none, and how high a JUMP lifts.
+    #[must_use]
+    pub const fn playback(speeds: [f32; 6], default_pause_s: f32, jump_height_mm: f32) -> Self {
+        let [joint, joint_ramp, servo, servo_ramp, linear, linear_ramp] = speeds;
+        Self::Playback {
+            joint_speed_deg_s: joint,
+            joint_acceleration_deg_s2: joint_ramp,
+            servo_speed_deg_s: servo,
+            servo_acceleration_deg_s2: servo_ramp,
+            linear_speed_mm_s: linear,
+            linear_acceleration_mm_s2: linear_ramp,
+            default_pause_s,
+            jump_height_mm,
+        }
+    }
+
+    /// What it says of speeds, in modes 0 and 1: speed and acceleration of base, rear arm and forearm
+    /// in degrees/s and degrees/s2, the same of the servo, and along a line in mm/s and mm/s2.
+    #[must_use]
+    pub const fn speeds(&self) -> Option<[f32; 6]> {
+        match *self {
+            Self::Teach {
+                joint_speed_deg_s: joint,
+                joint_acceleration_deg_s2: joint_ramp,
+                servo_speed_deg_s: servo,
+                servo_acceleration_deg_s2: servo_ramp,
+                linear_speed_mm_s: linear,
+                linear_acceleration_mm_s2: linear_ramp,
+            }
+            | Self::Playback {
+                joint_speed_deg_s: joint,
+                joint_acceleration_deg_s2: joint_ramp,
+                servo_speed_deg_s: servo,
+                servo_acceleration_deg_s2: servo_ramp,
+                linear_speed_mm_s: linear,
+                linear_acceleration_mm_s2: linear_ramp,
+                ..
+            } => Some([joint, joint_ramp, servo, servo_ramp, linear, linear_ramp]),
+            _ => None,
+        }
+    }
+
     /// Reads the command.
     ///
     /// # Errors
@@ -92,39 +149,16 @@ impl Configuration {
     #[must_use]
     pub fn emit(&self, dialect: &Dialect) -> Frame {
         let frame = Frame::ZERO.with(1, Self::STATE);
+        let speeds = self.speeds().into_iter().flatten().zip(3..);
+        let frame = speeds.fold(frame, |frame, (speed, n)| frame.with(n, speed));
         match *self {
-            Self::Teach {
-                joint_speed_deg_s,
-                joint_acceleration_deg_s2,
-                servo_speed_deg_s,
-                servo_acceleration_deg_s2,
-                linear_speed_mm_s,
-                linear_acceleration_mm_s2,
-            } => frame
-                .with(2, 0.0)
-                .with(3, joint_speed_deg_s)
-                .with(4, joint_acceleration_deg_s2)
-                .with(5, servo_speed_deg_s)
-                .with(6, servo_acceleration_deg_s2)
-                .with(7, linear_speed_mm_s)
-                .with(8, linear_acceleration_mm_s2),
+            Self::Teach { .. } => frame.with(2, 0.0),
             Self::Playback {
-                joint_speed_deg_s,
-                joint_acceleration_deg_s2,
-                servo_speed_deg_s,
-                servo_acceleration_deg_s2,
-                linear_speed_mm_s,
-                linear_acceleration_mm_s2,
                 default_pause_s,
                 jump_height_mm,
+                ..
             } => frame
                 .with(2, 1.0)
-                .with(3, joint_speed_deg_s)
-                .with(4, joint_acceleration_deg_s2)
-                .with(5, servo_speed_deg_s)
-                .with(6, servo_acceleration_deg_s2)
-                .with(7, linear_speed_mm_s)
-                .with(8, linear_acceleration_mm_s2)
                 .with(9, default_pause_s)
                 .with(10, jump_height_mm),
             Self::Writing { acceleration_mm_s2 } => frame.with(2, 2.0).with(3, acceleration_mm_s2),
@@ -176,27 +210,39 @@ impl EndEffector {
 }
 
 fn parse_teach(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
-    Ok(Configuration::Teach {
-        joint_speed_deg_s: TABLE.positive(frame, 3, "joint jog speed")?,
-        joint_acceleration_deg_s2: TABLE.positive(frame, 4, "joint jog acceleration")?,
-        servo_speed_deg_s: TABLE.positive(frame, 5, "joint 4 speed")?,
-        servo_acceleration_deg_s2: TABLE.positive(frame, 6, "joint 4 acceleration")?,
-        linear_speed_mm_s: TABLE.positive(frame, 7, "linear jog speed")?,
-        linear_acceleration_mm_s2: TABLE.positive(frame, 8, "linear jog acceleration")?,
-    })
+    let names = [
+        "joint jog speed",
+        "joint jog acceleration",
+        "joint 4 speed",
+        "joint 4 acceleration",
+        "linear jog speed",
+        "linear jog acceleration",
+    ];
+    Ok(Configuration::teach(parse_speeds(frame, names)?))
 }
 
 fn parse_playback(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
-    Ok(Configuration::Playback {
-        joint_speed_deg_s: TABLE.positive(frame, 3, "max joint moving speed")?,
-        joint_acceleration_deg_s2: TABLE.positive(frame, 4, "max joint moving acceleration")?,
-        servo_speed_deg_s: TABLE.positive(frame, 5, "max servo speed")?,
-        servo_acceleration_deg_s2: TABLE.positive(frame, 6, "max servo acceleration")?,
-        linear_speed_mm_s: TABLE.positive(frame, 7, "max linear moving speed")?,
-        linear_acceleration_mm_s2: TABLE.positive(frame, 8, "max linear moving acceleration")?,
-        default_pause_s: TABLE.pause(frame, 9, "default pause time")?,
-        jump_height_mm: TABLE.not_negative(frame, 10, "JUMP height")?,
-    })
+    let names = [
+        "max joint moving speed",
+        "max joint moving acceleration",
+        "max servo speed",
+        "max servo acceleration",
+        "max linear moving speed",
+        "max linear moving acceleration",
+    ];
+    Ok(Configuration::playback(
+        parse_speeds(frame, names)?,
+        TABLE.pause(frame, 9, "default pause time")?,
+        TABLE.not_negative(frame, 10, "JUMP height")?,
+    ))
+}
+
+fn parse_speeds(frame: &Frame, names: [&'static str; 6]) -> Result<[f32; 6], ParseError> {
+    let mut speeds = [0.0; 6];
+    for (i, name) in names.into_iter().enumerate() {
+        speeds[i] = TABLE.positive(frame, i + 3, name)?;
+    }
+    Ok(speeds)
 }
 
 fn parse_writing(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {

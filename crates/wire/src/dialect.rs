@@ -2,6 +2,7 @@
 
 use core::fmt;
 use core::str::FromStr;
+use core::time::Duration;
 
 /// What the published document and the stock firmware read differently (note N1).
 ///
@@ -63,6 +64,9 @@ pub struct Dialect {
     /// All axes jog with one speed, which only a release runs down: a switch stops the arm and keeps
     /// it (note N44).
     pub keeps_jog_speed: bool,
+    /// How often a status comes while there is room in the queue (notes N20 and N27), in
+    /// milliseconds.
+    pub status_period_ms: u16,
 }
 
 impl Dialect {
@@ -90,6 +94,7 @@ impl Dialect {
         counts_ticks_in_16_bits: false,
         resumes_cut_lines: false,
         keeps_jog_speed: false,
+        status_period_ms: 80,
     };
 
     /// What stock arms do (firmware 1.1).
@@ -115,6 +120,7 @@ impl Dialect {
         counts_ticks_in_16_bits: true,
         resumes_cut_lines: true,
         keeps_jog_speed: true,
+        status_period_ms: 80,
     };
 
     /// All dialects that have a name.
@@ -124,6 +130,12 @@ impl Dialect {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// From one status to the next while there is room in the queue.
+    #[must_use]
+    pub const fn status_period(&self) -> Duration {
+        Duration::from_millis(self.status_period_ms as u64)
     }
 }
 

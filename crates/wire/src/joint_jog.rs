@@ -1,7 +1,6 @@
 //! Joint jog.
 
-use crate::table::Table;
-use crate::{Dialect, Frame, ParseError};
+use crate::{Dialect, Frame, ParseError, jog};
 
 /// Moves one joint while a button is held (state 2; Tables 3.5 and 2.5).
 ///
@@ -21,6 +20,15 @@ pub struct JointJog {
 impl JointJog {
     /// Float 1 of this command.
     pub const STATE: f32 = 2.0;
+
+    /// Presses or releases a button.
+    #[must_use]
+    pub const fn new(axis: JointJogAxis, speed_percent: f32) -> Self {
+        Self {
+            axis,
+            speed_percent,
+        }
+    }
 
     /// The jog that moves over the Bluetooth port what this one moves over USB, and the other way
     /// round: base and rear arm change places, and the two directions of the forearm (note N38).
@@ -45,21 +53,15 @@ impl JointJog {
     ///
     /// [`ParseError::OutOfRange`] where a float breaks its range in Table 3.5 or Table 2.5.
     pub fn parse(frame: &Frame, _: &Dialect) -> Result<Self, ParseError> {
-        TABLE.state(frame, Self::STATE, "2")?;
-        let axis = JointJogAxis::parse(frame)?;
-        Ok(Self {
-            axis,
-            speed_percent: TABLE.jog_speed(frame, axis.moves())?,
-        })
+        jog::TABLE.state(frame, Self::STATE, "2")?;
+        let (axis, speed_percent) = jog::parse(frame, &JointJogAxis::ALL)?;
+        Ok(Self::new(axis, speed_percent))
     }
 
     /// Writes the command; `parse` reads it back unchanged.
     #[must_use]
     pub fn emit(&self, _: &Dialect) -> Frame {
-        Frame::ZERO
-            .with(1, Self::STATE)
-            .with(2, self.axis.emit())
-            .with(8, self.speed_percent)
+        jog::emit(Self::STATE, self.axis as u8, self.speed_percent)
     }
 }
 
@@ -126,19 +128,6 @@ impl JointJogAxis {
     /// switches of pump and laser.
     #[must_use]
     pub const fn moves(self) -> bool {
-        !matches!(
-            self,
-            Self::Released | Self::SuctionOn | Self::SuctionOff | Self::LaserOn | Self::LaserOff
-        )
-    }
-
-    fn parse(frame: &Frame) -> Result<Self, ParseError> {
-        Table("Table 2.5").code(frame, 2, "Axis", &Self::ALL, "0 to 14")
-    }
-
-    fn emit(self) -> f32 {
-        f32::from(self as u8)
+        jog::moves(self as u8)
     }
 }
-
-const TABLE: Table = Table("Table 3.5");

@@ -10,18 +10,9 @@
 //! No I/O, no clock, no heap.
 //!
 //! ```
-//! use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet};
+//! use dobot_wire::{Command, Decoder, Dialect, MoveTo, Packet};
 //!
-//! let command = Command::from(MoveTo {
-//!     x_mm: 200.0,
-//!     y_mm: -50.0,
-//!     z_mm: 20.0,
-//!     rotation_deg: 15.0,
-//!     suction: false,
-//!     mode: MovingMode::Jump,
-//!     gripper_deg: 0.0,
-//!     pause_s: 0.0,
-//! });
+//! let command = Command::from(MoveTo { rotation_deg: 15.0, ..MoveTo::to(200.0, -50.0, 20.0) });
 //! let bytes = command.emit(&Dialect::SPECIFICATION).to_bytes();
 //!
 //! let mut decoder = Decoder::commands();
@@ -51,6 +42,7 @@ mod direction;
 mod error;
 mod frame;
 mod gesture;
+mod jog;
 mod joint_jog;
 mod leniency;
 mod linear_jog;
@@ -59,8 +51,10 @@ mod move_joints;
 mod move_to;
 mod moving_mode;
 mod packet;
+mod single;
 mod status;
 mod table;
+mod timing;
 mod voice;
 mod voice_order;
 mod write_vector;
@@ -82,7 +76,9 @@ pub use move_joints::MoveJoints;
 pub use move_to::MoveTo;
 pub use moving_mode::MovingMode;
 pub use packet::Packet;
+pub use single::single;
 pub use status::Status;
+pub use timing::{LINE_TIME, PACKET_GAP};
 pub use voice::{VOICE_HEADER, VOICE_TAIL, Voice};
 pub use voice_order::VoiceOrder;
 pub use write_vector::{WriteMode, WriteVector};

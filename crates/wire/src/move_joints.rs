@@ -31,6 +31,28 @@ impl MoveJoints {
     /// Float 1 of this command.
     pub const STATE: f32 = 6.0;
 
+    /// Jumps to base, rear arm, forearm and servo: with the pump off, the gripper at 0, and without a
+    /// pause.
+    #[must_use]
+    pub const fn to([base_deg, rear_deg, fore_deg, servo_deg]: [f32; 4]) -> Self {
+        Self {
+            base_deg,
+            rear_deg,
+            fore_deg,
+            servo_deg,
+            suction: false,
+            mode: MovingMode::Jump,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        }
+    }
+
+    /// The same by another way.
+    #[must_use]
+    pub const fn with_mode(self, mode: MovingMode) -> Self {
+        Self { mode, ..self }
+    }
+
     /// Reads the command.
     ///
     /// # Errors

@@ -32,6 +32,34 @@ impl MoveTo {
     /// Float 1 of this command.
     pub const STATE: f32 = 3.0;
 
+    /// Jumps to a point: with the pump off, rotation and gripper at 0, and without a pause.
+    ///
+    /// ```
+    /// # use dobot_wire::{MoveTo, MovingMode};
+    /// let over = MoveTo::to(200.0, 0.0, 20.0);
+    /// let down = MoveTo::to(200.0, 0.0, -30.0).with_mode(MovingMode::MovL);
+    /// let grab = MoveTo { suction: true, pause_s: 0.5, ..down };
+    /// ```
+    #[must_use]
+    pub const fn to(x_mm: f32, y_mm: f32, z_mm: f32) -> Self {
+        Self {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg: 0.0,
+            suction: false,
+            mode: MovingMode::Jump,
+            gripper_deg: 0.0,
+            pause_s: 0.0,
+        }
+    }
+
+    /// The same by another way.
+    #[must_use]
+    pub const fn with_mode(self, mode: MovingMode) -> Self {
+        Self { mode, ..self }
+    }
+
     /// Reads the command.
     ///
     /// # Errors

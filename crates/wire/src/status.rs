@@ -31,6 +31,20 @@ pub struct Status {
 }
 
 impl Status {
+    /// All joint angles are 0: the rear arm is upright and the forearm level.
+    pub const AT_ZERO: Self = Self {
+        x_mm: 215.07,
+        y_mm: 0.0,
+        z_mm: 135.0,
+        rotation_deg: 0.0,
+        base_deg: 0.0,
+        rear_deg: 0.0,
+        fore_deg: 0.0,
+        servo_deg: 0.0,
+        suction: false,
+        gripper_deg: 0.0,
+    };
+
     /// Reads the status.
     ///
     /// # Errors

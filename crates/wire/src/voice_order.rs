@@ -21,6 +21,37 @@ pub enum VoiceOrder {
 }
 
 impl VoiceOrder {
+    /// The words of numbers in their order: one to nine, ten to nineteen, twenty to ninety.
+    pub const NUMBERS: [(&str, u16); 27] = [
+        ("one", 1),
+        ("two", 2),
+        ("three", 3),
+        ("four", 4),
+        ("five", 5),
+        ("six", 6),
+        ("seven", 7),
+        ("eight", 8),
+        ("nine", 9),
+        ("ten", 10),
+        ("eleven", 11),
+        ("twelve", 12),
+        ("thirteen", 13),
+        ("fourteen", 14),
+        ("fifteen", 15),
+        ("sixteen", 16),
+        ("seventeen", 17),
+        ("eighteen", 18),
+        ("nineteen", 19),
+        ("twenty", 20),
+        ("thirty", 30),
+        ("forty", 40),
+        ("fifty", 50),
+        ("sixty", 60),
+        ("seventy", 70),
+        ("eighty", 80),
+        ("ninety", 90),
+    ];
+
     /// Reads the text; `None` where it orders nothing: no word of the list or more than one, or a
     /// direction without a number.
     ///
@@ -44,7 +75,7 @@ fn add_number(sum: u16, word: &str) -> u16 {
     if word.eq_ignore_ascii_case("hundred") {
         return sum.max(1).saturating_mul(100);
     }
-    sum.saturating_add(find(&NUMBERS, word).unwrap_or(0))
+    sum.saturating_add(find(&VoiceOrder::NUMBERS, word).unwrap_or(0))
 }
 
 fn find<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
@@ -73,36 +104,6 @@ const ORDERS: [(&str, Order); 8] = [
     ("down", |mm| step(mm, [0.0, 0.0, -1.0])),
     ("catch", |_| Some(VoiceOrder::Catch)),
     ("release", |_| Some(VoiceOrder::Release)),
-];
-
-const NUMBERS: [(&str, u16); 27] = [
-    ("one", 1),
-    ("two", 2),
-    ("three", 3),
-    ("four", 4),
-    ("five", 5),
-    ("six", 6),
-    ("seven", 7),
-    ("eight", 8),
-    ("nine", 9),
-    ("ten", 10),
-    ("eleven", 11),
-    ("twelve", 12),
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-    ("twenty", 20),
-    ("thirty", 30),
-    ("forty", 40),
-    ("fifty", 50),
-    ("sixty", 60),
-    ("seventy", 70),
-    ("eighty", 80),
-    ("ninety", 90),
 ];
 
 #[cfg(test)]

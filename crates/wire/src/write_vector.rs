@@ -33,6 +33,39 @@ impl WriteVector {
     /// Float 1 of this command.
     pub const STATE: f32 = 4.0;
 
+    /// Goes so far with the pen, from rest to rest.
+    ///
+    /// ```
+    /// # use dobot_wire::{WriteMode, WriteVector};
+    /// let stroke = WriteVector::by(0.0, 20.0, 0.0, 40.0);
+    /// assert_eq!(stroke.burning().mode, WriteMode::Laser);
+    /// let through = WriteVector { end_speed_mm_s: 40.0, ..stroke };
+    /// ```
+    #[must_use]
+    pub const fn by(x_mm: f32, y_mm: f32, z_mm: f32, max_speed_mm_s: f32) -> Self {
+        Self {
+            mode: WriteMode::Writing,
+            x_mm,
+            y_mm,
+            z_mm,
+            laser: false,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s,
+            stop: false,
+        }
+    }
+
+    /// The same with the laser, which is on.
+    #[must_use]
+    pub const fn burning(self) -> Self {
+        Self {
+            mode: WriteMode::Laser,
+            laser: true,
+            ..self
+        }
+    }
+
     /// Reads the command.
     ///
     /// # Errors

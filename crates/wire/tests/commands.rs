@@ -59,16 +59,7 @@ proptest! {
 
 #[test]
 fn names_the_field_on_which_dialects_part() {
-    let jump = MoveTo {
-        x_mm: 200.0,
-        y_mm: 0.0,
-        z_mm: 0.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
+    let jump = MoveTo::to(200.0, 0.0, 0.0);
     assert_eq!(Command::from(jump).dialect_dependent(), None);
     let line = MoveTo {
         mode: MovingMode::MovL,
@@ -78,17 +69,7 @@ fn names_the_field_on_which_dialects_part() {
         Command::from(line).dialect_dependent(),
         Some("float 8 (MovingMode) of a target")
     );
-    let lift = WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: 0.0,
-        y_mm: 0.0,
-        z_mm: 8.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 50.0,
-        stop: false,
-    };
+    let lift = WriteVector::by(0.0, 0.0, 8.0, 50.0);
     assert_eq!(Command::from(lift).dialect_dependent(), None);
     let stroke = WriteVector { x_mm: 5.0, ..lift };
     assert_eq!(
@@ -158,15 +139,15 @@ fn command() -> impl Strategy<Value = Command> {
             }
             .into()
         }),
-        (0_usize..15, percent()).prop_map(|(n, speed_percent)| JointJog {
-            axis: JointJogAxis::ALL[n],
+        (0_usize..15, percent()).prop_map(|(n, speed_percent)| JointJog::new(
+            JointJogAxis::ALL[n],
             speed_percent
-        }
+        )
         .into()),
-        (0_usize..15, percent()).prop_map(|(n, speed_percent)| LinearJog {
-            axis: LinearJogAxis::ALL[n],
+        (0_usize..15, percent()).prop_map(|(n, speed_percent)| LinearJog::new(
+            LinearJogAxis::ALL[n],
             speed_percent
-        }
+        )
         .into()),
         target(),
         write_vector(),
@@ -254,30 +235,12 @@ fn configuration() -> impl Strategy<Value = Configuration> {
         ][..],
     );
     prop_oneof![
-        prop::array::uniform6(positive()).prop_map(|[a, b, c, d, e, f]| Configuration::Teach {
-            joint_speed_deg_s: a,
-            joint_acceleration_deg_s2: b,
-            servo_speed_deg_s: c,
-            servo_acceleration_deg_s2: d,
-            linear_speed_mm_s: e,
-            linear_acceleration_mm_s2: f,
-        }),
-        (
-            prop::array::uniform7(positive()),
-            prop_oneof![Just(0.0), 0.0_f32..655.0]
-        )
-            .prop_map(
-                |([a, b, c, d, e, f, h], default_pause_s)| Configuration::Playback {
-                    joint_speed_deg_s: a,
-                    joint_acceleration_deg_s2: b,
-                    servo_speed_deg_s: c,
-                    servo_acceleration_deg_s2: d,
-                    linear_speed_mm_s: e,
-                    linear_acceleration_mm_s2: f,
-                    default_pause_s,
-                    jump_height_mm: h,
-                }
-            ),
+        speeds().prop_map(Configuration::teach),
+        (speeds(), prop_oneof![Just(0.0), 0.0_f32..655.0], positive()).prop_map(
+            |(speeds, default_pause_s, jump_height_mm)| {
+                Configuration::playback(speeds, default_pause_s, jump_height_mm)
+            }
+        ),
         positive().prop_map(|acceleration_mm_s2| Configuration::Writing { acceleration_mm_s2 }),
         (-320_i16..5440, angle()).prop_map(|(rear, fore_deg)| Configuration::InitialAngles {
             rear_deg: f32::from(rear) / 64.0,
@@ -285,6 +248,10 @@ fn configuration() -> impl Strategy<Value = Configuration> {
         }),
         tool.prop_map(|tool| Configuration::EndEffector { tool }),
     ]
+}
+
+fn speeds() -> impl Strategy<Value = [f32; 6]> {
+    prop::array::uniform6(positive())
 }
 
 fn triple() -> impl Strategy<Value = [f32; 3]> {

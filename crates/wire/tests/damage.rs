@@ -5,8 +5,8 @@
 use std::ops::Range;
 
 use dobot_wire::{
-    Counts, Decoder, Dialect, Direction, Frame, JointJog, JointJogAxis, MoveJoints, MovingMode,
-    PACKET_LEN, Packet, Status, Voice,
+    Counts, Decoder, Dialect, Direction, Frame, JointJog, JointJogAxis, MoveJoints, PACKET_LEN,
+    Packet, Status, Voice,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -140,12 +140,9 @@ fn delivers_every_bad_command_that_stands_in_its_place() {
 #[test]
 fn skips_a_bad_command_that_stands_behind_noise() {
     let bad = Frame::ZERO.with(1, 12.0).to_bytes();
-    let good: Packet = JointJog {
-        axis: JointJogAxis::Released,
-        speed_percent: 0.0,
-    }
-    .emit(&DIALECT)
-    .into();
+    let good: Packet = JointJog::new(JointJogAxis::Released, 0.0)
+        .emit(&DIALECT)
+        .into();
     let bytes = [&[0][..], &bad, &good.to_bytes()].concat();
     let mut decoder = Decoder::commands();
     assert_eq!(decode(&mut decoder, &bytes), [good]);
@@ -307,12 +304,7 @@ fn packet() -> impl Strategy<Value = Packet> {
         angles().prop_map(|angles| move_joints(angles).emit(&DIALECT).into()),
         (0_usize..15, 1.0_f32..100.0).prop_map(|(axis, speed_percent)| {
             let axis = JointJogAxis::ALL[axis];
-            JointJog {
-                axis,
-                speed_percent,
-            }
-            .emit(&DIALECT)
-            .into()
+            JointJog::new(axis, speed_percent).emit(&DIALECT).into()
         }),
         "[a-z ]{0,40}".prop_map(|text| Packet::Voice(Voice::new(&text).unwrap())),
     ]
@@ -320,14 +312,9 @@ fn packet() -> impl Strategy<Value = Packet> {
 
 fn move_joints([base_deg, rear_deg, fore_deg, servo_deg]: [f32; 4]) -> MoveJoints {
     MoveJoints {
-        base_deg,
-        rear_deg,
-        fore_deg,
-        servo_deg,
         suction: true,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
         pause_s: 0.5,
+        ..MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg])
     }
 }
 

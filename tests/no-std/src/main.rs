@@ -96,13 +96,4 @@ fn packet() -> Packet {
 
 const CHECKS: [fn() -> Option<()>; 5] = [wire, arm, motion, course, controller];
 const DIALECT: Dialect = Dialect::SPECIFICATION;
-const TARGET: MoveTo = MoveTo {
-    x_mm: 220.0,
-    y_mm: 40.0,
-    z_mm: 10.0,
-    rotation_deg: 0.0,
-    suction: false,
-    mode: MovingMode::MovL,
-    gripper_deg: 0.0,
-    pause_s: 0.0,
-};
+const TARGET: MoveTo = MoveTo::to(220.0, 40.0, 10.0).with_mode(MovingMode::MovL);

@@ -7,6 +7,7 @@ mod python;
 mod socat;
 
 use super::input::Input;
+use data_encoding::HEXLOWER_PERMISSIVE;
 
 /// Reads bytes from a text, whatever way they are written.
 ///
@@ -49,11 +50,7 @@ fn hex_byte(digits: &str) -> Option<u8> {
 
 /// Hex digits, two for each byte.
 fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
-    let (pairs, rest) = digits.as_bytes().as_chunks::<2>();
-    let byte = |pair: &[u8; 2]| hex_byte(std::str::from_utf8(pair).ok()?);
-    rest.is_empty()
-        .then(|| pairs.iter().map(byte).collect())
-        .flatten()
+    HEXLOWER_PERMISSIVE.decode(digits.as_bytes()).ok()
 }
 
 pub(super) const HEX_DIGITS: &str = "hex digits";

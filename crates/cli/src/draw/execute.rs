@@ -9,6 +9,7 @@ use dobot_client::position;
 use dobot_course::Model;
 use dobot_plan::Plan;
 use dobot_rules::StationClient;
+use dobot_wire::single;
 use tokio::io::{AsyncBufReadExt, BufReader};
 
 use crate::control::{self, arm_laser, first_state, take_control};
@@ -116,7 +117,7 @@ fn job(plan: &Plan, title: &str) -> NewJob {
         title: title.to_owned(),
         kind: JobKind::Drawing,
         commands: plan.commands().collect(),
-        lift_mm: lift_mm(plan),
+        lift_mm: single(plan.lift_mm()),
         pauses: pauses.collect(),
     }
 }
@@ -159,9 +160,4 @@ async fn line_entered() -> bool {
     let mut line = String::new();
     let mut lines = BufReader::new(tokio::io::stdin());
     matches!(lines.read_line(&mut line).await, Ok(1..))
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as the job holds it")]
-fn lift_mm(plan: &Plan) -> f32 {
-    plan.lift_mm() as f32
 }

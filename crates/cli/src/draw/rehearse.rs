@@ -83,16 +83,8 @@ pub(super) async fn rehearse(
 }
 
 const fn standing(at: &Status) -> MoveJoints {
-    MoveJoints {
-        base_deg: at.base_deg,
-        rear_deg: at.rear_deg,
-        fore_deg: at.fore_deg,
-        servo_deg: at.servo_deg,
-        suction: false,
-        mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveJoints::to([at.base_deg, at.rear_deg, at.fore_deg, at.servo_deg])
+        .with_mode(MovingMode::MovJ)
 }
 
 fn sample(it: &dobot_sim::Sample) -> Sample {

@@ -1,97 +1,22 @@
 //! A station that is killed, frozen or does not start: what its arm is told all the same, as processes.
 
-use std::io::{BufRead, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::io::{BufRead, Read};
+use std::net::{SocketAddr, TcpListener};
 use std::path::Path;
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread;
+use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
-use dobot_wire::{
-    Command, Decoder, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status,
-};
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
 use tempfile::TempDir;
 
 use crate::going::{Going, line_with};
 use crate::killing::{burns, spiral};
 use crate::program::{command, command_at, run};
+use crate::wire::{Passed, wire};
 
-const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
-const JOINT_RELEASE: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::Released,
-    speed_percent: 0.0,
-});
-const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog {
-    axis: LinearJogAxis::Released,
-    speed_percent: 0.0,
-});
-
-/// What passes the wire, and when.
-#[derive(Debug)]
-enum Passed {
-    ToArm(Instant, Command),
-    FromArm(Instant, Status),
-}
-
-/// A wire to the arm that tells what passes it.
-fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
-    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
-    let address = listener.local_addr().expect("it has an address");
-    let (tell, passed) = mpsc::channel();
-    thread::spawn(move || {
-        for station in listener.incoming() {
-            let station = station.expect("it comes");
-            let arm = TcpStream::connect(arm).expect("the arm is there");
-            let (from, to) = (arm.try_clone(), station.try_clone());
-            let (from, to) = (from.expect("a handle"), to.expect("a handle"));
-            let (told, back) = (tell.clone(), tell.clone());
-            thread::spawn(move || {
-                let mut decoder = Decoder::statuses(|_| true);
-                copy(from, to, |bytes| {
-                    let frames = decoder.feed(bytes);
-                    let statuses = frames.filter_map(|it| Status::parse(&it).ok());
-                    tell_all(
-                        &back,
-                        statuses.map(|it| Passed::FromArm(Instant::now(), it)),
-                    );
-                });
-            });
-            thread::spawn(move || {
-                let mut decoder = Decoder::commands();
-                copy(station, arm, |bytes| {
-                    let packets = decoder.feed(bytes);
-                    let parse = |it| Command::parse(&it, &Dialect::SPECIFICATION).ok();
-                    let commands = packets.filter_map(parse);
-                    tell_all(&told, commands.map(|it| Passed::ToArm(Instant::now(), it)));
-                });
-            });
-        }
-    });
-    (address, passed)
-}
-
-fn tell_all(tell: &Sender<Passed>, all: impl Iterator<Item = Passed>) {
-    for it in all {
-        // A test that is over listens no more.
-        let _ = tell.send(it);
-    }
-}
-
-/// Carries bytes until one end is gone, and closes the other one.
-fn copy(mut from: TcpStream, mut to: TcpStream, mut look: impl FnMut(&[u8])) {
-    let mut bytes = [0; 4096];
-    while let Ok(read @ 1..) = from.read(&mut bytes) {
-        look(&bytes[..read]);
-        if to.write_all(&bytes[..read]).is_err() {
-            break;
-        }
-    }
-    let _ = to.shutdown(std::net::Shutdown::Both);
-    let _ = from.shutdown(std::net::Shutdown::Both);
-}
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+const JOINT_RELEASE: Command = Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
+const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
 /// An arm behind a wire that listens, and the data of a station.
 struct Bench {
@@ -168,7 +93,7 @@ impl Bench {
     fn next_command(&self) -> Option<(Instant, Command)> {
         match self.next() {
             Passed::ToArm(at, command) => Some((at, command)),
-            Passed::FromArm(..) => None,
+            Passed::FromArm(..) | Passed::Opened => None,
         }
     }
 
@@ -192,6 +117,7 @@ impl Bench {
                     (last, since, still) = (Some(status), at, 0);
                 }
                 Ok(Passed::FromArm(..)) => still += 1,
+                Ok(Passed::Opened) => {}
                 Err(_) => break,
             }
         }

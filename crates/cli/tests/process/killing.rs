@@ -1,84 +1,22 @@
 //! A station that is killed while the laser burns, and started again: as processes, in real time.
 
-use std::io::{ErrorKind, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::SocketAddr;
 use std::path::Path;
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread;
+use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
 use dobot_api::{JobKind, NewJob};
 use dobot_wire::{
-    Command, Configuration, Decoder, Dialect, EndEffector, JointJog, JointJogAxis, MoveTo,
-    MovingMode, WriteMode, WriteVector,
+    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, WriteVector,
 };
 use serde_json::Value;
 use tempfile::TempDir;
 
 use crate::going::Going;
 use crate::program::{command, command_at, run};
+use crate::wire::{Passed, wire};
 
-const DIALECT: Dialect = Dialect::SPECIFICATION;
-const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
-
-/// What passes the wire to the arm.
-enum Passed {
-    Opened,
-    Command(Command),
-}
-
-/// A wire to the arm that tells what passes it.
-fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
-    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
-    let address = listener.local_addr().expect("it has an address");
-    let (tell, passed) = mpsc::channel();
-    thread::spawn(move || {
-        for station in listener.incoming() {
-            let station = station.expect("it comes");
-            let arm = TcpStream::connect(arm).expect("the arm is there");
-            let _ = tell.send(Passed::Opened);
-            let (from, to) = (arm.try_clone(), station.try_clone());
-            let back = (from.expect("a handle"), to.expect("a handle"));
-            thread::spawn(move || copy(back.0, back.1, |_| ()));
-            let tell = tell.clone();
-            thread::spawn(move || {
-                let mut decoder = Decoder::commands();
-                copy(station, arm, |bytes| tell_all(&tell, &mut decoder, bytes));
-            });
-        }
-    });
-    (address, passed)
-}
-
-fn tell_all(tell: &Sender<Passed>, decoder: &mut Decoder<dobot_wire::Commands>, bytes: &[u8]) {
-    for packet in decoder.feed(bytes) {
-        if let Ok(command) = Command::parse(&packet, &DIALECT) {
-            // A test that is over listens no more.
-            let _ = tell.send(Passed::Command(command));
-        }
-    }
-}
-
-/// Carries bytes until one end is gone, and closes the other one.
-fn copy(mut from: TcpStream, mut to: TcpStream, mut look: impl FnMut(&[u8])) {
-    let mut bytes = [0; 4096];
-    loop {
-        let read = match from.read(&mut bytes) {
-            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            Ok(0) | Err(_) => break,
-            Ok(read) => read,
-        };
-        look(&bytes[..read]);
-        if to.write_all(&bytes[..read]).is_err() {
-            break;
-        }
-    }
-    let _ = to.shutdown(std::net::Shutdown::Both);
-    let _ = from.shutdown(std::net::Shutdown::Both);
-}
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 /// A spiral to be burnt: no two of its points are near each other.
 pub(crate) fn spiral() -> NewJob {
@@ -87,17 +25,7 @@ pub(crate) fn spiral() -> NewJob {
             tool: EndEffector::Laser,
         }
         .into(),
-        MoveTo {
-            x_mm: 220.0,
-            y_mm: 0.0,
-            z_mm: -20.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode: MovingMode::Jump,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        }
-        .into(),
+        MoveTo::to(220.0, 0.0, -20.0).into(),
         vector([0.0, 0.0, -10.0], false),
     ];
     commands.extend((0_u8..16).map(|line| {
@@ -122,22 +50,8 @@ pub(crate) fn spiral() -> NewJob {
 }
 
 fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
-    WriteVector {
-        mode: if laser {
-            WriteMode::Laser
-        } else {
-            WriteMode::Writing
-        },
-        x_mm,
-        y_mm,
-        z_mm,
-        laser,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
+    let stroke = WriteVector::by(x_mm, y_mm, z_mm, 40.0);
+    if laser { stroke.burning() } else { stroke }.into()
 }
 
 pub(crate) fn burns(command: &Command) -> bool {
@@ -188,24 +102,26 @@ impl Bench {
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }
 
-    /// Waits for the next command on the wire, and keeps those that burn.
+    /// Waits for what passes the wire to the arm, and keeps those that burn.
     fn next(&mut self) -> Passed {
-        let next = self.passed.recv_timeout(Duration::from_mins(1));
-        let next = next.expect("something passes the wire within a minute");
-        if let Passed::Command(command) = &next
-            && burns(command)
-        {
-            self.burnt.push(*command);
+        loop {
+            let next = self.passed.recv_timeout(Duration::from_mins(1));
+            let next = next.expect("something passes the wire within a minute");
+            match next {
+                Passed::FromArm(..) => continue,
+                Passed::ToArm(_, command) if burns(&command) => self.burnt.push(command),
+                Passed::ToArm(..) | Passed::Opened => {}
+            }
+            return next;
         }
-        next
     }
 
     /// The first command after the wire was opened.
     fn first_of_station(&mut self) -> Command {
         while !matches!(self.next(), Passed::Opened) {}
         match self.next() {
-            Passed::Command(command) => command,
-            Passed::Opened => panic!("the wire was opened twice"),
+            Passed::ToArm(_, command) => command,
+            other => panic!("{other:?} instead of a command"),
         }
     }
 
@@ -259,7 +175,7 @@ fn a_station_that_is_killed_while_it_burns_switches_the_laser_off_first_and_fini
     bench.wait_until(|job| job["phase"] == "done");
     station.kill();
     while let Ok(passed) = bench.passed.try_recv() {
-        if let Passed::Command(command) = passed {
+        if let Passed::ToArm(_, command) = passed {
             bench.burnt.extend(Some(command).filter(burns));
         }
     }

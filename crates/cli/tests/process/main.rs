@@ -19,4 +19,6 @@ mod services;
 mod simulating;
 #[cfg(unix)]
 mod stations;
+#[cfg(unix)]
+mod wire;
 mod worlds;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_record::{About, Limits, Record, Recorder, Topic, recordings};
-use dobot_wire::{Dialect, MoveTo, MovingMode, Status};
+use dobot_wire::{Dialect, MoveTo, Status};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -17,31 +17,14 @@ use crate::program::{Outcome, command, dobot};
 /// Rear arm upright, forearm level.
 fn status() -> [u8; 42] {
     let status = Status {
-        x_mm: 215.07,
-        y_mm: 0.0,
-        z_mm: 135.0,
-        rotation_deg: 0.0,
-        base_deg: 0.0,
-        rear_deg: 0.0,
-        fore_deg: 0.0,
-        servo_deg: 0.0,
         suction: true,
-        gripper_deg: 0.0,
+        ..Status::AT_ZERO
     };
     status.emit().to_bytes()
 }
 
 fn target(x_mm: f32) -> [u8; 42] {
-    let target = MoveTo {
-        x_mm,
-        y_mm: 0.0,
-        z_mm: 20.0,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    };
+    let target = MoveTo::to(x_mm, 0.0, 20.0);
     target.emit(&Dialect::SPECIFICATION).to_bytes()
 }
 

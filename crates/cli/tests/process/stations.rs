@@ -174,11 +174,7 @@ fn a_person_takes_control_from_a_raw_program_by_a_verb() {
     let mut decoder = Decoder::statuses(|_| true);
     assert_eq!(decoder.feed(&packet).count(), 1, "{packet:?}");
     // Its first packet takes control.
-    let suction: Command = JointJog {
-        axis: JointJogAxis::SuctionOn,
-        speed_percent: 0.0,
-    }
-    .into();
+    let suction: Command = JointJog::new(JointJogAxis::SuctionOn, 0.0).into();
     let suction = suction.emit(&Dialect::SPECIFICATION);
     raw.write_all(&suction.to_bytes()).expect("it is heard");
     raw.read_exact(&mut packet).expect("a status comes");

@@ -2,8 +2,7 @@
 //! the one vector, and which is led back.
 
 use dobot_wire::{
-    Command, Configuration, Dialect, Frame, MoveTo, MovingMode, Packet, PlaybackAdjustment, Status,
-    WriteMode, WriteVector,
+    Command, Configuration, Dialect, Frame, MoveTo, Packet, PlaybackAdjustment, Status, WriteVector,
 };
 
 /// A packet, and what is asked by it.
@@ -100,31 +99,17 @@ fn set(command: impl Into<Command>) -> Step {
 /// A point by moving mode 1 or 2, whichever is which.
 fn target(start: &Status, mode: f32, [x_mm, y_mm, z_mm]: [f32; 3]) -> Frame {
     let command = Command::from(MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
         rotation_deg: start.rotation_deg,
         suction: start.suction,
-        mode: MovingMode::Jump,
         gripper_deg: start.gripper_deg,
-        pause_s: 0.0,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
     });
     frame(&command).with(8, mode)
 }
 
 /// A vector of state 4 along its float 3.
 fn vector(x_mm: f32) -> Frame {
-    frame(&Command::from(WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm: 0.0,
-        z_mm: 0.0,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 5.0,
-        stop: false,
-    }))
+    frame(&Command::from(WriteVector::by(x_mm, 0.0, 0.0, 5.0)))
 }
 
 const fn percentages(speed_percent: f32, acceleration_percent: f32) -> PlaybackAdjustment {
@@ -144,16 +129,7 @@ fn adjustment(third: f32, fourth: f32) -> Frame {
 
 /// Speed and acceleration of the joints, and of lines.
 const fn playback([joint, joint_2, line, line_2]: [f32; 4]) -> Configuration {
-    Configuration::Playback {
-        joint_speed_deg_s: joint,
-        joint_acceleration_deg_s2: joint_2,
-        servo_speed_deg_s: 200.0,
-        servo_acceleration_deg_s2: 200.0,
-        linear_speed_mm_s: line,
-        linear_acceleration_mm_s2: line_2,
-        default_pause_s: 0.0,
-        jump_height_mm: 10.0,
-    }
+    Configuration::playback([joint, joint_2, 200.0, 200.0, line, line_2], 0.0, 10.0)
 }
 
 fn frame(command: &Command) -> Frame {

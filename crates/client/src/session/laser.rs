@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_course::{Button, LASER_OFF, burns};
-use dobot_wire::{Command, Status};
+use dobot_wire::{Command, LINE_TIME, Status};
 
 use super::{CommandId, Session};
 use crate::{Disarmed, Event, SendError};
@@ -113,7 +113,7 @@ impl Session {
 
     /// Takes note of a command that leaves.
     pub(super) fn note_laser(&mut self, command: &Command) {
-        self.laser.line_free = self.now + PACKET_AND_GAP;
+        self.laser.line_free = self.now + LINE_TIME;
         self.laser.again = None;
         if burns(command) {
             self.laser.told_off = None;
@@ -233,7 +233,7 @@ impl Session {
     fn seen_to_stand(&self) -> Option<Duration> {
         // Standing shows where it has moved before, or should have by now.
         let since = self.belief.under_way().goes_on_since(self.now);
-        let shows = self.meter.latency().unwrap_or(LATENCY) + STATUS_PERIOD;
+        let shows = self.meter.latency().unwrap_or(LATENCY) + self.meter.period();
         let stopped = self.laser.changed > since || self.now >= since + shows;
         (self.laser.stands && stopped).then_some(self.now)
     }
@@ -243,8 +243,6 @@ impl Session {
     }
 }
 
-/// 43.68 ms on the line, the 8 ms that a stock arm wants between two packets (note N26), and a bit.
-const PACKET_AND_GAP: Duration = Duration::from_millis(55);
 /// A packet is under way for 43.68 ms, and acts in a tick of 20 ms.
 const ON_THE_LINE: Duration = Duration::from_millis(60);
 /// What waits for a permit has so long behind the end of what burns: with the way of the packet and a
@@ -253,6 +251,5 @@ const PERMIT_IN_TIME: Duration = Duration::from_millis(100);
 /// A packet may get lost: so often it is said, while nothing else is.
 const ROUNDS: u32 = 4;
 const AGAIN: Duration = Duration::from_millis(150);
-const STATUS_PERIOD: Duration = Duration::from_millis(80);
 /// From a command to the first status that shows it, on a usual link.
 const LATENCY: Duration = Duration::from_millis(250);

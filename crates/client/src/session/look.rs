@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_course::Model;
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
-use super::{OVERDUE, Session};
+use super::{LATE, Session};
 use crate::{LinkQuality, Queue, SendError};
 
 impl Session {
@@ -119,7 +119,7 @@ impl Session {
             waiting: self.waiting(),
             under_way,
             ahead: self.belief.under_way().ahead(self.now),
-            is_full: self.may_be_full() && silent_for > OVERDUE,
+            is_full: self.may_be_full() && silent_for > self.meter.period() + LATE,
         }
     }
 

@@ -76,6 +76,28 @@ fn statuses_that_come_in_a_heap_permit_one_command() {
 }
 
 #[test]
+fn of_a_dialect_with_twenty_statuses_a_second_one_is_due_every_50_ms() {
+    let mut dialect = Dialect::FIRMWARE_1_1;
+    dialect.status_period_ms = 50;
+    for mut session in [Session::trusted(Some(dialect)), Session::trusted(None)] {
+        session.set_dialect(dialect);
+        let bytes = status(200.0, 0.0, 0.0).emit().to_bytes();
+        let mut at_ms = 0;
+        // Two are missing.
+        for gap_ms in [50, 50, 50, 150, 50, 50, 50] {
+            at_ms += gap_ms;
+            session.handle_bytes(Duration::from_millis(at_ms), &bytes);
+        }
+        let quality = session.link();
+        assert_eq!(quality.lost, 2);
+        assert!(
+            (quality.statuses_per_s - 6.0 / 0.4).abs() < 1e-9,
+            "{quality:?}"
+        );
+    }
+}
+
+#[test]
 fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
     let mut session = Session::trusted(None);
     for command in [
@@ -93,10 +115,7 @@ fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
     assert!(error.to_string().contains("float"), "{error}");
     let jump = target(MovingMode::Jump, 200.0, 0.0);
     session.send(jump).expect("0 is JUMP everywhere");
-    let laser_off = JointJog {
-        axis: JointJogAxis::LaserOff,
-        speed_percent: 0.0,
-    };
+    let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     session
         .send(laser_off)
         .expect("it means the same everywhere");
@@ -119,10 +138,7 @@ fn a_value_beyond_its_table_is_not_sent() {
 fn parting_words_leave_without_a_permit_and_before_all_that_waits() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.session.send(vector(0.0, 1.0)).expect("it is allowed");
-    let laser_off = JointJog {
-        axis: JointJogAxis::LaserOff,
-        speed_percent: 0.0,
-    };
+    let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     desk.session.send_now(laser_off).expect("it is allowed");
     assert_eq!(desk.session.waiting(), 0);
     assert_eq!(desk.packets(), 1);

@@ -44,16 +44,7 @@ fn targets_passed_without_a_rest_are_over_when_the_queue_has_room_for_more() {
 fn a_default_pause_is_part_of_each_target() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
-    let pause = Configuration::Playback {
-        joint_speed_deg_s: 100.0,
-        joint_acceleration_deg_s2: 100.0,
-        servo_speed_deg_s: 100.0,
-        servo_acceleration_deg_s2: 100.0,
-        linear_speed_mm_s: 100.0,
-        linear_acceleration_mm_s2: 100.0,
-        default_pause_s: 3.0,
-        jump_height_mm: 10.0,
-    };
+    let pause = Configuration::playback([100.0, 100.0, 100.0, 100.0, 100.0, 100.0], 3.0, 10.0);
     desk.session.send(pause).expect("it is allowed");
     for y_mm in [10.0, 20.0] {
         desk.session

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_client::{CommandId, Event, SendError};
-use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode};
 
 use crate::desk::{Desk, target, vector};
 
@@ -29,10 +29,7 @@ fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
 
 /// A button of the joints at half its speed, or the release of all.
 fn jog(axis: JointJogAxis) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent: 50.0,
-    }
+    JointJog::new(axis, 50.0)
 }
 
 /// A button is pressed and let go, and a straight line to where the arm stood waits behind that.
@@ -85,11 +82,7 @@ fn a_release_behind_a_command_that_is_not_sent_is_sent_all_the_same() {
     desk.session
         .send(jog(JointJogAxis::BasePlus))
         .expect("it is allowed");
-    let burning = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(0.0, 5.0)
-    };
+    let burning = vector(0.0, 5.0).burning();
     desk.session.send(burning).expect("it is armed");
     desk.session
         .send(jog(JointJogAxis::Released))

@@ -10,7 +10,8 @@ use crate::hindrance::Hindrance;
 use crate::latency::{Latency, MOST};
 use crate::outcome::Outcome;
 use crate::packet::jog;
-use crate::rig::{ANSWER, BYTE, Rig, Seen, Trouble};
+use crate::rig::{ANSWER, BYTE, Rig, Trouble};
+use crate::seen::Seen;
 use crate::way::PERIOD_S;
 
 /// Something that shows in the status at once, moves nothing and can be taken back.

@@ -6,19 +6,11 @@ use dobot_arm::Position;
 use dobot_client::position;
 use dobot_wire::Status;
 
+use crate::flow::{BLOCKER, Flow, NEAR_MM, STEPS};
 use crate::outcome::Outcome;
 use crate::packet::vector;
-use crate::rig::{Rig, Seen, Trouble};
+use crate::rig::{Rig, Trouble};
 use crate::way::off_segment;
-
-/// What came of a full queue.
-#[derive(Debug)]
-pub(crate) struct Flow {
-    home: Position,
-    /// The statuses from the first command to rest.
-    seen: Vec<Seen>,
-    end: Status,
-}
 
 /// Sends a slow vector and eight more behind it; are statuses withheld?
 pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -96,43 +88,6 @@ pub(crate) fn order(rig: &Rig) -> Outcome {
     )
 }
 
-impl Flow {
-    /// The longest time without a status, and the number of the status that ended it.
-    fn longest_gap(&self) -> (usize, Duration) {
-        let gaps = self
-            .seen
-            .windows(2)
-            .map(|it| it[1].at.saturating_sub(it[0].at));
-        let numbered = (1..).zip(gaps);
-        numbered.max_by_key(|(_, gap)| *gap).unwrap_or_default()
-    }
-
-    /// Which of the eight lead from the beginning to the end, if some do.
-    fn done(&self) -> Option<Vec<usize>> {
-        let end = position(&self.end);
-        (0..1_u32 << STEPS.len())
-            .map(|chosen| (0..STEPS.len()).filter(|n| chosen >> n & 1 == 1).collect())
-            .find(|done: &Vec<usize>| {
-                let corners = self.corners(done);
-                corners
-                    .last()
-                    .is_some_and(|it| it.distance(end).0 < NEAR_MM)
-            })
-    }
-
-    /// The corners of the way of the slow vector and of those of the eight.
-    fn corners(&self, done: &[usize]) -> Vec<Position> {
-        let steps = done.iter().map(|&n| STEPS[n]);
-        let mut at = self.home;
-        let mut corners = vec![at];
-        for [x, y, z] in std::iter::once(BLOCKER).chain(steps) {
-            at = at + Position::new(x.into(), y.into(), z.into());
-            corners.push(at);
-        }
-        corners
-    }
-}
-
 /// The last of the sides of a way that are nearest to a status, and how far it is: a corner is the
 /// beginning of a side.
 fn nearest(corners: &[Position], status: &Status) -> (usize, f64) {
@@ -160,19 +115,5 @@ fn untried() -> Outcome {
     Outcome::NotTried("the queue was not filled".into())
 }
 
-/// Keeps the arm busy while the others arrive. Y and Z are the same in every dialect.
-const BLOCKER: [f32; 3] = [0.0, -4.0, 0.0];
-/// No two choices of these lead to the same place; the last two find the queue full.
-const STEPS: [[f32; 3]; 8] = [
-    [0.0, 0.0, 0.8],
-    [0.0, 0.8, 0.0],
-    [0.0, 0.0, 1.6],
-    [0.0, 1.6, 0.0],
-    [0.0, 0.0, 3.2],
-    [0.0, 3.2, 0.0],
-    [0.0, 0.0, 0.4],
-    [0.0, 0.4, 0.0],
-];
-const NEAR_MM: f64 = 0.1;
 const CORNER_MM: f64 = 0.005;
 const SILENT: Duration = Duration::from_millis(600);

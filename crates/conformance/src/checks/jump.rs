@@ -4,7 +4,8 @@ use dobot_wire::Status;
 
 use crate::outcome::Outcome;
 use crate::packet::{JUMP_MM, playback, target};
-use crate::rig::{Rig, Seen, Trouble, moved, off};
+use crate::rig::{Rig, Trouble, moved, off};
+use crate::seen::Seen;
 
 /// A JUMP of 6 mm, 5 mm high.
 pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {

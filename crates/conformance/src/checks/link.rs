@@ -7,7 +7,9 @@ use dobot_wire::{PACKET_LEN, Status};
 
 use crate::hindrance::Hindrance;
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Seen, Trouble, disagreement, joints, lenient, tool_of, turned};
+use crate::rig::{Rig, Trouble, disagreement, joints, lenient, tool_of, turned};
+use crate::seen::Seen;
+use crate::way::PERIOD_S;
 
 /// Listens, and tells what does not belong to statuses.
 pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -164,8 +166,7 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 const LISTEN_MS: u64 = 2700;
 /// Statuses below which a mean says nothing.
 const FEW: u32 = 10;
-/// Note N20.
-const PERIOD_MS: f64 = 80.0;
+const PERIOD_MS: f64 = PERIOD_S * 1000.0;
 const TOLERANCE_MS: f64 = 2.0;
 /// Note N22, per coordinate; the distance of all three may be a bit more.
 const AGREED: f64 = 0.0174;

@@ -2,12 +2,13 @@
 //! between (notes N13 and N44).
 
 use dobot_arm::{FOREARM, REAR_ARM};
-use dobot_wire::{Frame, Status};
+use dobot_wire::{Frame, Status, single};
 
 use crate::checks::settings::reach_of;
 use crate::outcome::Outcome;
 use crate::packet::{configuration, jog};
-use crate::rig::{Rig, Seen, Trouble};
+use crate::rig::{Rig, Trouble};
+use crate::seen::Seen;
 use crate::way::PERIOD_S;
 
 /// A joint jog that a linear release ends, and the other way round. By the document it runs down
@@ -140,11 +141,6 @@ fn ramps(joint: [f32; 2], line: [f32; 2]) -> Frame {
 fn servo_ramp(acceleration: f32) -> Frame {
     let speed = SPEED_SERVO * 100.0 / PERCENT;
     configuration(0.0, &[15.0, 50.0, speed, acceleration, 60.0, 60.0])
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as precise as a status")]
-const fn single(value: f64) -> f32 {
-    value as f32
 }
 
 const FORE_MINUS: f32 = 6.0;

@@ -4,8 +4,11 @@ use std::time::Duration;
 
 use crate::outcome::Outcome;
 use crate::packet::{JUMP_MM, playback, target};
-use crate::rig::{Rig, Seen, Trouble};
+use crate::rig::{Rig, Trouble};
+use crate::seen::Seen;
 use crate::way::periods;
+use dobot_arm::TICK_S;
+use dobot_wire::single;
 
 /// A turn of the base whose time is whole ticks but for rounding, and one back that waits for it. By
 /// the document the second begins in that very moment. A stock arm, which calculates in single
@@ -122,15 +125,9 @@ fn since_begun(way_deg: f32) -> Option<f64> {
     (way > JUST_BEGUN_DEG && way <= ramp).then_some(ticks)
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "a stock arm calculates so")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
 /// Degrees/s and degrees/s2: full speed is there after ten ticks.
 const SPEED: f32 = 2.5;
 const ACCELERATION: f32 = 12.5;
-const TICK_S: f64 = 0.02;
 /// Note N20.
 const TICKS_OF_STATUS: f64 = 4.0;
 /// Turns of 0.7 to 1.5 degrees.

@@ -1,7 +1,8 @@
 //! What the stock controller believes of the arm, and the one way to move it.
 
-use dobot_arm::Tool;
 use dobot_arm::stock::{Joints, Pose, forward, inverse, reach, sensed};
+use dobot_arm::{TICK, Tool};
+use dobot_wire::single;
 
 use super::ahead::Ahead;
 use crate::outputs::{Hands, servo_value};
@@ -209,11 +210,11 @@ fn is_outside(joints: &Joints, pose: Pose) -> bool {
 }
 
 /// The control tick in seconds.
-pub(crate) const PERIOD_S: f32 = 0.02;
+pub(crate) const PERIOD_S: f32 = TICK.as_secs_f32();
 /// From the wrist to the suction cup, the pen or the gripper.
-pub(crate) const LONG_TOOL_MM: f32 = 55.07;
+pub(crate) const LONG_TOOL_MM: f32 = single(Tool::SuctionCup.reach().0);
 /// From the wrist to the laser.
-pub(crate) const LASER_MM: f32 = 49.57;
+pub(crate) const LASER_MM: f32 = single(Tool::Laser.reach().0);
 
 const BASE_DEG: [f32; 2] = [-180.0, 180.0];
 pub(crate) const REAR_DEG: [f32; 2] = [-5.0, 85.0];

@@ -1,5 +1,7 @@
 //! State 5 of the stock controller: voice, over Bluetooth (notes N17 and N50).
 
+use dobot_wire::VoiceOrder;
+
 use super::follow::CLOSED_DEG;
 use super::line::Line;
 use super::settings::Settings;
@@ -116,7 +118,9 @@ impl Words {
                 .find(|(word, _)| contains(text, word))
                 .unwrap_or_default()
         };
-        let numbers = [&HUNDREDS[..], &TEENS, &TENS, &ONES].map(first);
+        let (ones, tens) = VoiceOrder::NUMBERS.split_at(9);
+        let (teens, tens) = tens.split_at(10);
+        let numbers = [&HUNDREDS[..], teens, tens, ones].map(first);
         let sum = numbers.iter().map(|(_, value)| value).sum();
         let word = ORDERS.into_iter().find(|(word, _)| contains(text, word));
         let (word, order) = word.map_or(("", None), |(word, order)| (word, order(f32::from(sum))));
@@ -166,36 +170,3 @@ const ORDERS: [(&str, Meaning); 8] = [
 ];
 
 const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];
-const TEENS: [(&str, u16); 10] = [
-    ("ten", 10),
-    ("eleven", 11),
-    ("twelve", 12),
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-];
-const TENS: [(&str, u16); 8] = [
-    ("twenty", 20),
-    ("thirty", 30),
-    ("forty", 40),
-    ("fifty", 50),
-    ("sixty", 60),
-    ("seventy", 70),
-    ("eighty", 80),
-    ("ninety", 90),
-];
-const ONES: [(&str, u16); 9] = [
-    ("one", 1),
-    ("two", 2),
-    ("three", 3),
-    ("four", 4),
-    ("five", 5),
-    ("six", 6),
-    ("seven", 7),
-    ("eight", 8),
-    ("nine", 9),
-];

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Limits, Tool};
 use dobot_controller::{Controller, Personality, PowerUp, Upload};
-use dobot_wire::{Frame, Status, WriteMode, WriteVector};
+use dobot_wire::{Frame, Status, WriteVector};
 use proptest::prelude::*;
 
 use crate::lab::Lab;
@@ -197,15 +197,9 @@ fn a_motion_of_hours_is_refused_at_once() {
 #[test]
 fn a_status_is_a_status_even_after_the_wildest_vector() {
     let vector = WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: f32::MAX,
-        y_mm: f32::MAX,
-        z_mm: f32::MAX,
-        laser: false,
         start_speed_mm_s: f32::MAX,
         end_speed_mm_s: f32::MAX,
-        max_speed_mm_s: f32::MIN_POSITIVE,
-        stop: false,
+        ..WriteVector::by(f32::MAX, f32::MAX, f32::MAX, f32::MIN_POSITIVE)
     };
     let lab = Lab::power_up().send(vector).wait_ms(1000);
     let told: Status = lab.statuses.last().expect("it still tells").1;

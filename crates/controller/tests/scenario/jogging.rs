@@ -7,17 +7,11 @@ use crate::lab::Lab;
 use crate::moving::movl;
 
 fn joint(axis: JointJogAxis, speed_percent: f32) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent,
-    }
+    JointJog::new(axis, speed_percent)
 }
 
 fn linear(axis: LinearJogAxis, speed_percent: f32) -> LinearJog {
-    LinearJog {
-        axis,
-        speed_percent,
-    }
+    LinearJog::new(axis, speed_percent)
 }
 
 #[test]

@@ -12,16 +12,7 @@ use crate::lab::Lab;
     reason = "the wire is single precision"
 )]
 pub(crate) fn target(mode: MovingMode, x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
-    MoveTo {
-        x_mm: x_mm as f32,
-        y_mm: y_mm as f32,
-        z_mm: z_mm as f32,
-        rotation_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(x_mm as f32, y_mm as f32, z_mm as f32).with_mode(mode)
 }
 
 pub(crate) fn movl(x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
@@ -29,16 +20,7 @@ pub(crate) fn movl(x_mm: f64, y_mm: f64, z_mm: f64) -> MoveTo {
 }
 
 fn joints(base_deg: f32, rear_deg: f32, fore_deg: f32, servo_deg: f32) -> MoveJoints {
-    MoveJoints {
-        base_deg,
-        rear_deg,
-        fore_deg,
-        servo_deg,
-        suction: false,
-        mode: MovingMode::MovJ,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]).with_mode(MovingMode::MovJ)
 }
 
 #[test]
@@ -130,16 +112,7 @@ fn the_tool_is_set_after_the_move_and_the_pause_comes_after_that() {
 
 #[test]
 fn a_target_without_a_pause_takes_the_default_one() {
-    let playback = Configuration::Playback {
-        joint_speed_deg_s: 200.0,
-        joint_acceleration_deg_s2: 200.0,
-        servo_speed_deg_s: 200.0,
-        servo_acceleration_deg_s2: 200.0,
-        linear_speed_mm_s: 200.0,
-        linear_acceleration_mm_s2: 2000.0,
-        default_pause_s: 5.0,
-        jump_height_mm: 20.0,
-    };
+    let playback = Configuration::playback([200.0, 200.0, 200.0, 200.0, 200.0, 2000.0], 5.0, 20.0);
     Lab::power_up()
         .send(playback)
         .send(movl(263.0, 0.0, -17.0))

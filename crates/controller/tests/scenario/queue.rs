@@ -56,10 +56,7 @@ fn a_command_is_obeyed_at_the_next_tick_however_long_nothing_was_done() {
     for personality in Personality::ALL {
         for ms in [10_010, 10_030, 10_050, 10_070] {
             let mut lab = Lab::power_up_with(PowerUp::new(personality)).wait_ms(ms);
-            let jog = JointJog {
-                axis: JointJogAxis::SuctionOn,
-                speed_percent: 100.0,
-            };
+            let jog = JointJog::new(JointJogAxis::SuctionOn, 100.0);
             lab = lab.send(jog).wait_ms(9);
             assert!(!lab.controller.suction(), "{personality} at {ms} ms");
             assert!(
@@ -98,10 +95,7 @@ fn who_comes_late_for_the_statuses_loses_the_oldest_and_it_is_counted() {
 
 #[test]
 fn a_command_takes_effect_at_the_tick_after_its_last_byte() {
-    let on = JointJog {
-        axis: JointJogAxis::SuctionOn,
-        speed_percent: 0.0,
-    };
+    let on = JointJog::new(JointJogAxis::SuctionOn, 0.0);
     let lab = Lab::power_up().wait_ms(45).send(on);
     assert!(!lab.controller.suction());
     let lab = lab.wait_ms(14);

@@ -1,21 +1,11 @@
 //! State 4: writing and laser.
 
-use dobot_wire::{Configuration, JointJog, JointJogAxis, WriteMode, WriteVector};
+use dobot_wire::{Configuration, JointJog, JointJogAxis, WriteVector};
 
 use crate::lab::Lab;
 
 fn vector(x_mm: f32, y_mm: f32, z_mm: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
+    WriteVector::by(x_mm, y_mm, z_mm, 40.0)
 }
 
 #[test]
@@ -67,11 +57,7 @@ fn the_writing_acceleration_can_be_set() {
 
 #[test]
 fn the_laser_burns_in_its_mode_only_and_goes_off_with_the_last_vector() {
-    let burn = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(0.0, 20.0, 0.0)
-    };
+    let burn = vector(0.0, 20.0, 0.0).burning();
     let lab = Lab::power_up().send(burn).send(burn).wait_ms(1000);
     assert!(lab.controller.laser());
     let lab = lab.wait_ms(3000);
@@ -87,16 +73,8 @@ fn the_laser_burns_in_its_mode_only_and_goes_off_with_the_last_vector() {
 
 #[test]
 fn a_refused_vector_switches_the_laser_off() {
-    let burn = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(0.0, 20.0, 0.0)
-    };
-    let too_far = WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(500.0, 0.0, 0.0)
-    };
+    let burn = vector(0.0, 20.0, 0.0).burning();
+    let too_far = vector(500.0, 0.0, 0.0).burning();
     let lab = Lab::power_up().send(burn).send(too_far).wait_ms(5000);
     assert!(!lab.controller.laser());
     lab.expect_refusal("on its way");
@@ -104,10 +82,7 @@ fn a_refused_vector_switches_the_laser_off() {
 
 #[test]
 fn a_laser_switched_on_by_hand_stays_on_until_it_is_switched_off() {
-    let press = |axis| JointJog {
-        axis,
-        speed_percent: 0.0,
-    };
+    let press = |axis| JointJog::new(axis, 0.0);
     let lab = Lab::power_up()
         .send(press(JointJogAxis::LaserOn))
         .wait_ms(5000);

@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex};
 
 use dobot_api::JobKind;
 use dobot_journal::{NewJob, StorageBackend};
-use dobot_wire::{Command, Configuration, Dialect, Status, WriteMode, WriteVector};
+use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 /// A job of so many commands, each different from the others.
 pub fn job(title: &str, commands: u16) -> NewJob {
@@ -42,18 +42,7 @@ fn command(index: u16) -> Command {
 
 /// A pen's way.
 pub fn vector(x_mm: f32, y_mm: f32, z_mm: f32) -> Command {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
+    WriteVector::by(x_mm, y_mm, z_mm, 40.0).into()
 }
 
 /// An arm that stands somewhere.
@@ -61,13 +50,9 @@ pub const START: Status = Status {
     x_mm: 200.0,
     y_mm: 0.1,
     z_mm: 50.0,
-    rotation_deg: 0.0,
-    base_deg: 0.0,
     rear_deg: 10.0,
     fore_deg: 30.0,
-    servo_deg: 0.0,
-    suction: false,
-    gripper_deg: 0.0,
+    ..Status::AT_ZERO
 };
 
 /// A disk with a cache: what is written can be read, what is synced survives a power cut.

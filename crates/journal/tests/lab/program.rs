@@ -48,17 +48,9 @@ fn setting(acceleration_mm_s2: f32) -> Command {
 }
 
 fn target(x: f32, z: f32) -> Command {
-    MoveTo {
-        x_mm: 214.0 + 6.0 * x,
-        y_mm: 3.0,
-        z_mm: 20.0 + LIFT_MM * z,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::MovL,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
-    .into()
+    MoveTo::to(214.0 + 6.0 * x, 3.0, 20.0 + LIFT_MM * z)
+        .with_mode(MovingMode::MovL)
+        .into()
 }
 
 /// Leaves out what the arm cannot do.

@@ -144,10 +144,7 @@ fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
     it.ask(anna, Request::ReleaseLease).unwrap();
     let before = places(&mut it);
     // Axis 1, which is the rear arm there.
-    let button = JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: 50.0,
-    };
+    let button = JointJog::new(JointJogAxis::BasePlus, 50.0);
     let packet = Command::from(button).emit(&Dialect::FIRMWARE_1_1);
     let from = it.packets().len();
     for _ in 0..12 {
@@ -159,10 +156,7 @@ fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
             .iter()
             .any(|(_, sent)| *sent == packet.to_bytes())
     );
-    let release = Command::from(JointJog {
-        axis: JointJogAxis::Released,
-        speed_percent: 0.0,
-    });
+    let release = Command::from(JointJog::new(JointJogAxis::Released, 0.0));
     it.send_raw(raw, &release.emit(&Dialect::FIRMWARE_1_1))
         .unwrap();
     check_moved("raw", &mut it, joint(JointJogAxis::RearPlus), before);

@@ -1,6 +1,6 @@
 //! The commands that jobs are made of, in short.
 
-use dobot_wire::{Command, Configuration, EndEffector, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Command, Configuration, EndEffector, MoveTo, WriteVector};
 
 /// What a drawing begins with: its tool, and how fast it accelerates.
 pub(crate) fn settings(burns: bool) -> [Command; 2] {
@@ -18,34 +18,11 @@ pub(crate) fn settings(burns: bool) -> [Command; 2] {
 
 /// A jump to a place.
 pub(crate) const fn target([x_mm, y_mm, z_mm]: [f32; 3]) -> MoveTo {
-    MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(x_mm, y_mm, z_mm)
 }
 
 /// A vector that begins and ends at rest, as stock arms make them exactly.
 pub(crate) fn vector([x_mm, y_mm, z_mm]: [f32; 3], burns: bool) -> Command {
-    WriteVector {
-        mode: if burns {
-            WriteMode::Laser
-        } else {
-            WriteMode::Writing
-        },
-        x_mm,
-        y_mm,
-        z_mm,
-        laser: burns,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
-    .into()
+    let stroke = WriteVector::by(x_mm, y_mm, z_mm, 40.0);
+    if burns { stroke.burning() } else { stroke }.into()
 }

@@ -13,10 +13,7 @@ const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
 fn linear(axis: LinearJogAxis) -> Request {
     Request::Jog {
-        jog: Jog::Linear(LinearJog {
-            axis,
-            speed_percent: 50.0,
-        }),
+        jog: Jog::Linear(LinearJog::new(axis, 50.0)),
     }
 }
 
@@ -113,10 +110,7 @@ fn switches_need_not_be_held() {
     let mut it = rehearsal(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
-    let jog = Jog::Joint(JointJog {
-        axis: JointJogAxis::SuctionOn,
-        speed_percent: 0.0,
-    });
+    let jog = Jog::Joint(JointJog::new(JointJogAxis::SuctionOn, 0.0));
     it.ask(anna, Request::Jog { jog }).unwrap();
     it.run_for(Duration::from_secs(2));
     assert!(it.keeper().state().arm.unwrap().status.suction);

@@ -12,10 +12,7 @@ use crate::commands::vector;
 use crate::drawing::{is_over, rehearsal, spiral};
 
 const UP: Request = Request::Jog {
-    jog: Jog::Linear(LinearJog {
-        axis: LinearJogAxis::ZMinus,
-        speed_percent: 20.0,
-    }),
+    jog: Jog::Linear(LinearJog::new(LinearJogAxis::ZMinus, 20.0)),
 };
 
 fn holder(rehearsal: &Rehearsal) -> Option<String> {
@@ -105,10 +102,7 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
-const RELEASED: JointJog = JointJog {
-    axis: JointJogAxis::Released,
-    speed_percent: 0.0,
-};
+const RELEASED: JointJog = JointJog::new(JointJogAxis::Released, 0.0);
 
 /// A packet that moves the arm by so many millimetres.
 fn packet(y_mm: f32) -> Packet {
@@ -151,10 +145,7 @@ fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
     for personality in Personality::ALL {
         let mut it = rehearsal(personality);
         let (program, anna) = (it.client("an old program"), it.client("Anna"));
-        let pressed = Command::from(JointJog {
-            axis: JointJogAxis::BasePlus,
-            speed_percent: 50.0,
-        });
+        let pressed = Command::from(JointJog::new(JointJogAxis::BasePlus, 50.0));
         it.send_raw(program, &pressed.emit(&personality.dialect()))
             .unwrap();
         it.run_for(Duration::from_millis(400));

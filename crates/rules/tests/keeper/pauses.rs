@@ -212,10 +212,10 @@ fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
     let mut it = rehearsal(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
-    let up = Jog::Linear(dobot_wire::LinearJog {
-        axis: dobot_wire::LinearJogAxis::Released,
-        speed_percent: 0.0,
-    });
+    let up = Jog::Linear(dobot_wire::LinearJog::new(
+        dobot_wire::LinearJogAxis::Released,
+        0.0,
+    ));
     it.ask(anna, Request::Jog { jog: up }).unwrap();
     it.run_for(Duration::from_secs(1));
     it.ask(anna, Request::Detect).unwrap();
@@ -235,14 +235,9 @@ fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
     it.ask(anna, Request::TakeLease).unwrap();
     let target = |y_mm| {
         Command::from(MoveTo {
-            x_mm: 220.0,
-            y_mm,
-            z_mm: 20.0,
-            rotation_deg: 0.0,
-            suction: false,
             mode: MovingMode::MovL,
-            gripper_deg: 0.0,
             pause_s: 0.5,
+            ..MoveTo::to(220.0, y_mm, 20.0)
         })
     };
     let program = NewJob {

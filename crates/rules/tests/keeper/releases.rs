@@ -24,17 +24,11 @@ pub(crate) fn buttons() -> Vec<Jog> {
 }
 
 pub(crate) fn joint(axis: JointJogAxis) -> Jog {
-    Jog::Joint(JointJog {
-        axis,
-        speed_percent: PERCENT,
-    })
+    Jog::Joint(JointJog::new(axis, PERCENT))
 }
 
 pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
-    Jog::Linear(LinearJog {
-        axis,
-        speed_percent: PERCENT,
-    })
+    Jog::Linear(LinearJog::new(axis, PERCENT))
 }
 
 /// A link whose bytes come up to so much late, either way.
@@ -206,14 +200,8 @@ fn a_button_that_was_held_when_the_cable_was_pulled_is_released_by_its_own_kind(
 
 #[test]
 fn a_release_of_the_wrong_kind_that_a_client_sends_becomes_one_of_the_right_kind() {
-    let joint = Command::from(JointJog {
-        axis: JointJogAxis::Released,
-        speed_percent: 0.0,
-    });
-    let linear = Command::from(LinearJog {
-        axis: LinearJogAxis::Released,
-        speed_percent: 0.0,
-    });
+    let joint = Command::from(JointJog::new(JointJogAxis::Released, 0.0));
+    let linear = Command::from(LinearJog::new(LinearJogAxis::Released, 0.0));
     for command in [joint, linear] {
         check_ended(30, 0, |it, anna| {
             it.ask(anna, Request::Command { command }).unwrap();

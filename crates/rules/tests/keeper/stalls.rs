@@ -31,10 +31,7 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
-        let jog = Jog::Linear(LinearJog {
-            axis: LinearJogAxis::YPlus,
-            speed_percent: 30.0,
-        });
+        let jog = Jog::Linear(LinearJog::new(LinearJogAxis::YPlus, 30.0));
         for _ in 0..8 {
             it.ask(anna, Request::Jog { jog }).unwrap();
             it.run_for(Duration::from_millis(50));

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{News, Request};
 use dobot_controller::Personality;
 use dobot_rules::Rehearsal;
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, MovingMode, Packet};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
 
 use crate::drawing::{rehearsal, spiral};
 
@@ -13,17 +13,7 @@ const STOP: Request = Request::Stop { reason: None };
 
 fn target(y_mm: f32) -> Request {
     Request::Command {
-        command: MoveTo {
-            x_mm: 220.0,
-            y_mm,
-            z_mm: 30.0,
-            rotation_deg: 0.0,
-            suction: false,
-            mode: MovingMode::Jump,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        }
-        .into(),
+        command: MoveTo::to(220.0, y_mm, 30.0).into(),
     }
 }
 
@@ -36,10 +26,7 @@ fn sent_since(it: &Rehearsal, since: usize) -> Vec<Command> {
         .collect()
 }
 
-const LASER_OFF: Command = Command::JointJog(JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-});
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 #[test]
 fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {

@@ -263,15 +263,8 @@ fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
 fn vector(by: [f32; 3], end_mm_s: f32, max_mm_s: f32) -> Command {
     let [x_mm, y_mm, z_mm] = by;
     WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm,
-        laser: false,
-        start_speed_mm_s: 0.0,
         end_speed_mm_s: end_mm_s,
-        max_speed_mm_s: max_mm_s,
-        stop: false,
+        ..WriteVector::by(x_mm, y_mm, z_mm, max_mm_s)
     }
     .into()
 }

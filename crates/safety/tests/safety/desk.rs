@@ -5,7 +5,7 @@ use dobot_course::{Course, Model, Place};
 use dobot_safety::{Policy, Violation};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
-    MovingMode, WriteMode, WriteVector,
+    MovingMode, WriteVector,
 };
 
 /// An arm that stands at a point, and the policy that watches over it.
@@ -77,64 +77,30 @@ impl Desk {
 
 pub(crate) fn go(mode: MovingMode, x: f32, y: f32, z: f32) -> MoveTo {
     MoveTo {
-        x_mm: x,
-        y_mm: y,
-        z_mm: z,
         rotation_deg: y.atan2(x).to_degrees(),
-        suction: false,
         mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
+        ..MoveTo::to(x, y, z)
     }
 }
 
 pub(crate) fn turn(mode: MovingMode, base: f32, rear: f32, fore: f32) -> MoveJoints {
-    MoveJoints {
-        base_deg: base,
-        rear_deg: rear,
-        fore_deg: fore,
-        servo_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveJoints::to([base, rear, fore, 0.0]).with_mode(mode)
 }
 
 pub(crate) fn vector(x: f32, y: f32, z: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: x,
-        y_mm: y,
-        z_mm: z,
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 40.0,
-        stop: false,
-    }
+    WriteVector::by(x, y, z, 40.0)
 }
 
 pub(crate) fn burning(x: f32, y: f32) -> WriteVector {
-    WriteVector {
-        mode: WriteMode::Laser,
-        laser: true,
-        ..vector(x, y, 0.0)
-    }
+    vector(x, y, 0.0).burning()
 }
 
 pub(crate) fn jog(axis: JointJogAxis, speed_percent: f32) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent,
-    }
+    JointJog::new(axis, speed_percent)
 }
 
 pub(crate) fn slide(axis: LinearJogAxis, speed_percent: f32) -> LinearJog {
-    LinearJog {
-        axis,
-        speed_percent,
-    }
+    LinearJog::new(axis, speed_percent)
 }
 
 /// Fails unless two numbers are as near as `tolerance`.

@@ -6,6 +6,7 @@ use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
 use dobot_wire::{
     Command, Dialect, JointJogAxis, LinearJogAxis,
     MovingMode::{self, Jump, MovJ, MovL},
+    single,
 };
 use proptest::prelude::*;
 
@@ -242,11 +243,6 @@ fn shrunk(policy: &Policy, by: f64) -> Policy {
     // The points of the truth lie apart.
     tight.arm.radius_mm += by + 6.0;
     tight
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as a client would send it")]
-const fn single(value: f64) -> f32 {
-    value as f32
 }
 
 /// What the check does not look into any further, in mm or degrees.

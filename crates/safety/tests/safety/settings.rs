@@ -9,16 +9,11 @@ use dobot_wire::{
 use crate::desk::{Desk, assert_near, go, jog, slide, turn, vector};
 
 fn playback(speed: f32, jump_height_mm: f32) -> Configuration {
-    Configuration::Playback {
-        joint_speed_deg_s: speed,
-        joint_acceleration_deg_s2: 200.0,
-        servo_speed_deg_s: 200.0,
-        servo_acceleration_deg_s2: 200.0,
-        linear_speed_mm_s: 100.0,
-        linear_acceleration_mm_s2: 200.0,
-        default_pause_s: 0.0,
+    Configuration::playback(
+        [speed, 200.0, 200.0, 200.0, 100.0, 200.0],
+        0.0,
         jump_height_mm,
-    }
+    )
 }
 
 #[test]
@@ -93,14 +88,8 @@ fn jogs_have_a_largest_percentage_and_the_speeds_of_their_axes() {
 
 #[test]
 fn teaching_speeds_count_with_the_largest_percentage_of_a_jog() {
-    let teach = |joint_speed_deg_s| Configuration::Teach {
-        joint_speed_deg_s,
-        joint_acceleration_deg_s2: 50.0,
-        servo_speed_deg_s: 30.0,
-        servo_acceleration_deg_s2: 50.0,
-        linear_speed_mm_s: 60.0,
-        linear_acceleration_mm_s2: 60.0,
-    };
+    let teach =
+        |joint_speed_deg_s| Configuration::teach([joint_speed_deg_s, 50.0, 30.0, 50.0, 60.0, 60.0]);
     let desk = Desk::at(200.0, 0.0, 30.0);
     desk.allows(teach(200.0));
     desk.refuses("speed.joint", teach(220.0));

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use data_encoding::HEXLOWER_PERMISSIVE;
 use dobot_controller::Port;
 use dobot_wire::{Frame, Voice};
 
@@ -146,15 +147,8 @@ fn whole(word: &str) -> Option<usize> {
 }
 
 fn hex(word: &str) -> Option<Vec<u8>> {
-    let digits = word.as_bytes();
-    if digits.is_empty() || !digits.len().is_multiple_of(2) {
-        return None;
-    }
-    let digit = |it: u8| u8::try_from(char::from(it).to_digit(16)?).ok();
-    digits
-        .chunks_exact(2)
-        .map(|it| Some(digit(it[0])? << 4 | digit(it[1])?))
-        .collect()
+    let bytes = HEXLOWER_PERMISSIVE.decode(word.as_bytes()).ok();
+    bytes.filter(|it| !it.is_empty())
 }
 
 /// A number that fits four bytes, `nan` or `inf`; one that is too great is none.

@@ -7,9 +7,7 @@ use std::time::Duration;
 use dobot_client::{CommandId, Connection, Event};
 use dobot_controller::{Controller, PowerUp, Refused};
 use dobot_sim::{InProcess, Line, VirtualArm};
-use dobot_wire::{
-    Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode, WriteVector,
-};
+use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 /// Where the arm is after power-up: rear arm and forearm at 45 degrees.
 pub(crate) const POWER_UP_X_MM: f64 = 263.666_500_4;
@@ -23,52 +21,40 @@ pub(crate) fn in_process() -> InProcess {
 }
 
 pub(crate) fn move_to(mode: MovingMode, x_mm: f32, y_mm: f32, z_mm: f32) -> MoveTo {
-    MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
+    MoveTo::to(x_mm, y_mm, z_mm).with_mode(mode)
 }
 
 /// A vector at one speed from its start to its end.
 pub(crate) fn vector(x_mm: f32, y_mm: f32, speed_mm_s: f32) -> WriteVector {
     WriteVector {
-        mode: WriteMode::Writing,
-        x_mm,
-        y_mm,
-        z_mm: 0.0,
-        laser: false,
         start_speed_mm_s: speed_mm_s,
         end_speed_mm_s: speed_mm_s,
-        max_speed_mm_s: speed_mm_s,
-        stop: false,
+        ..WriteVector::by(x_mm, y_mm, 0.0, speed_mm_s)
     }
 }
 
 pub(crate) fn button(axis: JointJogAxis, speed_percent: f32) -> JointJog {
-    JointJog {
-        axis,
-        speed_percent,
-    }
+    JointJog::new(axis, speed_percent)
 }
 
 /// Speeds and accelerations of target moves, the same number for all.
 pub(crate) fn playback(speed: f32) -> Configuration {
-    Configuration::Playback {
-        joint_speed_deg_s: speed,
-        joint_acceleration_deg_s2: 200.0,
-        servo_speed_deg_s: speed,
-        servo_acceleration_deg_s2: 200.0,
-        linear_speed_mm_s: speed,
-        linear_acceleration_mm_s2: 200.0,
-        default_pause_s: 0.0,
-        jump_height_mm: 20.0,
+    Configuration::playback([speed, 200.0, speed, 200.0, speed, 200.0], 0.0, 20.0)
+}
+
+/// Three targets, a zigzag of vectors, and back.
+pub(crate) fn program() -> Vec<Command> {
+    let mut program: Vec<Command> = vec![
+        move_to(MovingMode::MovL, 220.0, 0.0, 0.0).into(),
+        move_to(MovingMode::MovJ, 240.0, 40.0, 20.0).into(),
+        move_to(MovingMode::Jump, 210.0, -20.0, 0.0).into(),
+    ];
+    for n in 0..20_u8 {
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        program.push(vector(1.0, 10.0 * sign, 20.0).into());
     }
+    program.push(move_to(MovingMode::MovJ, 200.0, 0.0, 0.0).into());
+    program
 }
 
 /// Gives all commands at once and waits until the last one is over or something goes wrong;

@@ -15,7 +15,7 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{InProcess, Line, VirtualArm};
 use dobot_wire::{
     Command, Configuration, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
-    MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteMode, WriteVector,
+    MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,
 };
 
 use self::late::Late;
@@ -139,17 +139,7 @@ impl Dice {
             }),
             Kind::Vector => {
                 let [x_mm, y_mm] = [0, 1].map(|_| self.sign() * self.between(1.0, 15.0));
-                Command::from(WriteVector {
-                    mode: WriteMode::Writing,
-                    x_mm,
-                    y_mm,
-                    z_mm: 0.0,
-                    laser: false,
-                    start_speed_mm_s: 0.0,
-                    end_speed_mm_s: 0.0,
-                    max_speed_mm_s: self.between(10.0, 60.0),
-                    stop: false,
-                })
+                Command::from(WriteVector::by(x_mm, y_mm, 0.0, self.between(10.0, 60.0)))
             }
             Kind::Voice => {
                 let text = self.one_of(&["left ten", "right ten", "up ten", "down ten", "catch"]);
@@ -157,10 +147,7 @@ impl Dice {
             }
             Kind::Hand => self.hand(stock),
             Kind::JointRelease => released_joint(),
-            Kind::LinearRelease => Command::from(LinearJog {
-                axis: LinearJogAxis::Released,
-                speed_percent: 0.0,
-            }),
+            Kind::LinearRelease => Command::from(LinearJog::new(LinearJogAxis::Released, 0.0)),
             Kind::Switch => self.switch(),
             Kind::Settings => self.settings(),
             Kind::Angles => Command::from(Configuration::InitialAngles {
@@ -215,17 +202,11 @@ impl Dice {
             Kind::JointRelease => {
                 let all = [J::BasePlus, J::BaseMinus, J::ServoPlus, J::GripperOpen];
                 let axis = self.one_of(&all);
-                Some(Command::from(JointJog {
-                    axis,
-                    speed_percent,
-                }))
+                Some(Command::from(JointJog::new(axis, speed_percent)))
             }
             Kind::LinearRelease => {
                 let axis = self.one_of(&[L::YPlus, L::YMinus, L::ZPlus, L::ZMinus]);
-                Some(Command::from(LinearJog {
-                    axis,
-                    speed_percent,
-                }))
+                Some(Command::from(LinearJog::new(axis, speed_percent)))
             }
             _ => None,
         }

@@ -6,13 +6,13 @@ mod run;
 
 use std::time::Duration;
 
-use dobot_arm::{Joints, Tool};
+use dobot_arm::{Joints, TICK, Tool};
 use dobot_controller::{Port, STEPS_PER_DEG, Upload};
 use dobot_wire::Frame;
 use proptest::prelude::*;
 
 use crate::mixture::{Mixture, mixture};
-use crate::run::{Pace, Run, TICK, run};
+use crate::run::{Pace, Run, run};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(CASES))]

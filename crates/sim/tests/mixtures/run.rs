@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use dobot_arm::TICK;
 use dobot_controller::{Controller, Outputs, Personality, PowerUp, Refused, Upload};
 
 use crate::mixture::Mixture;
@@ -147,8 +148,5 @@ impl Runner {
         }
     }
 }
-
-/// The control tick (note N27).
-pub(crate) const TICK: Duration = Duration::from_millis(20);
 /// How long the arm is watched behind the last byte.
 const WATCHED: Duration = Duration::from_secs(4);

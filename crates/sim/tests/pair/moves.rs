@@ -124,14 +124,7 @@ async fn a_released_jog_is_over_when_the_arm_stands() {
     let mut arm = connect(&peer);
     let jog = button(JointJogAxis::BasePlus, 100.0);
     let released = button(JointJogAxis::Released, 0.0);
-    let slow = Configuration::Teach {
-        joint_speed_deg_s: 20.0,
-        joint_acceleration_deg_s2: 10.0,
-        servo_speed_deg_s: 30.0,
-        servo_acceleration_deg_s2: 10.0,
-        linear_speed_mm_s: 40.0,
-        linear_acceleration_mm_s2: 10.0,
-    };
+    let slow = Configuration::teach([20.0, 10.0, 30.0, 10.0, 40.0, 10.0]);
     let mut program: Vec<Command> = vec![slow.into()];
     program.extend([Command::from(jog); 12]);
     program.push(released.into());

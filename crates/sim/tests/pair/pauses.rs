@@ -57,16 +57,7 @@ async fn a_program_with_pauses_is_told_to_be_over_when_its_last_pause_is() {
 async fn a_default_pause_is_no_arm_that_fell_short() {
     let peer = in_process();
     let mut arm = connect(&peer);
-    let slow = Configuration::Playback {
-        joint_speed_deg_s: 100.0,
-        joint_acceleration_deg_s2: 100.0,
-        servo_speed_deg_s: 100.0,
-        servo_acceleration_deg_s2: 100.0,
-        linear_speed_mm_s: 100.0,
-        linear_acceleration_mm_s2: 100.0,
-        default_pause_s: 5.0,
-        jump_height_mm: 10.0,
-    };
+    let slow = Configuration::playback([100.0, 100.0, 100.0, 100.0, 100.0, 100.0], 5.0, 10.0);
     let program = [
         slow.into(),
         move_to(MovingMode::MovL, 230.0, 0.0, 0.0).into(),

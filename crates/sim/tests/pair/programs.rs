@@ -1,6 +1,8 @@
 //! Random programs within reach, against a model of where they lead.
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
+use dobot_course::tool_named;
+use dobot_wire::single;
 use proptest::prelude::*;
 
 use super::*;
@@ -179,10 +181,7 @@ impl Model {
                 packets,
                 percent,
             } => {
-                let jog = LinearJog {
-                    axis,
-                    speed_percent: percent,
-                };
+                let jog = LinearJog::new(axis, percent);
                 let mut commands = vec![Command::from(jog); packets];
                 commands.push(button(JointJogAxis::Released, 0.0).into());
                 commands
@@ -213,16 +212,7 @@ impl Model {
         let rounded = [base_deg, rear_deg, fore_deg, servo_deg].map(f64::from);
         let [base, rear, fore, servo] = rounded;
         self.pose = forward(&Joints::new(base, rear, fore, servo), self.tool);
-        Command::from(MoveJoints {
-            base_deg,
-            rear_deg,
-            fore_deg,
-            servo_deg,
-            suction: false,
-            mode,
-            gripper_deg: 0.0,
-            pause_s: 0.0,
-        })
+        Command::from(MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]).with_mode(mode))
     }
 
     fn write(&mut self, to: Place, max_mm_s: f32, shares: (f32, f32)) -> Vec<Command> {
@@ -255,27 +245,18 @@ impl Model {
             }
             Step::Tool(tool) => {
                 let joints = self.joints();
-                self.tool = match tool {
-                    EndEffector::SuctionCup => Tool::SuctionCup,
-                    EndEffector::Gripper => Tool::Gripper,
-                    EndEffector::Laser => Tool::Laser,
-                };
+                self.tool = tool_named(tool);
                 self.pose = forward(&joints, self.tool);
                 Configuration::EndEffector { tool }.into()
             }
             Step::Speeds {
                 speed,
                 default_pause_s,
-            } => Configuration::Playback {
-                joint_speed_deg_s: speed,
-                joint_acceleration_deg_s2: speed,
-                servo_speed_deg_s: speed,
-                servo_acceleration_deg_s2: speed,
-                linear_speed_mm_s: speed,
-                linear_acceleration_mm_s2: speed,
+            } => Configuration::playback(
+                [speed, speed, speed, speed, speed, speed],
                 default_pause_s,
-                jump_height_mm: 15.0,
-            }
+                15.0,
+            )
             .into(),
             _ => unreachable!("the other steps move"),
         }
@@ -285,14 +266,6 @@ impl Model {
         let by = Position::new(x_mm.into(), y_mm.into(), z_mm.into());
         self.pose.position = self.pose.position + by;
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the wire is single precision"
-)]
-fn single(number: f64) -> f32 {
-    number as f32
 }
 
 /// Runs a program in one go from each jog to the next: where a jog ends, only the arm knows.

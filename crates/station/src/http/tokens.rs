@@ -277,11 +277,7 @@ pub(super) fn digest(secret: &str) -> [u8; 32] {
 }
 
 pub(super) fn hex(bytes: &[u8]) -> String {
-    use std::fmt::Write;
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        write!(text, "{byte:02x}").expect("a text takes all that is written");
-        text
-    })
+    data_encoding::HEXLOWER.encode(bytes)
 }
 
 /// Compares all bytes, whatever they are, so that the time that it takes tells nothing.

@@ -153,15 +153,9 @@ fn button(chance: &mut Chance) -> Jog {
             LinearJogAxis::YMinus,
             LinearJogAxis::ZPlus,
         ]);
-        Jog::Linear(LinearJog {
-            axis,
-            speed_percent,
-        })
+        Jog::Linear(LinearJog::new(axis, speed_percent))
     } else {
         let axis = chance.one(&[JointJogAxis::BasePlus, JointJogAxis::BaseMinus]);
-        Jog::Joint(JointJog {
-            axis,
-            speed_percent,
-        })
+        Jog::Joint(JointJog::new(axis, speed_percent))
     }
 }

@@ -131,17 +131,7 @@ fn flood(figures: &mut Floods, scene: &mut Scene, stranger: ClientId, chance: &m
 }
 
 fn target([x_mm, y_mm, z_mm]: [f32; 3], mode: MovingMode) -> Command {
-    MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
-        rotation_deg: 0.0,
-        suction: false,
-        mode,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
-    }
-    .into()
+    MoveTo::to(x_mm, y_mm, z_mm).with_mode(mode).into()
 }
 
 /// A target, or a button pressed and let go, as fast as that can be said.
@@ -151,10 +141,7 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
         LinearJogAxis::YMinus,
         LinearJogAxis::Released,
     ]);
-    let jog = LinearJog {
-        axis,
-        speed_percent: 50.0,
-    };
+    let jog = LinearJog::new(axis, 50.0);
     let command = if chance.below(2) == 0 {
         command
     } else {

@@ -210,18 +210,12 @@ fn begin(scene: &mut Scene, doing: Doing, chance: &mut Chance) -> Result<(), Wro
         }
         Doing::Joint(axis) => {
             let speed_percent = chance.between(20.0, 100.0);
-            let jog = Jog::Joint(JointJog {
-                axis,
-                speed_percent,
-            });
+            let jog = Jog::Joint(JointJog::new(axis, speed_percent));
             hold(scene, jog, chance)?;
         }
         Doing::Linear(axis) => {
             let speed_percent = chance.between(20.0, 100.0);
-            let jog = Jog::Linear(LinearJog {
-                axis,
-                speed_percent,
-            });
+            let jog = Jog::Linear(LinearJog::new(axis, speed_percent));
             hold(scene, jog, chance)?;
         }
     }

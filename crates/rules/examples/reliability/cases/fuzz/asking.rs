@@ -123,16 +123,10 @@ impl Asking {
         };
         let jog = if chance.below(2) == 0 {
             let axis = chance.one(&JointJogAxis::ALL);
-            Jog::Joint(JointJog {
-                axis,
-                speed_percent,
-            })
+            Jog::Joint(JointJog::new(axis, speed_percent))
         } else {
             let axis = chance.one(&LinearJogAxis::ALL);
-            Jog::Linear(LinearJog {
-                axis,
-                speed_percent,
-            })
+            Jog::Linear(LinearJog::new(axis, speed_percent))
         };
         match chance.below(3) {
             0 => Asked::Packet(who, jog.command().emit(&self.dialect)),

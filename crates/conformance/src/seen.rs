@@ -1,0 +1,12 @@
+//! What came.
+
+use std::time::Duration;
+
+use dobot_wire::Status;
+
+/// A status and when it was there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) at: Duration,
+    pub(crate) status: Status,
+}
