@@ -35,6 +35,26 @@ impl Round {
             heard: true,
         }
     }
+
+    /// What is said behind that, if anything.
+    fn after(self, arm: &Arm, unknown: Duration) -> Option<Self> {
+        let behind = self.behind + u32::from(self.rounds > 0);
+        let again = if behind >= MOST_BEHIND {
+            // With one more an arm that heard all would have no room, and be silent as if it was reset.
+            arm.rests_within(unknown).max(AGAIN)
+        } else if self.laser_is_next {
+            GAP
+        } else {
+            AGAIN
+        };
+        (self.rounds < ROUNDS).then_some(Self {
+            next: arm.now() + again,
+            laser_is_next: !self.laser_is_next,
+            rounds: self.rounds + u32::from(!self.laser_is_next),
+            behind,
+            heard: false,
+        })
+    }
 }
 
 impl Halt {
@@ -116,28 +136,6 @@ impl Halt {
             round.heard = true;
         }
         self.round = self.round.filter(|it| !rests || it.rounds < 2);
-    }
-}
-
-impl Round {
-    /// What is said behind that, if anything.
-    fn after(self, arm: &Arm, unknown: Duration) -> Option<Self> {
-        let behind = self.behind + u32::from(self.rounds > 0);
-        let again = if behind >= MOST_BEHIND {
-            // With one more an arm that heard all would have no room, and be silent as if it was reset.
-            arm.rests_within(unknown).max(AGAIN)
-        } else if self.laser_is_next {
-            GAP
-        } else {
-            AGAIN
-        };
-        (self.rounds < ROUNDS).then_some(Self {
-            next: arm.now() + again,
-            laser_is_next: !self.laser_is_next,
-            rounds: self.rounds + u32::from(!self.laser_is_next),
-            behind,
-            heard: false,
-        })
     }
 }
 
