@@ -2,6 +2,7 @@
 
 mod thin;
 
+use dobot_arm::TICK_S;
 use dobot_plan::MoveKind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -180,4 +181,3 @@ const KINDS: [&str; 8] = [
 ];
 const MILLI: f64 = 1000.0;
 const CENTI: f64 = 100.0;
-const TICK_S: f64 = 0.02;

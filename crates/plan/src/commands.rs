@@ -1,8 +1,8 @@
 //! A plan in the words of the protocol.
 
 use dobot_wire::{
-    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, WriteMode,
-    WriteVector,
+    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, WriteMode, WriteVector,
+    single,
 };
 
 use crate::{MoveKind, Plan, PlannedVector};
@@ -51,14 +51,8 @@ pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
 pub(crate) fn to_start(plan: &Plan) -> MoveTo {
     let [x_mm, y_mm, z_mm] = plan.start.map(single);
     MoveTo {
-        x_mm,
-        y_mm,
-        z_mm,
         rotation_deg: y_mm.atan2(x_mm).to_degrees(),
-        suction: false,
-        mode: MovingMode::Jump,
-        gripper_deg: 0.0,
-        pause_s: 0.0,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
     }
 }
 
@@ -86,15 +80,7 @@ pub(crate) const fn write(vector: &PlannedVector) -> WriteVector {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-pub(crate) const fn single(value: f64) -> f32 {
-    value as f32
-}
-
-pub(crate) const LASER_OFF: JointJog = JointJog {
-    axis: JointJogAxis::LaserOff,
-    speed_percent: 0.0,
-};
+pub(crate) const LASER_OFF: JointJog = JointJog::new(JointJogAxis::LaserOff, 0.0);
 
 const APPROACH_LEN: usize = 3;
 

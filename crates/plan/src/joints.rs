@@ -123,7 +123,7 @@ mod tests {
 
     use super::*;
 
-    const PEN_MM: f64 = 55.07;
+    const PEN_MM: f64 = Tool::SuctionCup.reach().0;
 
     fn joints([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
         let pose = Pose {

@@ -1,5 +1,6 @@
 //! What arm and link can do.
 
+use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
 
 use crate::error::{not_negative, positive};
@@ -37,7 +38,7 @@ impl Machine {
     /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
     /// of what a tick changes, and less than half of that is none.
     pub(super) fn check_keeps(&self, tool: &Tool) -> Result<(), PlanError> {
-        let least = self.acceleration_mm_s2 * HALF_A_TICK_S;
+        let least = self.acceleration_mm_s2 * TICK_S / 2.0;
         let speeds = tool.speeds_mm_s().into_iter();
         match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {
             None => Ok(()),
@@ -88,8 +89,9 @@ impl LinkRate {
 impl Default for LinkRate {
     /// One vector per status, which a stock arm sends every 80 ms.
     fn default() -> Self {
-        Self { period_s: 0.08 }
+        let period = Dialect::SPECIFICATION.status_period();
+        Self {
+            period_s: period.as_secs_f64(),
+        }
     }
 }
-
-const HALF_A_TICK_S: f64 = 0.01;

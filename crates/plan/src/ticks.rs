@@ -1,6 +1,7 @@
 //! Speeds for a stock arm, which cuts each vector into whole ticks (note N48).
 
 use dobot_motion::Cut;
+use dobot_wire::single;
 
 use crate::pace::Speeds;
 
@@ -181,13 +182,8 @@ impl Wish {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
 /// The control tick.
-pub(super) const TICK_S: f32 = 0.02;
+pub(super) const TICK_S: f32 = dobot_arm::TICK.as_secs_f32();
 /// By how much begin speeds are lower and corrections smaller than they could be, for rounding.
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.

@@ -219,10 +219,7 @@ mod tests {
         let error = thread.ended().await.unwrap_err();
         assert_eq!(error, "the thread that has the arm panicked");
         drop(words);
-        let release = Command::LinearJog(LinearJog {
-            axis: LinearJogAxis::Released,
-            speed_percent: 0.0,
-        });
+        let release = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
         assert_eq!(commands(&mut far), [LASER_OFF, release]);
         assert!(
             began.elapsed() < Duration::from_secs(5),

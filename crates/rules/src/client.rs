@@ -50,10 +50,7 @@ pub use self::local::{LocalArm, OpenArmError};
 /// let mut station = StationClient::with_virtual_arm(power_up, Policy::default(), "example");
 /// station.state().await?;
 /// station.request(Request::TakeLease).await?;
-/// let command = Command::from(MoveTo {
-///     x_mm: 220.0, y_mm: 0.0, z_mm: 30.0, rotation_deg: 0.0, suction: false,
-///     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
-/// });
+/// let command = Command::from(MoveTo::to(220.0, 0.0, 30.0));
 /// let Reply::Accepted { command, .. } = station.request(Request::Command { command }).await? else {
 ///     panic!("a motion is accepted");
 /// };

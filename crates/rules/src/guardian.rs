@@ -249,7 +249,7 @@ impl Speech {
 }
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
-pub(crate) const GAP: Duration = Duration::from_millis(60);
+pub(crate) const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Two statuses may show that it was heard.
 const AGAIN: Duration = Duration::from_millis(200);
 /// An arm that was not heard for so long is told again all the same.

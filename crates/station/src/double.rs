@@ -109,10 +109,7 @@ impl Double {
 
 /// A packet of a program that can be told from those with other speeds.
 pub(crate) fn packet(speed_percent: u8) -> [u8; PACKET_LEN] {
-    let jog = JointJog {
-        axis: JointJogAxis::BasePlus,
-        speed_percent: speed_percent.into(),
-    };
+    let jog = JointJog::new(JointJogAxis::BasePlus, speed_percent.into());
     let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);
     frame.to_bytes()
 }

@@ -26,10 +26,7 @@
 //! station.run_for(Duration::from_secs(1));
 //! let anna = station.client("Anna");
 //!
-//! let command = MoveTo {
-//!     x_mm: 220.0, y_mm: 0.0, z_mm: -90.0, rotation_deg: 0.0, suction: false,
-//!     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
-//! };
+//! let command = MoveTo::to(220.0, 0.0, -90.0);
 //! let into_the_table = Request::Command { command: command.into() };
 //! assert_eq!(station.ask(anna, into_the_table.clone()).unwrap_err().kind(), "no-lease");
 //!

@@ -58,27 +58,17 @@ const KEPT: usize = 4096;
 
 #[cfg(test)]
 mod tests {
+    use dobot_arm::{Joints, Tool};
+    use dobot_course::Place;
     use proptest::prelude::*;
 
     use super::*;
 
-    /// A status of an arm at power-up: the numbers are those of docs/kinematics.md.
+    /// A status of an arm at power-up.
     fn status() -> [u8; 42] {
-        let (sin, cos) = 45.0_f64.to_radians().sin_cos();
-        #[expect(clippy::cast_possible_truncation, reason = "a status is single")]
-        let status = Status {
-            x_mm: (135.0 * sin + 160.0 * cos + 55.07) as f32,
-            y_mm: 0.0,
-            z_mm: (135.0 * cos - 160.0 * sin) as f32,
-            rotation_deg: 0.0,
-            base_deg: 0.0,
-            rear_deg: 45.0,
-            fore_deg: 45.0,
-            servo_deg: 0.0,
-            suction: false,
-            gripper_deg: 0.0,
-        };
-        status.emit().to_bytes()
+        let joints = Joints::new(0.0, 45.0, 45.0, 0.0);
+        let place = Place::at_joints(joints, Tool::SuctionCup);
+        place.status().emit().to_bytes()
     }
 
     #[test]

@@ -102,14 +102,8 @@ impl JogKind {
     /// What lets go of a button of this kind.
     const fn release(self) -> Command {
         match self {
-            Self::Joint => Command::JointJog(JointJog {
-                axis: JointJogAxis::Released,
-                speed_percent: 0.0,
-            }),
-            Self::Linear => Command::LinearJog(LinearJog {
-                axis: LinearJogAxis::Released,
-                speed_percent: 0.0,
-            }),
+            Self::Joint => Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0)),
+            Self::Linear => Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0)),
         }
     }
 }

@@ -6,7 +6,7 @@ use dobot_motion::Speeds;
 use dobot_safety::Policy;
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, Instead, JointJog, Leniency, LinearJog, MoveJoints,
-    MoveTo, Packet, PlaybackAdjustment, WriteVector,
+    MoveTo, Packet, PlaybackAdjustment, WriteVector, single,
 };
 
 /// A packet as it may be sent, and what was changed, in one line; `None` where nothing was.
@@ -176,41 +176,18 @@ const fn percentage_names(dialect: &Dialect) -> &'static [&'static str] {
 }
 
 fn teach(speeds: &Speeds) -> Configuration {
-    Configuration::Teach {
-        joint_speed_deg_s: single(speeds.joint_deg_s),
-        joint_acceleration_deg_s2: single(speeds.joint_deg_s2),
-        servo_speed_deg_s: single(speeds.servo_deg_s),
-        servo_acceleration_deg_s2: single(speeds.servo_deg_s2),
-        linear_speed_mm_s: single(speeds.line_mm_s),
-        linear_acceleration_mm_s2: single(speeds.line_mm_s2),
-    }
+    Configuration::teach(speeds.numbers().map(single))
 }
 
 fn playback(speeds: &Speeds, jump_height_mm: f64) -> Configuration {
-    Configuration::Playback {
-        joint_speed_deg_s: single(speeds.joint_deg_s),
-        joint_acceleration_deg_s2: single(speeds.joint_deg_s2),
-        servo_speed_deg_s: single(speeds.servo_deg_s),
-        servo_acceleration_deg_s2: single(speeds.servo_deg_s2),
-        linear_speed_mm_s: single(speeds.line_mm_s),
-        linear_acceleration_mm_s2: single(speeds.line_mm_s2),
-        default_pause_s: f32::INFINITY,
-        jump_height_mm: single(jump_height_mm),
-    }
+    let speeds = speeds.numbers().map(single);
+    Configuration::playback(speeds, f32::INFINITY, single(jump_height_mm))
 }
 
 fn writing(acceleration_mm_s2: f64) -> Configuration {
     Configuration::Writing {
         acceleration_mm_s2: single(acceleration_mm_s2),
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a packet carries single precision"
-)]
-const fn single(value: f64) -> f32 {
-    value as f32
 }
 
 /// Table 3.9, mode 0.

@@ -130,12 +130,7 @@ const fn leads_somewhere(command: &Command) -> bool {
     reason = "a packet carries single precision"
 )]
 fn spoken(order: VoiceOrder, model: &Model) -> Command {
-    let button = |axis| {
-        Command::from(JointJog {
-            axis,
-            speed_percent: 0.0,
-        })
-    };
+    let button = |axis| Command::from(JointJog::new(axis, 0.0));
     match order {
         VoiceOrder::Catch => button(JointJogAxis::SuctionOn),
         VoiceOrder::Release => button(JointJogAxis::SuctionOff),

@@ -140,7 +140,7 @@ impl Halt {
 }
 
 /// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
-const GAP: Duration = Duration::from_millis(60);
+const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Two statuses may show that it was heard.
 const AGAIN: Duration = Duration::from_millis(240);
 /// From the fourth packet that waits on a stock arm withholds its statuses (note N27).

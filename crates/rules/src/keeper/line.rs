@@ -60,4 +60,4 @@ impl Line {
 }
 
 /// 43.68 ms on the line, the 8 ms that a stock arm wants between two (note N26), and a bit.
-const PACKET_AND_GAP: Duration = Duration::from_millis(55);
+const PACKET_AND_GAP: Duration = dobot_wire::LINE_TIME;

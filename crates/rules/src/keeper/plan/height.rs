@@ -1,6 +1,6 @@
 //! A job drawn higher or lower than planned.
 
-use dobot_wire::{Command, WriteMode, WriteVector};
+use dobot_wire::{Command, WriteMode, WriteVector, single};
 
 /// Follows how far above its plan a job is drawn, command by command.
 ///
@@ -75,11 +75,6 @@ fn takes_height(vector: &WriteVector) -> bool {
     vector.mode == WriteMode::Writing && !vector.laser && !vector.stop
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
 /// A stroke that rises by so much of its length is not seen to.
 const PEN_SLOPE: f64 = 0.05;
 /// With the laser off nothing is drawn.
@@ -93,17 +88,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn vector([x_mm, y_mm, z_mm]: [f32; 3]) -> WriteVector {
-        WriteVector {
-            mode: WriteMode::Writing,
-            x_mm,
-            y_mm,
-            z_mm,
-            laser: false,
-            start_speed_mm_s: 0.0,
-            end_speed_mm_s: 0.0,
-            max_speed_mm_s: 40.0,
-            stop: false,
-        }
+        WriteVector::by(x_mm, y_mm, z_mm, 40.0)
     }
 
     fn z_mm(height: &mut Height, vector: WriteVector) -> f64 {

@@ -4,7 +4,7 @@ use dobot_api::{JobPhase, News};
 use dobot_arm::Position;
 use dobot_client::position;
 use dobot_journal::prelude;
-use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteMode, WriteVector};
+use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
 
 use super::watch::locate_at;
 use super::{Begun, Effect, Left, Phase, Run, Tool, Wish};
@@ -125,18 +125,7 @@ struct Approach {
 
 /// Straight up or down, slowly, with the laser off.
 pub(super) fn straight(z_mm: f64) -> Command {
-    WriteVector {
-        mode: WriteMode::Writing,
-        x_mm: 0.0,
-        y_mm: 0.0,
-        z_mm: single(z_mm),
-        laser: false,
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: 20.0,
-        stop: false,
-    }
-    .into()
+    WriteVector::by(0.0, 0.0, single(z_mm), 20.0).into()
 }
 
 /// Up and down a bit: behind that an arm has forgotten the speed that it had.
@@ -148,14 +137,10 @@ fn settle() -> [Command; 2] {
 fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Command {
     let base_deg = to.y.0.atan2(to.x.0).to_degrees();
     MoveTo {
-        x_mm: single(to.x.0),
-        y_mm: single(to.y.0),
-        z_mm: single(to.z.0),
         rotation_deg: single(base_deg) + status.servo_deg,
         suction,
-        mode: MovingMode::Jump,
         gripper_deg,
-        pause_s: 0.0,
+        ..MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0))
     }
     .into()
 }
@@ -177,11 +162,6 @@ fn last_target(commands: &[Command]) -> (bool, f32) {
         _ => None,
     };
     commands.iter().rev().find_map(target).unwrap_or_default()
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
 }
 
 const SETTLE_MM: f64 = 1.0;

@@ -2,7 +2,7 @@
 
 use dobot_course::burns;
 use dobot_plan::{Begin, Machine, respeed};
-use dobot_wire::{Command, WriteVector};
+use dobot_wire::{Command, WriteVector, single};
 
 use crate::keeper::JobPlan;
 
@@ -196,11 +196,6 @@ fn length_mm(vector: &WriteVector) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-const fn single(value: f64) -> f32 {
-    value as f32
-}
-
 /// So slow a vector would take minutes; it goes as fast as it may instead, from rest to rest.
 const CREEPS_MM_S: f32 = 1.0;
 /// What a stock arm keeps where it rests is less.
@@ -214,22 +209,14 @@ const SOON_S: f64 = 1.5;
 
 #[cfg(test)]
 mod tests {
-    use dobot_wire::WriteMode;
     use proptest::prelude::*;
 
     use super::*;
 
     fn vector(x_mm: f32, end_speed_mm_s: f32) -> WriteVector {
         WriteVector {
-            mode: WriteMode::Writing,
-            x_mm,
-            y_mm: 0.0,
-            z_mm: 0.0,
-            laser: false,
-            start_speed_mm_s: 0.0,
             end_speed_mm_s,
-            max_speed_mm_s: 80.0,
-            stop: false,
+            ..WriteVector::by(x_mm, 0.0, 0.0, 80.0)
         }
     }
 
