@@ -7,13 +7,21 @@
 //! assert!(group.starts_with("<g transform="));
 //! ```
 
+mod hershey;
+mod letter;
+mod smooth;
+mod symbols;
+
 use std::fmt::Write as _;
+
+pub use self::hershey::{CAPITAL, StrokeFont};
+pub use self::letter::Letter;
 
 /// A line of text as an SVG group: its left end, middle or right end at `x`, its foot at `y`, capitals
 /// `height` tall. Small letters are written as capitals.
 #[must_use]
 pub fn lettering(text: &str, anchor: Anchor, x: f64, y: f64, height: f64) -> String {
-    let scale = height / CAPITAL;
+    let scale = height / HIGH;
     let x = match anchor {
         Anchor::Left => x,
         Anchor::Middle => x - width(text, height) / 2.0,
@@ -41,7 +49,7 @@ pub fn lettering(text: &str, anchor: Anchor, x: f64, y: f64, height: f64) -> Str
 #[must_use]
 pub fn width(text: &str, height: f64) -> f64 {
     let advance: f64 = text.chars().map(|c| glyph(c).1 + GAP).sum();
-    (advance - GAP).max(0.0) * height / CAPITAL
+    (advance - GAP).max(0.0) * height / HIGH
 }
 
 /// Where a text is held.
@@ -144,7 +152,7 @@ fn glyph(c: char) -> (&'static str, f64) {
     }
 }
 
-const CAPITAL: f64 = 6.0;
+const HIGH: f64 = 6.0;
 const GAP: f64 = 1.7;
 
 #[cfg(test)]
