@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
 use dobot_geometry::{Bounds, Point, Stroke};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::drawn::{Anchor, lettering, width};
 use dobot_plan::{Laser, Pass, Tool};
 use dobot_source::{LayersBy, ReadOptions, Source};
 use thiserror::Error;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-use dobot_lettering::{Anchor, lettering};
+use dobot_lettering::drawn::{Anchor, lettering};
 
 /// All of them.
 pub(crate) const ALL: [Benchmark; 10] = [
@@ -112,7 +112,7 @@ fn text() -> Vec<String> {
     let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
     while strokes.len() < 2000 {
         let word = WORDS[random.below(WORDS.len())];
-        if dobot_lettering::width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
+        if dobot_lettering::drawn::width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
             strokes.append(&mut letters(&line, y));
             line.clear();
             y += 5.3;

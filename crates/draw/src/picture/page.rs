@@ -1,7 +1,7 @@
 //! The page under the lines: the paper, what the arm reaches, and how long 50 mm are.
 
 use dobot_geometry::Bounds;
-use dobot_lettering::{Anchor, lettering};
+use dobot_lettering::drawn::{Anchor, lettering};
 
 use super::lines::on_picture;
 use super::{MUTED, REACH_MM, unit};

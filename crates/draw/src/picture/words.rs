@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use dobot_geometry::{Bounds, Point};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::drawn::{Anchor, lettering, width};
 
 use super::colors::pass_color;
 use super::{Colors, INK, MUTED, Picture, TRAVEL, unit};

@@ -7,7 +7,7 @@ mod words;
 
 use std::fmt::Write as _;
 
-use dobot_lettering::{Anchor, lettering};
+use dobot_lettering::drawn::{Anchor, lettering};
 
 use super::{Object, Point, WorldState};
 

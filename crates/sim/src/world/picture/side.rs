@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
-use dobot_lettering::{Anchor, lettering};
+use dobot_lettering::drawn::{Anchor, lettering};
 
 use super::{Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, edge, fill, scale_bar};
 use crate::world::{ArmState, Object, Point, ToolKind, WorldState};

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::drawn::{Anchor, lettering, width};
 
 use super::marks::marks;
 use super::{

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::drawn::{Anchor, lettering, width};
 
 use super::{Frame, INK, MUTED, WARM};
 use crate::world::marks::{WRITES_MM, ink_mm};
