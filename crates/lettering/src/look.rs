@@ -96,7 +96,7 @@ impl<'a> Type<'a> {
         Self {
             height,
             color,
-            weight: 0.115,
+            weight: 0.125,
         }
     }
 
@@ -104,7 +104,7 @@ impl<'a> Type<'a> {
     #[must_use]
     pub const fn bold(self) -> Self {
         Self {
-            weight: 0.18,
+            weight: 0.19,
             ..self
         }
     }

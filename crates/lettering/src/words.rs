@@ -58,12 +58,14 @@ pub(crate) fn placed(text: &str) -> impl Iterator<Item = (f64, char)> {
     })
 }
 
-/// A plain letter, round enough for a title; a box where there is none.
+/// A plain letter, round enough for a title; a box where there is none. The full stops of the font
+/// float above the base line; here they stand on it.
 pub(crate) fn letter_of(character: char) -> Letter {
-    let letter = Letter::of(StrokeFont::Sans, character);
-    letter
-        .unwrap_or_else(missing)
-        .rounded(StrokeFont::Sans, ROUND)
+    let mut letter = Letter::of(StrokeFont::Sans, character).unwrap_or_else(missing);
+    if matches!(character, '.' | ',' | ':' | ';') {
+        letter.strokes.iter_mut().flatten().for_each(|p| p.y += 3.0);
+    }
+    letter.rounded(StrokeFont::Sans, ROUND)
 }
 
 fn missing() -> Letter {
@@ -108,8 +110,8 @@ mod tests {
 
     #[test]
     fn a_text_is_as_wide_and_as_tall_as_said() {
-        let ink = ink("HiH", Anchor::Left);
-        assert!((ink.width() - width("HiH", 6.0)).abs() < 0.5, "{ink:?}");
+        let ink = ink("HuH", Anchor::Left);
+        assert!((ink.width() - width("HuH", 6.0)).abs() < 0.5, "{ink:?}");
         assert!(
             (ink.height() - 6.0).abs() < 0.1 && ink.max.y.abs() < 0.1,
             "{ink:?}"
