@@ -109,6 +109,16 @@ impl<'a> Type<'a> {
         }
     }
 
+    /// What to write below the same words, so that they stand out from what lies there.
+    #[must_use]
+    pub const fn halo(self, color: &'a str) -> Self {
+        Self {
+            color,
+            weight: 0.42,
+            ..self
+        }
+    }
+
     /// How wide a line of these words is.
     #[must_use]
     pub fn width(&self, words: &str) -> f64 {
