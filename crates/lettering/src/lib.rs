@@ -11,7 +11,6 @@
 //! ```
 
 pub mod desk;
-pub mod drawn;
 mod hershey;
 mod letter;
 mod look;
