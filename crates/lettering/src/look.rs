@@ -96,7 +96,7 @@ impl<'a> Type<'a> {
         Self {
             height,
             color,
-            weight: 0.125,
+            weight: 0.135,
         }
     }
 

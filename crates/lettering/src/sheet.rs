@@ -281,7 +281,7 @@ mod tests {
         let svg = drawn(|it| {
             it.clipped(&Frame::between([0.0, 0.0], [1.0, 1.0]), 0.1, |it| {
                 it.within("rotate(3)", |it| {
-                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &Look::area("red"))
+                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &Look::area("red"));
                 });
             });
             it.text(

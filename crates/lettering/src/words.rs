@@ -58,12 +58,16 @@ pub(crate) fn placed(text: &str) -> impl Iterator<Item = (f64, char)> {
     })
 }
 
-/// A plain letter, round enough for a title; a box where there is none. The full stops of the font
-/// float above the base line; here they stand on it.
+/// A plain letter, round enough for a title; a box where there is none. The font's full stops float
+/// and its words stand far apart: good to write by hand, not to read in a picture.
 pub(crate) fn letter_of(character: char) -> Letter {
     let mut letter = Letter::of(StrokeFont::Sans, character).unwrap_or_else(missing);
-    if matches!(character, '.' | ',' | ':' | ';') {
-        letter.strokes.iter_mut().flatten().for_each(|p| p.y += 3.0);
+    match character {
+        ' ' => letter.advance = 12.0,
+        '.' | ',' | ':' | ';' => {
+            letter.strokes.iter_mut().flatten().for_each(|p| p.y += 3.0);
+        }
+        _ => {}
     }
     letter.rounded(StrokeFont::Sans, ROUND)
 }
