@@ -1,12 +1,10 @@
 //! The laser's test card: which speed and how many passes does this material want?
 
-use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
 use dobot_geometry::{Bounds, Point, Stroke};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::{Anchor, strokes, width};
 use dobot_plan::{Laser, Pass, Tool};
-use dobot_source::{LayersBy, ReadOptions, Source};
 use thiserror::Error;
 
 /// A grid of small hatched squares, each burned with another speed and number of passes. Below each
@@ -140,17 +138,22 @@ impl Card {
             .fold(0.0, f64::max);
         let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
         let half = Point::new(self.cell_mm / 2.0, self.cell_mm / 2.0);
-        let mut words = lettering("mm/s", Anchor::Left, 0.0, LABEL_MM, LABEL_MM * 0.8);
+        let mut words = strokes(
+            "mm/s",
+            Anchor::Left,
+            Point::new(0.0, LABEL_MM),
+            LABEL_MM * 0.8,
+        );
         for (column, speed) in speeds.iter().enumerate() {
-            let x = self.corner(column, 1).x + half.x;
-            words += &lettering(speed, Anchor::Middle, x, LABEL_MM, height_mm);
+            let at = Point::new(self.corner(column, 1).x + half.x, LABEL_MM);
+            words.extend(strokes(speed, Anchor::Middle, at, height_mm));
         }
         for times in 1..=self.most_passes {
             let y = self.corner(0, times).y + half.y + LABEL_MM / 2.0;
-            let label = format!("{times}\u{d7}");
-            words += &lettering(&label, Anchor::Right, LEFT_MM - 2.0, y, LABEL_MM);
+            let (label, at) = (format!("{times}\u{d7}"), Point::new(LEFT_MM - 2.0, y));
+            words.extend(strokes(&label, Anchor::Right, at, LABEL_MM));
         }
-        strokes(&words, self.page())
+        words.into_iter().map(Stroke::open).collect()
     }
 
     /// Where the last square ends on the page.
@@ -226,28 +229,6 @@ fn ranged(
     })
 }
 
-/// The lines of SVG lettering on a page of this size.
-fn strokes(words: &str, page: Point) -> Vec<Stroke> {
-    let Point { x, y } = page;
-    let mut svg = String::new();
-    write!(
-        svg,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{x}mm" height="{y}mm" viewBox="0 0 {x} {y}"><g fill="none" stroke="black">{words}</g></svg>"#
-    )
-    .expect("writing to a string works");
-    let options = ReadOptions {
-        tolerance_mm: LABEL_TOLERANCE_MM,
-        layers: LayersBy::Nothing,
-        ..ReadOptions::default()
-    };
-    let (artwork, _) = Source::Svg(svg).read(&options).expect("lettering is SVG");
-    artwork
-        .layers
-        .into_iter()
-        .flat_map(|it| it.strokes)
-        .collect()
-}
-
 const MOST: usize = 20;
 const SPEED: RangeInclusive<f64> = 0.1..=500.0;
 /// From a square to the line below it.
@@ -256,7 +237,6 @@ const BELOW_MM: f64 = 1.5;
 const LEFT_MM: f64 = 11.0;
 const ABOVE_MM: f64 = 5.0;
 const LABEL_MM: f64 = 2.5;
-const LABEL_TOLERANCE_MM: f64 = 0.02;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

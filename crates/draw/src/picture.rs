@@ -5,17 +5,16 @@ mod lines;
 mod page;
 mod words;
 
-use std::fmt::Write as _;
-
 use resvg::tiny_skia::{Pixmap, Transform};
 use thiserror::Error;
 
 pub use self::colors::Colors;
-use self::lines::{by_class, group, on_picture, points};
-use self::page::{frame, scale_bar, workspace};
+use self::lines::{by_class, on_picture, seen};
+use self::page::{frame, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
 use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_lettering::{Look, Sheet};
 use dobot_plan::{MoveKind, Plan};
 
 /// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
@@ -77,26 +76,15 @@ impl Picture<'_> {
             min: paper.min - Point::new(8.0, 14.0) * unit,
             max: paper.max + Point::new(8.0, self.words_high()) * unit,
         };
-        let (left, top) = (page.min.x, page.min.y);
-        let (width, height) = (page.width(), page.height());
-        let mut svg = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width:.1}mm" height="{height:.1}mm" viewBox="{left:.1} {top:.1} {width:.1} {height:.1}" fill="none" stroke-linecap="round" stroke-linejoin="round">
-<rect x="{left:.1}" y="{top:.1}" width="{width:.1}" height="{height:.1}" fill="{DESK}"/>
-"#
-        );
-        svg += &frame(paper, r##"fill="#fffefb""##, 3.0);
-        let _ = write!(
-            svg,
-            r#"<clipPath id="paper">{}</clipPath><g clip-path="url(#paper)">"#,
-            frame(paper, "", 3.0)
-        );
-        svg += &workspace(self.area, paper);
-        svg += &self.lines();
-        svg += &scale_bar(paper);
-        svg += "</g>\n";
-        svg += &frame(paper, r##"stroke="#c9c3b4" stroke-width="0.3""##, 3.0);
-        svg += &self.words(paper);
-        svg + "</svg>\n"
+        let mut sheet = Sheet::desk(frame(page));
+        sheet.paper(&frame(paper), 3.0, |sheet| {
+            workspace(sheet, self.area, unit);
+            self.lines(sheet);
+            let corner = paper.max - Point::new(6.0, 5.5) * unit;
+            sheet.scale_bar([corner.x, corner.y], 50.0, unit);
+        });
+        self.words(&mut sheet, paper);
+        sheet.finish()
     }
 
     /// The picture as the bytes of a PNG file.
@@ -154,16 +142,17 @@ impl Picture<'_> {
     }
 
     /// Travel moves below, what was to be drawn above them, the ink on top.
-    fn lines(&self) -> String {
+    fn lines(&self, sheet: &mut Sheet) {
         let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| self.plan.paths(kind));
-        let mut lines = group(TRAVEL, points(&self.travel()));
-        lines += &group(PLANNED, points(&planned.concat()));
+        for (strokes, look) in [(self.travel(), TRAVEL), (planned.concat(), PLANNED)] {
+            sheet.curves(strokes.iter().map(|it| seen(&it.points)), &look);
+        }
         let class = |line: &InkLine, i: usize| self.colors.class(line, i);
         for (class, pieces) in by_class(self.drawn, class) {
-            let style = self.colors.style(class, self.plan);
-            lines += &group(&style, pieces.iter().map(Vec::as_slice));
+            let (color, width) = self.colors.style(class, self.plan);
+            let pieces = pieces.iter().map(|it| seen(it));
+            sheet.curves(pieces, &Look::line(&color, width));
         }
-        lines
     }
 
     /// The ways without ink: of a laser with all that it needs to get fast and slow again.
@@ -181,11 +170,8 @@ fn unit(paper: Bounds) -> f64 {
 
 /// How near and how far the tool of a stock arm gets from the base axis.
 const REACH_MM: [f64; 2] = [129.0, 321.0];
-const DESK: &str = "#f4f1e9";
-const INK: &str = "#1b2a41";
-const MUTED: &str = "#75838d";
-const TRAVEL: &str = r##"stroke="#5b9bc8" stroke-width="0.16" stroke-dasharray="1.3 1.3""##;
-const PLANNED: &str = r##"stroke="#cfc8b8" stroke-width="0.3""##;
+const TRAVEL: Look<'_> = Look::line("#5b9bc8", 0.16).dashed("1.3 1.3");
+const PLANNED: Look<'_> = Look::line("#cfc8b8", 0.3);
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -2,17 +2,16 @@
 
 mod axis;
 mod chart;
-mod sheet;
 mod views;
 
 use std::time::Duration;
 
 use dobot_arm::TICK_S;
 use dobot_controller::{Controller, Personality};
+use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
 
 use self::axis::Axis;
 use self::chart::{Chart, Curve, bands};
-use self::sheet::{Anchor, INK, SOFT, Sheet};
 use self::views::views;
 use crate::TracedStatus;
 
@@ -48,9 +47,11 @@ impl Plot<'_> {
     /// The picture as the text of an SVG file.
     #[must_use]
     pub fn to_svg(&self) -> String {
-        let mut sheet = Sheet::new(WIDTH, HEIGHT);
-        sheet.title([LEFT, 38.0], self.title);
-        sheet.text([LEFT, 60.0], Anchor::Start, SOFT, &self.subtitle());
+        let page = Frame::between([0.0, 0.0], [WIDTH, HEIGHT]);
+        let mut sheet = Sheet::new(page, "px");
+        sheet.rect(&page, 0.0, &Look::area(PAPER));
+        sheet.text([LEFT, 38.0], Anchor::Left, &TITLE, self.title);
+        sheet.text([LEFT, 60.0], Anchor::Left, &QUIET, &self.subtitle());
         views(&mut sheet, self.snapshots);
         let time = self.time_axis();
         self.angles(&mut sheet, &time);
@@ -211,6 +212,21 @@ const HEIGHT: f64 = 1268.0;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 1164.0;
 const BANDS_TOP: f64 = 1176.0;
+
+const PAPER: &str = "#ffffff";
+const INK: &str = "#1f2937";
+const SOFT: &str = "#6b7280";
+const PANEL: Look<'_> = Look::area("#fafafa");
+const GRID: Look<'_> = Look::line("#e5e7eb", 1.0);
+const LASER: &str = "#dc2626";
+const PUMP: &str = "#0284c7";
+/// Where the pose is no number.
+const LOST: &str = "#fde2e2";
+const TITLE: Type<'_> = Type::new(14.0, INK).bold();
+const HEADING: Type<'_> = Type::new(LETTERS, INK).bold();
+const PLAIN: Type<'_> = Type::new(LETTERS, INK);
+const QUIET: Type<'_> = Type::new(LETTERS, SOFT);
+const LETTERS: f64 = 8.6;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

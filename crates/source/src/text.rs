@@ -1,13 +1,9 @@
 //! Text: in letters of single lines, or in the outlines of any font.
 
 mod error;
-mod hershey;
-mod letter;
 mod lettering;
 mod outline;
-mod smooth;
 mod stroke;
-mod symbols;
 
 use std::fmt;
 use std::str::FromStr;
@@ -16,13 +12,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use self::error::TextError;
-pub(super) use self::hershey::CAPITAL;
-pub use self::hershey::StrokeFont;
 pub(super) use self::lettering::{Lettering, Pose};
 use crate::artwork::{Artwork, Layer};
 use crate::error::{SourceError, Warning};
 use crate::options::ReadOptions;
 use dobot_geometry::{Bounds, Point};
+pub(super) use dobot_lettering::CAPITAL;
+pub use dobot_lettering::StrokeFont;
 
 /// Text to be written.
 #[derive(Clone, Debug, PartialEq)]

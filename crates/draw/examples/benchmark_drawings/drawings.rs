@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-use dobot_lettering::{Anchor, lettering};
+use dobot_geometry::Point;
+use dobot_lettering::{Anchor, strokes, width};
 
 /// All of them.
 pub(crate) const ALL: [Benchmark; 10] = [
@@ -112,7 +113,7 @@ fn text() -> Vec<String> {
     let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
     while strokes.len() < 2000 {
         let word = WORDS[random.below(WORDS.len())];
-        if dobot_lettering::width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
+        if width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
             strokes.append(&mut letters(&line, y));
             line.clear();
             y += 5.3;
@@ -126,20 +127,10 @@ fn text() -> Vec<String> {
 
 /// Every stroke of a line of text as an element of its own.
 fn letters(line: &str, y: f64) -> Vec<String> {
-    let group = lettering(line, Anchor::Left, 5.0, y, LETTER_MM);
-    let mut parts = group.split(r#"transform=""#).skip(1);
-    let transform = |part: &str| part.split('"').next().unwrap_or_default().to_owned();
-    let line = parts.next().map(transform).unwrap_or_default();
-    let strokes_of = |part: &str| {
-        let data = part.split(r#"d=""#).nth(1).unwrap_or_default();
-        let data = data.split('"').next().unwrap_or_default();
-        let strokes = data.split('M').skip(1);
-        let letter = transform(part);
-        strokes
-            .map(|data| format!(r#"<path transform="{line} {letter}" d="M{data}"/>"#))
-            .collect::<Vec<_>>()
-    };
-    parts.flat_map(strokes_of).collect()
+    strokes(line, Anchor::Left, Point::new(5.0, y), LETTER_MM)
+        .iter()
+        .map(|line| path(&line.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>(), ""))
+        .collect()
 }
 
 /// 10,000 dots that shade two balls, in the order of a scan from the top.

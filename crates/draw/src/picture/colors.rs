@@ -1,5 +1,6 @@
 //! What the colours of a picture mean.
 
+use dobot_lettering::Look;
 use dobot_plan::Plan;
 
 use crate::ink::InkLine;
@@ -28,22 +29,16 @@ impl Colors {
         usize::from(error_mm > tolerance_mm / 2.0) + usize::from(error_mm > tolerance_mm)
     }
 
-    /// How a class is drawn.
-    pub(super) fn style(self, class: usize, plan: &Plan) -> String {
+    /// The colour of a class, and how wide its lines are in mm.
+    pub(super) fn style(self, class: usize, plan: &Plan) -> (String, f64) {
         match self {
-            Self::Error { .. } => {
-                let (color, width) = ERRORS[class];
-                format!(r#"stroke="{color}" stroke-width="{width}""#)
-            }
-            Self::Passes => {
-                let color = pass_color(plan, class);
-                format!(r#"stroke="{color}" stroke-width="{INK_MM}""#)
-            }
+            Self::Error { .. } => (ERRORS[class].0.to_owned(), ERRORS[class].1),
+            Self::Passes => (pass_color(plan, class), INK_MM),
         }
     }
 
-    /// What the legend says of the ink: names and styles.
-    pub(super) fn legend(self, plan: &Plan) -> Vec<(String, String)> {
+    /// What the legend says of the ink: names and looks.
+    pub(super) fn legend(self) -> Vec<(String, Look<'static>)> {
         let Self::Error { tolerance_mm } = self else {
             return Vec::new();
         };
@@ -52,8 +47,8 @@ impl Colors {
             format!("to {tolerance_mm} mm"),
             "more".to_owned(),
         ];
-        let styles = (0..).map(|class| self.style(class, plan));
-        names.into_iter().zip(styles).collect()
+        let looks = ERRORS.map(|(color, width)| Look::line(color, width));
+        names.into_iter().zip(looks).collect()
     }
 }
 

@@ -1,9 +1,8 @@
-//! The lines of a picture: sorted by what they are, and grouped, so that large drawings stay small.
+//! The lines of a picture, sorted by what they are.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::Point;
 
 use crate::ink::InkLine;
 
@@ -12,11 +11,9 @@ pub(super) fn on_picture(p: Point) -> Point {
     Point::new(-p.y, -p.x)
 }
 
-/// A group of lines in one style.
-pub(super) fn group<'a>(style: &str, lines: impl IntoIterator<Item = &'a [Point]>) -> String {
-    let mut paths = Paths::default();
-    lines.into_iter().for_each(|line| paths.add(line));
-    format!("<g {style}>\n{}</g>\n", paths.finish())
+/// The points of a line on the picture.
+pub(super) fn seen(line: &[Point]) -> impl Iterator<Item = [f64; 2]> {
+    line.iter().map(|p| [-p.y, -p.x])
 }
 
 /// The ink in pieces of one class each: where the class changes, one piece ends and another begins.
@@ -45,10 +42,6 @@ pub(super) fn by_class(
     pieces
 }
 
-pub(super) fn points(strokes: &[Stroke]) -> impl Iterator<Item = &[Point]> {
-    strokes.iter().map(|it| it.points.as_slice())
-}
-
 /// The line without the points that are hardly off the straight way.
 fn straightened(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = points.first().copied().into_iter().collect();
@@ -71,62 +64,13 @@ fn is_straight(way: &[Point]) -> bool {
     way.iter().all(|p| off(p) <= STRAIGHT_MM * STRAIGHT_MM)
 }
 
-/// Path elements, each with so many points that they are drawn fast.
-#[derive(Default)]
-struct Paths {
-    text: String,
-    points: usize,
-}
-
-impl Paths {
-    fn add(&mut self, line: &[Point]) {
-        if self.points == 0 {
-            self.text += "<path d=\"";
-        }
-        for (i, p) in line.iter().map(|p| on_picture(*p)).enumerate() {
-            let letter = if i == 0 { 'M' } else { 'L' };
-            write!(self.text, "{letter}{} {}", Short(p.x), Short(p.y))
-                .expect("writing to a string works");
-        }
-        if line.len() == 1 {
-            // A dot is a line of no length with round ends.
-            self.text += "h.001";
-        }
-        self.points += line.len();
-        if self.points >= POINTS_A_PATH {
-            self.close();
-        }
-    }
-
-    fn close(&mut self) {
-        if self.points > 0 {
-            self.text += "\"/>\n";
-        }
-        self.points = 0;
-    }
-
-    fn finish(mut self) -> String {
-        self.close();
-        self.text
-    }
-}
-
-/// A number to a hundredth, without the zeros at its end.
-struct Short(f64);
-
-impl std::fmt::Display for Short {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
-    }
-}
-
 const LOOK_AHEAD: usize = 64;
 const STRAIGHT_MM: f64 = 0.015;
-const POINTS_A_PATH: usize = 1000;
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dobot_geometry::Stroke;
 
     fn ink(errors_mm: &[f64]) -> InkLine {
         let x = (0..).map(f64::from);
@@ -163,16 +107,5 @@ mod tests {
     #[test]
     fn a_dot_stays_a_dot() {
         assert_eq!(pieces(&[1.0]), [(1, vec![0.0])]);
-        let dot = [Point::new(1.0, 2.0)];
-        let text = group("", [&dot[..]]);
-        assert_eq!(text, "<g >\n<path d=\"M-2 -1h.001\"/>\n</g>\n");
-    }
-
-    #[test]
-    fn many_short_lines_share_a_path() {
-        let line = [Point::new(1.0, 2.0), Point::new(3.0, 4.0)];
-        let text = group("", (0..1500).map(|_| &line[..]));
-        assert_eq!(text.matches("<path").count(), 3);
-        assert_eq!(text.matches('M').count(), 1500);
     }
 }

@@ -1,60 +1,25 @@
-//! The page under the lines: the paper, what the arm reaches, and how long 50 mm are.
+//! The page under the lines: what the arm reaches, its base, and the drawing area.
 
 use dobot_geometry::Bounds;
-use dobot_lettering::{Anchor, lettering};
+use dobot_lettering::{Frame, Look, Sheet, desk};
 
+use super::REACH_MM;
 use super::lines::on_picture;
-use super::{MUTED, REACH_MM, unit};
 
 /// The ring that the arm reaches, its base, and the drawing area.
-pub(super) fn workspace(area: Bounds, paper: Bounds) -> String {
-    let [near, far] = REACH_MM;
-    let ring = format!(
-        "M{far} 0A{far} {far} 0 1 0 -{far} 0A{far} {far} 0 1 0 {far} 0M{near} 0A{near} {near} 0 1 0 -{near} 0A{near} {near} 0 1 0 {near} 0"
-    );
-    let unit = unit(paper);
-    let label = |reach: f64, below: f64| {
-        let text = format!("reach {reach:.0} mm");
-        lettering(&text, Anchor::Middle, 0.0, below * unit - reach, 1.7 * unit)
-    };
-    let labels = label(near, -2.2) + &label(far, 4.2);
+pub(super) fn workspace(sheet: &mut Sheet, area: Bounds, unit: f64) {
+    sheet.reach(REACH_MM, [-2.2, 4.2], unit);
     let area = Bounds::of([area.min, area.max].map(on_picture));
-    let area = frame(
-        area,
-        r##"fill="#fffefb" stroke="#9fb3c2" stroke-width="0.25" stroke-dasharray="2 1.4""##,
-        1.0,
-    );
-    format!(
-        r##"<path d="{ring}" fill="#e9f0f3" fill-rule="evenodd" stroke="#9fb3c2" stroke-width="0.4"/>
-{area}<g stroke="#7d8f9b" stroke-width="0.5"><circle r="38" fill="#dfe6ea"/><circle r="22" fill="#f3f6f7"/><path d="M-5 0H5M0 -5V5"/></g><g stroke="{MUTED}" stroke-width="0.75">{labels}</g>
-"##
-    )
+    let look = Look::area(desk::PAPER).edged("#9fb3c2", 0.25);
+    sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
+    for (radius, color) in [(38.0, "#dfe6ea"), (22.0, "#f3f6f7")] {
+        let look = Look::area(color).edged("#7d8f9b", 0.5);
+        sheet.circle([0.0, 0.0], radius, &look);
+    }
+    sheet.path("M-5 0H5M0 -5V5", &Look::line("#7d8f9b", 0.5));
 }
 
-pub(super) fn frame(bounds: Bounds, style: &str, radius: f64) -> String {
-    format!(
-        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" rx=\"{radius}\" {style}/>\n",
-        bounds.min.x,
-        bounds.min.y,
-        bounds.width(),
-        bounds.height()
-    )
-}
-
-pub(super) fn scale_bar(paper: Bounds) -> String {
-    let unit = unit(paper);
-    let (x, y) = (paper.max.x - 50.0 - 6.0 * unit, paper.max.y - 5.5 * unit);
-    let label = lettering(
-        "50 mm",
-        Anchor::Middle,
-        x + 25.0,
-        y - 2.0 * unit,
-        1.9 * unit,
-    );
-    let tick = 1.2 * unit;
-    format!(
-        r#"<g stroke="{MUTED}" stroke-width="0.35"><path d="M{x:.2} {:.2}v{tick:.2}h50v-{tick:.2}"/><g stroke-width="0.75">{label}</g></g>
-"#,
-        y - tick
-    )
+pub(super) fn frame(bounds: Bounds) -> Frame {
+    let Bounds { min, max } = bounds;
+    Frame::between([min.x, min.y], [max.x, max.y])
 }

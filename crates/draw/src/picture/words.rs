@@ -1,28 +1,26 @@
 //! The words of a picture: title, legend, figures, and a row for each pass.
 
-use std::fmt::Write as _;
-
-use dobot_geometry::{Bounds, Point};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_geometry::Bounds;
+use dobot_lettering::desk::{INK, MUTED};
+use dobot_lettering::{Anchor, Look, Sheet, Type};
 
 use super::colors::pass_color;
-use super::{Colors, INK, MUTED, Picture, TRAVEL, unit};
+use super::{Colors, Picture, TRAVEL, unit};
 use crate::estimate::PassFigures;
 
 impl Picture<'_> {
     /// Title, legend, figures and passes around the paper.
-    pub(super) fn words(&self, paper: Bounds) -> String {
+    pub(super) fn words(&self, sheet: &mut Sheet, paper: Bounds) {
         let unit = unit(paper);
         let (left, above, below) = (paper.min.x, paper.min.y - 4.5 * unit, paper.max.y);
-        let title = lettering(self.title, Anchor::Left, left, above, 3.6 * unit);
-        let title = format!(r#"<g stroke="{INK}" stroke-width="0.85">{title}</g>"#);
-        let legend = self.legend(Point::new(paper.max.x, above), unit);
-        let figures = self.figures(Point::new(left, below), unit);
-        let table = Bounds {
-            min: Point::new(left, below + self.figures_high() * unit),
-            max: paper.max,
-        };
-        title + &legend + &figures + &self.table(table, unit)
+        let title = Type::new(3.6 * unit, INK);
+        sheet.text([left, above], Anchor::Left, &title, self.title);
+        self.legend(sheet, [paper.max.x, above], unit);
+        sheet.figures([left, below], self.figures, unit);
+        if self.rows() > 0 {
+            let below = below + self.figures_high() * unit;
+            self.table(sheet, [left, below], paper.width(), unit);
+        }
     }
 
     /// How much room the words below the paper take, in units.
@@ -44,39 +42,18 @@ impl Picture<'_> {
         }
     }
 
-    fn figures(&self, at: Point, unit: f64) -> String {
-        let mut words = String::new();
-        let mut x = at.x;
-        for (name, figure) in self.figures {
-            let name_at = lettering(name, Anchor::Left, x, at.y + 6.0 * unit, 1.7 * unit);
-            let figure_at = lettering(figure, Anchor::Left, x, at.y + 11.2 * unit, 2.9 * unit);
-            let _ = writeln!(
-                words,
-                r#"<g stroke="{MUTED}" stroke-width="0.75">{name_at}<g stroke="{INK}">{figure_at}</g></g>"#
-            );
-            x += width(name, 1.7 * unit).max(width(figure, 2.9 * unit)) + 8.0 * unit;
-        }
-        words
-    }
-
     /// What the lines mean, right-aligned at a place.
-    fn legend(&self, at: Point, unit: f64) -> String {
-        let mut entries = vec![("travel".to_owned(), TRAVEL.to_owned())];
-        entries.extend(self.colors.legend(self.plan));
-        let mut legend = String::new();
-        let mut x = at.x;
-        for (name, style) in entries.iter().rev() {
-            x -= width(name, 1.9 * unit);
-            let name = lettering(name, Anchor::Left, x, at.y, 1.9 * unit);
-            x -= 9.0 * unit;
-            let (y, long) = (at.y - 0.95 * unit, 7.0 * unit);
-            let _ = writeln!(
-                legend,
-                r#"<g stroke="{MUTED}" stroke-width="0.75">{name}</g><path {style} d="M{x:.2} {y:.2}h{long:.2}"/>"#
-            );
-            x -= 5.0 * unit;
+    fn legend(&self, sheet: &mut Sheet, [mut x, y]: [f64; 2], unit: f64) {
+        let kind = Type::new(1.9 * unit, MUTED);
+        let mut entries = vec![("travel".to_owned(), TRAVEL)];
+        entries.extend(self.colors.legend());
+        for (name, look) in entries.iter().rev() {
+            sheet.text([x, y], Anchor::Right, &kind, name);
+            x -= kind.width(name) + 2.0 * unit;
+            let middle = y - 0.95 * unit;
+            sheet.line([x - 7.0 * unit, middle], [x, middle], look);
+            x -= 12.0 * unit;
         }
-        legend
     }
 
     /// One pass has its figures above already.
@@ -86,56 +63,51 @@ impl Picture<'_> {
     }
 
     /// A row for each pass: name, strokes, vectors, ink, travel, time and error.
-    fn table(&self, place: Bounds, unit: f64) -> String {
-        if self.rows() == 0 {
-            return String::new();
-        }
-        let mut rows = vec![HEAD.map(str::to_owned)];
+    fn table(&self, sheet: &mut Sheet, [left, top]: [f64; 2], wide: f64, unit: f64) {
+        let (head, body) = (Type::new(1.9 * unit, MUTED), Type::new(1.9 * unit, INK));
+        let mut y = top + ROW_HIGH * unit;
+        cells(
+            sheet,
+            &HEAD.map(str::to_owned),
+            [left, y],
+            wide,
+            unit,
+            &head,
+        );
         let shown = self.rows() as usize;
-        rows.extend(self.passes[..shown].iter().map(row));
-        let mut table = String::new();
-        let mut y = place.min.y + ROW_HIGH * unit;
-        for (i, row) in rows.iter().enumerate() {
-            let color = if i == 0 { MUTED } else { INK };
-            let _ = writeln!(
-                table,
-                r#"<g stroke="{color}" stroke-width="0.75">{}</g>"#,
-                cells(row, Point::new(place.min.x, y), place.width(), unit)
-            );
-            if i > 0 && self.colors == Colors::Passes {
-                let color = pass_color(self.plan, i - 1);
-                let (x, y, long) = (place.min.x, y - 0.9 * unit, SWATCH * unit);
-                let _ = writeln!(
-                    table,
-                    r#"<path stroke="{color}" stroke-width="{:.2}" d="M{x:.2} {y:.2}h{long:.2}"/>"#,
-                    1.2 * unit
-                );
-            }
+        for (i, pass) in self.passes[..shown].iter().enumerate() {
             y += ROW_HIGH * unit;
+            cells(sheet, &row(pass), [left, y], wide, unit, &body);
+            if self.colors == Colors::Passes {
+                let (color, y) = (pass_color(self.plan, i), y - 0.9 * unit);
+                let look = Look::line(&color, 1.2 * unit);
+                sheet.line([left, y], [left + SWATCH * unit, y], &look);
+            }
         }
         if shown < self.passes.len() {
             let more = format!("and {} more", self.passes.len() - shown);
-            let x = place.min.x + (SWATCH + 3.0) * unit;
-            let more = lettering(&more, Anchor::Left, x, y, 1.7 * unit);
-            let _ = writeln!(
-                table,
-                r#"<g stroke="{MUTED}" stroke-width="0.75">{more}</g>"#
-            );
+            let at = [left + (SWATCH + 3.0) * unit, y + ROW_HIGH * unit];
+            sheet.text(at, Anchor::Left, &head, &more);
         }
-        table
     }
 }
 
 /// Names to the left, figures in columns to the right.
-fn cells(row: &[String; 7], at: Point, wide: f64, unit: f64) -> String {
-    let name_x = at.x + (SWATCH + 3.0) * unit;
+fn cells(
+    sheet: &mut Sheet,
+    row: &[String; 7],
+    [left, y]: [f64; 2],
+    wide: f64,
+    unit: f64,
+    kind: &Type<'_>,
+) {
+    let name_x = left + (SWATCH + 3.0) * unit;
     let column = (wide - NAMES_WIDE * unit) / 6.0;
-    let mut cells = lettering(&row[0], Anchor::Left, name_x, at.y, 1.9 * unit);
+    sheet.text([name_x, y], Anchor::Left, kind, &row[0]);
     for (i, cell) in (1..).zip(&row[1..]) {
-        let x = at.x + NAMES_WIDE * unit + column * f64::from(i);
-        cells += &lettering(cell, Anchor::Right, x, at.y, 1.9 * unit);
+        let x = left + NAMES_WIDE * unit + column * f64::from(i);
+        sheet.text([x, y], Anchor::Right, kind, cell);
     }
-    cells
 }
 
 fn row(pass: &PassFigures) -> [String; 7] {

@@ -2,8 +2,10 @@
 
 use dobot_arm::{FOREARM, Joints, Limits, REAR_ARM, Tool, forward};
 
+use dobot_lettering::{Anchor, Look};
+
 use crate::canvas::{
-    BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PURPLE, RED, SHADE, SOFT, Stroke, polar,
+    BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PURPLE, RED, SHADE, SOFT, dashed, polar,
 };
 
 /// Rear arm, forearm and tool in the plane of reach and z, with their angles.
@@ -18,54 +20,38 @@ pub(crate) fn side() -> String {
     table_and_base(&mut c);
     axes(&mut c);
 
-    c.line([0.0, 0.0], [0.0, 168.0], &Stroke::dashed(BLUE, 1.5));
-    c.angle(
-        [0.0, 0.0],
-        88.0,
-        [90.0, 90.0 - joints.rear.0],
-        &Stroke::solid(BLUE, 2.0),
-    );
-    c.text(polar([0.0, 0.0], 101.0, 77.0), "middle", BLUE, "rear");
-    c.line(
-        elbow,
-        [elbow[0] + 130.0, elbow[1]],
-        &Stroke::dashed(ORANGE, 1.5),
-    );
-    c.angle(
-        elbow,
-        100.0,
-        [0.0, -joints.fore.0],
-        &Stroke::solid(ORANGE, 2.0),
-    );
-    c.text(polar(elbow, 106.0, -10.0), "start", ORANGE, "fore");
+    c.line([0.0, 0.0], [0.0, 168.0], &dashed(BLUE, 1.5));
+    c.angle([0.0, 0.0], 88.0, [90.0, 90.0 - joints.rear.0], BLUE);
+    c.text(polar([0.0, 0.0], 101.0, 77.0), Anchor::Middle, BLUE, "rear");
+    c.line(elbow, [elbow[0] + 130.0, elbow[1]], &dashed(ORANGE, 1.5));
+    c.angle(elbow, 100.0, [0.0, -joints.fore.0], ORANGE);
+    c.text(polar(elbow, 106.0, -10.0), Anchor::Left, ORANGE, "fore");
 
     links(&mut c, &[[0.0, 0.0], elbow, wrist, [reach, z]]);
-    c.text([46.0, 50.0], "start", BLUE, "135 mm");
+    c.text([46.0, 50.0], Anchor::Left, BLUE, "135 mm");
     let middle = polar(elbow, FOREARM.0 / 2.0, -joints.fore.0);
-    c.text([middle[0] - 6.0, middle[1] - 17.0], "end", ORANGE, "160 mm");
-    c.text([reach - 27.0, z + 14.0], "middle", GREEN, "L");
+    c.text(
+        [middle[0] - 6.0, middle[1] - 17.0],
+        Anchor::Right,
+        ORANGE,
+        "160 mm",
+    );
+    c.text([reach - 27.0, z + 14.0], Anchor::Middle, GREEN, "L");
 
-    c.measure(
-        [reach + 34.0, 0.0],
-        [reach + 34.0, z],
-        &Stroke::solid(SOFT, 1.3),
+    c.measure([reach + 34.0, 0.0], [reach + 34.0, z]);
+    c.line([reach + 4.0, z], [reach + 40.0, z], &Look::line(FAINT, 1.3));
+    c.text([reach + 40.0, z / 2.0], Anchor::Left, INK, "z");
+    c.measure([0.0, -38.0], [reach, -38.0]);
+    c.line([reach, z - 26.0], [reach, -44.0], &Look::line(FAINT, 1.3));
+    c.text(
+        [reach / 2.0, -48.0],
+        Anchor::Middle,
+        INK,
+        "reach = √(x² + y²)",
     );
-    c.line(
-        [reach + 4.0, z],
-        [reach + 40.0, z],
-        &Stroke::solid(FAINT, 1.3),
-    );
-    c.text([reach + 40.0, z / 2.0], "start", INK, "z");
-    c.measure([0.0, -38.0], [reach, -38.0], &Stroke::solid(SOFT, 1.3));
-    c.line(
-        [reach, z - 26.0],
-        [reach, -44.0],
-        &Stroke::solid(FAINT, 1.3),
-    );
-    c.text([reach / 2.0, -48.0], "middle", INK, "reach = √(x² + y²)");
-    c.note([wrist[0] + 2.0, z - 16.0], "middle", "wrist");
-    c.note([elbow[0] - 4.0, elbow[1] + 17.0], "middle", "elbow");
-    c.note([-14.0, 6.0], "end", "pivot");
+    c.note([wrist[0] + 2.0, z - 16.0], Anchor::Middle, "wrist");
+    c.note([elbow[0] - 4.0, elbow[1] + 17.0], Anchor::Middle, "elbow");
+    c.note([-14.0, 6.0], Anchor::Right, "pivot");
     c.finish()
 }
 
@@ -83,55 +69,40 @@ pub(crate) fn top() -> String {
     );
     ring(&mut c);
 
-    c.arrow([0.0, 0.0], [395.0, 0.0], &Stroke::solid(SOFT, 1.5));
-    c.text([404.0, 0.0], "start", INK, "X, ahead");
-    c.arrow([0.0, 0.0], [0.0, 338.0], &Stroke::solid(SOFT, 1.5));
-    c.text([12.0, 336.0], "start", INK, "Y, to the left");
+    c.arrow([0.0, 0.0], [395.0, 0.0], SOFT, 1.5);
+    c.text([404.0, 0.0], Anchor::Left, INK, "X, ahead");
+    c.arrow([0.0, 0.0], [0.0, 338.0], SOFT, 1.5);
+    c.text([12.0, 336.0], Anchor::Left, INK, "Y, to the left");
 
     let far = polar(tool, 118.0, joints.base.0);
-    c.line(tool, far, &Stroke::dashed(BLUE, 1.5));
-    c.line(tool, [tool[0] + 150.0, tool[1]], &Stroke::dashed(SOFT, 1.5));
+    c.line(tool, far, &dashed(BLUE, 1.5));
+    c.line(tool, [tool[0] + 150.0, tool[1]], &dashed(SOFT, 1.5));
     c.line(
         tool,
         polar(tool, 150.0, pose.rotation.0),
-        &Stroke::solid(PURPLE, 3.0),
+        &Look::line(PURPLE, 3.0),
     );
-    c.angle(
-        [0.0, 0.0],
-        92.0,
-        [0.0, joints.base.0],
-        &Stroke::solid(BLUE, 2.0),
-    );
-    c.text(polar([0.0, 0.0], 104.0, 17.0), "start", BLUE, "base");
-    c.angle(
-        tool,
-        84.0,
-        [joints.base.0, pose.rotation.0],
-        &Stroke::solid(GREEN, 2.0),
-    );
-    c.text(polar(tool, 80.0, 77.0), "end", GREEN, "servo");
-    c.angle(
-        tool,
-        126.0,
-        [0.0, pose.rotation.0],
-        &Stroke::solid(PURPLE, 2.0),
-    );
+    c.angle([0.0, 0.0], 92.0, [0.0, joints.base.0], BLUE);
+    c.text(polar([0.0, 0.0], 104.0, 17.0), Anchor::Left, BLUE, "base");
+    c.angle(tool, 84.0, [joints.base.0, pose.rotation.0], GREEN);
+    c.text(polar(tool, 80.0, 77.0), Anchor::Right, GREEN, "servo");
+    c.angle(tool, 126.0, [0.0, pose.rotation.0], PURPLE);
     c.text(
         [tool[0] + 132.0, tool[1] + 62.0],
-        "start",
+        Anchor::Left,
         PURPLE,
         "rotation (rHead)",
     );
     c.text(
         [tool[0] + 132.0, tool[1] + 42.0],
-        "start",
+        Anchor::Left,
         PURPLE,
         "= base + servo",
     );
 
     links(&mut c, &[[0.0, 0.0], wrist, wrist, tool]);
-    c.text([tool[0] - 4.0, tool[1] - 22.0], "start", INK, "tool");
-    c.note([-12.0, -16.0], "end", "base axis");
+    c.text([tool[0] - 4.0, tool[1] - 22.0], Anchor::Left, INK, "tool");
+    c.note([-12.0, -16.0], Anchor::Right, "base axis");
     c.finish()
 }
 
@@ -157,24 +128,28 @@ fn table_and_base(c: &mut Canvas) {
     c.line(
         [-120.0, -103.0],
         [375.0, -103.0],
-        &Stroke::solid("#b08968", 2.0),
+        &Look::line("#b08968", 2.0),
     );
-    c.note([375.0, -95.0], "end", "table, about 103 mm below the pivot");
+    c.note(
+        [375.0, -95.0],
+        Anchor::Right,
+        "table, about 103 mm below the pivot",
+    );
 }
 
 fn axes(c: &mut Canvas) {
-    c.arrow([0.0, 0.0], [335.0, 0.0], &Stroke::solid(SOFT, 1.5));
-    c.text([341.0, 0.0], "start", INK, "reach");
-    c.arrow([0.0, 0.0], [0.0, 196.0], &Stroke::solid(SOFT, 1.5));
-    c.text([10.0, 194.0], "start", INK, "Z, up");
+    c.arrow([0.0, 0.0], [335.0, 0.0], SOFT, 1.5);
+    c.text([341.0, 0.0], Anchor::Left, INK, "reach");
+    c.arrow([0.0, 0.0], [0.0, 196.0], SOFT, 1.5);
+    c.text([10.0, 194.0], Anchor::Left, INK, "Z, up");
 }
 
 /// Pivot, elbow, wrist and tool, joined.
 fn links(c: &mut Canvas, points: &[[f64; 2]; 4]) {
     let [pivot, elbow, wrist, tool] = *points;
-    c.line(pivot, elbow, &Stroke::solid(BLUE, 9.0));
-    c.line(elbow, wrist, &Stroke::solid(ORANGE, 9.0));
-    c.line(wrist, tool, &Stroke::solid(GREEN, 9.0));
+    c.line(pivot, elbow, &Look::line(BLUE, 9.0));
+    c.line(elbow, wrist, &Look::line(ORANGE, 9.0));
+    c.line(wrist, tool, &Look::line(GREEN, 9.0));
     for joint in [pivot, elbow, wrist] {
         c.dot(joint, 7.0, "#ffffff", INK);
     }
@@ -197,8 +172,8 @@ fn ring(c: &mut Canvas) {
         (reach.max.0, -48.0, "321 mm"),
     ] {
         let end = polar([0.0, 0.0], radius, direction);
-        c.arrow([0.0, 0.0], end, &Stroke::solid(SOFT, 1.3));
+        c.arrow([0.0, 0.0], end, SOFT, 1.3);
         let middle = polar([0.0, 0.0], 0.62 * radius, direction);
-        c.note([middle[0] + 10.0, middle[1] + 2.0], "start", words);
+        c.note([middle[0] + 10.0, middle[1] + 2.0], Anchor::Left, words);
     }
 }

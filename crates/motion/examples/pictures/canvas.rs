@@ -1,10 +1,10 @@
-//! Lines, arcs and words in millimetres, written as SVG.
+//! Lines, arcs and words in millimetres on a sheet.
 
-use std::fmt::Write as _;
+use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
 
 /// A picture in the making: the caller's units, x to the right, y up.
 pub(crate) struct Canvas {
-    svg: String,
+    sheet: Sheet,
     /// Pixels where the caller's origin is.
     origin: [f64; 2],
     /// Pixels per unit, right and up.
@@ -13,13 +13,11 @@ pub(crate) struct Canvas {
 
 impl Canvas {
     pub(crate) fn new(width: u32, height: u32) -> Self {
-        let svg = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" font-family="Helvetica, Arial, sans-serif" font-size="15" stroke-linecap="round" stroke-linejoin="round">
-<rect width="{width}" height="{height}" rx="10" fill="{PAPER}"/>
-"#
-        );
+        let page = Frame::between([0.0, 0.0], [width, height].map(f64::from));
+        let mut sheet = Sheet::new(page, "px");
+        sheet.rect(&page, 10.0, &Look::area(PAPER));
         Self {
-            svg,
+            sheet,
             origin: [0.0, 0.0],
             scale: [1.0, 1.0],
         }
@@ -30,103 +28,73 @@ impl Canvas {
         (self.origin, self.scale) = (origin, scale);
     }
 
-    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], stroke: &Stroke) {
-        self.path(&[from, to], stroke);
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], look: &Look<'_>) {
+        self.path(&[from, to], look);
     }
 
-    pub(crate) fn path(&mut self, points: &[[f64; 2]], stroke: &Stroke) {
-        let d = self.outline(points);
-        let Stroke { color, width, dash } = stroke;
-        let _ = writeln!(
-            self.svg,
-            r#"<path d="{d}" fill="none" stroke="{color}" stroke-width="{width}" stroke-dasharray="{dash}"/>"#
-        );
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], look: &Look<'_>) {
+        self.sheet.curve(&self.pixels(points), look);
     }
 
     pub(crate) fn area(&mut self, points: &[[f64; 2]], color: &str) {
-        let d = self.outline(points);
-        let _ = writeln!(self.svg, r#"<path d="{d}Z" fill="{color}"/>"#);
+        self.sheet.area(&self.pixels(points), &Look::area(color));
     }
 
-    pub(crate) fn dot(&mut self, at: [f64; 2], radius_px: f64, fill: &str, stroke: &str) {
-        let [x, y] = self.pixel(at);
-        let _ = writeln!(
-            self.svg,
-            r#"<circle cx="{x:.2}" cy="{y:.2}" r="{radius_px}" fill="{fill}" stroke="{stroke}" stroke-width="2.5"/>"#
-        );
+    pub(crate) fn dot(&mut self, at: [f64; 2], radius_px: f64, fill: &str, edge: &str) {
+        let look = Look::area(fill).edged(edge, 2.5);
+        self.sheet.circle(self.pixel(at), radius_px, &look);
     }
 
     /// An arrow from one point to another.
-    pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], stroke: &Stroke) {
-        self.line(from, to, stroke);
+    pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], color: &str, width: f64) {
+        self.line(from, to, &Look::line(color, width));
         let [a, b] = [self.pixel(from), self.pixel(to)];
-        self.head(b, (b[1] - a[1]).atan2(b[0] - a[0]), stroke.color);
+        self.head(b, (b[1] - a[1]).atan2(b[0] - a[0]), color);
     }
 
     /// A line with an arrow head at each end.
-    pub(crate) fn measure(&mut self, from: [f64; 2], to: [f64; 2], stroke: &Stroke) {
-        self.arrow(from, to, stroke);
-        self.arrow(to, from, stroke);
+    pub(crate) fn measure(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.arrow(from, to, SOFT, 1.3);
+        self.arrow(to, from, SOFT, 1.3);
     }
 
     /// An arc from one direction to another, with an arrow head at its end; angles in degrees,
     /// counter-clockwise from the right.
-    pub(crate) fn angle(
-        &mut self,
-        around: [f64; 2],
-        radius: f64,
-        degrees: [f64; 2],
-        stroke: &Stroke,
-    ) {
+    pub(crate) fn angle(&mut self, around: [f64; 2], radius: f64, degrees: [f64; 2], color: &str) {
         let [from, to] = degrees;
         let points: Vec<_> = (0..=40)
             .map(|n| polar(around, radius, from + (to - from) * f64::from(n) / 40.0))
             .collect();
-        self.path(&points, stroke);
+        self.path(&points, &Look::line(color, 2.0));
         let ahead = to + 90.0_f64.copysign(to - from);
         // The head of a bent arrow lies along the chord, not the tangent.
         let bend = (180.0 / std::f64::consts::PI * HEAD_PX / 2.0 / (radius * self.scale[0]))
             .copysign(to - from);
-        self.head(
-            self.pixel(points[40]),
-            -(ahead - bend).to_radians(),
-            stroke.color,
-        );
+        self.head(self.pixel(points[40]), -(ahead - bend).to_radians(), color);
     }
 
-    /// Words; `anchor` is `start`, `middle` or `end`.
-    pub(crate) fn text(&mut self, at: [f64; 2], anchor: &str, color: &str, words: &str) {
-        self.styled(at, anchor, color, "", words);
+    /// Words, in the middle of their height.
+    pub(crate) fn text(&mut self, at: [f64; 2], anchor: Anchor, color: &str, words: &str) {
+        self.words(at, anchor, &Type::new(10.0, color), words);
     }
 
     /// Small words.
-    pub(crate) fn note(&mut self, at: [f64; 2], anchor: &str, words: &str) {
-        self.styled(at, anchor, SOFT, r#" font-size="13""#, words);
+    pub(crate) fn note(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
+        self.words(at, anchor, &Type::new(8.8, SOFT), words);
     }
 
     /// Bold words.
-    pub(crate) fn title(&mut self, at: [f64; 2], anchor: &str, words: &str) {
-        self.styled(
-            at,
-            anchor,
-            INK,
-            r#" font-weight="bold" font-size="16""#,
-            words,
-        );
+    pub(crate) fn title(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
+        self.words(at, anchor, &Type::new(10.5, INK).bold(), words);
     }
 
-    pub(crate) fn finish(mut self) -> String {
-        self.svg.push_str("</svg>\n");
-        self.svg
+    pub(crate) fn finish(self) -> String {
+        self.sheet.finish()
     }
 
-    fn styled(&mut self, at: [f64; 2], anchor: &str, color: &str, style: &str, words: &str) {
+    fn words(&mut self, at: [f64; 2], anchor: Anchor, kind: &Type<'_>, words: &str) {
         let [x, y] = self.pixel(at);
-        let _ = writeln!(
-            self.svg,
-            r#"<text x="{x:.2}" y="{:.2}" text-anchor="{anchor}" fill="{color}"{style}>{words}</text>"#,
-            y + 5.0
-        );
+        self.sheet.text([x, y + 5.0], anchor, kind, words);
     }
 
     /// A filled arrow head; `direction_rad` as pixels run, clockwise.
@@ -138,21 +106,12 @@ impl Canvas {
                 tip[1] + HEAD_PX * angle.sin(),
             ]
         };
-        let [[ax, ay], [bx, by]] = [wing(0.33), wing(-0.33)];
-        let _ = writeln!(
-            self.svg,
-            r#"<path d="M{:.2},{:.2}L{ax:.2},{ay:.2}L{bx:.2},{by:.2}Z" fill="{color}"/>"#,
-            tip[0], tip[1]
-        );
+        let corners = [tip, wing(0.33), wing(-0.33)];
+        self.sheet.area(&corners, &Look::area(color));
     }
 
-    fn outline(&self, points: &[[f64; 2]]) -> String {
-        let mut d = String::new();
-        for (n, point) in points.iter().enumerate() {
-            let [x, y] = self.pixel(*point);
-            let _ = write!(d, "{}{x:.2},{y:.2}", if n == 0 { 'M' } else { 'L' });
-        }
-        d
+    fn pixels(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        points.iter().map(|it| self.pixel(*it)).collect()
     }
 
     fn pixel(&self, at: [f64; 2]) -> [f64; 2] {
@@ -163,29 +122,9 @@ impl Canvas {
     }
 }
 
-/// How a line looks.
-pub(crate) struct Stroke {
-    color: &'static str,
-    width: f64,
-    dash: &'static str,
-}
-
-impl Stroke {
-    pub(crate) const fn solid(color: &'static str, width: f64) -> Self {
-        Self {
-            color,
-            width,
-            dash: "none",
-        }
-    }
-
-    pub(crate) const fn dashed(color: &'static str, width: f64) -> Self {
-        Self {
-            color,
-            width,
-            dash: "5 5",
-        }
-    }
+/// A line in dashes.
+pub(crate) const fn dashed(color: &str, width: f64) -> Look<'_> {
+    Look::line(color, width).dashed("5 5")
 }
 
 /// The point at a distance and a direction in degrees, counter-clockwise from the right.

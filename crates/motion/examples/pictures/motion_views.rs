@@ -3,7 +3,9 @@
 use dobot_arm::{Degrees, Limits, Millimeters, Pose, Position, Tool, forward};
 use dobot_motion::{JointMove, Jump, LineMove, Profile, Speeds};
 
-use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PAPER, PURPLE, SHADE, SOFT, Stroke};
+use dobot_lettering::{Anchor, Look};
+
+use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PAPER, PURPLE, SHADE, SOFT, dashed};
 
 /// A trapezoid, a triangle, and an end speed that gives way.
 pub(crate) fn profiles() -> String {
@@ -18,10 +20,10 @@ pub(crate) fn profiles() -> String {
             Profile::new(distance, start, end, 50.0, 60.0).expect("the limits are positive");
         c.place([60.0 + 310.0 * f64::from(n), 270.0], [125.0, 3.6]);
         speed_over_time(&mut c, &profile, distance);
-        c.title([0.0, 66.0], "start", title);
+        c.title([0.0, 66.0], Anchor::Left, title);
         if profile.end_speed() < end {
-            c.line([0.0, end], [1.9, end], &Stroke::dashed(ORANGE, 1.3));
-            c.note([1.9, end + 3.2], "end", "end speed asked for");
+            c.line([0.0, end], [1.9, end], &dashed(ORANGE, 1.3));
+            c.note([1.9, end + 3.2], Anchor::Right, "end speed asked for");
         }
     }
     c.finish()
@@ -50,47 +52,31 @@ pub(crate) fn jump() -> String {
         })
         .collect();
     let top = to.position.z.0 + height.0;
-    c.line(
-        [-30.0, top],
-        [way_mm + 60.0, top],
-        &Stroke::dashed(FAINT, 1.5),
-    );
-    c.line(
-        [-30.0, 40.0],
-        [way_mm + 60.0, 40.0],
-        &Stroke::dashed(FAINT, 1.5),
-    );
-    c.path(&track, &Stroke::solid(BLUE, 3.0));
+    c.line([-30.0, top], [way_mm + 60.0, top], &dashed(FAINT, 1.5));
+    c.line([-30.0, 40.0], [way_mm + 60.0, 40.0], &dashed(FAINT, 1.5));
+    c.path(&track, &Look::line(BLUE, 3.0));
     for point in track.iter().step_by(50) {
         c.dot(*point, 4.0, PAPER, BLUE);
     }
-    c.arrow(
-        [-30.0, -8.0],
-        [way_mm + 75.0, -8.0],
-        &Stroke::solid(SOFT, 1.5),
-    );
-    c.text([way_mm + 75.0, -16.0], "end", INK, "way across");
-    c.arrow([-30.0, -8.0], [-30.0, 96.0], &Stroke::solid(SOFT, 1.5));
-    c.text([-26.0, 98.0], "start", INK, "z");
-    c.measure(
-        [way_mm + 40.0, 40.0],
-        [way_mm + 40.0, top],
-        &Stroke::solid(SOFT, 1.3),
-    );
-    c.text([way_mm + 44.0, 55.0], "start", INK, "height");
-    c.text([-5.0, 40.0], "end", BLUE, "up");
+    c.arrow([-30.0, -8.0], [way_mm + 75.0, -8.0], SOFT, 1.5);
+    c.text([way_mm + 75.0, -16.0], Anchor::Right, INK, "way across");
+    c.arrow([-30.0, -8.0], [-30.0, 96.0], SOFT, 1.5);
+    c.text([-26.0, 98.0], Anchor::Left, INK, "z");
+    c.measure([way_mm + 40.0, 40.0], [way_mm + 40.0, top]);
+    c.text([way_mm + 44.0, 55.0], Anchor::Left, INK, "height");
+    c.text([-5.0, 40.0], Anchor::Right, BLUE, "up");
     c.text(
         [way_mm / 2.0, top + 9.0],
-        "middle",
+        Anchor::Middle,
         BLUE,
         "across: reach and base angle change evenly",
     );
-    c.text([way_mm + 5.0, 58.0], "start", BLUE, "down");
-    c.text([5.0, 10.0], "start", INK, "from");
-    c.text([way_mm - 4.0, 36.0], "end", INK, "to");
+    c.text([way_mm + 5.0, 58.0], Anchor::Left, BLUE, "down");
+    c.text([5.0, 10.0], Anchor::Left, INK, "from");
+    c.text([way_mm - 4.0, 36.0], Anchor::Right, INK, "to");
     c.note(
         [way_mm / 2.0, 24.0],
-        "middle",
+        Anchor::Middle,
         "a dot every 100 ms; each phase starts and ends at rest",
     );
     c.finish()
@@ -119,7 +105,10 @@ pub(crate) fn ways() -> String {
         ORANGE,
     );
     track(&mut c, |t_s| jump.pose_at(t_s), jump.duration_s(), BLUE);
-    for (name, pose, aside_mm, anchor) in [("from", from, -9.0, "end"), ("to", to, 9.0, "start")] {
+    for (name, pose, aside_mm, anchor) in [
+        ("from", from, -9.0, Anchor::Right),
+        ("to", to, 9.0, Anchor::Left),
+    ] {
         let at = above(pose);
         c.dot(at, 6.5, INK, PAPER);
         c.text([at[0] + aside_mm, at[1]], anchor, INK, name);
@@ -131,17 +120,17 @@ pub(crate) fn ways() -> String {
     ];
     for (n, (color, words, duration_s)) in (0..).zip(legend) {
         let y = 142.0 - 15.0 * f64::from(n);
-        c.line([262.0, y], [280.0, y], &Stroke::solid(color, 3.0));
+        c.line([262.0, y], [280.0, y], &Look::line(color, 3.0));
         c.text(
             [286.0, y],
-            "start",
+            Anchor::Left,
             INK,
             &format!("{words}, {duration_s:.2} s"),
         );
     }
     c.note(
         [262.0, 95.0],
-        "start",
+        Anchor::Left,
         "seen from above, a dot every 100 ms",
     );
     c.finish()
@@ -153,36 +142,40 @@ fn speed_over_time(c: &mut Canvas, profile: &Profile, distance: f64) {
     points.extend(times(end_s, 0.005).map(|t_s| [t_s, profile.speed_at(t_s)]));
     points.extend([[end_s, profile.end_speed()], [end_s, 0.0]]);
     c.area(&points, SHADE);
-    c.line([0.0, 50.0], [1.9, 50.0], &Stroke::dashed(PURPLE, 1.3));
-    c.note([1.9, 53.2], "end", "maximum speed");
-    c.path(&points[1..points.len() - 1], &Stroke::solid(BLUE, 3.0));
+    c.line([0.0, 50.0], [1.9, 50.0], &dashed(PURPLE, 1.3));
+    c.note([1.9, 53.2], Anchor::Right, "maximum speed");
+    c.path(&points[1..points.len() - 1], &Look::line(BLUE, 3.0));
     c.line(
         [end_s, 0.0],
         [end_s, profile.end_speed()],
-        &Stroke::dashed(BLUE, 1.3),
+        &dashed(BLUE, 1.3),
     );
-    c.arrow([0.0, 0.0], [2.0, 0.0], &Stroke::solid(SOFT, 1.5));
-    c.text([2.0, -5.0], "end", INK, "time");
-    c.arrow([0.0, 0.0], [0.0, 60.0], &Stroke::solid(SOFT, 1.5));
-    c.note([-0.06, profile.start_speed()], "end", "start");
-    c.note([end_s + 0.06, profile.end_speed()], "start", "end");
-    c.note([end_s / 2.0, -5.0], "middle", &format!("{distance} mm"));
+    c.arrow([0.0, 0.0], [2.0, 0.0], SOFT, 1.5);
+    c.text([2.0, -5.0], Anchor::Right, INK, "time");
+    c.arrow([0.0, 0.0], [0.0, 60.0], SOFT, 1.5);
+    c.note([-0.06, profile.start_speed()], Anchor::Right, "start");
+    c.note([end_s + 0.06, profile.end_speed()], Anchor::Left, "end");
+    c.note(
+        [end_s / 2.0, -5.0],
+        Anchor::Middle,
+        &format!("{distance} mm"),
+    );
 }
 
 fn axes(c: &mut Canvas) {
-    c.arrow([0.0, 0.0], [340.0, 0.0], &Stroke::solid(SOFT, 1.5));
-    c.text([346.0, 0.0], "start", INK, "X");
-    c.arrow([0.0, -190.0], [0.0, 146.0], &Stroke::solid(SOFT, 1.5));
-    c.text([8.0, 146.0], "start", INK, "Y");
+    c.arrow([0.0, 0.0], [340.0, 0.0], SOFT, 1.5);
+    c.text([346.0, 0.0], Anchor::Left, INK, "X");
+    c.arrow([0.0, -190.0], [0.0, 146.0], SOFT, 1.5);
+    c.text([8.0, 146.0], Anchor::Left, INK, "Y");
     c.dot([0.0, 0.0], 7.0, PAPER, INK);
-    c.note([-8.0, 12.0], "end", "base axis");
+    c.note([-8.0, 12.0], Anchor::Right, "base axis");
 }
 
 fn track(c: &mut Canvas, pose_at: impl Fn(f64) -> Pose, duration_s: f64, color: &'static str) {
     let points: Vec<_> = times(duration_s, 0.005)
         .map(|t_s| above(pose_at(t_s)))
         .collect();
-    c.path(&points, &Stroke::solid(color, 3.0));
+    c.path(&points, &Look::line(color, 3.0));
     for t_s in times(duration_s, 0.1) {
         c.dot(above(pose_at(t_s)), 3.5, PAPER, color);
     }

@@ -1,8 +1,10 @@
 //! Curves and bands over time.
 
+use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+
 use super::Snapshot;
 use super::axis::{Axis, range};
-use super::sheet::{Anchor, GRID, INK, LASER, LOST, PANEL, PUMP, SOFT, Sheet};
+use super::{GRID, HEADING, LASER, LETTERS, LOST, PANEL, PLAIN, PUMP, QUIET};
 
 /// A chart of some curves over time.
 pub(super) struct Chart {
@@ -25,18 +27,23 @@ impl Chart {
         let axis = Axis::around(values.chain([0.0]), 1.0, [self.top + self.height, self.top]);
         let [left, right] = time.pixels();
         let bottom = self.top + self.height;
-        sheet.area([left, self.top], [right, bottom], PANEL);
+        sheet.rect(
+            &Frame::between([left, self.top], [right, bottom]),
+            0.0,
+            &PANEL,
+        );
         mark_lost(sheet, time, lost, [self.top, bottom]);
         time_grid(sheet, time, [self.top, bottom]);
         for (value, text) in axis.ticks(27.0) {
             let y = axis.pixel(value);
-            let color = if value == 0.0 { "#9ca3af" } else { GRID };
-            sheet.line([left, y], [right, y], color, 1.0);
-            sheet.text([left - 8.0, y + 4.5], Anchor::End, SOFT, &text);
+            let zero = Look::line("#9ca3af", 1.0);
+            let look = if value == 0.0 { zero } else { GRID };
+            sheet.line([left, y], [right, y], &look);
+            sheet.text([left - 8.0, y + 4.5], Anchor::Right, &QUIET, &text);
         }
         for curve in curves {
             for stroke in curve.strokes(time, &axis) {
-                sheet.curve(&stroke, curve.color, 1.6);
+                sheet.curve(&stroke, &Look::line(curve.color, 1.6));
             }
         }
         self.words(sheet, [left, right], curves);
@@ -44,12 +51,18 @@ impl Chart {
 
     fn words(&self, sheet: &mut Sheet, [left, right]: [f64; 2], curves: &[Curve]) {
         let y = self.top - 10.0;
-        sheet.heading([left, y], &format!("{} ({})", self.title, self.unit));
+        sheet.text(
+            [left, y],
+            Anchor::Left,
+            &HEADING,
+            &format!("{} ({})", self.title, self.unit),
+        );
         let named = curves.iter().filter(|it| !it.name.is_empty());
         for (n, curve) in named.rev().enumerate() {
             let x = right - 110.0 * f64::from(u8::try_from(n).unwrap_or_default()) - 92.0;
-            sheet.line([x, y - 4.5], [x + 22.0, y - 4.5], curve.color, 3.0);
-            sheet.text([x + 29.0, y], Anchor::Start, INK, curve.name);
+            let look = Look::line(curve.color, 3.0);
+            sheet.line([x, y - 4.5], [x + 22.0, y - 4.5], &look);
+            sheet.text([x + 29.0, y], Anchor::Left, &PLAIN, curve.name);
         }
     }
 }
@@ -76,11 +89,12 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
         ("laser", LASER, spans(snapshots, |it| it.laser)),
     ];
     for ((name, color, spans), y) in lanes.into_iter().zip([top, top + 20.0]) {
-        sheet.area([left, y], [right, y + 15.0], PANEL);
-        sheet.text([left - 8.0, y + 12.0], Anchor::End, INK, name);
+        sheet.rect(&Frame::between([left, y], [right, y + 15.0]), 0.0, &PANEL);
+        sheet.text([left - 8.0, y + 12.0], Anchor::Right, &PLAIN, name);
         for [from, to] in spans {
             let (from, to) = (time.pixel(from), time.pixel(to));
-            sheet.area([from, y], [to.max(from + 1.0), y + 15.0], color);
+            let band = Frame::between([from, y], [to.max(from + 1.0), y + 15.0]);
+            sheet.rect(&band, 0.0, &Look::area(color));
         }
     }
     let bottom = top + 40.0;
@@ -88,18 +102,18 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
         sheet.text(
             [time.pixel(value), bottom + 13.0],
             Anchor::Middle,
-            SOFT,
+            &QUIET,
             &text,
         );
     }
     let middle = f64::midpoint(left, right);
-    sheet.text([middle, bottom + 34.0], Anchor::Middle, INK, "time (s)");
+    sheet.text([middle, bottom + 34.0], Anchor::Middle, &PLAIN, "time (s)");
 }
 
 fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {
     for (value, _) in time.ticks(80.0) {
         let x = time.pixel(value);
-        sheet.line([x, top], [x, bottom], GRID, 1.0);
+        sheet.line([x, top], [x, bottom], &GRID);
     }
 }
 
@@ -107,11 +121,13 @@ fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {
 fn mark_lost(sheet: &mut Sheet, time: &Axis, lost: &[[f64; 2]], [top, bottom]: [f64; 2]) {
     for &[from, to] in lost {
         let (from, to) = (time.pixel(from), time.pixel(to));
-        sheet.area([from, top], [to, bottom], LOST);
+        let span = Frame::between([from, top], [to, bottom]);
+        sheet.rect(&span, 0.0, &Look::area(LOST));
         if to - from > 110.0 {
             // Where lines are rare: they stand still at the top, at zero or at the bottom.
             let middle = [f64::midpoint(from, to), top + 0.32 * (bottom - top)];
-            sheet.text(middle, Anchor::Middle, LASER, "the pose is NaN");
+            let kind = Type::new(LETTERS, LASER);
+            sheet.text(middle, Anchor::Middle, &kind, "the pose is NaN");
         }
     }
 }

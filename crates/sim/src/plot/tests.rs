@@ -42,7 +42,7 @@ fn pump_and_laser_have_their_colours_while_they_are_on() {
     let count = |svg: &str, color: &str| svg.matches(&format!("fill=\"{color}\"")).count();
     let on = plot("!end 1000\n100 2 9 0 0 0 0 0 50 0 0\n300 2 13 0 0 0 0 0 50 0 0");
     let off = plot("!end 1000");
-    for color in [sheet::PUMP, sheet::LASER] {
+    for color in [PUMP, LASER] {
         assert_eq!(count(&on, color), count(&off, color) + 1, "{color}");
     }
 }

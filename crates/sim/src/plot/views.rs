@@ -1,8 +1,9 @@
 //! The way of the tool, from above and from the side.
 
+use dobot_lettering::{Anchor, Frame, Look, Sheet};
+
 use super::axis::{Axis, range};
-use super::sheet::{Anchor, GRID, INK, LASER, PANEL, PAPER, PUMP, SOFT, Sheet};
-use super::{LEFT, RIGHT, Snapshot};
+use super::{GRID, HEADING, INK, LASER, LEFT, PANEL, PAPER, PLAIN, PUMP, QUIET, RIGHT, Snapshot};
 
 /// Draws both views, and what their colours mean.
 pub(super) fn views(sheet: &mut Sheet, snapshots: &[Snapshot]) {
@@ -42,12 +43,12 @@ impl View {
             .map(|&[u, v]| [axes[0].pixel(u), axes[1].pixel(v)]);
         let pixels: Vec<_> = points.zip(kinds).collect();
         for (stroke, kind) in strokes(&pixels) {
-            sheet.curve(&stroke, kind.color(), kind.width());
+            sheet.curve(&stroke, &kind.look());
         }
         let known = || pixels.iter().map(|it| it.0).filter(|it| it[0].is_finite());
         if let (Some(first), Some(last)) = (known().next(), known().next_back()) {
-            sheet.dot(first, PAPER);
-            sheet.dot(last, INK);
+            dot(sheet, first, PAPER);
+            dot(sheet, last, INK);
         }
     }
 
@@ -69,24 +70,29 @@ impl View {
 
     fn frame(&self, sheet: &mut Sheet, axes: &[Axis; 2]) {
         let [left, right] = self.pixels;
-        sheet.heading([left, TOP - 10.0], self.title);
-        sheet.area([left, TOP], [right, BOTTOM], PANEL);
+        sheet.text([left, TOP - 10.0], Anchor::Left, &HEADING, self.title);
+        sheet.rect(&Frame::between([left, TOP], [right, BOTTOM]), 0.0, &PANEL);
         for (value, text) in axes[0].ticks(60.0) {
             let x = axes[0].pixel(value);
-            sheet.line([x, TOP], [x, BOTTOM], GRID, 1.0);
-            sheet.text([x, BOTTOM + 18.0], Anchor::Middle, SOFT, &text);
+            sheet.line([x, TOP], [x, BOTTOM], &GRID);
+            sheet.text([x, BOTTOM + 18.0], Anchor::Middle, &QUIET, &text);
         }
         for (value, text) in axes[1].ticks(50.0) {
             let y = axes[1].pixel(value);
-            sheet.line([left, y], [right, y], GRID, 1.0);
-            sheet.text([left - 8.0, y + 4.5], Anchor::End, SOFT, &text);
+            sheet.line([left, y], [right, y], &GRID);
+            sheet.text([left - 8.0, y + 4.5], Anchor::Right, &QUIET, &text);
         }
         let middle = f64::midpoint(left, right);
-        sheet.text([middle, BOTTOM + 38.0], Anchor::Middle, INK, self.axes[0]);
+        sheet.text(
+            [middle, BOTTOM + 38.0],
+            Anchor::Middle,
+            &PLAIN,
+            self.axes[0],
+        );
         sheet.text(
             [right, TOP - 10.0],
-            Anchor::End,
-            INK,
+            Anchor::Right,
+            &PLAIN,
             &format!("↑ {}", self.axes[1]),
         );
     }
@@ -109,20 +115,17 @@ impl Kind {
         }
     }
 
-    const fn color(self) -> &'static str {
+    const fn look(self) -> Look<'static> {
         match self {
-            Self::Free => "#64748b",
-            Self::Pump => PUMP,
-            Self::Laser => LASER,
+            Self::Free => Look::line("#64748b", 1.6),
+            Self::Pump => Look::line(PUMP, 2.6),
+            Self::Laser => Look::line(LASER, 2.6),
         }
     }
+}
 
-    const fn width(self) -> f64 {
-        match self {
-            Self::Free => 1.6,
-            Self::Pump | Self::Laser => 2.6,
-        }
-    }
+fn dot(sheet: &mut Sheet, at: [f64; 2], fill: &str) {
+    sheet.circle(at, 5.0, &Look::area(fill).edged(INK, 2.0));
 }
 
 fn points(snapshots: &[Snapshot], seen: impl Fn([f64; 3]) -> [f64; 2]) -> Vec<[f64; 2]> {
@@ -178,14 +181,14 @@ fn legend(sheet: &mut Sheet, snapshots: &[Snapshot]) {
     let mut x = LEFT;
     for (kind, name) in names {
         if snapshots.iter().any(|it| Kind::of(it) == kind) {
-            sheet.line([x, LEGEND], [x + 26.0, LEGEND], kind.color(), kind.width());
-            sheet.text([x + 34.0, LEGEND + 4.5], Anchor::Start, INK, name);
+            sheet.line([x, LEGEND], [x + 26.0, LEGEND], &kind.look());
+            sheet.text([x + 34.0, LEGEND + 4.5], Anchor::Left, &PLAIN, name);
             x += 170.0;
         }
     }
     for (fill, name) in [(PAPER, "start"), (INK, "end")] {
-        sheet.dot([x + 6.0, LEGEND], fill);
-        sheet.text([x + 18.0, LEGEND + 4.5], Anchor::Start, INK, name);
+        dot(sheet, [x + 6.0, LEGEND], fill);
+        sheet.text([x + 18.0, LEGEND + 4.5], Anchor::Left, &PLAIN, name);
         x += 70.0;
     }
 }

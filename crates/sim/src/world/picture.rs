@@ -5,11 +5,10 @@ mod side;
 mod top;
 mod words;
 
-use std::fmt::Write as _;
+use dobot_lettering::desk::{INK, MUTED, PAPER};
+use dobot_lettering::{Frame, Sheet};
 
-use dobot_lettering::{Anchor, lettering};
-
-use super::{Object, Point, WorldState};
+use super::{Object, WorldState};
 
 impl WorldState {
     /// The picture, as the text of an SVG file in true millimetres: from above as a person behind
@@ -31,90 +30,15 @@ impl WorldState {
             width: top.width + 16.0 * unit,
             height: top.height + side.height + (14.0 + 4.0 + 18.0) * unit,
         };
-        let Frame {
-            left,
-            top: up,
-            width,
-            height,
-        } = page;
-        let mut svg = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width:.1}mm" height="{height:.1}mm" viewBox="{left:.1} {up:.1} {width:.1} {height:.1}" fill="none" stroke-linecap="round" stroke-linejoin="round">
-"#
-        );
-        svg += &page.rect(0.0, &format!(r#"fill="{DESK}""#));
-        svg += &top.panel("top", &top::view(self, &top, unit), unit);
-        svg += &side.panel("side", &side::view(self, &side, unit), unit);
-        svg += &log.panel("log", &words::log(self, &log, unit), unit);
-        svg += &words::head(self, &top, unit);
-        let below = side.top + side.height;
-        svg += &words::figures(self, Point::new(side.left, below), unit);
-        svg + "</svg>\n"
+        let mut sheet = Sheet::desk(page);
+        sheet.paper(&top, unit, |sheet| top::view(sheet, self, &top, unit));
+        sheet.paper(&side, unit, |sheet| side::view(sheet, self, &side, unit));
+        sheet.paper(&log, unit, |sheet| words::log(sheet, self, &log, unit));
+        words::head(&mut sheet, self, &top, unit);
+        let below = [side.left, side.bottom()];
+        sheet.figures(below, &words::facts(self), unit);
+        sheet.finish()
     }
-}
-
-/// A rectangle of the page, in mm; down is positive.
-#[derive(Clone, Copy, Debug)]
-struct Frame {
-    left: f64,
-    top: f64,
-    width: f64,
-    height: f64,
-}
-
-impl Frame {
-    fn rect(&self, radius: f64, style: &str) -> String {
-        let Self {
-            left,
-            top,
-            width,
-            height,
-        } = self;
-        format!(
-            "<rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" rx=\"{radius:.2}\" {style}/>\n"
-        )
-    }
-
-    /// A sheet with what lies on it, cut off at its edges.
-    fn panel(&self, id: &str, content: &str, unit: f64) -> String {
-        let sheet = self.rect(unit, &format!(r#"fill="{SHEET}""#));
-        let clip = self.rect(unit, "");
-        let edge = self.rect(
-            unit,
-            &format!(r##"stroke="#c9c3b4" stroke-width="{:.2}""##, 0.12 * unit),
-        );
-        format!(
-            "{sheet}<clipPath id=\"{id}\">{clip}</clipPath><g clip-path=\"url(#{id})\">\n{content}</g>\n{edge}"
-        )
-    }
-}
-
-/// A name: in a colour of its own, with a halo that keeps it apart from what is below it.
-fn label(text: &str, anchor: Anchor, at: Point, height: f64, color: &str) -> String {
-    let words = lettering(text, anchor, at.x, at.y, height);
-    format!(
-        "<g stroke=\"{SHEET}\" stroke-width=\"2.6\" stroke-opacity=\".75\">{words}</g><g stroke=\"{color}\" stroke-width=\".85\">{words}</g>\n"
-    )
-}
-
-/// A length of 50 mm, its right end at a place.
-fn scale_bar(at: Point, scale: f64, unit: f64) -> String {
-    let long = 50.0 * scale;
-    let (x, y, tick) = (at.x - long, at.y, 1.2 * unit);
-    let words = lettering(
-        "50 mm",
-        Anchor::Middle,
-        x + long / 2.0,
-        y - 2.0 * unit,
-        1.6 * unit,
-    );
-    let mut svg = String::new();
-    let _ = writeln!(
-        svg,
-        r#"<g stroke="{MUTED}" stroke-width="{:.2}"><path d="M{x:.2} {:.2}v{tick:.2}h{long:.2}v-{tick:.2}"/><g stroke-width=".75">{words}</g></g>"#,
-        0.14 * unit,
-        y - tick
-    );
-    svg
 }
 
 /// A colour between two, each `[red, green, blue]`.
@@ -141,7 +65,7 @@ fn edge(object: &Object) -> String {
 fn contrast(object: &Object) -> &'static str {
     let [red, green, blue] = rgb(object);
     let light = 0.3 * red + 0.59 * green + 0.11 * blue;
-    if light > 150.0 { INK } else { SHEET }
+    if light > 150.0 { INK } else { PAPER }
 }
 
 fn rgb(object: &Object) -> [f64; 3] {
@@ -161,9 +85,6 @@ fn fill(object: &Object) -> &str {
 
 /// How near and how far the tool of a stock arm gets from the base axis.
 const REACH_MM: [f64; 2] = [129.0, 321.0];
-const DESK: &str = "#f4f1e9";
-const SHEET: &str = "#fffefb";
-const INK: &str = "#1b2a41";
-const MUTED: &str = "#75838d";
+const ROD: &str = "#4a5a68";
 const STEEL: &str = "#7d8f9b";
 const WARM: &str = "#c8553d";

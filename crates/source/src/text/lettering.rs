@@ -3,10 +3,8 @@
 use std::collections::HashMap;
 
 use dobot_geometry::{Bounds, Point};
+use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
-use super::hershey::{CAPITAL, StrokeFont};
-use super::letter::Letter;
-use super::stroke::rounded;
 use crate::error::SourceError;
 use crate::sketch::Sketch;
 
@@ -73,7 +71,7 @@ impl Lettering {
         };
         let unit_mm = pose.across.length().max(pose.up.length());
         let tolerance = sketch.tolerance_mm() / unit_mm;
-        for points in rounded(letter, StrokeFont::Sans, tolerance).strokes {
+        for points in letter.rounded(StrokeFont::Sans, tolerance).strokes {
             let place = |p: &Point| pose.at + pose.across * p.x - pose.up * p.y;
             let points: Vec<Point> = points.iter().map(place).collect();
             points

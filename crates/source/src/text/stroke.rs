@@ -3,10 +3,8 @@
 use std::collections::HashMap;
 
 use dobot_geometry::{Point, Stroke};
+use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
-use super::hershey::{CAPITAL, StrokeFont};
-use super::letter::Letter;
-use super::smooth::smooth;
 use super::{Text, layer};
 use crate::artwork::Layer;
 use crate::error::MAX_SEGMENTS;
@@ -95,7 +93,7 @@ impl Writer {
 
     fn letter(&mut self, character: char) -> Option<&Letter> {
         let (font, tolerance) = (self.font, self.tolerance);
-        let round = || Some(rounded(&Letter::of(font, character)?, font, tolerance));
+        let round = || Some(Letter::of(font, character)?.rounded(font, tolerance));
         self.letters.entry(character).or_insert_with(round).as_ref()
     }
 
@@ -120,38 +118,10 @@ impl Writer {
     }
 }
 
-/// A letter with its gentle corners rounded, in units of the grid.
-pub(super) fn rounded(letter: &Letter, font: StrokeFont, tolerance: f64) -> Letter {
-    let sharp = if font == StrokeFont::Gothic {
-        SHARP_GOTHIC
-    } else {
-        SHARP
-    };
-    let round = |points: &Vec<Point>| {
-        let is_dot = is_dot(points) && font != StrokeFont::Gothic;
-        smooth(points, if is_dot { ROUND } else { sharp }, tolerance)
-    };
-    Letter {
-        strokes: letter.strokes.iter().map(round).collect(),
-        advance: letter.advance,
-    }
-}
-
-/// A full stop and the like: a small square on its corner.
-fn is_dot(points: &[Point]) -> bool {
-    let is_near = |p: &Point| p.distance(points[0]) <= 2.5;
-    points.len() > 3 && points.first() == points.last() && points.iter().all(is_near)
-}
-
 fn stroke(points: Vec<Point>) -> Stroke {
     let closed = points.len() > 2 && points.first() == points.last();
     Stroke { points, closed }
 }
 
-/// From what turn on a corner is meant to be one, in radians.
-const SHARP: f64 = 0.95;
-const SHARP_GOTHIC: f64 = 0.6;
-/// Every corner is rounded.
-const ROUND: f64 = 4.0;
 /// So many characters that cannot be written are named.
 const NAMED: usize = 20;

@@ -1,66 +1,47 @@
 //! Ink and burns.
 
-use std::fmt::Write as _;
+use dobot_lettering::{Look, Sheet};
 
 use super::{INK, mix};
 use crate::world::{Burn, Hole, Point, ToolKind, WorldState};
 
 /// All ink and all burns, from above.
-pub(super) fn marks(state: &WorldState) -> String {
+pub(super) fn marks(sheet: &mut Sheet, state: &WorldState) {
     let width_mm = match state.tool.kind {
         ToolKind::Pen { width_mm } => width_mm,
         _ => 0.5,
     };
-    let mut svg = format!("<g stroke=\"{INK}\" stroke-width=\"{width_mm}\">\n");
-    for stroke in &state.strokes {
-        path(&mut svg, &stroke.points_mm, "");
-    }
-    svg += "</g>\n";
+    let strokes = state.strokes.iter().map(|it| seen(&it.points_mm));
+    sheet.curves(strokes, &Look::line(INK, width_mm));
     for burn in &state.burns {
-        scorch(&mut svg, burn);
+        scorch(sheet, burn);
     }
     for hole in &state.holes {
-        char(&mut svg, hole);
+        char(sheet, hole);
     }
-    svg
 }
 
-fn path(svg: &mut String, points: &[Point], style: &str) {
-    let Some((first, rest)) = points.split_first() else {
-        return;
-    };
-    let _ = write!(svg, "<path {style} d=\"M{:.3} {:.3}", -first.y, -first.x);
-    for point in rest {
-        let _ = write!(svg, "L{:.3} {:.3}", -point.y, -point.x);
-    }
-    // A dot is a line of no length with round ends.
-    *svg += if rest.is_empty() {
-        "h.001\"/>\n"
-    } else {
-        "\"/>\n"
-    };
+fn seen(points: &[Point]) -> impl Iterator<Item = [f64; 2]> {
+    points.iter().map(|it| [-it.y, -it.x])
 }
 
 /// A burned line: the more energy for a millimetre, the darker and the wider.
-fn scorch(svg: &mut String, burn: &Burn) {
+fn scorch(sheet: &mut Sheet, burn: &Burn) {
     let share = (burn.dose_j_mm() / FAINT_J_MM).ln() / (BLACK_J_MM / FAINT_J_MM).ln();
     let share = if share.is_finite() { share } else { 1.0 };
     let width_mm = 0.35 + 0.55 * share.clamp(0.0, 1.0);
-    let style = format!(r#"stroke="{}" stroke-width="{width_mm:.2}""#, brown(share));
-    path(svg, &burn.points_mm, &style);
+    let points: Vec<_> = seen(&burn.points_mm).collect();
+    sheet.curve(&points, &Look::line(&brown(share), width_mm));
 }
 
 /// A burned hole: it grows, slower and slower, in a halo of scorched paper.
-fn char(svg: &mut String, hole: &Hole) {
+fn char(sheet: &mut Sheet, hole: &Hole) {
     let radius_mm = (0.3 + 0.45 * (hole.power_w * hole.time_s).sqrt()).clamp(0.3, 6.0);
-    let (x, y) = (-hole.at_mm.y, -hole.at_mm.x);
-    for (times, opacity) in [(2.2, 0.18), (1.6, 0.35), (1.0, 1.0)] {
-        let _ = writeln!(
-            svg,
-            r#"<circle cx="{x:.3}" cy="{y:.3}" r="{:.2}" fill="{}" fill-opacity="{opacity}"/>"#,
-            radius_mm * times,
-            brown(if times > 1.0 { 0.5 } else { 1.0 })
-        );
+    let at = [-hole.at_mm.y, -hole.at_mm.x];
+    for (times, share, opacity) in [(2.2, 0.5, 0.18), (1.6, 0.5, 0.35), (1.0, 1.0, 1.0)] {
+        let color = brown(share);
+        let look = Look::area(&color).faded(opacity);
+        sheet.circle(at, radius_mm * times, &look);
     }
 }
 

@@ -3,12 +3,10 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
-use dobot_lettering::{Anchor, lettering, width};
+use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
 
 use super::marks::marks;
-use super::{
-    Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, contrast, edge, fill, label, scale_bar,
-};
+use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, contrast, edge, fill};
 use crate::world::footprint::Footprint;
 use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
 
@@ -44,105 +42,78 @@ pub(super) fn bounds(state: &WorldState) -> Frame {
     }
 }
 
-pub(super) fn view(state: &WorldState, frame: &Frame, unit: f64) -> String {
-    let mut svg = ring(unit);
-    svg += &grid(frame);
-    svg += &paper(state);
-    svg += &marks(state);
+pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f64) {
+    sheet.reach(REACH_MM, [2.6, -1.2], unit);
+    for (radius, color) in [(62.0, "#eef2f3"), (38.0, "#dfe6ea")] {
+        sheet.circle([0.0, 0.0], radius, &Look::area(color).edged(STEEL, 0.5));
+    }
+    grid(sheet, frame);
+    paper(sheet, state);
+    marks(sheet, state);
     let mut objects: Vec<&Object> = state.objects.iter().collect();
     objects.sort_by(|a, b| a.top_mm().total_cmp(&b.top_mm()));
     for object in &objects {
-        svg += &solid(object, state.held.contains(&object.name));
+        solid(sheet, object, state.held.contains(&object.name));
     }
     if let Some(arm) = &state.arm {
-        svg += &links(state, arm);
-        svg += &tool(state, arm);
+        // Drawn straight ahead and turned: ahead is up, and left is counter-clockwise.
+        let turned = format!("rotate({:.3})", -arm.base_deg);
+        sheet.within(&turned, |sheet| links(sheet, state, arm));
+        let (x, y, turn) = (-arm.y_mm, -arm.x_mm, -arm.rotation_deg);
+        let turned = format!("translate({x:.2} {y:.2}) rotate({turn:.2})");
+        sheet.within(&turned, |sheet| tool(sheet, state, arm));
     }
     for object in &objects {
-        svg += &name(object, state, unit);
+        name(sheet, object, state, unit);
     }
-    let corner = Point::new(
-        frame.left + frame.width - 5.0 * unit,
-        frame.top + frame.height - 4.5 * unit,
-    );
-    svg + &scale_bar(corner, 1.0, unit) + &axes(frame, unit)
-}
-
-/// What the arm reaches, and its base.
-fn ring(unit: f64) -> String {
-    let [near, far] = REACH_MM;
-    let ring = format!(
-        "M{far} 0A{far} {far} 0 1 0 -{far} 0A{far} {far} 0 1 0 {far} 0M{near} 0A{near} {near} 0 1 0 -{near} 0A{near} {near} 0 1 0 {near} 0"
-    );
-    let reach = |reach: f64, below: f64| {
-        let text = format!("reach {reach:.0} mm");
-        lettering(&text, Anchor::Middle, 0.0, below * unit - reach, 1.3 * unit)
-    };
-    let words = reach(near, 2.6) + &reach(far, -1.2);
-    format!(
-        r##"<path d="{ring}" fill="#e9f0f3" fill-rule="evenodd" stroke="#9fb3c2" stroke-width=".5"/>
-<g stroke="{STEEL}" stroke-width=".7"><circle r="62" fill="#eef2f3" stroke-width=".4"/><circle r="38" fill="#dfe6ea"/></g><g stroke="{MUTED}" stroke-width=".75">{words}</g>
-"##
-    )
+    let low = frame.bottom() - 4.5 * unit;
+    sheet.scale_bar([frame.right() - 5.0 * unit, low], 50.0, unit);
+    axes(sheet, [frame.left + 15.0 * unit, low], unit);
 }
 
 /// A cross each 50 mm.
-fn grid(frame: &Frame) -> String {
-    let mut path = String::new();
-    let steps = |from: f64, long: f64| {
+fn grid(sheet: &mut Sheet, frame: &Frame) {
+    let steps = |from: f64, to: f64| {
         let first = (from / 50.0).ceil() * 50.0;
-        std::iter::successors(Some(first), |it| Some(it + 50.0))
-            .take_while(move |it| *it < from + long)
+        std::iter::successors(Some(first), |it| Some(it + 50.0)).take_while(move |it| *it < to)
     };
-    for y in steps(frame.top, frame.height) {
-        for x in steps(frame.left, frame.width) {
-            let _ = write!(path, "M{} {y}h3M{x} {}v3", x - 1.5, y - 1.5);
-        }
-    }
-    format!("<path d=\"{path}\" stroke=\"#b9c6cd\" stroke-width=\".3\"/>\n")
+    let places = steps(frame.top, frame.bottom())
+        .flat_map(|y| steps(frame.left, frame.right()).map(move |x| [x, y]));
+    let cross = |[x, y]: [f64; 2]| [[[x - 1.5, y], [x + 1.5, y]], [[x, y - 1.5], [x, y + 1.5]]];
+    sheet.curves(places.flat_map(cross), &Look::line("#b9c6cd", 0.3));
 }
 
-fn paper(state: &WorldState) -> String {
+fn paper(sheet: &mut Sheet, state: &WorldState) {
     let Some(paper) = state.paper else {
-        return String::new();
+        return;
     };
-    let sheet = Frame {
-        left: -paper.to_mm.y,
-        top: -paper.to_mm.x,
-        width: paper.to_mm.y - paper.from_mm.y,
-        height: paper.to_mm.x - paper.from_mm.x,
-    };
+    let page = Frame::between(
+        [-paper.to_mm.y, -paper.to_mm.x],
+        [-paper.from_mm.y, -paper.from_mm.x],
+    );
     let shadow = Frame {
-        left: sheet.left + 1.5,
-        top: sheet.top + 2.0,
-        ..sheet
+        left: page.left + 1.5,
+        top: page.top + 2.0,
+        ..page
     };
-    shadow.rect(0.6, r##"fill="#1b2a41" fill-opacity=".13""##)
-        + &sheet.rect(
-            0.6,
-            r##"fill="#ffffff" stroke="#d5d0c4" stroke-width=".3""##,
-        )
+    sheet.rect(&shadow, 0.6, &Look::area(INK).faded(0.13));
+    sheet.rect(&page, 0.6, &Look::area("#ffffff").edged("#d5d0c4", 0.3));
 }
 
 /// An object with its shadow; the higher it is, the farther the shadow.
-fn solid(object: &Object, held: bool) -> String {
+fn solid(sheet: &mut Sheet, object: &Object, held: bool) {
     let outline = outline(object);
     let away = 1.2 + object.bottom_mm.clamp(0.0, 200.0) * 0.06;
-    let mut svg = format!(
-        r##"<path d="{outline}" transform="translate({away:.2} {:.2})" fill="#1b2a41" fill-opacity=".16"/>
-<path d="{outline}" fill="{}" stroke="{}" stroke-width=".7"/>
-"##,
-        away * 1.3,
-        fill(object),
-        edge(object),
-    );
+    let shadow = format!("translate({away:.2} {:.2})", away * 1.3);
+    sheet.within(&shadow, |it| {
+        it.path(&outline, &Look::area(INK).faded(0.16));
+    });
+    let edge = edge(object);
+    sheet.path(&outline, &Look::area(fill(object)).edged(&edge, 0.7));
     if held {
-        let _ = writeln!(
-            svg,
-            r#"<path d="{outline}" stroke="{SHEET}" stroke-width="2.4"/><path d="{outline}" stroke="{WARM}" stroke-width="1.2" stroke-dasharray="3 2.2"/>"#
-        );
+        sheet.path(&outline, &Look::line(PAPER, 2.4));
+        sheet.path(&outline, &Look::line(WARM, 1.2).dashed("3 2.2"));
     }
-    svg
 }
 
 fn outline(object: &Object) -> String {
@@ -177,7 +148,7 @@ fn outline(object: &Object) -> String {
 }
 
 /// The name: on the object where there is room and nothing stands there, otherwise below it.
-fn name(object: &Object, state: &WorldState, unit: f64) -> String {
+fn name(sheet: &mut Sheet, object: &Object, state: &WorldState, unit: f64) {
     let high = 1.5 * unit;
     let held = state.held.contains(&object.name);
     let text = if held {
@@ -188,112 +159,85 @@ fn name(object: &Object, state: &WorldState, unit: f64) -> String {
     let [right, left] = object.footprint().extent(Point::new(0.0, 1.0));
     let covered = state.objects.iter().any(|it| it.stands_on(object));
     let middle = Point::new(-object.at_mm.y, -object.at_mm.x);
-    if !covered && !held && width(&text, high) + 2.0 * unit < left - right {
-        let words = lettering(&text, Anchor::Middle, middle.x, middle.y + high / 2.0, high);
-        let color = contrast(object);
-        return format!("<g stroke=\"{color}\" stroke-width=\".9\">{words}</g>\n");
+    let kind = Type::new(high, contrast(object));
+    if !covered && !held && kind.width(&text) + 2.0 * unit < left - right {
+        let at = [middle.x, middle.y + high / 2.0];
+        return sheet.text(at, Anchor::Middle, &kind, &text);
     }
     let [back, _] = object.footprint().extent(Point::new(1.0, 0.0));
-    let below = Point::new(middle.x, -back + high + 1.1 * unit);
-    let color = if held { WARM } else { INK };
-    label(&text, Anchor::Middle, below, high, color)
+    let below = [middle.x, -back + high + 1.1 * unit];
+    let kind = Type::new(high, if held { WARM } else { INK });
+    for kind in [kind.halo(PAPER), kind] {
+        sheet.text(below, Anchor::Middle, &kind, &text);
+    }
 }
 
 /// Rear arm, forearm and tool holder, so faint that what lies below shows.
-fn links(state: &WorldState, arm: &ArmState) -> String {
+fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let elbow = REAR_ARM.0 * arm.rear_deg.to_radians().sin();
     let wrist = elbow + FOREARM.0 * arm.fore_deg.to_radians().cos();
     let tool = wrist + state.tool.mounting().reach().0;
-    // Drawn straight ahead and turned: on the picture ahead is up, and left is counter-clockwise.
-    let turn = -arm.base_deg;
-    let link = |from: f64, to: f64, wide: f64| {
-        format!(
-            r##"<path d="M0 {:.2}V{:.2}" stroke="{STEEL}" stroke-width="{wide}" stroke-opacity=".55"/><path d="M0 {:.2}V{:.2}" stroke="#eef2f4" stroke-width="{:.1}" stroke-opacity=".62"/>"##,
-            -from,
-            -to,
-            -from,
-            -to,
-            wide - 1.6
-        )
-    };
-    let joint = |at: f64, r: f64| {
-        format!(
-            r#"<circle cy="{:.2}" r="{r}" fill="{SHEET}" fill-opacity=".8" stroke="{STEEL}" stroke-width=".8"/>"#,
-            -at
-        )
-    };
-    format!(
-        "<g transform=\"rotate({turn:.3})\">{}{}{}{}{}{}</g>\n",
-        link(wrist, tool, 12.0),
-        link(elbow, wrist, 20.0),
-        link(0.0, elbow, 28.0),
-        joint(0.0, 9.0),
-        joint(elbow, 6.5),
-        joint(wrist, 5.0)
-    )
+    for (from, to, wide) in [
+        (wrist, tool, 12.0),
+        (elbow, wrist, 20.0),
+        (0.0, elbow, 28.0),
+    ] {
+        let (steel, pale) = (Look::line(STEEL, wide), Look::line("#eef2f4", wide - 1.6));
+        sheet.line([0.0, -from], [0.0, -to], &steel.faded(0.55));
+        sheet.line([0.0, -from], [0.0, -to], &pale.faded(0.62));
+    }
+    for (at, radius) in [(0.0, 9.0), (elbow, 6.5), (wrist, 5.0)] {
+        sheet.circle([0.0, -at], radius, &Look::area(PAPER).faded(0.8));
+        sheet.circle([0.0, -at], radius, &Look::line(STEEL, 0.8));
+    }
 }
 
 /// The tool, as seen from above.
-fn tool(state: &WorldState, arm: &ArmState) -> String {
-    let (x, y) = (-arm.y_mm, -arm.x_mm);
-    let shape = match state.tool.kind {
+fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
+    let (middle, cross) = ([0.0, 0.0], "M-2.5 0H2.5M0 -2.5V2.5");
+    match state.tool.kind {
         ToolKind::Pen { .. } => {
-            format!(
-                r#"<circle r="5" fill="{SHEET}" fill-opacity=".5"/><circle r=".9" fill="{INK}" stroke="none"/>"#
-            )
+            sheet.circle(middle, 5.0, &Look::area(PAPER).faded(0.5));
+            sheet.circle(middle, 5.0, &Look::line(INK, 0.8));
+            sheet.circle(middle, 0.9, &Look::area(INK));
         }
         ToolKind::Laser { .. } => {
-            let beam = if arm.laser {
-                r##"<circle r="9" fill="#e0402e" fill-opacity=".18" stroke="none"/><circle r="1.6" fill="#e0402e" stroke="none"/>"##
-            } else {
-                ""
-            };
-            format!(r#"<path d="M-9 -9H9V9H-9Z" fill="{SHEET}" fill-opacity=".3"/>{beam}"#)
+            let housing = Frame::between([-9.0, -9.0], [9.0, 9.0]);
+            sheet.rect(&housing, 0.0, &Look::area(PAPER).faded(0.3));
+            sheet.rect(&housing, 0.0, &Look::line(INK, 0.8));
+            if arm.laser {
+                sheet.circle(middle, 9.0, &Look::area("#e0402e").faded(0.18));
+                sheet.circle(middle, 1.6, &Look::area("#e0402e"));
+            }
         }
         ToolKind::SuctionCup { diameter_mm, .. } => {
-            let color = if arm.pump { WARM } else { INK };
-            format!(
-                r#"<circle r="{:.2}" fill="{SHEET}" fill-opacity=".45" stroke="{color}"/><path d="M-2.5 0H2.5M0 -2.5V2.5" stroke="{color}"/>"#,
-                diameter_mm / 2.0
-            )
+            let edge = Look::line(if arm.pump { WARM } else { INK }, 0.8);
+            sheet.circle(middle, diameter_mm / 2.0, &Look::area(PAPER).faded(0.45));
+            sheet.circle(middle, diameter_mm / 2.0, &edge);
+            sheet.path(cross, &edge);
         }
         ToolKind::Gripper { .. } => {
             let half = arm.opening_mm / 2.0;
-            format!(
-                r##"<path d="M{:.2} -5h-4v10h4ZM{half:.2} -5h4v10h-4Z" fill="#4a5a68"/><path d="M-2.5 0H2.5M0 -2.5V2.5"/>"##,
-                -half
-            )
+            for left in [-half - 4.0, half] {
+                let finger = Frame::between([left, -5.0], [left + 4.0, 5.0]);
+                sheet.rect(&finger, 0.0, &Look::area(ROD).edged(INK, 0.8));
+            }
+            sheet.path(cross, &Look::line(INK, 0.8));
         }
-    };
-    format!(
-        "<g transform=\"translate({x:.2} {y:.2}) rotate({:.2})\" stroke=\"{INK}\" stroke-width=\".8\">{shape}</g>\n",
-        -arm.rotation_deg
-    )
+    }
 }
 
 /// Which way X and Y point.
-fn axes(frame: &Frame, unit: f64) -> String {
-    let (x, y) = (
-        frame.left + 15.0 * unit,
-        frame.top + frame.height - 4.5 * unit,
-    );
-    let long = 9.0 * unit;
-    let words = lettering(
-        "x",
-        Anchor::Middle,
-        x + 2.4 * unit,
-        y - long + 1.4 * unit,
-        1.6 * unit,
-    ) + &lettering("y", Anchor::Middle, x - long, y - 1.6 * unit, 1.6 * unit);
-    format!(
-        r#"<g stroke="{MUTED}" stroke-width="{:.2}"><path d="M{:.2} {y:.2}H{x:.2}V{:.2}m{a:.2} {b:.2}l-{a:.2} -{b:.2}l-{a:.2} {b:.2}M{:.2} {:.2}l-{b:.2} {a:.2}l{b:.2} {a:.2}"/><g stroke-width=".75">{words}</g></g>
-"#,
-        0.14 * unit,
-        x - long,
-        y - long,
-        x - long + 1.4 * unit,
-        y - 0.7 * unit,
-        a = 0.7 * unit,
-        b = 1.4 * unit,
-    )
+fn axes(sheet: &mut Sheet, [x, y]: [f64; 2], unit: f64) {
+    let (left, top) = (x - 9.0 * unit, y - 9.0 * unit);
+    let (a, b) = (0.7 * unit, 1.4 * unit);
+    let lines = [
+        [[left, y], [x, y], [x, top]],
+        [[x - a, top + b], [x, top], [x + a, top + b]],
+        [[left + b, y - a], [left, y], [left + b, y + a]],
+    ];
+    sheet.curves(lines, &Look::line(MUTED, 0.16 * unit));
+    let kind = Type::new(1.6 * unit, MUTED);
+    sheet.text([x + 2.4 * unit, top + b], Anchor::Middle, &kind, "x");
+    sheet.text([left, y - 1.6 * unit], Anchor::Middle, &kind, "y");
 }

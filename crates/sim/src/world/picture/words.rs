@@ -1,29 +1,20 @@
 //! Title, figures and what happened.
 
-use std::fmt::Write as _;
+use dobot_lettering::{Anchor, Frame, Sheet, Type};
 
-use dobot_lettering::{Anchor, lettering, width};
-
-use super::{Frame, INK, MUTED, WARM};
+use super::{INK, MUTED, WARM};
 use crate::world::marks::{WRITES_MM, ink_mm};
 use crate::world::track::length_mm;
-use crate::world::{Event, Point, ToolKind, WorldState};
+use crate::world::{Event, ToolKind, WorldState};
 
 /// Above the views: what it is on the left, what the tool is about on the right.
-pub(super) fn head(state: &WorldState, top: &Frame, unit: f64) -> String {
+pub(super) fn head(sheet: &mut Sheet, state: &WorldState, top: &Frame, unit: f64) {
     let y = top.top - 4.5 * unit;
     let title = format!("the world at {:.2} s", state.time_s);
-    let title = lettering(&title, Anchor::Left, top.left, y, 3.6 * unit);
-    let doing = lettering(
-        &doing(state),
-        Anchor::Right,
-        top.left + top.width,
-        y,
-        1.9 * unit,
-    );
-    format!(
-        "<g stroke=\"{INK}\" stroke-width=\".85\">{title}</g><g stroke=\"{MUTED}\" stroke-width=\".75\">{doing}</g>\n"
-    )
+    let kind = Type::new(3.6 * unit, INK);
+    sheet.text([top.left, y], Anchor::Left, &kind, &title);
+    let kind = Type::new(1.9 * unit, MUTED);
+    sheet.text([top.right(), y], Anchor::Right, &kind, &doing(state));
 }
 
 fn doing(state: &WorldState) -> String {
@@ -44,12 +35,8 @@ fn doing(state: &WorldState) -> String {
 }
 
 /// What happened last, the latest at the bottom.
-pub(super) fn log(state: &WorldState, frame: &Frame, unit: f64) -> String {
+pub(super) fn log(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f64) {
     let (x, high, step) = (frame.left + 3.0 * unit, 1.45 * unit, 3.3 * unit);
-    let words = |text: &str, y: f64, color: &str| {
-        let words = lettering(text, Anchor::Left, x, y, high);
-        format!("<g stroke=\"{color}\" stroke-width=\".75\">{words}</g>\n")
-    };
     let lines = lines(state, frame.width - 6.0 * unit, high);
     #[expect(
         clippy::cast_possible_truncation,
@@ -59,17 +46,14 @@ pub(super) fn log(state: &WorldState, frame: &Frame, unit: f64) -> String {
     let room = ((frame.height - 9.0 * unit) / step).clamp(1.0, 60.0) as usize;
     let cut = lines.len().saturating_sub(room);
     let all = cut == 0 && state.events.len() as u64 == state.event_count;
-    let mut svg = words(
-        &headline(state.event_count, all),
-        frame.top + 4.4 * unit,
-        MUTED,
-    );
-    let mut y = frame.top + 8.6 * unit;
+    let headline = headline(state.event_count, all);
+    let mut y = frame.top + 4.4 * unit;
+    sheet.text([x, y], Anchor::Left, &Type::new(high, MUTED), &headline);
+    y += 4.2 * unit;
     for (text, color) in &lines[cut..] {
-        svg += &words(text, y, color);
+        sheet.text([x, y], Anchor::Left, &Type::new(high, color), text);
         y += step;
     }
-    svg
 }
 
 fn headline(count: u64, all: bool) -> String {
@@ -91,7 +75,7 @@ fn lines(state: &WorldState, wide: f64, high: f64) -> Vec<(String, &'static str)
         let mut line = String::new();
         for word in happened.to_string().split(' ') {
             let longer = format!("{line}{}{word}", if line.is_empty() { "" } else { " " });
-            if line.is_empty() || width(&longer, high) <= wide {
+            if line.is_empty() || dobot_lettering::width(&longer, high) <= wide {
                 line = longer;
             } else {
                 lines.push((line, color));
@@ -103,23 +87,8 @@ fn lines(state: &WorldState, wide: f64, high: f64) -> Vec<(String, &'static str)
     lines
 }
 
-/// Below the views.
-pub(super) fn figures(state: &WorldState, at: Point, unit: f64) -> String {
-    let mut svg = String::new();
-    let mut x = at.x;
-    for (name, figure) in &facts(state) {
-        let name_at = lettering(name, Anchor::Left, x, at.y + 6.0 * unit, 1.7 * unit);
-        let figure_at = lettering(figure, Anchor::Left, x, at.y + 11.2 * unit, 2.6 * unit);
-        let _ = writeln!(
-            svg,
-            r#"<g stroke="{MUTED}" stroke-width=".75">{name_at}<g stroke="{INK}">{figure_at}</g></g>"#
-        );
-        x += width(name, 1.7 * unit).max(width(figure, 2.6 * unit)) + 7.0 * unit;
-    }
-    svg
-}
-
-fn facts(state: &WorldState) -> Vec<(&'static str, String)> {
+/// What is told below the views.
+pub(super) fn facts(state: &WorldState) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     if let Some(arm) = &state.arm {
         facts.push((

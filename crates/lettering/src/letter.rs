@@ -2,20 +2,23 @@
 
 use dobot_geometry::{Bounds, Point};
 
-use super::hershey::{CAPITAL, StrokeFont};
-use super::symbols::{self, Mark, Recipe};
+use crate::hershey::{CAPITAL, StrokeFont};
+use crate::smooth::smooth;
+use crate::symbols::{self, Mark, Recipe};
 
 /// A letter as lines: from x 0 to its advance, on a base line at y 0, capitals up to y -21.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Letter {
-    pub(crate) strokes: Vec<Vec<Point>>,
+pub struct Letter {
+    /// Its lines; each one of a single point is a dot.
+    pub strokes: Vec<Vec<Point>>,
     /// From its beginning to that of the next letter.
-    pub(crate) advance: f64,
+    pub advance: f64,
 }
 
 impl Letter {
     /// The letter for a character; `None` where the font has none and it cannot be made.
-    pub(crate) fn of(font: StrokeFont, character: char) -> Option<Self> {
+    #[must_use]
+    pub fn of(font: StrokeFont, character: char) -> Option<Self> {
         if let Some(glyph) = font.glyph(character) {
             return Some(glyph);
         }
@@ -26,6 +29,24 @@ impl Letter {
             Recipe::Turned(base) => Some(Self::of(font, base)?.turned()),
             Recipe::Own { strokes, advance } => Some(Self::drawn(strokes, advance, font.slant())),
             Recipe::Marked(base, mark) => Some(Self::of(font, base)?.marked(mark, font.slant())),
+        }
+    }
+
+    /// Its gentle corners rounded, within a tolerance in units of the grid.
+    #[must_use]
+    pub fn rounded(&self, font: StrokeFont, tolerance: f64) -> Self {
+        let is_gothic = font == StrokeFont::Gothic;
+        let round = |points: &Vec<Point>| {
+            let sharp = match (is_gothic, is_dot(points)) {
+                (true, _) => SHARP_GOTHIC,
+                (false, true) => ROUND,
+                (false, false) => SHARP,
+            };
+            smooth(points, sharp, tolerance)
+        };
+        Self {
+            strokes: self.strokes.iter().map(round).collect(),
+            advance: self.advance,
         }
     }
 
@@ -113,10 +134,21 @@ fn is_dot_above(stroke: &[Point]) -> bool {
     bounds.max.y < -X_HEIGHT - 1.0 && bounds.height() <= 4.0 && bounds.width() <= 5.0
 }
 
+/// A full stop and the like: a small square on its corner.
+fn is_dot(points: &[Point]) -> bool {
+    let is_near = |p: &Point| p.distance(points[0]) <= 2.5;
+    points.len() > 3 && points.first() == points.last() && points.iter().all(is_near)
+}
+
 const X_HEIGHT: f64 = 14.0;
 const RAISED: f64 = 0.6;
 /// How far the letters of æ and œ lie over each other.
 const LIGATURE: f64 = 4.0;
+/// From what turn on a corner is meant to be one, in radians.
+const SHARP: f64 = 0.95;
+const SHARP_GOTHIC: f64 = 0.6;
+/// Every corner is rounded.
+const ROUND: f64 = 4.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

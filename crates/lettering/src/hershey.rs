@@ -8,7 +8,7 @@
 
 use dobot_geometry::Point;
 
-use super::letter::Letter;
+use crate::letter::Letter;
 
 /// A font of single strokes that comes with the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -96,7 +96,7 @@ fn parse(line: &[u8]) -> Option<Letter> {
 /// Where capitals stand on the grid.
 const BASE_LINE: f64 = 9.0;
 /// How tall capitals are on the grid.
-pub(crate) const CAPITAL: f64 = 21.0;
+pub const CAPITAL: f64 = 21.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -1,0 +1,69 @@
+//! What pictures of the arm's table have in common: paper on a desk, in millimetres, with words that
+//! grow with the page by a `unit`.
+
+use crate::{Anchor, Frame, Look, Sheet, Type};
+
+impl Sheet {
+    /// An empty desk.
+    #[must_use]
+    pub fn desk(page: Frame) -> Self {
+        let mut sheet = Self::new(page, "mm");
+        sheet.rect(&page, 0.0, &Look::area(DESK));
+        sheet
+    }
+
+    /// A paper on the desk with what `draw` draws on it, cut off at its edges.
+    pub fn paper(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
+        self.rect(frame, radius, &Look::area(PAPER));
+        self.clipped(frame, radius, draw);
+        self.rect(frame, radius, &Look::line("#c9c3b4", 0.3));
+    }
+
+    /// What the arm reaches around its axis: how near and how far, and how many units below each arc
+    /// that is said.
+    pub fn reach(&mut self, [near, far]: [f64; 2], labels: [f64; 2], unit: f64) {
+        let arcs = |r: f64| format!("M{r} 0A{r} {r} 0 1 0 -{r} 0A{r} {r} 0 1 0 {r} 0");
+        let look = Look::area("#e9f0f3").edged("#9fb3c2", 0.4);
+        self.path(&(arcs(far) + &arcs(near)), &look);
+        for (reach, below) in [near, far].into_iter().zip(labels) {
+            let words = format!("reach {reach:.0} mm");
+            let kind = Type::new(1.5 * unit, MUTED);
+            self.text([0.0, below * unit - reach], Anchor::Middle, &kind, &words);
+        }
+    }
+
+    /// How long 50 mm are on the page, with the right end at a place.
+    pub fn scale_bar(&mut self, [right, y]: [f64; 2], long: f64, unit: f64) {
+        let (left, top) = (right - long, y - 1.2 * unit);
+        let bar = [[left, top], [left, y], [right, y], [right, top]];
+        self.curve(&bar, &Look::line(MUTED, 0.16 * unit));
+        let middle = [right - long / 2.0, y - 2.0 * unit];
+        self.text(
+            middle,
+            Anchor::Middle,
+            &Type::new(1.7 * unit, MUTED),
+            "50 mm",
+        );
+    }
+
+    /// Below a paper: what each figure is, and the figure.
+    pub fn figures<N: AsRef<str>>(&mut self, [x, y]: [f64; 2], all: &[(N, String)], unit: f64) {
+        let (names, figures) = (Type::new(1.7 * unit, MUTED), Type::new(2.6 * unit, INK));
+        let mut x = x;
+        for (name, figure) in all {
+            let name = name.as_ref();
+            self.text([x, y + 6.0 * unit], Anchor::Left, &names, name);
+            self.text([x, y + 11.2 * unit], Anchor::Left, &figures, figure);
+            x += names.width(name).max(figures.width(figure)) + 7.0 * unit;
+        }
+    }
+}
+
+/// What paper lies on.
+const DESK: &str = "#f4f1e9";
+/// Paper.
+pub const PAPER: &str = "#fffefb";
+/// Words that matter, and ink.
+pub const INK: &str = "#1b2a41";
+/// Words that explain.
+pub const MUTED: &str = "#75838d";

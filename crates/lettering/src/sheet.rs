@@ -1,0 +1,298 @@
+//! A picture in the making: lines, areas and words, written as SVG.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use crate::look::{Look, Short, Type};
+use crate::words::{Anchor, letter_of, placed};
+use crate::{CAPITAL, width};
+
+/// A picture in the making: x to the right, y down; later things lie on earlier ones. Lines have
+/// round ends, and no fonts are needed.
+#[derive(Debug)]
+pub struct Sheet {
+    svg: String,
+    /// Those that were written: each is drawn once and used often.
+    letters: BTreeSet<char>,
+    clips: u32,
+}
+
+/// A rectangle of a sheet.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// Its left edge.
+    pub left: f64,
+    /// Its upper edge.
+    pub top: f64,
+    /// From left to right.
+    pub width: f64,
+    /// From top to bottom.
+    pub height: f64,
+}
+
+impl Frame {
+    /// The rectangle from its upper left to its lower right corner.
+    #[must_use]
+    pub fn between([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
+        Self {
+            left,
+            top,
+            width: right - left,
+            height: bottom - top,
+        }
+    }
+
+    /// Its right edge.
+    #[must_use]
+    pub fn right(&self) -> f64 {
+        self.left + self.width
+    }
+
+    /// Its lower edge.
+    #[must_use]
+    pub fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+
+    /// The attributes of an element.
+    fn attributes(&self, radius: f64) -> String {
+        let [left, top, width, height] = [self.left, self.top, self.width, self.height].map(Short);
+        let radius = Short(radius);
+        format!(r#"x="{left}" y="{top}" width="{width}" height="{height}" rx="{radius}""#)
+    }
+}
+
+impl Sheet {
+    /// An empty sheet of that page, in a unit of length as SVG names it: `mm`, or `px` for pixels.
+    #[must_use]
+    pub fn new(page: Frame, unit: &str) -> Self {
+        let [left, top, width, height] = [page.left, page.top, page.width, page.height].map(Short);
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}{unit}" height="{height}{unit}" viewBox="{left} {top} {width} {height}" fill="none" stroke-linecap="round" stroke-linejoin="round">
+"#
+        );
+        Self {
+            svg,
+            letters: BTreeSet::new(),
+            clips: 0,
+        }
+    }
+
+    /// The text of the SVG file.
+    #[must_use]
+    pub fn finish(mut self) -> String {
+        self.svg += "<defs>\n";
+        for letter in std::mem::take(&mut self.letters) {
+            let mut path = String::new();
+            for line in letter_of(letter).strokes {
+                outline(&mut path, line.iter().map(|p| [p.x, p.y]));
+            }
+            self.add(format_args!(r#"<path id="{}" d="{path}"/>"#, id(letter)));
+        }
+        self.svg + "</defs>\n</svg>\n"
+    }
+
+    /// A straight line.
+    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], look: &Look<'_>) {
+        self.curve(&[from, to], look);
+    }
+
+    /// A line through some points; a single one is a dot.
+    pub fn curve(&mut self, points: &[[f64; 2]], look: &Look<'_>) {
+        let mut path = String::new();
+        outline(&mut path, points.iter().copied());
+        self.path(&path, look);
+    }
+
+    /// Many lines in one look, in few elements: large pictures stay small and are shown fast.
+    pub fn curves<L>(&mut self, lines: impl IntoIterator<Item = L>, look: &Look<'_>)
+    where
+        L: IntoIterator<Item = [f64; 2]>,
+    {
+        self.add(format_args!("<g{look}>"));
+        let (mut path, mut points) = (String::new(), 0);
+        for line in lines {
+            points += outline(&mut path, line);
+            if points >= POINTS_A_PATH {
+                self.path(&std::mem::take(&mut path), &Look::default());
+                points = 0;
+            }
+        }
+        self.path(&path, &Look::default());
+        self.add("</g>");
+    }
+
+    /// What some points enclose.
+    pub fn area(&mut self, corners: &[[f64; 2]], look: &Look<'_>) {
+        let mut path = String::new();
+        outline(&mut path, corners.iter().copied());
+        self.path(&(path + "Z"), look);
+    }
+
+    /// The path of these SVG path data; what lies in it twice is outside of it.
+    pub fn path(&mut self, data: &str, look: &Look<'_>) {
+        if !data.is_empty() {
+            self.add(format_args!(
+                r#"<path fill-rule="evenodd" d="{data}"{look}/>"#
+            ));
+        }
+    }
+
+    /// A rectangle whose corners are round.
+    pub fn rect(&mut self, frame: &Frame, radius: f64, look: &Look<'_>) {
+        self.add(format_args!("<rect {}{look}/>", frame.attributes(radius)));
+    }
+
+    /// A circle around a point.
+    pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, look: &Look<'_>) {
+        let [x, y, radius] = [x, y, radius].map(Short);
+        self.add(format_args!(
+            r#"<circle cx="{x}" cy="{y}" r="{radius}"{look}/>"#
+        ));
+    }
+
+    /// A line of words, held at a place on its base line.
+    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, kind: &Type<'_>, words: &str) {
+        let Type {
+            height,
+            color,
+            weight,
+        } = *kind;
+        let left = anchor.left(x, width(words, height));
+        self.add(format_args!(
+            r#"<g transform="translate({} {})scale({:.4})" stroke="{color}" stroke-width="{}" aria-label="{}">"#,
+            Short(left),
+            Short(y),
+            height / CAPITAL,
+            Short(weight * CAPITAL),
+            escaped(words)
+        ));
+        for (x, letter) in placed(words).filter(|it| !it.1.is_whitespace()) {
+            self.letters.insert(letter);
+            let _ = write!(
+                self.svg,
+                r##"<use href="#{}" x="{}"/>"##,
+                id(letter),
+                Short(x)
+            );
+        }
+        self.add("</g>");
+    }
+
+    /// What is drawn by `draw`, moved, turned or scaled by an SVG transform.
+    pub fn within(&mut self, transform: &str, draw: impl FnOnce(&mut Self)) {
+        self.add(format_args!(r#"<g transform="{transform}">"#));
+        draw(self);
+        self.add("</g>");
+    }
+
+    /// What is drawn by `draw`, cut off at the edges of a frame whose corners are round.
+    pub fn clipped(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
+        let (clip, frame) = (self.clips, frame.attributes(radius));
+        self.clips += 1;
+        self.add(format_args!(
+            r#"<clipPath id="clip{clip}"><rect {frame}/></clipPath><g clip-path="url(#clip{clip})">"#
+        ));
+        draw(self);
+        self.add("</g>");
+    }
+
+    fn add(&mut self, element: impl std::fmt::Display) {
+        writeln!(self.svg, "{element}").expect("writing to a string works");
+    }
+}
+
+/// The name of a letter in a file.
+fn id(letter: char) -> String {
+    format!("letter-{:x}", u32::from(letter))
+}
+
+/// A line through some points, and how many those are. A dot is a line of no length with round ends.
+fn outline(path: &mut String, points: impl IntoIterator<Item = [f64; 2]>) -> usize {
+    let mut count = 0;
+    for [x, y] in points {
+        let to = if count == 0 { 'M' } else { 'L' };
+        write!(path, "{to}{} {}", Short(x), Short(y)).expect("writing to a string works");
+        count += 1;
+    }
+    if count == 1 {
+        *path += "h.001";
+    }
+    count
+}
+
+/// A text as an attribute takes it; control characters it does not take at all.
+fn escaped(words: &str) -> String {
+    let mut text = String::new();
+    for letter in words.chars() {
+        match letter {
+            '<' => text += "&lt;",
+            '&' => text += "&amp;",
+            '"' => text += "&quot;",
+            it if it.is_control() => text.push('\u{FFFD}'),
+            it => text.push(it),
+        }
+    }
+    text
+}
+
+const POINTS_A_PATH: usize = 1000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(draw: impl FnOnce(&mut Sheet)) -> String {
+        let mut sheet = Sheet::new(Frame::between([0.0, 0.0], [10.0, 5.0]), "mm");
+        draw(&mut sheet);
+        sheet.finish()
+    }
+
+    #[test]
+    fn a_dot_is_a_line_of_no_length() {
+        let svg = drawn(|it| it.curve(&[[-2.0, 1.004]], &Look::line("red", 0.5)));
+        assert!(
+            svg.contains(r#"d="M-2 1h.001" stroke="red" stroke-width="0.5""#),
+            "{svg}"
+        );
+    }
+
+    #[test]
+    fn many_short_lines_share_a_path() {
+        let lines = (0..1500).map(|_| [[1.0, 2.0], [3.0, 4.0]]);
+        let svg = drawn(|it| it.curves(lines, &Look::line("red", 1.0)));
+        assert_eq!(svg.matches("<path").count(), 3);
+        assert_eq!(svg.matches('M').count(), 1500);
+    }
+
+    #[test]
+    fn a_letter_is_drawn_once_and_its_words_can_be_read_by_others() {
+        let text = |it: &mut Sheet| {
+            it.text([0.0, 3.0], Anchor::Left, &Type::new(2.0, "red"), "a <\"& a");
+        };
+        let svg = drawn(text);
+        assert!(svg.contains(r#"aria-label="a &lt;&quot;&amp; a""#), "{svg}");
+        assert_eq!(svg.matches("\"letter-61\"").count(), 1);
+        assert_eq!(svg.matches("\"#letter-61\"").count(), 2);
+    }
+
+    #[test]
+    fn any_sheet_is_an_svg_file() {
+        let svg = drawn(|it| {
+            it.clipped(&Frame::between([0.0, 0.0], [1.0, 1.0]), 0.1, |it| {
+                it.within("rotate(3)", |it| {
+                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &Look::area("red"));
+                });
+            });
+            it.text(
+                [5.0, 3.0],
+                Anchor::Middle,
+                &Type::new(2.0, "red").bold(),
+                "Grüße\u{7} 漢",
+            );
+            it.curves([[[0.0, 0.0]]; 0], &Look::default());
+        });
+        let tree = usvg::Tree::from_str(&svg, &usvg::Options::default());
+        assert!(tree.is_ok(), "{svg}");
+    }
+}

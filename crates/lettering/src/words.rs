@@ -1,0 +1,140 @@
+//! A line of words, laid out in plain letters.
+
+use std::sync::LazyLock;
+
+use dobot_geometry::Point;
+
+use crate::{CAPITAL, Letter, StrokeFont};
+
+/// Where a text is held.
+#[derive(Clone, Copy, Debug)]
+pub enum Anchor {
+    /// At its left end.
+    Left,
+    /// In its middle.
+    Middle,
+    /// At its right end.
+    Right,
+}
+
+impl Anchor {
+    /// Where a text begins that is so wide and held there.
+    pub(crate) fn left(self, at: f64, width: f64) -> f64 {
+        match self {
+            Self::Left => at,
+            Self::Middle => at - width / 2.0,
+            Self::Right => at - width,
+        }
+    }
+}
+
+/// How wide a line of text is whose capitals are so tall.
+#[must_use]
+pub fn width(text: &str, height: f64) -> f64 {
+    let advance: f64 = text.chars().map(advance).sum();
+    (advance - 2.0 * BEARING).max(0.0) * height / CAPITAL
+}
+
+/// The lines of a text that is held at a place, on its base line; y grows downwards.
+#[must_use]
+pub fn strokes(text: &str, anchor: Anchor, at: Point, height: f64) -> Vec<Vec<Point>> {
+    let scale = height / CAPITAL;
+    let left = anchor.left(at.x, width(text, height));
+    placed(text)
+        .flat_map(|(x, letter)| {
+            let begin = Point::new(left + x * scale, at.y);
+            let placed = move |line: Vec<Point>| line.iter().map(|p| begin + *p * scale).collect();
+            letter_of(letter).strokes.into_iter().map(placed)
+        })
+        .collect()
+}
+
+/// The letters of a text, and how far from its beginning each begins, in units of the grid.
+pub(crate) fn placed(text: &str) -> impl Iterator<Item = (f64, char)> {
+    text.chars().scan(-BEARING, |x, letter| {
+        let begin = *x;
+        *x += advance(letter);
+        Some((begin, letter))
+    })
+}
+
+/// A plain letter, round enough for a title; a box where there is none. The font's full stops float
+/// and its words stand far apart: good to write by hand, not to read in a picture.
+pub(crate) fn letter_of(character: char) -> Letter {
+    let mut letter = Letter::of(StrokeFont::Sans, character).unwrap_or_else(missing);
+    match character {
+        ' ' => letter.advance = 12.0,
+        '.' | ',' | ':' | ';' => {
+            letter.strokes.iter_mut().flatten().for_each(|p| p.y += 3.0);
+        }
+        _ => {}
+    }
+    letter.rounded(StrokeFont::Sans, ROUND)
+}
+
+fn missing() -> Letter {
+    let corners = [
+        (4.0, 0.0),
+        (4.0, -21.0),
+        (16.0, -21.0),
+        (16.0, 0.0),
+        (4.0, 0.0),
+    ];
+    Letter {
+        strokes: vec![corners.map(|(x, y)| Point::new(x, y)).to_vec()],
+        advance: 20.0,
+    }
+}
+
+fn advance(character: char) -> f64 {
+    let ascii = u32::from(character).checked_sub(u32::from(' '));
+    let known = ascii.and_then(|it| ADVANCES.get(usize::try_from(it).ok()?));
+    known.map_or_else(|| letter_of(character).advance, |it| *it)
+}
+
+/// Of ASCII, from the space on: broken lines are measured often.
+static ADVANCES: LazyLock<Vec<f64>> =
+    LazyLock::new(|| (' '..='~').map(|it| letter_of(it).advance).collect());
+
+/// The room beside the ink of most letters: a line of text ends where its ink does.
+const BEARING: f64 = 3.5;
+const ROUND: f64 = 0.15;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dobot_geometry::Bounds;
+
+    fn ink(text: &str, anchor: Anchor) -> Bounds {
+        strokes(text, anchor, Point::default(), 6.0)
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    #[test]
+    fn a_text_is_as_wide_and_as_tall_as_said() {
+        let ink = ink("HuH", Anchor::Left);
+        assert!((ink.width() - width("HuH", 6.0)).abs() < 0.5, "{ink:?}");
+        assert!(
+            (ink.height() - 6.0).abs() < 0.1 && ink.max.y.abs() < 0.1,
+            "{ink:?}"
+        );
+    }
+
+    #[test]
+    fn a_text_is_held_at_its_end_or_in_its_middle() {
+        let [left, middle, right] =
+            [Anchor::Left, Anchor::Middle, Anchor::Right].map(|it| ink("HH", it));
+        assert!(
+            left.min.x.abs() < 0.5 && right.max.x.abs() < 0.5,
+            "{left:?} {right:?}"
+        );
+        assert!(middle.center().x.abs() < 0.1, "{middle:?}");
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_a_box() {
+        assert!((ink("漢", Anchor::Left).height() - 6.0).abs() < 0.1);
+    }
+}
