@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use dobot_api::JobState;
 use dobot_wire::Command;
 use redb::{ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
 
@@ -11,7 +12,6 @@ use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
-use dobot_api::JobState;
 
 /// Jobs that survive a crash and a power cut, in one file.
 ///

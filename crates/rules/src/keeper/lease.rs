@@ -1,7 +1,8 @@
 //! One client has control.
 
-use dobot_api::{Asking, ClientId, LeaseView, News, Reply, Role};
 use std::time::Duration;
+
+use dobot_api::{Asking, ClientId, LeaseView, News, Reply, Role};
 
 use super::{Keeper, Known};
 use crate::{Holder, Refusal, plain};

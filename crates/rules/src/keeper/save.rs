@@ -1,7 +1,8 @@
 //! What the journal did and did not take.
 
-use dobot_api::News;
 use std::time::Duration;
+
+use dobot_api::News;
 
 use super::Keeper;
 use super::run::{Effect, Run};

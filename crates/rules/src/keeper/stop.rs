@@ -1,7 +1,8 @@
 //! Anyone may stop the arm, and it stays stopped until a person resets that.
 
-use dobot_api::{ClientId, News, Reply, StopView};
 use std::time::Duration;
+
+use dobot_api::{ClientId, News, Reply, StopView};
 
 use super::Keeper;
 use crate::Refusal;
