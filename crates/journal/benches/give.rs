@@ -2,7 +2,7 @@
 
 use divan::Bencher;
 use dobot_api::{JobKind, JobState};
-use dobot_journal::{JobId, Journal, NewJob, Window};
+use dobot_journal::{JobId, Journal, PlannedJob, Window};
 use dobot_wire::{Command, Configuration, Dialect, Status};
 
 fn main() {
@@ -39,11 +39,11 @@ fn running_job(journal: &Journal, commands: usize) -> JobId {
     id
 }
 
-fn job(commands: usize) -> NewJob {
+fn job(commands: usize) -> PlannedJob {
     let command = Command::from(Configuration::Writing {
         acceleration_mm_s2: 100.0,
     });
-    NewJob {
+    PlannedJob {
         title: "bench".into(),
         kind: JobKind::Drawing,
         dialect: Dialect::FIRMWARE_1_1,

@@ -2,10 +2,10 @@
 
 use std::io;
 
+use dobot_api::JobState;
 use dobot_wire::ParseError;
 
 use crate::JobId;
-use dobot_api::JobState;
 
 /// Why the journal could not do what it was asked. Jobs that it holds stay as they are.
 #[derive(Debug, thiserror::Error)]

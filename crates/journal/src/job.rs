@@ -18,9 +18,9 @@ impl fmt::Display for JobId {
     }
 }
 
-/// A job to be put into the journal.
+/// A job to be put into the journal: planned, for the dialect of one arm.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NewJob {
+pub struct PlannedJob {
     /// What people call it.
     pub title: String,
     /// What it is made from.

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use dobot_api::JobState;
 use dobot_wire::Command;
 use redb::{ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
 
@@ -10,8 +11,7 @@ use crate::rows::{self, JobRow};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
 };
-use crate::{Adjustment, Behind, Job, JobId, JournalError, NewJob, Window};
-use dobot_api::JobState;
+use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
 /// Jobs that survive a crash and a power cut, in one file.
 ///
@@ -83,7 +83,7 @@ impl Journal {
     /// # Errors
     ///
     /// [`JournalError`] where a command or the lift makes no sense, or the storage fails.
-    pub fn submit(&self, job: &NewJob) -> Result<JobId, JournalError> {
+    pub fn submit(&self, job: &PlannedJob) -> Result<JobId, JournalError> {
         finite("the planned time", job.planned_s)?;
         let row = JobRow::new(job)?.to_bytes();
         let packets = rows::packets(job)?;

@@ -9,11 +9,11 @@
 //!
 //! ```
 //! use dobot_api::{JobKind, JobState};
-//! use dobot_journal::{Journal, NewJob, Window};
+//! use dobot_journal::{Journal, PlannedJob, Window};
 //! use dobot_wire::{Configuration, Dialect};
 //!
 //! let journal = Journal::in_memory()?;
-//! let id = journal.submit(&NewJob {
+//! let id = journal.submit(&PlannedJob {
 //!     title: "a line".into(),
 //!     kind: JobKind::Drawing,
 //!     dialect: Dialect::FIRMWARE_1_1,
@@ -46,7 +46,7 @@ mod window;
 pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};
 pub use error::JournalError;
-pub use job::{Behind, Job, JobId, NewJob};
+pub use job::{Behind, Job, JobId, PlannedJob};
 pub use journal::Journal;
 pub use prelude::{model_at, prelude};
 pub use recovery::{NEAR_MM, Unclear, locate, window_end};

@@ -4,7 +4,7 @@ use dobot_api::{JobKind, JobPause, JobState};
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
-use crate::{Adjustment, Behind, Job, JobId, JournalError, NewJob, Window};
+use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
 /// What the table of jobs holds, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,7 +38,7 @@ const fn unknown() -> Behind {
 
 impl JobRow {
     /// The row of a new job, which is queued.
-    pub(crate) fn new(job: &NewJob) -> Result<Self, JournalError> {
+    pub(crate) fn new(job: &PlannedJob) -> Result<Self, JournalError> {
         if let Some(lift_mm) = job
             .lift_mm
             .filter(|lift| !(lift.is_finite() && *lift > 0.0))
@@ -95,7 +95,7 @@ impl JobRow {
 }
 
 /// Pauses stand in the order of their commands, and each at a command of its own.
-fn check_pauses(job: &NewJob) -> Result<(), JournalError> {
+fn check_pauses(job: &PlannedJob) -> Result<(), JournalError> {
     let mut least = 0;
     for (index, pause) in job.pauses.iter().enumerate() {
         if !(least..job.commands.len()).contains(&pause.before) {
@@ -112,7 +112,7 @@ fn check_pauses(job: &NewJob) -> Result<(), JournalError> {
 }
 
 /// The packets of a job, one after the other: what the arm will get, bit by bit.
-pub(crate) fn packets(job: &NewJob) -> Result<Vec<u8>, JournalError> {
+pub(crate) fn packets(job: &PlannedJob) -> Result<Vec<u8>, JournalError> {
     let mut bytes = Vec::with_capacity(job.commands.len() * PACKET_LEN);
     for (index, command) in job.commands.iter().enumerate() {
         let packet = command.emit(&job.dialect);

@@ -4,7 +4,7 @@
 mod lab;
 
 use dobot_api::JobState;
-use dobot_journal::{Adjustment, Behind, Job, JobId, Journal, JournalError, NewJob, Window};
+use dobot_journal::{Adjustment, Behind, Job, JobId, Journal, JournalError, PlannedJob, Window};
 use dobot_wire::Command;
 use lab::{Disk, START, job};
 use proptest::prelude::*;
@@ -218,7 +218,7 @@ impl Content {
         }
     }
 
-    fn submit(&mut self, new: NewJob) {
+    fn submit(&mut self, new: PlannedJob) {
         self.submitted += 1;
         let job = Job {
             id: JobId(self.submitted),
@@ -251,6 +251,6 @@ impl Content {
     }
 }
 
-fn new_job(commands: u16) -> NewJob {
+fn new_job(commands: u16) -> PlannedJob {
     job(&format!("{commands} commands"), commands)
 }

@@ -7,7 +7,7 @@ use dobot_api::{JobKind, JobState};
 use dobot_arm::{Position, Tool};
 use dobot_course::{Model, Place};
 use dobot_journal::{
-    JobId, Journal, NewJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
+    JobId, Journal, PlannedJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
 };
 use dobot_wire::{Command, Dialect};
 use lab::Disk;
@@ -222,7 +222,7 @@ fn is_near(a: Position, b: Position) -> bool {
 
 fn submit(journal: &Journal, dialect: Dialect, commands: &[Command]) -> JobId {
     let id = journal
-        .submit(&NewJob {
+        .submit(&PlannedJob {
             title: "a picture".into(),
             kind: JobKind::Drawing,
             dialect,

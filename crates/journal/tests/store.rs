@@ -7,7 +7,7 @@ use std::fs;
 
 use dobot_api::{JobPause, JobState};
 use dobot_journal::{
-    Adjustment, Behind, HeightChange, JobId, Journal, JournalError, NewJob, Window,
+    Adjustment, Behind, HeightChange, JobId, Journal, JournalError, PlannedJob, Window,
 };
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use lab::{START, job, vector};
@@ -177,7 +177,7 @@ fn what_no_packet_can_carry_is_refused_with_its_place() {
     };
     assert!(with(angles.into()).starts_with("command 2 of the job reads differently"));
     for lift in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        let job = NewJob {
+        let job = PlannedJob {
             lift_mm: Some(lift),
             ..job("a picture", 3)
         };
@@ -323,7 +323,7 @@ fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
     let pauses = vec![pause(0), pause(2)];
-    let wanted = NewJob {
+    let wanted = PlannedJob {
         planned_s: Some(12.5),
         pauses: pauses.clone(),
         ..job("a picture", 3)
@@ -365,7 +365,7 @@ fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
             "pause 1 of the job stands before command 1; 2 to 2 are allowed",
         ),
     ] {
-        let job = NewJob {
+        let job = PlannedJob {
             pauses,
             ..job("a picture", 3)
         };
@@ -435,7 +435,7 @@ proptest! {
             (-1e6_f32..1e6, -1e6_f32..1e6, 0.001_f32..1e6), 0..40),
         firmware in any::<bool>(),
     ) {
-        let wanted = NewJob {
+        let wanted = PlannedJob {
             title,
             created_ms,
             lift_mm,
@@ -454,7 +454,7 @@ proptest! {
     }
 }
 
-fn running(journal: &Journal, job: &NewJob) -> JobId {
+fn running(journal: &Journal, job: &PlannedJob) -> JobId {
     let id = journal.submit(job).unwrap();
     journal.set_state(id, &JobState::Running).unwrap();
     id

@@ -252,7 +252,7 @@ pub(crate) fn submit(
     let dialect = model.dialect;
     let plan = JobPlan::new(policy, model, job.commands, &[], job.lift_mm, 0)?;
     journal
-        .submit(&dobot_journal::NewJob {
+        .submit(&dobot_journal::PlannedJob {
             title: job.title,
             kind: job.kind,
             dialect,

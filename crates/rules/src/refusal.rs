@@ -2,11 +2,10 @@
 
 use std::borrow::Cow;
 
-use dobot_client::SendError;
-use dobot_safety::Violation;
-
 use dobot_api::kinds::{self, Kind};
 use dobot_api::{JobPhase, Problem, Role};
+use dobot_client::SendError;
+use dobot_safety::Violation;
 
 /// Why the station does not do what a client asks. Nothing has changed then.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,8 +1,8 @@
 //! The web side of the station: page, API, its document, WebSockets, and who may do what.
 //!
 //! A connection (`listen`) carries requests through the gate (`gate`: is it meant for us, where does
-//! it come from, who asks, how often) to its route (`routes`, `calls`), or becomes a WebSocket
-//! (`socket`). Whatever is not done is answered with a problem document (`kinds`).
+//! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
+//! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
 
 mod answer;
 mod app;

@@ -2,38 +2,35 @@
 //!
 //! ```text
 //!   browsers, programs      old programs
-//!    http, WebSocket     raw port, virtual port          recordings   journal
-//!          |                     |                           ^           ^
-//!          `------ Handle -------+----> owner ---------------+-----------'
-//!                                         |   the one task that has the port
-//!                                       Keeper          every rule, an engine: no port, no file, no clock
-//!                                         |
-//!                                      Session ----> the arm
+//!    http, WebSocket     raw port, virtual port
+//!          |                     |
+//!          `------ Handle -------+----> dobot_rules::Host ----> the arm
 //! ```
 //!
-//! [`Station::start`] puts all of it together. The [`Keeper`] decides; a [`Rehearsal`] lets it decide in
-//! virtual time, with a virtual arm:
+//! [`Station::start`] puts all of it together. The rules are those of `dobot_rules`, and what is said over
+//! HTTP and WebSocket is `dobot_api`:
 //!
 //! ```
-//! use std::time::Duration;
-//! use dobot_controller::{Personality, PowerUp};
-//! use dobot_safety::Policy;
-//! use dobot_api::Request;
-//! use dobot_rules::Rehearsal;
-//! use dobot_wire::{MoveTo, MovingMode};
+//! use dobot_api::{Folders, Remote, Request, StationAddress};
+//! use dobot_client::Address;
+//! use dobot_station::{Config, Station};
 //!
-//! let mut station = Rehearsal::new(PowerUp::new(Personality::Firmware11), Policy::default());
-//! station.run_for(Duration::from_secs(1));
-//! let anna = station.client("Anna");
+//! # #[tokio::main(flavor = "current_thread")]
+//! # async fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let folder = tempfile::tempdir()?;
+//! let station = Station::start(Config {
+//!     arm: Some(Address::Virtual),
+//!     http: "127.0.0.1:0".parse()?,
+//!     raw: None,
+//!     ..Config::new(Folders::at(folder.path()))
+//! })
+//! .await?;
 //!
-//! let command = MoveTo::to(220.0, 0.0, -90.0);
-//! let into_the_table = Request::Command { command: command.into() };
-//! assert_eq!(station.ask(anna, into_the_table.clone()).unwrap_err().kind(), "no-lease");
-//!
-//! station.ask(anna, Request::TakeLease)?;
-//! let refused = station.ask(anna, into_the_table).unwrap_err();
-//! assert!(refused.to_string().starts_with("z would be -90 mm; table allows -63 mm and more"));
-//! # Ok::<(), dobot_rules::Refusal>(())
+//! let mut anna = Remote::connect(&StationAddress::new(station.url())?, "Anna").await?;
+//! anna.request(Request::TakeLease).await?;
+//! station.end().await?;
+//! # Ok(())
+//! # }
 //! ```
 
 mod bridge;

@@ -13,12 +13,12 @@ use std::io::{self, ErrorKind};
 use std::sync::{Arc, Mutex};
 
 use dobot_api::JobKind;
-use dobot_journal::{NewJob, StorageBackend};
+use dobot_journal::{PlannedJob, StorageBackend};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 /// A job of so many commands, each different from the others.
-pub fn job(title: &str, commands: u16) -> NewJob {
-    NewJob {
+pub fn job(title: &str, commands: u16) -> PlannedJob {
+    PlannedJob {
         title: title.to_owned(),
         kind: JobKind::Drawing,
         dialect: Dialect::FIRMWARE_1_1,

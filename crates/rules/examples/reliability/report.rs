@@ -405,7 +405,7 @@ withheld, the port closed, the arm reset or its power cut. At every control tick
 against the limits of the policy, by a check of its own. Three arms of four are stock arms.
 
 ```sh
-cargo run --release -p dobot-rules --example fuzz -- --requests 1000000 > crates/station/examples/reliability/fuzz.md
+cargo run --release -p dobot-rules --example fuzz -- --requests 1000000 > crates/rules/examples/reliability/fuzz.md
 cargo run -p dobot-rules --example fuzz -- --seed 42    # one case
 cargo test -p dobot-rules --test faults whatever        # 80,000 of them, as CI does
 ```

@@ -14,6 +14,7 @@ use axum::http::request::Parts;
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::Problem;
+use dobot_api::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 use futures_util::StreamExt;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -21,7 +22,6 @@ use serde::de::DeserializeOwned;
 
 use super::app::App;
 use super::strict;
-use dobot_api::kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;

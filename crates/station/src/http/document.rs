@@ -3,6 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use dobot_api::kinds::{
+    ENDING, FORBIDDEN_HOST, FORBIDDEN_ORIGIN, INVALID, Kind, LEASE_GONE, MALFORMED, MEDIA_TYPE,
+    ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
+};
 use dobot_api::{FromClient, Problem, ToClient};
 use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
@@ -11,10 +15,6 @@ use serde_json::{Map, Value, json};
 use super::calls::LEASE;
 use super::route::{Gives, Query, Route, Takes};
 use super::routes::ROUTES;
-use dobot_api::kinds::{
-    ENDING, FORBIDDEN_HOST, FORBIDDEN_ORIGIN, INVALID, Kind, LEASE_GONE, MALFORMED, MEDIA_TYPE,
-    ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
-};
 
 /// The document as text.
 pub(super) static TEXT: LazyLock<String> = LazyLock::new(|| document().to_string());

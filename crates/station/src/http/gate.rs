@@ -9,12 +9,12 @@ use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderName, Method};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 use dobot_api::{Problem, Role};
 
 use super::answer::{self, NotDone, TooSoon};
 use super::app::{App, Peer, Visitor};
 use super::routes;
-use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
 pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";

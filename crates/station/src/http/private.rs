@@ -1,9 +1,10 @@
 //! Files that nobody else may read.
 
-use dobot_api::make_private;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
+
+use dobot_api::make_private;
 
 /// Writes a file whole or not at all, for its owner's eyes only; its folder is made where it is
 /// missing.

@@ -13,6 +13,7 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::{Query as UrlQuery, State};
 use axum::http::Uri;
 use axum::response::Response;
+use dobot_api::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 use dobot_api::{Problem, Role};
 use futures_util::StreamExt;
 use schemars::SchemaGenerator;
@@ -23,7 +24,6 @@ use super::answer::{BODY, JOB, NotDone};
 use super::app::{App, MOST_SOCKETS, Peer, Visitor};
 use super::calls::is_name;
 use super::route::Query;
-use dobot_api::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 
 /// What a client chooses when it connects.
 #[derive(Clone, Debug, Default, Deserialize)]

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::LazyLock;
 
+use dobot_api::kinds::{INVALID, MALFORMED};
 use dobot_api::{FromClient, Problem};
 use schemars::schema_for;
 use serde::Deserialize;
@@ -10,8 +11,6 @@ use serde::de::{
     self, DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor,
 };
 use serde_json::Value;
-
-use dobot_api::kinds::{INVALID, MALFORMED};
 
 /// Reads a body or a message.
 ///

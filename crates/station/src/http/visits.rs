@@ -1,13 +1,14 @@
 //! Clients that have control and come over plain HTTP, one request after another.
 
-use dobot_api::{Problem, Role};
-use dobot_rules::Client;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::tokens::{Token, digest};
 use dobot_api::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
+use dobot_api::{Problem, Role};
+use dobot_rules::Client;
+
+use super::tokens::{Token, digest};
 
 /// Clients that are kept between requests, known by their lease tokens.
 #[derive(Debug, Default)]

@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
+use dobot_api::FromClient;
+use dobot_api::kinds::INVALID;
 use dobot_rules::Client;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
@@ -15,8 +17,6 @@ use super::super::app::App;
 use super::super::messages;
 use super::super::rate::{Rate, Used};
 use super::talk::{End, Owed};
-use dobot_api::FromClient;
-use dobot_api::kinds::INVALID;
 
 /// After what silence a client is not there any more.
 const SILENCE: Duration = Duration::from_secs(6);
