@@ -11,11 +11,11 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use thiserror::Error;
 
 pub use self::colors::Colors;
-use self::lines::{by_class, group, on_picture, points};
+use self::lines::{area_on_picture, by_class, group, on_picture, points};
 use self::page::{frame, scale_bar, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{MoveKind, Plan};
 
 /// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
@@ -28,7 +28,7 @@ pub struct Picture<'a> {
     /// Below the figures, if there are several: the figures of each pass.
     pub passes: &'a [PassFigures],
     /// The drawing area, in the base frame.
-    pub area: Bounds,
+    pub area: Rect,
     /// The plan, for what was to be drawn and the travel moves.
     pub plan: &'a Plan,
     /// The ink: what was to be drawn shows through where it is missing.
@@ -73,11 +73,9 @@ impl Picture<'_> {
     pub fn to_svg(&self) -> String {
         let paper = self.paper();
         let unit = unit(paper);
-        let page = Bounds {
-            min: paper.min - Point::new(8.0, 14.0) * unit,
-            max: paper.max + Point::new(8.0, self.words_high()) * unit,
-        };
-        let (left, top) = (page.min.x, page.min.y);
+        let (side, below) = (8.0 * unit, self.words_high() * unit);
+        let (left, top) = (paper.x0 - side, paper.y0 - 14.0 * unit);
+        let page = Rect::new(left, top, paper.x1 + side, paper.y1 + below);
         let (width, height) = (page.width(), page.height());
         let mut svg = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width:.1}mm" height="{height:.1}mm" viewBox="{left:.1} {top:.1} {width:.1} {height:.1}" fill="none" stroke-linecap="round" stroke-linejoin="round">
@@ -133,22 +131,21 @@ impl Picture<'_> {
     }
 
     /// What is shown, on the picture.
-    fn paper(&self) -> Bounds {
+    fn paper(&self) -> Rect {
         let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
-        let shown = Bounds::of(lines.chain([self.area.min, self.area.max]).map(on_picture));
+        let shown = bounds(lines.map(on_picture)).union(area_on_picture(self.area));
         match self.view {
             View::Paper => {
                 // Both arcs of reach, straight ahead.
                 let [near, far] = REACH_MM.map(|x| on_picture(Point::new(x, 0.0)));
-                shown.grown(12.0).with(near).with(far).grown(4.0)
+                let shown = shown.inflate(12.0, 12.0);
+                shown.union_pt(near).union_pt(far).inflate(4.0, 4.0)
             }
             View::Reach => {
-                let corner = Point::new(REACH_MM[1], REACH_MM[1]);
-                let far = Bounds {
-                    min: corner * -1.0,
-                    max: corner,
-                };
-                far.with(shown.min).with(shown.max).grown(8.0)
+                let [_, far] = REACH_MM;
+                Rect::new(-far, -far, far, far)
+                    .union(shown)
+                    .inflate(8.0, 8.0)
             }
         }
     }
@@ -175,7 +172,7 @@ impl Picture<'_> {
 }
 
 /// How large words are: they grow with the paper.
-fn unit(paper: Bounds) -> f64 {
+fn unit(paper: Rect) -> f64 {
     paper.width() / 230.0
 }
 

@@ -3,13 +3,17 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Line, ParamCurveNearest, Point, Rect, Stroke};
 
 use crate::ink::InkLine;
 
 /// X up, Y to the left.
 pub(super) fn on_picture(p: Point) -> Point {
     Point::new(-p.y, -p.x)
+}
+
+pub(super) fn area_on_picture(area: Rect) -> Rect {
+    Rect::new(-area.y1, -area.x1, -area.y0, -area.x0)
 }
 
 /// A group of lines in one style.
@@ -67,7 +71,8 @@ fn straightened(points: &[Point]) -> Vec<Point> {
 
 fn is_straight(way: &[Point]) -> bool {
     let (from, to) = (way[0], way[way.len() - 1]);
-    let off = |p: &Point| (*p - p.nearest_on(from, to)).length2();
+    let chord = Line::new(from, to);
+    let off = |p: &Point| chord.nearest(*p, 0.0).distance_sq;
     way.iter().all(|p| off(p) <= STRAIGHT_MM * STRAIGHT_MM)
 }
 

@@ -1,13 +1,13 @@
 //! The page under the lines: the paper, what the arm reaches, and how long 50 mm are.
 
-use dobot_geometry::Bounds;
+use dobot_geometry::Rect;
 use dobot_lettering::{Anchor, lettering};
 
-use super::lines::on_picture;
+use super::lines::area_on_picture;
 use super::{MUTED, REACH_MM, unit};
 
 /// The ring that the arm reaches, its base, and the drawing area.
-pub(super) fn workspace(area: Bounds, paper: Bounds) -> String {
+pub(super) fn workspace(area: Rect, paper: Rect) -> String {
     let [near, far] = REACH_MM;
     let ring = format!(
         "M{far} 0A{far} {far} 0 1 0 -{far} 0A{far} {far} 0 1 0 {far} 0M{near} 0A{near} {near} 0 1 0 -{near} 0A{near} {near} 0 1 0 {near} 0"
@@ -18,7 +18,7 @@ pub(super) fn workspace(area: Bounds, paper: Bounds) -> String {
         lettering(&text, Anchor::Middle, 0.0, below * unit - reach, 1.7 * unit)
     };
     let labels = label(near, -2.2) + &label(far, 4.2);
-    let area = Bounds::of([area.min, area.max].map(on_picture));
+    let area = area_on_picture(area);
     let area = frame(
         area,
         r##"fill="#fffefb" stroke="#9fb3c2" stroke-width="0.25" stroke-dasharray="2 1.4""##,
@@ -31,19 +31,19 @@ pub(super) fn workspace(area: Bounds, paper: Bounds) -> String {
     )
 }
 
-pub(super) fn frame(bounds: Bounds, style: &str, radius: f64) -> String {
+pub(super) fn frame(bounds: Rect, style: &str, radius: f64) -> String {
     format!(
         "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" rx=\"{radius}\" {style}/>\n",
-        bounds.min.x,
-        bounds.min.y,
+        bounds.x0,
+        bounds.y0,
         bounds.width(),
         bounds.height()
     )
 }
 
-pub(super) fn scale_bar(paper: Bounds) -> String {
+pub(super) fn scale_bar(paper: Rect) -> String {
     let unit = unit(paper);
-    let (x, y) = (paper.max.x - 50.0 - 6.0 * unit, paper.max.y - 5.5 * unit);
+    let (x, y) = (paper.x1 - 50.0 - 6.0 * unit, paper.y1 - 5.5 * unit);
     let label = lettering(
         "50 mm",
         Anchor::Middle,

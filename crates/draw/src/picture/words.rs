@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Point, Rect};
 use dobot_lettering::{Anchor, lettering, width};
 
 use super::colors::pass_color;
@@ -11,17 +11,15 @@ use crate::estimate::PassFigures;
 
 impl Picture<'_> {
     /// Title, legend, figures and passes around the paper.
-    pub(super) fn words(&self, paper: Bounds) -> String {
+    pub(super) fn words(&self, paper: Rect) -> String {
         let unit = unit(paper);
-        let (left, above, below) = (paper.min.x, paper.min.y - 4.5 * unit, paper.max.y);
+        let (left, above, below) = (paper.x0, paper.y0 - 4.5 * unit, paper.y1);
         let title = lettering(self.title, Anchor::Left, left, above, 3.6 * unit);
         let title = format!(r#"<g stroke="{INK}" stroke-width="0.85">{title}</g>"#);
-        let legend = self.legend(Point::new(paper.max.x, above), unit);
+        let legend = self.legend(Point::new(paper.x1, above), unit);
         let figures = self.figures(Point::new(left, below), unit);
-        let table = Bounds {
-            min: Point::new(left, below + self.figures_high() * unit),
-            max: paper.max,
-        };
+        let top = below + self.figures_high() * unit;
+        let table = Rect::new(left, top, paper.x1, paper.y1);
         title + &legend + &figures + &self.table(table, unit)
     }
 
@@ -86,7 +84,7 @@ impl Picture<'_> {
     }
 
     /// A row for each pass: name, strokes, vectors, ink, travel, time and error.
-    fn table(&self, place: Bounds, unit: f64) -> String {
+    fn table(&self, place: Rect, unit: f64) -> String {
         if self.rows() == 0 {
             return String::new();
         }
@@ -94,17 +92,17 @@ impl Picture<'_> {
         let shown = self.rows() as usize;
         rows.extend(self.passes[..shown].iter().map(row));
         let mut table = String::new();
-        let mut y = place.min.y + ROW_HIGH * unit;
+        let mut y = place.y0 + ROW_HIGH * unit;
         for (i, row) in rows.iter().enumerate() {
             let color = if i == 0 { MUTED } else { INK };
             let _ = writeln!(
                 table,
                 r#"<g stroke="{color}" stroke-width="0.75">{}</g>"#,
-                cells(row, Point::new(place.min.x, y), place.width(), unit)
+                cells(row, Point::new(place.x0, y), place.width(), unit)
             );
             if i > 0 && self.colors == Colors::Passes {
                 let color = pass_color(self.plan, i - 1);
-                let (x, y, long) = (place.min.x, y - 0.9 * unit, SWATCH * unit);
+                let (x, y, long) = (place.x0, y - 0.9 * unit, SWATCH * unit);
                 let _ = writeln!(
                     table,
                     r#"<path stroke="{color}" stroke-width="{:.2}" d="M{x:.2} {y:.2}h{long:.2}"/>"#,
@@ -115,7 +113,7 @@ impl Picture<'_> {
         }
         if shown < self.passes.len() {
             let more = format!("and {} more", self.passes.len() - shown);
-            let x = place.min.x + (SWATCH + 3.0) * unit;
+            let x = place.x0 + (SWATCH + 3.0) * unit;
             let more = lettering(&more, Anchor::Left, x, y, 1.7 * unit);
             let _ = writeln!(
                 table,
