@@ -86,7 +86,7 @@ mod tests {
 
     use super::oracle::fewest_between_points;
     use super::*;
-    use dobot_geometry::{Vec2, deviation, steps};
+    use dobot_geometry::{Vec2, deviation};
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
