@@ -7,9 +7,10 @@ mod words;
 
 use std::fmt::Write as _;
 
+use dobot_geometry::Point;
 use dobot_lettering::{Anchor, lettering};
 
-use super::{Object, Point, WorldState};
+use super::{Object, WorldState};
 
 impl WorldState {
     /// The picture, as the text of an SVG file in true millimetres: from above as a person behind

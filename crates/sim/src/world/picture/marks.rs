@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
+use dobot_geometry::Point;
+
 use super::{INK, mix};
-use crate::world::{Burn, Hole, Point, ToolKind, WorldState};
+use crate::world::{Burn, Hole, ToolKind, WorldState};
 
 /// All ink and all burns, from above.
 pub(super) fn marks(state: &WorldState) -> String {

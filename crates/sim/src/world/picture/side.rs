@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_geometry::{Point, Vec2, direction};
 use dobot_lettering::{Anchor, lettering};
 
 use super::{Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, edge, fill, scale_bar};
-use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// Below the view from above, half as wide as that.
 pub(super) fn bounds(state: &WorldState, top: &Frame, unit: f64) -> Frame {
@@ -65,13 +66,13 @@ fn table(z_mm: f64) -> String {
 
 /// The farther an object is beside the plane of the arm, the fainter.
 fn objects(state: &WorldState, base_deg: f64) -> String {
-    let across = Point::towards(base_deg + 90.0);
-    let beside = |it: &Object| it.at_mm.dot(across).abs();
+    let across = direction(base_deg + 90.0);
+    let beside = |it: &Object| it.at_mm.to_vec2().dot(across).abs();
     let mut objects: Vec<&Object> = state.objects.iter().collect();
     objects.sort_by(|a, b| beside(b).total_cmp(&beside(a)));
     let mut svg = String::new();
     for object in objects {
-        let [from, to] = object.footprint().extent(Point::towards(base_deg));
+        let [from, to] = object.footprint().extent(direction(base_deg));
         let held = state.held.contains(&object.name);
         let opacity = if held {
             1.0
@@ -106,8 +107,8 @@ fn base(table_z_mm: f64) -> String {
 fn links(state: &WorldState, arm: &ArmState) -> String {
     let (rear, fore) = (arm.rear_deg.to_radians(), arm.fore_deg.to_radians());
     let elbow = Point::new(REAR_ARM.0 * rear.sin(), -REAR_ARM.0 * rear.cos());
-    let wrist = elbow + Point::new(FOREARM.0 * fore.cos(), FOREARM.0 * fore.sin());
-    let tool = wrist + Point::new(state.tool.mounting().reach().0, 0.0);
+    let wrist = elbow + Vec2::new(FOREARM.0 * fore.cos(), FOREARM.0 * fore.sin());
+    let tool = wrist + Vec2::new(state.tool.mounting().reach().0, 0.0);
     let link = |from: Point, to: Point, wide: f64| {
         let path = format!("M{:.2} {:.2}L{:.2} {:.2}", from.x, from.y, to.x, to.y);
         format!(

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_geometry::{Point, Vec2, direction};
 use dobot_lettering::{Anchor, lettering, width};
 
 use super::marks::marks;
@@ -10,7 +11,7 @@ use super::{
     Frame, INK, MUTED, REACH_MM, SHEET, STEEL, WARM, contrast, edge, fill, label, scale_bar,
 };
 use crate::world::footprint::Footprint;
-use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// What is shown: the arm and what it reaches before it, and whatever else there is.
 pub(super) fn bounds(state: &WorldState) -> Frame {
@@ -21,7 +22,7 @@ pub(super) fn bounds(state: &WorldState) -> Frame {
         max = Point::new(max.x.max(x[1]), max.y.max(y[1]));
     };
     for object in &state.objects {
-        let [x, y] = [0.0, 90.0].map(|it| object.footprint().extent(Point::towards(it)));
+        let [x, y] = [0.0, 90.0].map(|it| object.footprint().extent(direction(it)));
         show([x[0] - 10.0, x[1] + 10.0], [y[0] - 10.0, y[1] + 10.0]);
     }
     if let Some(paper) = state.paper {
@@ -167,7 +168,8 @@ fn outline(object: &Object) -> String {
             let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)];
             let mut path = String::new();
             for (i, (x, y)) in corners.into_iter().enumerate() {
-                let corner = middle + Point::new(x * along, y * across).turned(turn_deg);
+                let corner =
+                    middle + Vec2::new(x * along, y * across).rotate_scale(direction(turn_deg));
                 let to = if i == 0 { 'M' } else { 'L' };
                 let _ = write!(path, "{to}{:.2} {:.2}", -corner.y, -corner.x);
             }
@@ -185,7 +187,7 @@ fn name(object: &Object, state: &WorldState, unit: f64) -> String {
     } else {
         object.name.clone()
     };
-    let [right, left] = object.footprint().extent(Point::new(0.0, 1.0));
+    let [right, left] = object.footprint().extent(Vec2::new(0.0, 1.0));
     let covered = state.objects.iter().any(|it| it.stands_on(object));
     let middle = Point::new(-object.at_mm.y, -object.at_mm.x);
     if !covered && !held && width(&text, high) + 2.0 * unit < left - right {
@@ -193,7 +195,7 @@ fn name(object: &Object, state: &WorldState, unit: f64) -> String {
         let color = contrast(object);
         return format!("<g stroke=\"{color}\" stroke-width=\".9\">{words}</g>\n");
     }
-    let [back, _] = object.footprint().extent(Point::new(1.0, 0.0));
+    let [back, _] = object.footprint().extent(Vec2::new(1.0, 0.0));
     let below = Point::new(middle.x, -back + high + 1.1 * unit);
     let color = if held { WARM } else { INK };
     label(&text, Anchor::Middle, below, high, color)

@@ -2,12 +2,13 @@
 
 use std::fmt::Write as _;
 
+use dobot_geometry::Point;
 use dobot_lettering::{Anchor, lettering, width};
 
 use super::{Frame, INK, MUTED, WARM};
 use crate::world::marks::{WRITES_MM, ink_mm};
 use crate::world::track::length_mm;
-use crate::world::{Event, Point, ToolKind, WorldState};
+use crate::world::{Event, ToolKind, WorldState};
 
 /// Above the views: what it is on the left, what the tool is about on the right.
 pub(super) fn head(state: &WorldState, top: &Frame, unit: f64) -> String {
