@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
-use dobot_geometry::{Point, Stroke, deviation};
+use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_plan::{Cornering, Machine, Paper, Pass, Plan, Run, Tool};
 use dobot_source::{ReadOptions, Source, Text};
 
@@ -132,7 +132,7 @@ fn spiral(points: u32) -> Stroke {
     let at = |i: u32| {
         let share = f64::from(i) / f64::from(points);
         let (sin, cos) = (TAU * 100.0 * share).sin_cos();
-        center + Point::new(cos, sin) * (5.0 + 50.0 * share)
+        center + Vec2::new(cos, sin) * (5.0 + 50.0 * share)
     };
     Stroke::open((0..=points).map(at).collect())
 }
@@ -186,7 +186,7 @@ fn scattered(count: u32) -> Vec<Stroke> {
     };
     let mut stroke = |_| {
         let start = Point::new(150.0 + 120.0 * random(), 200.0 * random() - 100.0);
-        Stroke::open(vec![start, start + Point::new(random(), random())])
+        Stroke::open(vec![start, start + Vec2::new(random(), random())])
     };
     (0..count).map(&mut stroke).collect()
 }

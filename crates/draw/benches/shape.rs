@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Hatch, hatch, merge, simplify};
-use dobot_geometry::{Area, FillRule, Point, Stroke};
+use dobot_geometry::{Area, FillRule, Point, Stroke, Vec2};
 
 fn main() {
     divan::main();
@@ -61,7 +61,7 @@ fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
 fn hatch_a_star_of_20_000_corners(bencher: Bencher<'_, '_>) {
     let corner = |i: u32| {
         let (sin, cos) = (TAU * f64::from(i) / 20_000.0).sin_cos();
-        Point::new(cos, sin) * if i.is_multiple_of(2) { 60.0 } else { 50.0 }
+        (Vec2::new(cos, sin) * if i.is_multiple_of(2) { 60.0 } else { 50.0 }).to_point()
     };
     let star = Area {
         rings: vec![(0..20_000).map(corner).collect()],
@@ -98,7 +98,7 @@ fn long(name: &str, i: u32) -> Point {
 
 fn spiral(share: f64, turns: f64) -> Point {
     let (sin, cos) = (TAU * turns * share).sin_cos();
-    Point::new(cos, sin) * (5.0 + 50.0 * share)
+    (Vec2::new(cos, sin) * (5.0 + 50.0 * share)).to_point()
 }
 
 fn swirl(t: f64) -> Point {
@@ -122,7 +122,7 @@ fn hilbert(i: u32) -> Point {
         }
         (x, y) = (x + side * right, y + side * up);
     }
-    Point::new(f64::from(x), f64::from(y)) * 0.5
+    Point::new(0.5 * f64::from(x), 0.5 * f64::from(y))
 }
 
 /// From 0 to 1, the same every time.

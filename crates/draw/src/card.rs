@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 use dobot_lettering::{Anchor, strokes, width};
 use dobot_plan::{Laser, Pass, Tool};
 use thiserror::Error;
@@ -137,7 +137,7 @@ impl Card {
             .map(|it| width(it, LABEL_MM))
             .fold(0.0, f64::max);
         let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
-        let half = Point::new(self.cell_mm / 2.0, self.cell_mm / 2.0);
+        let half = Vec2::splat(self.cell_mm / 2.0);
         let mut words = strokes(
             "mm/s",
             Anchor::Left,
@@ -159,15 +159,15 @@ impl Card {
     /// Where the last square ends on the page.
     fn page(&self) -> Point {
         let last = self.corner(self.speeds_mm_s.len() - 1, self.most_passes);
-        last + Point::new(self.cell_mm, self.cell_mm + BELOW_MM)
+        last + Vec2::new(self.cell_mm, self.cell_mm + BELOW_MM)
     }
 
     /// From the page into the base frame.
     fn placed(&self, mut stroke: Stroke) -> Stroke {
-        let middle = Bounds::of([Point::default(), self.page()]).center();
+        let middle = Point::ORIGIN.midpoint(self.page());
         for p in &mut stroke.points {
             let way = *p - middle;
-            *p = self.center + Point::new(-way.y, -way.x);
+            *p = self.center + Vec2::new(-way.y, -way.x);
         }
         stroke
     }
@@ -241,6 +241,8 @@ const LABEL_MM: f64 = 2.5;
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use dobot_geometry::{Rect, bounds_of_strokes};
+
     use super::*;
 
     fn laser(pass: &Pass) -> Laser {
@@ -251,8 +253,8 @@ mod tests {
     }
 
     /// The square of a pass: the bounds of all its lines but the one below.
-    fn square(pass: &Pass) -> Bounds {
-        Bounds::of_strokes(&pass.strokes[..pass.strokes.len() - 1])
+    fn square(pass: &Pass) -> Rect {
+        bounds_of_strokes(&pass.strokes[..pass.strokes.len() - 1])
     }
 
     #[test]
@@ -288,8 +290,8 @@ mod tests {
         let [first, right, below] = ["3 mm/s, 1 times", "5 mm/s, 1 times", "3 mm/s, 2 times"]
             .map(|name| square_of(name).center());
         // Right is -Y and down is -X; columns are 6 + 2 mm apart, rows another 1.5 for the line.
-        assert!((right - first - Point::new(0.0, -8.0)).length() < 1e-9);
-        assert!((below - first - Point::new(-9.5, 0.0)).length() < 1e-9);
+        assert!((right - first - Vec2::new(0.0, -8.0)).length() < 1e-9);
+        assert!((below - first - Vec2::new(-9.5, 0.0)).length() < 1e-9);
     }
 
     #[test]
@@ -325,7 +327,7 @@ mod tests {
             .into_iter()
             .flat_map(|it| it.strokes)
             .collect();
-        let bounds = Bounds::of_strokes(&strokes);
+        let bounds = bounds_of_strokes(&strokes);
         assert!((bounds.center() - center).length() < 3.0, "{bounds:?}");
         let [deep, wide] = [bounds.width(), bounds.height()];
         assert!(

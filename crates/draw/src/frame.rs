@@ -1,6 +1,6 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, Tool};
 
 /// What is gone around.
@@ -31,7 +31,7 @@ pub fn frame(
     let first = passes.first().filter(|_| !points.is_empty());
     let tool = first.ok_or(PlanError::NoStrokes)?.tool;
     let outline = match shape {
-        FrameShape::Rectangle => rectangle(Bounds::of(points)),
+        FrameShape::Rectangle => rectangle(bounds(points)),
         FrameShape::Hull => hull(points),
     };
     let (pen, above_mm) = in_the_air(passes, tool);
@@ -75,13 +75,8 @@ fn without_ink(mut plan: Plan, tool: Tool) -> Plan {
     plan
 }
 
-fn rectangle(Bounds { min, max }: Bounds) -> Stroke {
-    let corners = [
-        (max.x, max.y),
-        (max.x, min.y),
-        (min.x, min.y),
-        (min.x, max.y),
-    ];
+fn rectangle(Rect { x0, y0, x1, y1 }: Rect) -> Stroke {
+    let corners = [(x1, y1), (x1, y0), (x0, y0), (x0, y1)];
     closed(corners.map(|(x, y)| Point::new(x, y)).to_vec())
 }
 
@@ -161,9 +156,8 @@ mod tests {
             corners.iter().all(|it| (it[2] + 33.0).abs() < 1e-5),
             "{corners:?}"
         );
-        let seen = Bounds::of(corners.iter().map(|it| Point::new(it[0], it[1])));
-        assert_eq!(seen.min, Point::new(200.0, -30.0));
-        assert_eq!(seen.max, Point::new(220.0, 30.0));
+        let seen = bounds(corners.iter().map(|it| Point::new(it[0], it[1])));
+        assert_eq!(seen, Rect::new(200.0, -30.0, 220.0, 30.0));
         assert_eq!(corners.len(), 4);
         assert_eq!(corners[3][..2], plan.start[..2]);
         assert_eq!(plan.summary().drawn_mm, 0.0);

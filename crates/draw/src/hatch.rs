@@ -6,8 +6,7 @@ mod scan;
 #[cfg(test)]
 mod tests;
 
-use dobot_geometry::Area;
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Area, Point, Stroke, Vec2, direction};
 use join::Joined;
 use scan::Scan;
 use thiserror::Error;
@@ -129,12 +128,15 @@ pub enum HatchError {
 
 /// The lines of one direction.
 fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, HatchError> {
-    let turn = Turn::by(angle_deg);
+    // The lines are level once the area is turned back.
+    let forth = direction(angle_deg);
+    let back = Vec2::new(forth.x, -forth.y);
+    let turned = |p: Point, by: Vec2| p.to_vec2().rotate_scale(by).to_point();
     let edges = area.rings.iter().flat_map(|ring| {
         let next = ring.iter().cycle().skip(1);
         ring.iter()
             .zip(next)
-            .map(|(a, b)| (turn.back(*a), turn.back(*b)))
+            .map(|(a, b)| (turned(*a, back), turned(*b, back)))
     });
     let scan = Scan {
         edges: edges.collect(),
@@ -144,46 +146,9 @@ fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, Hatc
     };
     let mut strokes = Joined::new(&scan.spans()?, scan.edges, hatch.spacing_mm).strokes();
     for p in strokes.iter_mut().flat_map(|stroke| &mut stroke.points) {
-        *p = turn.forth(*p);
+        *p = turned(*p, forth);
     }
     Ok(strokes)
-}
-
-/// A turn about the origin, counterclockwise from x to y.
-#[derive(Clone, Copy, Debug)]
-struct Turn {
-    sin: f64,
-    cos: f64,
-}
-
-impl Turn {
-    /// Quarter turns are exact.
-    fn by(angle_deg: f64) -> Self {
-        let angle_deg = angle_deg.rem_euclid(360.0);
-        let quarters = (angle_deg / 90.0).round();
-        let (sin, cos) = (angle_deg - 90.0 * quarters).to_radians().sin_cos();
-        let (sin, cos) = match quarters.rem_euclid(4.0) {
-            0.0 => (sin, cos),
-            1.0 => (cos, -sin),
-            2.0 => (-sin, -cos),
-            _ => (-cos, sin),
-        };
-        Self { sin, cos }
-    }
-
-    fn forth(self, p: Point) -> Point {
-        Point::new(
-            p.x * self.cos - p.y * self.sin,
-            p.x * self.sin + p.y * self.cos,
-        )
-    }
-
-    fn back(self, p: Point) -> Point {
-        Point::new(
-            p.x * self.cos + p.y * self.sin,
-            p.y * self.cos - p.x * self.sin,
-        )
-    }
 }
 
 const LEAST_SPACING_MM: f64 = 0.05;

@@ -1,8 +1,7 @@
 //! What the tool left on the paper.
 
 use dobot_arm::Position;
-use dobot_geometry::Near;
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Near, Point, Stroke};
 use dobot_plan::{Paper, Plan};
 
 /// A line on the paper, and how far it lies from what was wanted.

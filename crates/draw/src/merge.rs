@@ -1,6 +1,6 @@
 //! Strokes that meet become one: the pen need not be lifted between them.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 
 /// Joins strokes the ends of which lie within `tolerance_mm` of each other, reversed where needed;
 /// what comes back to its begin is closed. Where several ends meet, those go together that go on
@@ -129,7 +129,7 @@ struct Tip {
     end: End,
     at: Point,
     /// Out of the stroke, of length 1.
-    way: Point,
+    way: Vec2,
     cell: (i64, i64),
     /// The stroke is long enough to be closed with itself.
     closes: bool,

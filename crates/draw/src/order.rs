@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   strokes -> nodes -> greedy tour -> search, kicks -> tour -> strokes
-//!              (point_tree, near)      (tour)           (way)
+//!              (nodes, near)            (tour)           (way)
 //! ```
 //!
 //! The ends of the strokes are the nodes of a round tour, in which the two ends of a stroke stay
@@ -12,7 +12,6 @@
 mod greedy;
 mod near;
 mod nodes;
-mod point_tree;
 mod random;
 mod search;
 mod tour;

@@ -9,11 +9,11 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use thiserror::Error;
 
 pub use self::colors::Colors;
-use self::lines::{by_class, on_picture, seen};
+use self::lines::{area_on_picture, by_class, on_picture, seen};
 use self::page::{frame, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_lettering::{Look, Sheet};
 use dobot_plan::{MoveKind, Plan};
 
@@ -27,7 +27,7 @@ pub struct Picture<'a> {
     /// Below the figures, if there are several: the figures of each pass.
     pub passes: &'a [PassFigures],
     /// The drawing area, in the base frame.
-    pub area: Bounds,
+    pub area: Rect,
     /// The plan, for what was to be drawn and the travel moves.
     pub plan: &'a Plan,
     /// The ink: what was to be drawn shows through where it is missing.
@@ -72,16 +72,19 @@ impl Picture<'_> {
     pub fn to_svg(&self) -> String {
         let paper = self.paper();
         let unit = unit(paper);
-        let page = Bounds {
-            min: paper.min - Point::new(8.0, 14.0) * unit,
-            max: paper.max + Point::new(8.0, self.words_high()) * unit,
-        };
+        let side = 8.0 * unit;
+        let page = Rect::new(
+            paper.x0 - side,
+            paper.y0 - 14.0 * unit,
+            paper.x1 + side,
+            paper.y1 + self.words_high() * unit,
+        );
         let mut sheet = Sheet::desk(frame(page));
         sheet.paper(&frame(paper), 3.0, |sheet| {
             workspace(sheet, self.area, unit);
             self.lines(sheet);
-            let corner = paper.max - Point::new(6.0, 5.5) * unit;
-            sheet.scale_bar([corner.x, corner.y], 50.0, unit);
+            let corner = [paper.x1 - 6.0 * unit, paper.y1 - 5.5 * unit];
+            sheet.scale_bar(corner, 50.0, unit);
         });
         self.words(&mut sheet, paper);
         sheet.finish()
@@ -121,22 +124,21 @@ impl Picture<'_> {
     }
 
     /// What is shown, on the picture.
-    fn paper(&self) -> Bounds {
+    fn paper(&self) -> Rect {
         let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
-        let shown = Bounds::of(lines.chain([self.area.min, self.area.max]).map(on_picture));
+        let shown = bounds(lines.map(on_picture)).union(area_on_picture(self.area));
         match self.view {
             View::Paper => {
                 // Both arcs of reach, straight ahead.
                 let [near, far] = REACH_MM.map(|x| on_picture(Point::new(x, 0.0)));
-                shown.grown(12.0).with(near).with(far).grown(4.0)
+                let shown = shown.inflate(12.0, 12.0);
+                shown.union_pt(near).union_pt(far).inflate(4.0, 4.0)
             }
             View::Reach => {
-                let corner = Point::new(REACH_MM[1], REACH_MM[1]);
-                let far = Bounds {
-                    min: corner * -1.0,
-                    max: corner,
-                };
-                far.with(shown.min).with(shown.max).grown(8.0)
+                let [_, far] = REACH_MM;
+                Rect::new(-far, -far, far, far)
+                    .union(shown)
+                    .inflate(8.0, 8.0)
             }
         }
     }
@@ -164,7 +166,7 @@ impl Picture<'_> {
 }
 
 /// How large words are: they grow with the paper.
-fn unit(paper: Bounds) -> f64 {
+fn unit(paper: Rect) -> f64 {
     paper.width() / 230.0
 }
 

@@ -3,22 +3,19 @@
 use std::fmt;
 
 use dobot_arm::Position;
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Point, Rect, Vec2, bounds, direction, steps};
 use dobot_plan::{Paper, Plan};
 use dobot_source::{Artwork, Layer};
 use thiserror::Error;
 
 /// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
-pub const AREA: Bounds = Bounds {
-    min: Point::new(150.0, -100.0),
-    max: Point::new(270.0, 100.0),
-};
+pub const AREA: Rect = Rect::new(150.0, -100.0, 270.0, 100.0);
 
 /// Where on the paper a drawing goes, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// The part of the base frame that is for drawing, in mm.
-    pub area: Bounds,
+    pub area: Rect,
     /// How much of the area stays empty along its edges, in mm, from 0 up.
     pub margin_mm: f64,
     /// How large the drawing becomes.
@@ -40,9 +37,9 @@ impl Placement {
     /// [`PlaceError`] where a setting is no number or out of range, or the drawing is larger than
     /// the area and neither fitted into it nor sent to a place of its own.
     pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
-        let (sin, cos) = self.turn()?;
-        let turned = |p: Point| Point::new(p.x * cos + p.y * sin, p.y * cos - p.x * sin);
-        let ink: Bounds = artwork.points().map(turned).collect();
+        let turn = self.turn()?;
+        let turned = |p: Point| p.to_vec2().rotate_scale(turn).to_point();
+        let ink = bounds(artwork.points().map(turned));
         let scale = self.scale(ink)?;
         let (from, to) = (ink.center(), self.center.unwrap_or(self.area.center()));
         let place = |p: &mut Point| {
@@ -57,23 +54,16 @@ impl Placement {
         Ok(Placed { layers, scale })
     }
 
-    /// Sine and cosine of the turn.
-    fn turn(&self) -> Result<(f64, f64), PlaceError> {
+    /// Where the drawing's right points on the page, where y points down.
+    fn turn(&self) -> Result<Vec2, PlaceError> {
         let rotate_deg = self.rotate_deg;
         if !rotate_deg.is_finite() {
             return Err(PlaceError::Rotate { rotate_deg });
         }
-        // Quarters are exact.
-        Ok(match rotate_deg.rem_euclid(360.0) {
-            0.0 => (0.0, 1.0),
-            90.0 => (1.0, 0.0),
-            180.0 => (0.0, -1.0),
-            270.0 => (-1.0, 0.0),
-            turn => turn.to_radians().sin_cos(),
-        })
+        Ok(direction(-rotate_deg))
     }
 
-    fn scale(&self, ink: Bounds) -> Result<f64, PlaceError> {
+    fn scale(&self, ink: Rect) -> Result<f64, PlaceError> {
         let [wide, deep] = self.room()?;
         let fitting = (wide / ink.width()).min(deep / ink.height());
         let scale = match self.size {
@@ -211,7 +201,7 @@ pub fn check_reach<E: fmt::Display>(
     let lift_mm = plan.lift_mm();
     for [x, y, _] in plan.positions() {
         let there = Point::new(x, y);
-        for p in here.steps_to(there, STEP_MM) {
+        for p in steps(here, there, STEP_MM) {
             let down_mm = paper.z_at(p);
             for z_mm in [down_mm, down_mm + lift_mm] {
                 let place = Position::new(p.x, p.y, z_mm);
@@ -234,7 +224,7 @@ const STEP_MM: f64 = 2.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_geometry::Stroke;
+    use dobot_geometry::{Stroke, bounds_of_strokes};
     use dobot_plan::{Machine, Pass, Tool};
 
     fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
@@ -273,7 +263,10 @@ mod tests {
         assert_eq!(wide.1, 0.5);
         let small = place(&fit, line(&[(0.0, 0.0), (10.0, 10.0)])).unwrap();
         assert_eq!(small.1, 12.0);
-        assert_eq!(Bounds::of_strokes(&small.0).min, Point::new(150.0, -60.0));
+        assert_eq!(
+            bounds_of_strokes(&small.0).origin(),
+            Point::new(150.0, -60.0)
+        );
         let dot = place(&fit, line(&[(7.0, 7.0)])).unwrap();
         assert_eq!(dot.0, [line(&[(210.0, 0.0)])]);
     }
@@ -331,7 +324,10 @@ mod tests {
         let square = || line(&[(0.0, 0.0), (10.0, 10.0)]);
         let (strokes, scale) = place(&within(10.0), square()).unwrap();
         assert_eq!(scale, 10.0);
-        assert_eq!(Bounds::of_strokes(&strokes).min, Point::new(160.0, -50.0));
+        assert_eq!(
+            bounds_of_strokes(&strokes).origin(),
+            Point::new(160.0, -50.0)
+        );
         for margin_mm in [-1.0, 60.0, f64::NAN] {
             let error = place(&within(margin_mm), square()).unwrap_err();
             let told = format!("the margin is {margin_mm} mm; it must be from 0 to below 60 mm");

@@ -18,7 +18,7 @@ use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::simplify::simplify;
 use crate::start::StartError;
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke};
 use dobot_plan::{Pass, Plan, PlanError, Tool};
 use dobot_source::{Artwork, Layer};
 use dobot_source::{ReadOptions, Source, SourceError, Warning};
@@ -189,7 +189,8 @@ fn passes<E>(
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
-    let mut here = settings.placement.area.max;
+    let Rect { x1, y1, .. } = settings.placement.area;
+    let mut here = Point::new(x1, y1);
     for mut layer in layers {
         let tool = layers::tool(&layer, settings);
         let mut strokes = lines(&mut layer, settings)?;

@@ -86,7 +86,7 @@ mod tests {
 
     use super::oracle::fewest_between_points;
     use super::*;
-    use dobot_geometry::deviation;
+    use dobot_geometry::{Vec2, deviation};
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -108,8 +108,9 @@ mod tests {
         let at = |i: u32| {
             let (sin, cos) = (TAU * wheel * f64::from(i % 20_000) / 20_000.0).sin_cos();
             let turned = TAU * (ring - wheel) * f64::from(i % 20_000) / 20_000.0;
-            let rolled = Point::new(cos, sin) * (ring - wheel);
-            (rolled + Point::new(turned.cos(), -turned.sin()) * arm) * scale
+            let rolled = Vec2::new(cos, sin) * (ring - wheel);
+            let pen = rolled + Vec2::new(turned.cos(), -turned.sin()) * arm;
+            (pen * scale).to_point()
         };
         Stroke {
             points: (0..=20_000).map(at).collect(),
@@ -120,7 +121,7 @@ mod tests {
     fn walk(steps: &[(f64, f64)], closed: bool) -> Stroke {
         let mut points = vec![Point::default()];
         for &(x, y) in steps {
-            points.push(points[points.len() - 1] + Point::new(x, y));
+            points.push(points[points.len() - 1] + Vec2::new(x, y));
         }
         if closed {
             points.push(points[0]);

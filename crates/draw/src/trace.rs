@@ -5,8 +5,7 @@ mod follow;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_geometry::Near;
-use dobot_geometry::Stroke;
+use dobot_geometry::{Near, Stroke};
 use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_geometry::{Point, Stroke, deviation};
+use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_plan::{Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Tool, respeed};
 use dobot_wire::{Command, WriteVector};
 
@@ -101,7 +101,7 @@ fn line(points: &[(f64, f64)]) -> Stroke {
 fn strokes() -> Vec<Stroke> {
     let spiral = (0..200_u32).map(|i| {
         let (sin, cos) = (TAU * f64::from(i) / 40.0).sin_cos();
-        Point::new(210.0, 0.0) + Point::new(cos, sin) * (2.0 + 0.1 * f64::from(i))
+        Point::new(210.0, 0.0) + Vec2::new(cos, sin) * (2.0 + 0.1 * f64::from(i))
     });
     let zigzag = (0..30_u32).map(|i| (180.0 + 1.5 * f64::from(i), 30.0 + 4.0 * f64::from(i % 2)));
     vec![

@@ -1,6 +1,6 @@
 //! Areas in the plane.
 
-use crate::Point;
+use kurbo::Point;
 
 /// An area to be filled, with its holes.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,8 @@
 //! How well the drawn path matches the wanted one.
 
-use crate::SegmentIndex;
-use crate::{Point, Stroke};
+use kurbo::Point;
+
+use crate::{SegmentIndex, Stroke, steps};
 
 /// How far two paths lie apart: each way, since ink in the wrong place and ink that is missing are
 /// two different faults.
@@ -88,7 +89,7 @@ fn farthest_from(path: &[Stroke], near: &mut Near) -> Worst {
     let points = path
         .iter()
         .flat_map(pieces)
-        .flat_map(|(from, to)| from.steps_to(to, STEP_MM));
+        .flat_map(|(from, to)| steps(from, to, STEP_MM));
     points.fold(Worst::default(), |worst, at| {
         // How much nearer than the farthest so far does not matter.
         let enough_mm = worst.distance_mm.max(NEGLIGIBLE_MM);
@@ -123,7 +124,7 @@ fn short(segments: Vec<(Point, Point)>) -> Vec<(Point, Point)> {
     let length_mm: f64 = segments.iter().map(|(a, b)| a.distance(*b)).sum();
     let most_mm = SHORT_MM.max(length_mm / MOST_PIECES);
     let cut = |(a, b): (Point, Point)| {
-        let ends: Vec<Point> = a.steps_to(b, most_mm).collect();
+        let ends: Vec<Point> = steps(a, b, most_mm).collect();
         let pieces = ends.windows(2).map(|it| (it[0], it[1]));
         pieces.collect::<Vec<_>>()
     };
@@ -145,6 +146,8 @@ const MOST_PIECES: f64 = 500_000.0;
 
 #[cfg(test)]
 mod tests {
+    use kurbo::Vec2;
+
     use super::*;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
@@ -193,14 +196,14 @@ mod tests {
 
     /// How many distances to segments it takes to compare paths, for each point compared.
     fn visits(path: &[Stroke], other: &[Stroke]) -> f64 {
-        let steps = |(a, b): (Point, Point)| a.steps_to(b, STEP_MM).count();
-        let points: usize = path.iter().flat_map(pieces).map(steps).sum();
+        let count = |(a, b): (Point, Point)| steps(a, b, STEP_MM).count();
+        let points: usize = path.iter().flat_map(pieces).map(count).sum();
         let mut near = Near::new(other);
         farthest_from(path, &mut near);
         let mut each = Near::new(other);
         for stroke in path {
-            let steps = stroke.segments().flat_map(|(a, b)| a.steps_to(b, STEP_MM));
-            steps.for_each(|p| assert!(each.distance_mm(p) < 1.0));
+            let points = stroke.segments().flat_map(|(a, b)| steps(a, b, STEP_MM));
+            points.for_each(|p| assert!(each.distance_mm(p) < 1.0));
         }
         let visits = near.index.visits.get().max(each.index.visits.get());
         f64::from(u32::try_from(visits).unwrap_or(u32::MAX))
@@ -211,7 +214,7 @@ mod tests {
     fn drawn(wanted: &[Stroke]) -> Vec<Stroke> {
         let beside = |i: usize, p: Point| {
             let share = |count: usize| f64::from(u32::try_from(i % count).unwrap_or(0));
-            p + Point::new(0.0011 * share(13), 0.0007 * share(29))
+            p + Vec2::new(0.0011 * share(13), 0.0007 * share(29))
         };
         let stroke = |(i, it): (usize, &Stroke)| {
             let points = it.points.iter().enumerate();

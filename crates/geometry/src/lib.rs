@@ -9,11 +9,25 @@
 //! ```
 
 mod area;
+mod bounds;
+mod box_tree;
+mod curve;
 mod deviation;
-mod point;
+mod direction;
 mod segment_index;
+mod stroke;
 
 pub use area::{Area, FillRule};
+pub use bounds::{bounds, bounds_of_strokes};
+pub use box_tree::BoxTree;
+pub use curve::{chords, corners};
 pub use deviation::{Deviation, Near, Worst, deviation};
-pub use point::{Bounds, Point, Stroke};
+pub use direction::direction;
 pub use segment_index::SegmentIndex;
+pub use stroke::{Stroke, steps};
+
+/// What all rooms count with, in millimetres and radians. On the sheet x points right and y down, as
+/// in an SVG file; in the base frame x points forward and y to the left (Figure 3.1).
+pub use kurbo::{Affine, Point, Rect, Vec2};
+/// A straight piece, how to ask for its nearest point, and curves.
+pub use kurbo::{CubicBez, Line, ParamCurve, ParamCurveNearest, QuadBez};

@@ -102,7 +102,7 @@ pub const CAPITAL: f64 = 21.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_geometry::Bounds;
+    use dobot_geometry::bounds;
 
     #[test]
     fn every_font_has_every_ascii_character() {
@@ -123,9 +123,9 @@ mod tests {
     fn capitals_stand_on_the_base_line_and_are_as_tall_as_said() {
         for font in StrokeFont::ALL {
             let strokes = font.glyph('H').unwrap().strokes;
-            let bounds: Bounds = strokes.into_iter().flatten().collect();
-            assert!(bounds.max.y.abs() <= 1.0, "{font:?} {bounds:?}");
-            assert!((bounds.min.y + CAPITAL).abs() <= 1.0, "{font:?} {bounds:?}");
+            let bounds = bounds(strokes.into_iter().flatten());
+            assert!(bounds.y1.abs() <= 1.0, "{font:?} {bounds:?}");
+            assert!((bounds.y0 + CAPITAL).abs() <= 1.0, "{font:?} {bounds:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Letters that a font lacks, made of those that it has.
 
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Point, Rect, Vec2, bounds};
 
 use crate::hershey::{CAPITAL, StrokeFont};
 use crate::smooth::smooth;
@@ -54,9 +54,11 @@ impl Letter {
         let mut whole = Self::default();
         for character in text.chars() {
             let next = Self::of(font, character)?;
-            let start = Point::new((whole.advance - overlap).max(0.0), 0.0);
-            whole.advance = start.x + next.advance;
-            whole.strokes.extend(next.each(|p| p + start).strokes);
+            let start = (whole.advance - overlap).max(0.0);
+            whole.advance = start + next.advance;
+            whole
+                .strokes
+                .extend(next.each(|p| p + Vec2::new(start, 0.0)).strokes);
         }
         Some(whole)
     }
@@ -78,8 +80,8 @@ impl Letter {
 
     fn raised(self) -> Self {
         let advance = self.advance * RAISED;
-        let up = Point::new(0.0, CAPITAL * (RAISED - 1.0));
-        let small = self.each(|p| p * RAISED + up);
+        let up = Vec2::new(0.0, CAPITAL * (RAISED - 1.0));
+        let small = self.each(|p| (p.to_vec2() * RAISED + up).to_point());
         Self { advance, ..small }
     }
 
@@ -99,29 +101,33 @@ impl Letter {
         }
         let at = mark.place(self.bounds(), self.top_middle());
         let lines = symbols::read(mark.strokes()).into_iter();
-        let lines = lines.map(|line| line.into_iter().map(|p| leaning(p, slant) + at).collect());
+        let lines = lines.map(|line| {
+            line.into_iter()
+                .map(|p| leaning(p, slant) + at.to_vec2())
+                .collect()
+        });
         self.strokes.extend(lines);
         self
     }
 
-    fn bounds(&self) -> Bounds {
-        self.strokes.iter().flatten().copied().collect()
+    fn bounds(&self) -> Rect {
+        bounds(self.strokes.iter().flatten().copied())
     }
 
     /// The middle of what reaches highest.
     fn top_middle(&self) -> f64 {
-        let bounds = self.bounds();
-        let limit = bounds.min.y + 0.35 * bounds.height();
+        let ink = self.bounds();
+        let limit = ink.y0 + 0.35 * ink.height();
         let upper = self.strokes.iter().flatten().filter(|p| p.y <= limit);
-        upper.copied().collect::<Bounds>().center().x
+        bounds(upper.copied()).center().x
     }
 }
 
 /// Across the whole letter and a little more.
-fn slash(letter: Bounds) -> Vec<Point> {
-    let [low, high] = [Point::new(-1.0, 1.5), Point::new(1.0, -1.5)];
-    let foot = Point::new(letter.min.x, letter.max.y) + low;
-    vec![foot, Point::new(letter.max.x, letter.min.y) + high]
+fn slash(letter: Rect) -> Vec<Point> {
+    let [low, high] = [Vec2::new(-1.0, 1.5), Vec2::new(1.0, -1.5)];
+    let foot = Point::new(letter.x0, letter.y1) + low;
+    vec![foot, Point::new(letter.x1, letter.y0) + high]
 }
 
 fn leaning(p: Point, slant: f64) -> Point {
@@ -130,8 +136,8 @@ fn leaning(p: Point, slant: f64) -> Point {
 
 /// The dot of an i or j, which gives way to a mark.
 fn is_dot_above(stroke: &[Point]) -> bool {
-    let bounds: Bounds = stroke.iter().copied().collect();
-    bounds.max.y < -X_HEIGHT - 1.0 && bounds.height() <= 4.0 && bounds.width() <= 5.0
+    let bounds = bounds(stroke.iter().copied());
+    bounds.y1 < -X_HEIGHT - 1.0 && bounds.height() <= 4.0 && bounds.width() <= 5.0
 }
 
 /// A full stop and the like: a small square on its corner.
@@ -173,8 +179,8 @@ mod tests {
     #[test]
     fn a_mark_stands_above_its_letter_and_a_cedilla_below() {
         for font in StrokeFont::ALL {
-            let top = |c| Letter::of(font, c).unwrap().bounds().min.y;
-            let foot = |c| Letter::of(font, c).unwrap().bounds().max.y;
+            let top = |c| Letter::of(font, c).unwrap().bounds().y0;
+            let foot = |c| Letter::of(font, c).unwrap().bounds().y1;
             assert!(
                 top('ü') < top('u') - 2.0 && top('Ü') < top('U') - 2.0,
                 "{font:?}"

@@ -5,7 +5,7 @@
 //! through it and its neighbours, and the ends of long straight pieces get the piece's direction,
 //! so that stems stay straight and meet their bows smoothly.
 
-use dobot_geometry::Point;
+use dobot_geometry::{CubicBez, Point, Vec2, chords, corners};
 
 /// A stroke with its gentle corners rounded, within `tolerance` of the curve through them.
 pub(crate) fn smooth(points: &[Point], sharp: f64, tolerance: f64) -> Vec<Point> {
@@ -32,8 +32,8 @@ pub(crate) fn smooth(points: &[Point], sharp: f64, tolerance: f64) -> Vec<Point>
 /// The directions in which a curve comes to a corner and leaves it; `None` leaves it free.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tangent {
-    before: Option<Point>,
-    after: Option<Point>,
+    before: Option<Vec2>,
+    after: Option<Vec2>,
 }
 
 fn tangents(points: &[Point], is_closed: bool, sharp: f64) -> Vec<Tangent> {
@@ -74,14 +74,14 @@ fn tangent(a: Point, b: Point, c: Point, sharp: f64) -> Tangent {
 /// The way from one corner to the next, without the first.
 fn curve(
     [a, d]: [Point; 2],
-    leaving: Option<Point>,
-    coming: Option<Point>,
+    leaving: Option<Vec2>,
+    coming: Option<Vec2>,
     tolerance: f64,
     points: &mut Vec<Point>,
 ) {
     let chord = unit(d - a);
     // A free end goes on as a circle would.
-    let mirrored = |other: Point| chord * (2.0 * chord.dot(other)) - other;
+    let mirrored = |other: Vec2| chord * (2.0 * chord.dot(other)) - other;
     let (leaving, coming) = match (leaving, coming) {
         (None, None) => return points.push(d),
         (Some(from), None) => (from, mirrored(from)),
@@ -90,28 +90,18 @@ fn curve(
     };
     let reach = a.distance(d) / 3.0;
     let (b, c) = (a + leaving * reach, d - coming * reach);
-    let bend = (a + c - b * 2.0).length().max((b + d - c * 2.0).length());
-    // See the flattening of SVG paths: chords of equal steps leave a cubic by at most that.
+    let curve = CubicBez::new(a, b, c, d);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a small count"
     )]
-    let count = (6.0 * bend / (8.0 * tolerance))
-        .sqrt()
-        .ceil()
-        .clamp(1.0, MOST_CHORDS) as u32;
-    let at = |t: f64| {
-        let middle = b.lerp(c, t);
-        let left = a.lerp(b, t).lerp(middle, t);
-        left.lerp(middle.lerp(c.lerp(d, t), t), t)
-    };
-    let inner = (1..count).map(|i| at(f64::from(i) / f64::from(count)));
-    points.extend(inner.chain([d]));
+    let count = chords(curve, tolerance).min(MOST_CHORDS) as u32;
+    points.extend(corners(curve, count));
 }
 
-fn unit(p: Point) -> Point {
-    p * (1.0 / p.length().max(f64::MIN_POSITIVE))
+fn unit(way: Vec2) -> Vec2 {
+    way * (1.0 / way.length().max(f64::MIN_POSITIVE))
 }
 
 /// Longer pieces, in units of the fonts' grid, are meant to be straight.
@@ -123,6 +113,8 @@ mod tests {
     use std::f64::consts::TAU;
 
     use proptest::prelude::*;
+
+    use dobot_geometry::{Line, ParamCurveNearest};
 
     use super::*;
 
@@ -138,7 +130,7 @@ mod tests {
         };
         let round = smooth(&(0..=12).map(corner).collect::<Vec<_>>(), 1.0, 0.001);
         for (a, b) in round.iter().zip(&round[1..]) {
-            let radius = a.lerp(*b, 0.5).length();
+            let radius = a.lerp(*b, 0.5).to_vec2().length();
             assert!((radius - 8.0).abs() < 0.02, "{radius}");
         }
     }
@@ -171,7 +163,7 @@ mod tests {
                 prop_assert!(rest.any(|p| p == corner));
             }
             for p in &round {
-                let nearest = corners.windows(2).map(|it| p.distance(p.nearest_on(it[0], it[1])));
+                let nearest = corners.windows(2).map(|it| Line::new(it[0], it[1]).nearest(*p, 0.0).distance_sq.sqrt());
                 prop_assert!(corners.len() < 3 || nearest.fold(f64::INFINITY, f64::min) < 3.0);
             }
         }

@@ -1,6 +1,6 @@
 //! How characters beyond ASCII are made.
 
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Point, Rect};
 
 /// How a character is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,18 +84,18 @@ impl Mark {
     }
 
     /// Where its place is on a letter.
-    pub(crate) fn place(self, letter: Bounds, top_middle: f64) -> Point {
+    pub(crate) fn place(self, letter: Rect, top_middle: f64) -> Point {
         let (middle, height) = (letter.center(), letter.height());
         match self {
-            Self::Cedilla | Self::Comma => Point::new(middle.x, letter.max.y.max(0.0)),
-            Self::Ogonek => Point::new(letter.max.x - 0.15 * letter.width(), letter.max.y.min(0.0)),
+            Self::Cedilla | Self::Comma => Point::new(middle.x, letter.y1.max(0.0)),
+            Self::Ogonek => Point::new(letter.x1 - 0.15 * letter.width(), letter.y1.min(0.0)),
             Self::Slash => middle,
-            Self::BarRight => Point::new(letter.max.x, letter.min.y + 0.19 * height),
+            Self::BarRight => Point::new(letter.x1, letter.y0 + 0.19 * height),
             Self::BarLeft | Self::Nick => {
                 let stem = 0.15 * letter.width();
-                Point::new(letter.min.x + stem, middle.y)
+                Point::new(letter.x0 + stem, middle.y)
             }
-            _ => Point::new(top_middle, letter.min.y - GAP),
+            _ => Point::new(top_middle, letter.y0 - GAP),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 use crate::{CAPITAL, Letter, StrokeFont};
 
@@ -42,8 +42,12 @@ pub fn strokes(text: &str, anchor: Anchor, at: Point, height: f64) -> Vec<Vec<Po
     let left = anchor.left(at.x, width(text, height));
     placed(text)
         .flat_map(|(x, letter)| {
-            let begin = Point::new(left + x * scale, at.y);
-            let placed = move |line: Vec<Point>| line.iter().map(|p| begin + *p * scale).collect();
+            let begin = Vec2::new(left + x * scale, at.y);
+            let placed = move |line: Vec<Point>| {
+                line.iter()
+                    .map(|p| (begin + p.to_vec2() * scale).to_point())
+                    .collect()
+            };
             letter_of(letter).strokes.into_iter().map(placed)
         })
         .collect()
@@ -103,13 +107,11 @@ const ROUND: f64 = 0.15;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dobot_geometry::Bounds;
+    use dobot_geometry::{Rect, bounds};
 
-    fn ink(text: &str, anchor: Anchor) -> Bounds {
-        strokes(text, anchor, Point::default(), 6.0)
-            .into_iter()
-            .flatten()
-            .collect()
+    fn ink(text: &str, anchor: Anchor) -> Rect {
+        let lines = strokes(text, anchor, Point::ORIGIN, 6.0);
+        bounds(lines.into_iter().flatten())
     }
 
     #[test]
@@ -117,7 +119,7 @@ mod tests {
         let ink = ink("HuH", Anchor::Left);
         assert!((ink.width() - width("HuH", 6.0)).abs() < 0.5, "{ink:?}");
         assert!(
-            (ink.height() - 6.0).abs() < 0.1 && ink.max.y.abs() < 0.1,
+            (ink.height() - 6.0).abs() < 0.1 && ink.y1.abs() < 0.1,
             "{ink:?}"
         );
     }
@@ -127,7 +129,7 @@ mod tests {
         let [left, middle, right] =
             [Anchor::Left, Anchor::Middle, Anchor::Right].map(|it| ink("HH", it));
         assert!(
-            left.min.x.abs() < 0.5 && right.max.x.abs() < 0.5,
+            left.x0.abs() < 0.5 && right.x1.abs() < 0.5,
             "{left:?} {right:?}"
         );
         assert!(middle.center().x.abs() < 0.1, "{middle:?}");

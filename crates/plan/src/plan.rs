@@ -172,6 +172,8 @@ fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanEr
 mod tests {
     use proptest::prelude::*;
 
+    use dobot_geometry::Vec2;
+
     use super::*;
     use crate::commands::{LASER_OFF, write};
     use crate::{Laser, LinkRate, Pen};
@@ -401,11 +403,11 @@ mod tests {
 
     fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
         let point = (150.0..300.0_f64, -100.0..100.0_f64).prop_map(|(x, y)| Point::new(x, y));
-        let near = (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(|(x, y)| Point::new(x, y));
+        let near = (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(|(x, y)| Vec2::new(x, y));
         let stroke = (point, proptest::collection::vec(near, 0..40)).prop_map(|(start, steps)| {
             let mut points = vec![start];
             points.extend(steps.iter().scan(start, |here, step| {
-                *here = *here + *step;
+                *here += *step;
                 Some(*here)
             }));
             Stroke::open(points)

@@ -1,6 +1,6 @@
 //! The way of a laser through a stroke: it gets to its speed before, and loses it behind.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 
 use crate::planner::LEAST_VECTOR_MM;
 use crate::ticks::TICK_S;
@@ -62,9 +62,9 @@ impl Ways {
     ) -> Self {
         let points = &stroke.points;
         let (first, last) = (points[0], points[points.len() - 1]);
-        let come = Point::new(first.x - here[0], first.y - here[1]);
+        let come = first - Point::new(here[0], here[1]);
         let into = way_of(stroke.segments()).or_else(|| unit(come));
-        let into = into.unwrap_or(Point::new(1.0, 0.0));
+        let into = into.unwrap_or(Vec2::new(1.0, 0.0));
         let out = way_of(
             stroke
                 .points
@@ -102,7 +102,7 @@ fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
     for (i, pair) in path.windows(2).enumerate() {
         let length_mm = pair[0].distance(pair[1]);
         if left_mm < length_mm {
-            before.push(pair[0] + (pair[1] - pair[0]) * (left_mm / length_mm));
+            before.push(pair[0].lerp(pair[1], left_mm / length_mm));
             return (before, path[i + 1..].to_vec());
         }
         left_mm -= length_mm;
@@ -112,11 +112,11 @@ fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
 }
 
 /// The direction of the first piece that has one.
-fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Point> {
+fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Vec2> {
     segments.find_map(|(a, b)| unit(b - a))
 }
 
-fn unit(way: Point) -> Option<Point> {
+fn unit(way: Vec2) -> Option<Vec2> {
     let length = way.length();
     (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
 }

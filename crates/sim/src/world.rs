@@ -34,7 +34,7 @@ mod marks;
 mod moment;
 mod object;
 mod picture;
-mod point;
+mod place;
 mod scene;
 mod state;
 mod tip;
@@ -45,21 +45,22 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::Joints;
+use dobot_geometry::direction;
 
 use self::contact::{Contacts, Scenery};
 use self::grip::Grip;
 use self::marks::{Burns, Ink};
 use self::moment::Moment;
-use self::point::rounded;
+use self::place::{rounded, rounded_place};
 use self::tip::Tip;
 
 pub use self::event::{Event, Happened};
 pub use self::marks::{Burn, Hole, Stroke};
 pub use self::object::{Object, Shape};
-pub use self::point::Point;
 pub use self::scene::{Paper, Scene, SceneError};
 pub use self::state::{ArmState, WorldState};
 pub use self::tool::{Tool, ToolKind};
+pub use dobot_geometry::Point;
 
 /// The world around an arm.
 #[derive(Clone, Debug)]
@@ -229,7 +230,7 @@ impl World {
             && hole.time_s >= DANGEROUS_S
         {
             let event = Event::BurnsOnTheSpot {
-                at_mm: hole.at_mm.rounded(),
+                at_mm: rounded_place(hole.at_mm),
                 time_s: rounded(hole.time_s),
             };
             self.tell(to.at, event);
@@ -241,7 +242,7 @@ impl World {
     fn mark(&mut self, now: Duration, at: Point) {
         let off_paper = self.scene.paper.is_some_and(|paper| !paper.contains(at));
         if off_paper && !self.off_paper {
-            let at_mm = at.rounded();
+            let at_mm = rounded_place(at);
             self.tell(now, Event::OffPaper { at_mm });
         }
         self.off_paper = off_paper;
@@ -316,8 +317,8 @@ impl World {
     /// The highest object that stood between the fingers before they closed and is as wide now as
     /// they are apart.
     fn between_the_fingers(&self, tip: &Tip, [now_mm, before_mm]: [f64; 2]) -> Option<usize> {
-        let across = Point::towards(tip.turn_deg + 90.0);
-        let middle = tip.at.dot(across);
+        let across = direction(tip.turn_deg + 90.0);
+        let middle = tip.at.to_vec2().dot(across);
         let objects = self.scene.objects.iter().enumerate();
         let caught = objects.filter(|(_, it)| {
             let footprint = it.footprint();

@@ -2,8 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use dobot_geometry::Area;
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Area, CubicBez, ParamCurve, Point, Stroke, Vec2, bounds, chords};
 
 use crate::artwork::{Artwork, Layer};
 use crate::error::{LIMIT_MM, MAX_SEGMENTS};
@@ -146,18 +145,8 @@ impl<'a> Sketch<'a> {
     }
 
     /// The corners of a cubic curve, both ends included.
-    ///
-    /// A chord leaves its curve by at most an eighth of the step squared times the largest second
-    /// derivative, `6 max(|a - 2 b + c|, |b - 2 c + d|)`.
-    pub(super) fn cubic_points(&self, [a, b, c, d]: [Point; 4]) -> Result<Vec<Point>, SourceError> {
-        let bend = |a: Point, b: Point, c: Point| (a - b * 2.0 + c).length();
-        let second = 6.0 * bend(a, b, c).max(bend(b, c, d));
-        let chords = (second / (8.0 * self.tolerance_mm)).sqrt().ceil().max(1.0);
-        self.curve_points(chords, |t| {
-            let middle = b.lerp(c, t);
-            let (left, right) = (a.lerp(b, t), c.lerp(d, t));
-            left.lerp(middle, t).lerp(middle.lerp(right, t), t)
-        })
+    pub(super) fn cubic_points(&self, curve: CubicBez) -> Result<Vec<Point>, SourceError> {
+        self.curve_points(chords(curve, self.tolerance_mm), |t| curve.eval(t))
     }
 
     /// A curve of `chords` pieces, which is a whole number from 1 up, from 0 to 1.
@@ -236,10 +225,10 @@ impl<'a> Sketch<'a> {
             layers: self.layers,
             ..Artwork::default()
         };
-        let ink: Bounds = artwork.points().collect();
+        let ink = bounds(artwork.points());
         let place = |p: &mut Point| match y {
-            Y::Down => *p = *p - ink.min,
-            Y::Up => *p = Point::new(p.x - ink.min.x, ink.max.y - p.y),
+            Y::Down => *p -= ink.origin().to_vec2(),
+            Y::Up => *p = Point::new(p.x - ink.x0, ink.y1 - p.y),
         };
         let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
         points.for_each(place);
@@ -262,8 +251,8 @@ pub(super) enum Y {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     center: Point,
-    across: Point,
-    along: Point,
+    across: Vec2,
+    along: Vec2,
     from_rad: f64,
     sweep_rad: f64,
     /// How much larger it is at its end.
@@ -275,14 +264,14 @@ pub(super) struct Arc {
 impl Arc {
     /// Counterclockwise where `sweep_rad` is above 0 and y points up.
     pub(super) fn circle(center: Point, radius: f64, from_rad: f64, sweep_rad: f64) -> Self {
-        let across = Point::new(radius, 0.0);
-        Self::ellipse(center, across, Point::new(0.0, radius), from_rad, sweep_rad)
+        let across = Vec2::new(radius, 0.0);
+        Self::ellipse(center, across, Vec2::new(0.0, radius), from_rad, sweep_rad)
     }
 
     pub(super) fn ellipse(
         center: Point,
-        across: Point,
-        along: Point,
+        across: Vec2,
+        along: Vec2,
         from_rad: f64,
         sweep_rad: f64,
     ) -> Self {
@@ -314,7 +303,7 @@ impl Arc {
             growth: end.distance(center) / radius,
             start,
             end,
-            ..Self::circle(center, radius, out.y.atan2(out.x), sweep_rad)
+            ..Self::circle(center, radius, out.atan2(), sweep_rad)
         }
     }
 

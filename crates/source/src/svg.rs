@@ -1,6 +1,5 @@
 //! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
 
-mod affine;
 mod check;
 mod clip;
 mod color;

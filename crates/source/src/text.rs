@@ -16,7 +16,7 @@ pub(super) use self::lettering::{Lettering, Pose};
 use crate::artwork::{Artwork, Layer};
 use crate::error::{SourceError, Warning};
 use crate::options::ReadOptions;
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::bounds;
 pub(super) use dobot_lettering::CAPITAL;
 pub use dobot_lettering::StrokeFont;
 
@@ -183,10 +183,10 @@ fn nothing(warnings: &[Warning]) -> SourceError {
 
 /// The page is as large as the ink.
 fn on_page(layer: Layer) -> Artwork {
-    let bounds: Bounds = layer.points().collect();
+    let bounds = bounds(layer.points());
     let mut layers = vec![layer];
     for p in layers.iter_mut().flat_map(Layer::points_mut) {
-        *p = Point::new(p.x - bounds.min.x, p.y - bounds.min.y);
+        *p -= bounds.origin().to_vec2();
     }
     Artwork {
         width_mm: bounds.width(),

@@ -1,7 +1,6 @@
 //! Lines of a hatch, joined to strokes to and fro.
 
-use dobot_geometry::SegmentIndex;
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
 use super::scan::Span;
 
@@ -102,9 +101,10 @@ impl<'a> Joined<'a> {
             && from.distance(to) <= self.longest_mm;
         let mut met = false;
         if fine {
-            self.edges.touching(Bounds::of([from, to]), &mut |edge| {
-                met |= meets((from, to), self.edges.segment(edge));
-            });
+            self.edges
+                .touching(Rect::from_points(from, to), &mut |edge| {
+                    met |= meets((from, to), self.edges.segment(edge));
+                });
         }
         fine && !met
     }

@@ -1,7 +1,6 @@
 //! Which parts of parallel lines lie inside of rings.
 
-use dobot_geometry::FillRule;
-use dobot_geometry::Point;
+use dobot_geometry::{FillRule, Point};
 
 use super::HatchError;
 
@@ -111,7 +110,7 @@ impl Scan {
         });
         let along = b - a;
         let length = along.length();
-        let off = Point::new(-along.y, along.x) * (self.inset_mm / length);
+        let off = along.turn_90() * (self.inset_mm / length);
         let corners = [a + off, b + off, b - off, a - off];
         let sides = (0..4).map(|i| (corners[i], corners[(i + 1) % 4]));
         let crossed = sides

@@ -1,6 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
-use dobot_geometry::FillRule;
+use dobot_geometry::{Area, FillRule, Line, ParamCurveNearest, Point, Stroke, direction, steps};
 use proptest::prelude::*;
 
 use super::*;
@@ -37,7 +37,7 @@ fn holds(area: &Area, p: Point) -> bool {
         let rings = area.rings.iter();
         rings.flat_map(|ring| (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()])))
     };
-    if edges().any(|(a, b)| p.nearest_on(a, b).distance(p) < 1e-6) {
+    if edges().any(|(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq < 1e-12) {
         return true;
     }
     let winding: i32 = edges()
@@ -107,9 +107,9 @@ fn an_inset_keeps_the_lines_away_from_the_border() {
         ..along_x(0.5)
     };
     let strokes = hatch(&area(&[SQUARE, HOLE], FillRule::EvenOdd), &inset).unwrap();
-    let bounds = dobot_geometry::Bounds::of_strokes(&strokes);
-    assert!((bounds.min.x - 0.8).abs() < 1e-9 && (bounds.max.x - 9.2).abs() < 1e-9);
-    assert!(bounds.min.y >= 0.8 && bounds.max.y <= 9.2);
+    let bounds = dobot_geometry::bounds_of_strokes(&strokes);
+    assert!((bounds.x0 - 0.8).abs() < 1e-9 && (bounds.x1 - 9.2).abs() < 1e-9);
+    assert!(bounds.y0 >= 0.8 && bounds.y1 <= 9.2);
     let corners = strokes.iter().flat_map(|s| &s.points);
     let nearest = corners.map(|p| (p.x - 5.0).abs().max((p.y - 5.0).abs()) - 2.0);
     assert!(nearest.fold(f64::INFINITY, f64::min) > 0.5);
@@ -191,7 +191,7 @@ proptest! {
         let area = Area { rings, rule };
         let settings = Hatch { angle_deg, inset_mm, ..along_x(spacing_mm) };
         for (a, b) in hatch(&area, &settings).unwrap().iter().flat_map(Stroke::segments) {
-            for p in a.steps_to(b, 0.02) {
+            for p in steps(a, b, 0.02) {
                 prop_assert!(holds(&area, p), "{p:?} of {a:?} to {b:?}");
             }
         }
@@ -207,12 +207,12 @@ proptest! {
         let size = one.cross(other).abs() / 2.0;
         let area = Area { rings: vec![triangle.clone()], rule: FillRule::NonZero };
         let settings = Hatch { angle_deg, ..along_x(0.05) };
-        let turn = Turn::by(angle_deg);
+        let back = direction(-angle_deg);
         let strokes = hatch(&area, &settings).unwrap();
         let lines = strokes.iter().flat_map(|s| s.points.chunks(2));
         let mut length = 0.0;
         for line in lines {
-            let (a, b) = (turn.back(line[0]), turn.back(line[1]));
+            let [a, b] = [line[0], line[1]].map(|p| p.to_vec2().rotate_scale(back).to_point());
             // On the grid: half a spacing off its multiples.
             let off = (a.y / 0.05 - 0.5).rem_euclid(1.0);
             prop_assert!((a.y - b.y).abs() < 1e-9 && off.min(1.0 - off) < 1e-6);

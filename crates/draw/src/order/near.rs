@@ -1,13 +1,11 @@
 //! The neighbours that a search tries to join a node with.
 
-use dobot_geometry::{Bounds, Point};
-
-use super::point_tree::PointTree;
+use dobot_geometry::{BoxTree, Point, Rect, bounds};
 
 /// The nearest few of every node, the nearest first, and then the nearest in each direction where
 /// none of them lies: a dense cloud has to know its surroundings. Never the node's mate; where there
 /// are fewer, the node itself stands in.
-pub(super) fn near(tree: &PointTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
+pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
     (0..)
         .zip(at)
         .map(|(node, &p)| {
@@ -29,10 +27,14 @@ pub(super) fn near(tree: &PointTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NE
 }
 
 /// The nearest of all, with their squared distances.
-fn nearest(tree: &PointTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
+fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
     let mut found = [(f64::INFINITY, not[0]); NEAR];
-    tree.around(at, p, None, &mut |other, distance2| {
-        if !not.contains(&other) {
+    tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
+        for other in others.filter(|it| !not.contains(it)) {
+            let distance2 = at[other as usize].distance_squared(p);
+            if distance2 >= found[NEAREST - 1].0 {
+                continue;
+            }
             let mut slot = NEAREST - 1;
             while slot > 0 && found[slot - 1].0 > distance2 {
                 found[slot] = found[slot - 1];
@@ -46,7 +48,7 @@ fn nearest(tree: &PointTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u3
 }
 
 /// The quadrants around `p` in which nothing was found.
-fn missing(at: &[Point], p: Point, found: &[(f64, u32)]) -> impl Iterator<Item = Bounds> + use<> {
+fn missing(at: &[Point], p: Point, found: &[(f64, u32)]) -> impl Iterator<Item = Rect> + use<> {
     let mut seen = [false; 4];
     for &(distance2, other) in found {
         let away = at[other as usize] - p;
@@ -56,27 +58,33 @@ fn missing(at: &[Point], p: Point, found: &[(f64, u32)]) -> impl Iterator<Item =
     }
     let corners = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
     let quadrants = corners.into_iter().zip(seen).filter(|(_, seen)| !seen);
-    quadrants
-        .map(move |((x, y), _)| Bounds::of([p, Point::new(x * f64::INFINITY, y * f64::INFINITY)]))
+    quadrants.map(move |((x, y), _)| bounds([p, Point::new(x * f64::INFINITY, y * f64::INFINITY)]))
 }
 
 /// The nearest in a quadrant that is not at the same place.
 fn nearest_in(
-    quadrant: Bounds,
-    tree: &PointTree,
+    quadrant: Rect,
+    tree: &BoxTree,
     at: &[Point],
     p: Point,
     not: [u32; 2],
 ) -> Option<(f64, u32)> {
-    let mut best = None;
-    tree.around(at, p, Some(quadrant), &mut |other, distance2| {
-        let here = Bounds::of([at[other as usize]]);
-        if distance2 > 0.0 && !not.contains(&other) && here.touches(quadrant) {
-            best = Some((distance2, other));
+    let mut best = (f64::INFINITY, None);
+    let is_here = |there: Rect| there == Rect::from_points(p, p);
+    // Most of what lies outside is left out, and heaps of points at `p` itself.
+    let is_sought = |_, there: Rect| there.overlaps(quadrant) && !is_here(there);
+    tree.around(p, f64::INFINITY, &is_sought, &mut |others| {
+        for other in others.filter(|it| !not.contains(it)) {
+            let there = at[other as usize];
+            let distance2 = there.distance_squared(p);
+            let is_in = Rect::from_points(there, there).overlaps(quadrant);
+            if distance2 < best.0 && distance2 > 0.0 && is_in {
+                best = (distance2, Some(other));
+            }
         }
-        best.map_or(f64::INFINITY, |best| best.0)
+        best.0
     });
-    best
+    best.1.map(|other| (best.0, other))
 }
 
 /// How many neighbours a node has.

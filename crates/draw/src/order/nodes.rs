@@ -1,9 +1,8 @@
 //! The ends of the strokes as the nodes of a tour.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{BoxTree, Point, Stroke};
 
 use super::near::{NEAR, near};
-use super::point_tree::PointTree;
 use super::travel::Travel;
 use super::way::Stop;
 
@@ -41,7 +40,7 @@ impl Nodes {
                 stops.push((end, stop.other_end(strokes)));
             }
         }
-        let tree = PointTree::sort(&mut stops, |stop| stop.0);
+        let tree = BoxTree::sort(&mut stops, |stop| (stop.0, stop.0));
         let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
         let near = near(&tree, &at, &mates(&stops, strokes.len()));
         at.push(Point::new(f64::NAN, f64::NAN));
@@ -68,7 +67,7 @@ impl Nodes {
     pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
         let way = self.at[b as usize] - self.at[a as usize];
         // `max` takes the number where the other one is NaN: to the end it is no way.
-        self.travel.cost(way.length2().sqrt().max(0.0))
+        self.travel.cost(way.hypot2().sqrt().max(0.0))
     }
 
     /// Whether the edge between two neighbours of the tour is a stroke, which must stay.

@@ -2,13 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use dobot_geometry::Point;
+use dobot_geometry::{Line, ParamCurveNearest, Point, Rect};
 
 use crate::ink::InkLine;
 
 /// X up, Y to the left.
 pub(super) fn on_picture(p: Point) -> Point {
     Point::new(-p.y, -p.x)
+}
+
+pub(super) fn area_on_picture(area: Rect) -> Rect {
+    Rect::new(-area.y1, -area.x1, -area.y0, -area.x0)
 }
 
 /// The points of a line on the picture.
@@ -60,7 +64,8 @@ fn straightened(points: &[Point]) -> Vec<Point> {
 
 fn is_straight(way: &[Point]) -> bool {
     let (from, to) = (way[0], way[way.len() - 1]);
-    let off = |p: &Point| (*p - p.nearest_on(from, to)).length2();
+    let chord = Line::new(from, to);
+    let off = |p: &Point| chord.nearest(*p, 0.0).distance_sq;
     way.iter().all(|p| off(p) <= STRAIGHT_MM * STRAIGHT_MM)
 }
 

@@ -1,15 +1,15 @@
 //! The page under the lines: what the arm reaches, its base, and the drawing area.
 
-use dobot_geometry::Bounds;
+use dobot_geometry::Rect;
 use dobot_lettering::{Frame, Look, Sheet, desk};
 
 use super::REACH_MM;
-use super::lines::on_picture;
+use super::lines::area_on_picture;
 
 /// The ring that the arm reaches, its base, and the drawing area.
-pub(super) fn workspace(sheet: &mut Sheet, area: Bounds, unit: f64) {
+pub(super) fn workspace(sheet: &mut Sheet, area: Rect, unit: f64) {
     sheet.reach(REACH_MM, [-2.2, 4.2], unit);
-    let area = Bounds::of([area.min, area.max].map(on_picture));
+    let area = area_on_picture(area);
     let look = Look::area(desk::PAPER).edged("#9fb3c2", 0.25);
     sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
     for (radius, color) in [(38.0, "#dfe6ea"), (22.0, "#f3f6f7")] {
@@ -19,7 +19,7 @@ pub(super) fn workspace(sheet: &mut Sheet, area: Bounds, unit: f64) {
     sheet.path("M-5 0H5M0 -5V5", &Look::line("#7d8f9b", 0.5));
 }
 
-pub(super) fn frame(bounds: Bounds) -> Frame {
-    let Bounds { min, max } = bounds;
-    Frame::between([min.x, min.y], [max.x, max.y])
+pub(super) fn frame(bounds: Rect) -> Frame {
+    let Rect { x0, y0, x1, y1 } = bounds;
+    Frame::between([x0, y0], [x1, y1])
 }

@@ -1,6 +1,6 @@
 //! The words of a picture: title, legend, figures, and a row for each pass.
 
-use dobot_geometry::Bounds;
+use dobot_geometry::Rect;
 use dobot_lettering::desk::{INK, MUTED};
 use dobot_lettering::{Anchor, Look, Sheet, Type};
 
@@ -10,12 +10,12 @@ use crate::estimate::PassFigures;
 
 impl Picture<'_> {
     /// Title, legend, figures and passes around the paper.
-    pub(super) fn words(&self, sheet: &mut Sheet, paper: Bounds) {
+    pub(super) fn words(&self, sheet: &mut Sheet, paper: Rect) {
         let unit = unit(paper);
-        let (left, above, below) = (paper.min.x, paper.min.y - 4.5 * unit, paper.max.y);
+        let (left, above, below) = (paper.x0, paper.y0 - 4.5 * unit, paper.y1);
         let title = Type::new(3.6 * unit, INK);
         sheet.text([left, above], Anchor::Left, &title, self.title);
-        self.legend(sheet, [paper.max.x, above], unit);
+        self.legend(sheet, [paper.x1, above], unit);
         sheet.figures([left, below], self.figures, unit);
         if self.rows() > 0 {
             let below = below + self.figures_high() * unit;

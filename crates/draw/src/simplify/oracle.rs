@@ -1,6 +1,6 @@
 //! The fewest vectors between points of the stroke itself, by trying all of them.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Line, ParamCurveNearest, Point};
 
 use super::MIN_VECTOR_MM;
 
@@ -27,8 +27,7 @@ fn hits(points: &[Point], begin: usize, end: usize, tolerance_mm: f64) -> bool {
     let mut along: f64 = 0.0;
     length >= MIN_VECTOR_MM
         && points[begin..=end].iter().all(|p| {
-            let nearest = p.nearest_on(a, b);
-            let off = nearest.distance(*p);
+            let off = Line::new(a, b).nearest(*p, 0.0).distance_sq.sqrt();
             let middle = (*p - a).dot(b - a) / length;
             let across = (*p - a).cross(b - a) / length;
             let half = (tolerance_mm * tolerance_mm - across * across)

@@ -1,6 +1,6 @@
 //! How far one vector may go from a corner.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
 use super::search::Corner;
@@ -52,7 +52,7 @@ impl<'a> Sight<'a> {
         self.work += 1;
         let radius = self.radius;
         let way = self.tube.points[i] - self.from.at;
-        let distance2 = way.length2();
+        let distance2 = way.hypot2();
         if distance2 >= self.reach2 {
             self.reach2 = distance2;
         } else if self.reach2 > radius * radius {
@@ -78,7 +78,7 @@ impl<'a> Sight<'a> {
     /// Whether the vector to `at`, within the tolerance of point `i`, passes all before it.
     pub(super) fn reaches(&mut self, at: Point, i: usize) -> bool {
         let way = at - self.from.at;
-        let length2 = way.length2();
+        let length2 = way.hypot2();
         if length2.is_nan() || length2 < MIN_VECTOR_MM * MIN_VECTOR_MM {
             return false;
         }
@@ -133,7 +133,7 @@ impl<'a> Sight<'a> {
     /// Counts whether the order holds in the middle of the view, as there may be no corner to tell.
     fn look_ahead(&mut self, i: usize) {
         if let Some(wedge) = self.wedge {
-            let unit = |way: Point| way * (1.0 / way.length());
+            let unit = |way: Vec2| way * (1.0 / way.length());
             let middle = unit(unit(wedge.left) + unit(wedge.right));
             let far = (self.tube.points[i] - self.from.at).dot(middle);
             self.in_order(self.from.at + middle * far, i);

@@ -1,6 +1,6 @@
 //! One vector and the points it has to pass.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 /// A stroke, and how far from its points a vector may pass.
 #[derive(Debug)]
@@ -12,7 +12,7 @@ pub(super) struct Tube<'a> {
     /// The radius of the discs around the points that have to be hit in order.
     pub(super) radius: f64,
     /// For each point the way across the stroke, as long as the radius.
-    across: Vec<Point>,
+    across: Vec<Vec2>,
 }
 
 impl<'a> Tube<'a> {
@@ -61,7 +61,7 @@ impl<'a> Tube<'a> {
     }
 
     /// Where a ray with a direction of length 1 enters and leaves the disc of a point.
-    fn disc_on_ray(&self, from: Point, along: Point, p: Point) -> Option<(f64, f64)> {
+    fn disc_on_ray(&self, from: Point, along: Vec2, p: Point) -> Option<(f64, f64)> {
         let way = p - from;
         let (middle, off) = (way.dot(along), way.cross(along));
         let half2 = self.radius * self.radius - off * off;
@@ -73,7 +73,7 @@ impl<'a> Tube<'a> {
 
     /// The farthest point of a ray that lies within the tolerance of the segment that begins with
     /// point `i`, the disc of which it hits.
-    pub(super) fn exit(&self, from: Point, along: Point, i: usize) -> Option<Point> {
+    pub(super) fn exit(&self, from: Point, along: Vec2, i: usize) -> Option<Point> {
         let (a, b) = (self.points[i], *self.points.get(i + 1)?);
         let along = along * (1.0 / along.length());
         let (_, mut farthest) = self.disc_on_ray(from, along, a)?;
@@ -87,10 +87,10 @@ impl<'a> Tube<'a> {
     }
 
     /// Where a ray leaves the rectangle around a segment, its sides the tolerance away.
-    fn strip_on_ray(&self, from: Point, along: Point, (a, b): (Point, Point)) -> Option<f64> {
+    fn strip_on_ray(&self, from: Point, along: Vec2, (a, b): (Point, Point)) -> Option<f64> {
         let length = a.distance(b);
         let unit = (b - a) * (1.0 / length);
-        let across = Point::new(-unit.y, unit.x);
+        let across = unit.turn_90();
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         let sides = [(unit, 0.0, length), (across, -self.radius, self.radius)];
         for (axis, low, high) in sides {
@@ -109,14 +109,14 @@ impl<'a> Tube<'a> {
 
 /// The direction of length 1 to the left of a way that comes and goes on; zero where it turns right
 /// back.
-fn across(came: Point, goes: Point) -> Point {
-    let unit = |way: Point| way * (1.0 / way.length().max(f64::MIN_POSITIVE));
+fn across(came: Vec2, goes: Vec2) -> Vec2 {
+    let unit = |way: Vec2| way * (1.0 / way.length().max(f64::MIN_POSITIVE));
     let along = unit(came) + unit(goes);
     let length = along.length();
     if length > 1e-6 {
-        Point::new(-along.y, along.x) * (1.0 / length)
+        along.turn_90() * (1.0 / length)
     } else {
-        Point::default()
+        Vec2::ZERO
     }
 }
 

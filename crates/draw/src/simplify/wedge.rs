@@ -1,24 +1,23 @@
 //! The directions from a point that pass others within the tolerance.
 
-use dobot_geometry::Point;
+use dobot_geometry::Vec2;
 
 /// What lies between two edges that are less than half a turn apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wedge {
     /// The clockwise edge, of any length.
-    pub(super) right: Point,
+    pub(super) right: Vec2,
     /// The counterclockwise edge.
-    pub(super) left: Point,
+    pub(super) left: Vec2,
 }
 
 impl Wedge {
     /// The directions that hit a disc of `radius` a `way` off; `None` where that is all of them.
-    pub(super) fn to_disc(way: Point, radius: f64) -> Option<Self> {
-        let tangent2 = way.length2() - radius * radius;
+    pub(super) fn to_disc(way: Vec2, radius: f64) -> Option<Self> {
+        let tangent2 = way.hypot2() - radius * radius;
         (tangent2 > 0.0).then(|| {
             let (sin, cos) = (radius, tangent2.sqrt());
-            let turned =
-                |sin: f64| Point::new(way.x * cos - way.y * sin, way.x * sin + way.y * cos);
+            let turned = |sin: f64| way.rotate_scale(Vec2::new(cos, sin));
             Self {
                 right: turned(-sin),
                 left: turned(sin),
@@ -27,7 +26,7 @@ impl Wedge {
     }
 
     /// Whether a direction is one of them.
-    pub(super) fn holds(self, way: Point) -> bool {
+    pub(super) fn holds(self, way: Vec2) -> bool {
         self.right.cross(way) >= 0.0 && way.cross(self.left) >= 0.0
     }
 

@@ -1,9 +1,12 @@
 //! What is pressed into what.
 
+use dobot_geometry::{Point, direction};
+
 use super::grip::Grip;
 use super::object::Object;
+use super::place::{rounded, rounded_place};
 use super::tip::Tip;
-use super::{Event, Paper, Point, Tool};
+use super::{Event, Paper, Tool};
 
 /// What is pressed into something else at present, and how deep it was when that was told.
 #[derive(Clone, Debug, Default)]
@@ -58,7 +61,7 @@ impl Contacts {
 impl Scenery<'_> {
     /// Where the tool ends: a gripper in two fingers.
     fn ends(&self) -> [Point; 2] {
-        let across = Point::towards(self.tip.turn_deg + 90.0) * (self.opening_mm / 2.0);
+        let across = direction(self.tip.turn_deg + 90.0) * (self.opening_mm / 2.0);
         [self.tip.at + across, self.tip.at - across]
     }
 
@@ -110,8 +113,8 @@ impl Scenery<'_> {
         Event::Collided {
             what,
             with,
-            depth_mm: super::point::rounded(depth_mm),
-            at_mm: self.tip.at.rounded(),
+            depth_mm: rounded(depth_mm),
+            at_mm: rounded_place(self.tip.at),
         }
     }
 }

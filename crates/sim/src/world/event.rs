@@ -2,9 +2,8 @@
 
 use std::fmt;
 
+use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};
-
-use super::Point;
 
 /// Something that happened, and when.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,11 +62,13 @@ pub enum Event {
         /// How deep.
         depth_mm: f64,
         /// Where.
+        #[serde(with = "super::place::pair")]
         at_mm: Point,
     },
     /// The laser burns on the spot: that sets paper on fire.
     BurnsOnTheSpot {
         /// Where.
+        #[serde(with = "super::place::pair")]
         at_mm: Point,
         /// For how long it has by now.
         time_s: f64,
@@ -75,6 +76,7 @@ pub enum Event {
     /// The pen or the laser has left the paper and marks the table.
     OffPaper {
         /// Where.
+        #[serde(with = "super::place::pair")]
         at_mm: Point,
     },
     /// A joint angle is not a number, or farther than ten turns: the arm stays where it was.

@@ -1,6 +1,6 @@
 //! The outline of an object, seen from above.
 
-use super::Point;
+use dobot_geometry::{Point, Vec2, direction};
 
 /// What of the table an object covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ impl Footprint {
                 half_mm: [along, across],
                 turn_deg,
             } => {
-                let point = (point - middle).turned(-turn_deg);
+                let point = (point - middle).rotate_scale(direction(-turn_deg));
                 (along - point.x.abs()).min(across - point.y.abs())
             }
             Self::Disc { middle, radius_mm } => radius_mm - point.distance(middle),
@@ -55,29 +55,29 @@ impl Footprint {
     }
 
     /// From where to where it reaches along a direction of length 1.
-    pub(crate) fn extent(&self, along: Point) -> [f64; 2] {
+    pub(crate) fn extent(&self, along: Vec2) -> [f64; 2] {
         let (middle, half) = match *self {
             Self::Rectangle {
                 middle,
                 half_mm: [x, y],
                 turn_deg,
             } => {
-                let along = along.turned(-turn_deg);
+                let along = along.rotate_scale(direction(-turn_deg));
                 (middle, x * along.x.abs() + y * along.y.abs())
             }
             Self::Disc { middle, radius_mm } => (middle, radius_mm),
         };
-        let at = middle.dot(along);
+        let at = middle.to_vec2().dot(along);
         [at - half, at + half]
     }
 
     /// The two directions of the sides.
-    fn axes(&self) -> [Point; 2] {
+    fn axes(&self) -> [Vec2; 2] {
         let turn_deg = match *self {
             Self::Rectangle { turn_deg, .. } => turn_deg,
             Self::Disc { .. } => 0.0,
         };
-        [0.0, 90.0].map(|angle| Point::towards(turn_deg + angle))
+        [0.0, 90.0].map(|angle| direction(turn_deg + angle))
     }
 
     /// The point of a rectangle that is nearest to `point`.
@@ -88,10 +88,10 @@ impl Footprint {
                 half_mm: [along, across],
                 turn_deg,
             } => {
-                let point = (point - middle).turned(-turn_deg);
+                let point = (point - middle).rotate_scale(direction(-turn_deg));
                 let inside =
-                    Point::new(point.x.clamp(-along, along), point.y.clamp(-across, across));
-                middle + inside.turned(turn_deg)
+                    Vec2::new(point.x.clamp(-along, along), point.y.clamp(-across, across));
+                middle + inside.rotate_scale(direction(turn_deg))
             }
             Self::Disc { middle, .. } => middle,
         }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn a_turned_square_reaches_farther_and_is_met_only_where_it_is() {
         let turned = square(0.0, 0.0, 20.0, 45.0);
-        let [from, to] = turned.extent(Point::new(1.0, 0.0));
+        let [from, to] = turned.extent(Vec2::new(1.0, 0.0));
         assert!((to - 200.0_f64.sqrt()).abs() < 1e-12 && from == -to);
         // Its corner points at +X: a square there is met, one beside the slope is not.
         assert!(turned.overlaps(&square(18.0, 0.0, 10.0, 0.0)));

@@ -1,9 +1,11 @@
 //! What the tool holds.
 
+use dobot_geometry::{Vec2, direction};
+
+use super::Event;
 use super::object::{Object, TOUCHING_MM};
-use super::point::rounded;
+use super::place::rounded;
 use super::tip::Tip;
-use super::{Event, Point};
 
 /// The objects that move with the tool.
 #[derive(Clone, Debug, Default)]
@@ -16,7 +18,7 @@ pub(crate) struct Grip {
 #[derive(Clone, Copy, Debug)]
 struct Held {
     object: usize,
-    offset: Point,
+    offset: Vec2,
     turn_deg: f64,
     bottom_mm: f64,
 }
@@ -70,7 +72,7 @@ impl Grip {
     pub(crate) fn carry(&self, objects: &mut [Object], tip: &Tip) {
         for held in &self.held {
             let object = &mut objects[held.object];
-            object.at_mm = tip.at + held.offset.turned(tip.turn_deg);
+            object.at_mm = tip.at + held.offset.rotate_scale(direction(tip.turn_deg));
             object.turn_deg = (held.turn_deg + tip.turn_deg).rem_euclid(360.0);
             object.bottom_mm = held.bottom_mm + tip.height_mm;
         }
@@ -103,7 +105,7 @@ fn held(object: usize, objects: &[Object], tip: &Tip) -> Held {
     let it = &objects[object];
     Held {
         object,
-        offset: (it.at_mm - tip.at).turned(-tip.turn_deg),
+        offset: (it.at_mm - tip.at).rotate_scale(direction(-tip.turn_deg)),
         turn_deg: it.turn_deg - tip.turn_deg,
         bottom_mm: it.bottom_mm - tip.height_mm,
     }

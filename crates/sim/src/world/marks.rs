@@ -1,8 +1,9 @@
 //! What pen and laser leave behind.
 
+use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};
 
-use super::Point;
+use super::place::{rounded, rounded_place};
 use super::tip::Tip;
 use super::track::{Track, length_mm};
 
@@ -10,6 +11,7 @@ use super::track::{Track, length_mm};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stroke {
     /// Where the pen went while it was down; a single point is a dot.
+    #[serde(with = "super::place::pairs")]
     pub points_mm: Vec<Point>,
 }
 
@@ -17,6 +19,7 @@ pub struct Stroke {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Burn {
     /// Where the laser went.
+    #[serde(with = "super::place::pairs")]
     pub points_mm: Vec<Point>,
     /// With which power, in watts.
     pub power_w: f64,
@@ -28,6 +31,7 @@ pub struct Burn {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hole {
     /// Where.
+    #[serde(with = "super::place::pair")]
     pub at_mm: Point,
     /// With which power, in watts.
     pub power_w: f64,
@@ -59,9 +63,9 @@ impl Ink {
             return None;
         };
         if !self.writing || start > 0.0 {
-            self.strokes.push(Track::new(from.at.between(to.at, start)));
+            self.strokes.push(Track::new(from.at.lerp(to.at, start)));
         }
-        let reached = from.at.between(to.at, end);
+        let reached = from.at.lerp(to.at, end);
         if let Some(stroke) = self.strokes.last_mut() {
             stroke.push(reached);
         }
@@ -71,7 +75,7 @@ impl Ink {
 
     pub(crate) fn strokes(&self) -> Vec<Stroke> {
         let stroke = |it: &Track| Stroke {
-            points_mm: it.points().iter().map(|it| it.rounded()).collect(),
+            points_mm: it.points().iter().copied().map(rounded_place).collect(),
         };
         self.strokes.iter().map(stroke).collect()
     }
@@ -162,17 +166,17 @@ impl Burns {
 
     pub(crate) fn burns(&self, power_w: f64) -> Vec<Burn> {
         let burn = |(track, speed_mm_s): &(Track, f64)| Burn {
-            points_mm: track.points().iter().map(|it| it.rounded()).collect(),
+            points_mm: track.points().iter().copied().map(rounded_place).collect(),
             power_w,
-            speed_mm_s: super::point::rounded(*speed_mm_s),
+            speed_mm_s: rounded(*speed_mm_s),
         };
         self.lines.iter().map(burn).collect()
     }
 
     pub(crate) fn holes(&self) -> Vec<Hole> {
         let hole = |it: &Hole| Hole {
-            at_mm: it.at_mm.rounded(),
-            time_s: super::point::rounded(it.time_s),
+            at_mm: rounded_place(it.at_mm),
+            time_s: rounded(it.time_s),
             ..*it
         };
         self.holes.iter().map(hole).collect()

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Joints, Pose, forward};
 
-use super::point::rounded;
+use super::place::rounded;
 use super::tip::Tip;
 use super::{Actuators, ArmState, Tool};
 

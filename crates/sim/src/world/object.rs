@@ -1,10 +1,10 @@
 //! Things that stand on the table.
 
+use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};
 
-use super::Point;
 use super::footprint::Footprint;
-use super::point::rounded;
+use super::place::{rounded, rounded_place};
 
 /// A thing on the table, or in the grip of the tool.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,6 +18,7 @@ pub struct Object {
     /// Its colour, as `#rrggbb`.
     pub color: String,
     /// Where its middle is.
+    #[serde(with = "super::place::pair")]
     pub at_mm: Point,
     /// How it is turned about the vertical, counter-clockwise.
     pub turn_deg: f64,
@@ -86,7 +87,7 @@ impl Object {
 
     pub(crate) fn rounded(&self) -> Self {
         Self {
-            at_mm: self.at_mm.rounded(),
+            at_mm: rounded_place(self.at_mm),
             turn_deg: rounded(self.turn_deg),
             bottom_mm: rounded(self.bottom_mm),
             ..self.clone()

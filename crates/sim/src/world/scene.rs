@@ -3,10 +3,11 @@
 mod check;
 mod file;
 
+use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{Object, Point, Tool};
+use super::{Object, Tool};
 
 /// What is around an arm: its tool, the paper and the objects.
 ///
@@ -49,8 +50,10 @@ pub struct Scene {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Paper {
     /// Its corner with the least X and Y.
+    #[serde(with = "super::place::pair")]
     pub from_mm: Point,
     /// Its corner with the largest X and Y.
+    #[serde(with = "super::place::pair")]
     pub to_mm: Point,
 }
 

@@ -1,8 +1,9 @@
 //! The tip of the tool.
 
 use dobot_arm::{Joints, forward};
+use dobot_geometry::Point;
 
-use super::{Point, Tool};
+use super::Tool;
 
 /// Where the tip of the tool is and how the tool is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Long ways in few points.
 
-use super::Point;
+use dobot_geometry::{Point, Vec2};
 
 /// A way that grows at its end and keeps few points: those that it needs to stay within
 /// [`KEPT_MM`] of where it really went.
@@ -14,7 +14,7 @@ pub(crate) struct Track {
     points: Vec<Point>,
     /// The directions from the last corner that pass all points since: clockwise and
     /// counter-clockwise edge. `None` while every direction is fine.
-    wedge: Option<(Point, Point)>,
+    wedge: Option<(Vec2, Vec2)>,
     /// How far from the last corner the farthest point since is.
     reach_mm: f64,
 }
@@ -63,7 +63,7 @@ impl Track {
     fn allows(&self, to: Point) -> bool {
         let way = to - self.corner();
         let inside =
-            |(right, left): (Point, Point)| right.cross(way) >= 0.0 && way.cross(left) >= 0.0;
+            |(right, left): (Vec2, Vec2)| right.cross(way) >= 0.0 && way.cross(left) >= 0.0;
         self.wedge.is_none_or(inside) && way.length() >= self.reach_mm - KEPT_MM
     }
 
@@ -77,7 +77,7 @@ impl Track {
         }
         let sin = KEPT_MM / distance;
         let cos = (1.0 - sin * sin).sqrt();
-        let turned = |sin| Point::new(way.x * cos - way.y * sin, way.x * sin + way.y * cos);
+        let turned = |sin| way.rotate_scale(Vec2::new(cos, sin));
         let (mut right, mut left) = (turned(-sin), turned(sin));
         if let Some((old_right, old_left)) = self.wedge {
             if old_right.cross(right) <= 0.0 {
@@ -106,6 +106,8 @@ pub(crate) const KEPT_MM: f64 = 0.02;
 mod tests {
     use proptest::prelude::*;
 
+    use dobot_geometry::{Line, ParamCurveNearest};
+
     use super::*;
 
     fn track(points: impl IntoIterator<Item = (f64, f64)>) -> Track {
@@ -117,9 +119,8 @@ mod tests {
 
     fn distance_mm(point: Point, points: &[Point]) -> f64 {
         let to_segment = |pair: &[Point]| {
-            let way = pair[1] - pair[0];
-            let share = (point - pair[0]).dot(way) / way.dot(way);
-            point.distance(pair[0] + way * share.clamp(0.0, 1.0))
+            let segment = Line::new(pair[0], pair[1]);
+            segment.nearest(point, 0.0).distance_sq.sqrt()
         };
         let alone = point.distance(points[0]);
         points.windows(2).map(to_segment).fold(alone, f64::min)

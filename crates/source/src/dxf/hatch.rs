@@ -1,10 +1,9 @@
 //! HATCH: areas by their boundaries.
 
-use dobot_geometry::Point;
-use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
-use super::frame::Frame;
+use super::frame::way;
 use super::pairs::Pair;
 use super::shapes::Corner;
 use super::walk::Walk;
@@ -15,7 +14,7 @@ use crate::sketch::Arc;
 impl Walk<'_, '_> {
     /// Its boundaries as rings of an area, whatever pattern fills it; those with ellipses or splines
     /// are told and left out.
-    pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let starts = it
             .pairs
             .iter()
@@ -40,7 +39,7 @@ impl Walk<'_, '_> {
         &mut self,
         it: &Entity<'_>,
         path: &[Pair<'_>],
-        frame: Frame,
+        frame: Affine,
     ) -> Result<Option<Vec<Point>>, SourceError> {
         if let Some(corners) = corners(it.text, path)? {
             return self.bulged(it, frame, &corners, true).map(Some);
@@ -63,7 +62,7 @@ impl Walk<'_, '_> {
         &mut self,
         it: &Entity<'_>,
         edge: &[Pair<'_>],
-        frame: Frame,
+        frame: Affine,
     ) -> Result<Option<Vec<Point>>, SourceError> {
         let number = |code| match edge.iter().find(|pair| pair.code == code) {
             Some(pair) => pair.number(it.text),
@@ -85,8 +84,8 @@ impl Walk<'_, '_> {
         let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
         // Of one that goes clockwise the angles are counted clockwise too.
         let side = if is_left { 1.0 } else { -1.0 };
-        let across = frame.way(Point::new(radius, 0.0));
-        let along = frame.way(Point::new(0.0, radius * side));
+        let across = way(frame, Vec2::new(radius, 0.0));
+        let along = way(frame, Vec2::new(0.0, radius * side));
         let center = self.place(it, frame, at)?;
         let [from_rad, sweep_rad] = [from_deg, sweep_deg].map(f64::to_radians);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);

@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use dobot_geometry::Point;
-use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::Span;
-use super::frame::Frame;
+use super::frame::way;
 use super::spline::Spline;
 use super::walk::Walk;
 use crate::error::MAX_SEGMENTS;
@@ -22,17 +21,17 @@ pub(super) struct Corner {
 }
 
 impl Walk<'_, '_> {
-    pub(super) fn straight(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn straight(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let [a, b] = [10, 11].map(|code| self.place(it, frame, it.point(code)?));
         self.sketch.line(a?, b?)
     }
 
-    pub(super) fn dot(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn dot(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let at = self.place(it, frame, it.point(10)?)?;
         self.sketch.dot(at)
     }
 
-    pub(super) fn circle(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn circle(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let (center, radius) = (it.point(10)?, it.number(40)?);
         let (from_rad, sweep_rad) = match it.kind {
             b"ARC" => {
@@ -43,35 +42,36 @@ impl Walk<'_, '_> {
             }
             _ => (0.0, TAU),
         };
-        let (across, along) = (Point::new(radius, 0.0), Point::new(0.0, radius));
-        self.round(it, frame, [center, across, along], [from_rad, sweep_rad])
+        let (across, along) = (Vec2::new(radius, 0.0), Vec2::new(0.0, radius));
+        self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
     }
 
-    pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
-        let (center, across) = (it.point(10)?, it.point(11)?);
+    pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let (center, across) = (it.point(10)?, it.point(11)?.to_vec2());
         let side = if it.number_or(230, 1.0)? < 0.0 {
             -1.0
         } else {
             1.0
         };
-        let along = Point::new(-across.y, across.x) * (it.number(40)? * side);
+        let along = across.turn_90() * (it.number(40)? * side);
         let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
         let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
         // Files round the end of a whole one.
         let is_whole = !(1e-6..=TAU - 1e-6).contains(&sweep_rad);
         let sweep_rad = if is_whole { TAU } else { sweep_rad };
-        self.round(it, frame, [center, across, along], [from_rad, sweep_rad])
+        self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
     }
 
     fn round(
         &mut self,
         it: &Entity<'_>,
-        frame: Frame,
-        [center, across, along]: [Point; 3],
+        frame: Affine,
+        center: Point,
+        [across, along]: [Vec2; 2],
         [from_rad, sweep_rad]: [f64; 2],
     ) -> Result<(), SourceError> {
         let center = self.place(it, frame, center)?;
-        let (across, along) = (frame.way(across), frame.way(along));
+        let (across, along) = (way(frame, across), way(frame, along));
         for end in [center + across, center + along] {
             self.sketch.check(it.at, end)?;
         }
@@ -82,7 +82,7 @@ impl Walk<'_, '_> {
     pub(super) fn light_polyline(
         &mut self,
         it: &Entity<'_>,
-        frame: Frame,
+        frame: Affine,
     ) -> Result<(), SourceError> {
         let mut corners: Vec<Corner> = Vec::new();
         for pair in &it.pairs {
@@ -106,7 +106,7 @@ impl Walk<'_, '_> {
         &mut self,
         it: &Entity<'_>,
         vertices: &[Span<'_>],
-        frame: Frame,
+        frame: Affine,
     ) -> Result<(), SourceError> {
         let flags = it.flags(70)?;
         if flags & (MESH | POLYFACE) != 0 {
@@ -131,7 +131,7 @@ impl Walk<'_, '_> {
     pub(super) fn bulged(
         &mut self,
         it: &Entity<'_>,
-        frame: Frame,
+        frame: Affine,
         corners: &[Corner],
         is_closed: bool,
     ) -> Result<Vec<Point>, SourceError> {
@@ -160,7 +160,7 @@ impl Walk<'_, '_> {
         Ok(points)
     }
 
-    pub(super) fn spline(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn spline(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let controls = it.points(10)?;
         let fits = it.points(11)?;
         if controls.is_empty() && !fits.is_empty() {
@@ -182,7 +182,7 @@ impl Walk<'_, '_> {
     }
 
     /// Four corners, the last two crossed over.
-    pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Frame) -> Result<(), SourceError> {
+    pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let mut ring = Vec::new();
         let fourth = if it.find(13).is_some() { 13 } else { 12 };
         for code in [10, 11, fourth, 12] {
@@ -197,10 +197,10 @@ impl Walk<'_, '_> {
     pub(super) fn place(
         &self,
         it: &Entity<'_>,
-        frame: Frame,
+        frame: Affine,
         p: Point,
     ) -> Result<Point, SourceError> {
-        self.sketch.check(it.at, frame.point(p))
+        self.sketch.check(it.at, frame * p)
     }
 }
 
@@ -210,14 +210,13 @@ impl Walk<'_, '_> {
 ///   bulge = tan(angle / 4)     the center lies at chord (1 / bulge - bulge) / 4 beside the
 ///                              middle of the chord, to the left where the bulge is above 0
 /// ```
-fn bulge_arc(frame: Frame, from: &Corner, to: Point) -> Arc {
-    let way = to - from.at;
-    let left = Point::new(-way.y, way.x);
-    let center = from.at.lerp(to, 0.5) + left * ((1.0 / from.bulge - from.bulge) / 4.0);
+fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
+    let chord = to - from.at;
+    let center = from.at.midpoint(to) + chord.turn_90() * ((1.0 / from.bulge - from.bulge) / 4.0);
     let out = from.at - center;
-    let (across, along) = (frame.way(out), frame.way(Point::new(-out.y, out.x)));
+    let (across, along) = (way(frame, out), way(frame, out.turn_90()));
     let sweep_rad = 4.0 * from.bulge.atan();
-    Arc::ellipse(frame.point(center), across, along, 0.0, sweep_rad)
+    Arc::ellipse(frame * center, across, along, 0.0, sweep_rad)
 }
 
 /// Flags of a POLYLINE.

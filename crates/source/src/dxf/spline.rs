@@ -1,6 +1,6 @@
 //! SPLINE: rational B-splines, by de Boor's scheme.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Line, ParamCurveNearest, Point, Vec2};
 
 /// A curve by control points and knots.
 #[derive(Debug)]
@@ -8,7 +8,7 @@ pub(super) struct Spline {
     degree: usize,
     knots: Vec<f64>,
     /// Control points times their weights, and the weights.
-    controls: Vec<(Point, f64)>,
+    controls: Vec<(Vec2, f64)>,
 }
 
 impl Spline {
@@ -39,7 +39,7 @@ impl Spline {
         let controls = points
             .iter()
             .zip(weights)
-            .map(|(&p, weight)| (p * weight, weight));
+            .map(|(&p, weight)| (p.to_vec2() * weight, weight));
         Ok(Self {
             degree,
             controls: controls.collect(),
@@ -82,7 +82,8 @@ impl Spline {
         let at = |share: f64| begin + (end - begin) * share;
         let middle = self.at(span, at(0.5));
         let probes = [self.at(span, at(0.25)), middle, self.at(span, at(0.75))];
-        let is_near = |p: &Point| p.distance(p.nearest_on(from, to)) <= tolerance / 2.0;
+        let chord = Line::new(from, to);
+        let is_near = |p: &Point| chord.nearest(*p, 0.0).distance_sq.sqrt() <= tolerance / 2.0;
         if depth == 0 || probes.iter().all(is_near) {
             points.push(to);
             return;
@@ -94,7 +95,7 @@ impl Spline {
 
     fn at(&self, span: usize, t: f64) -> Point {
         let degree = self.degree;
-        let mut row = [(Point::default(), 0.0); MOST_DEGREE + 1];
+        let mut row = [(Vec2::ZERO, 0.0); MOST_DEGREE + 1];
         row[..=degree].copy_from_slice(&self.controls[span - degree..=span]);
         for level in 1..=degree {
             for i in (level..=degree).rev() {
@@ -107,7 +108,7 @@ impl Spline {
             }
         }
         let (point, weight) = row[degree];
-        point * (1.0 / weight)
+        (point * (1.0 / weight)).to_point()
     }
 }
 

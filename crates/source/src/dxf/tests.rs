@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
@@ -85,7 +85,7 @@ fn the_unit_of_the_file_counts() {
 /// How far lines leave a circle of that radius about the middle of their page, and their length.
 fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
     let strokes = &artwork.layers[0].strokes;
-    let center = Bounds::of_strokes(strokes).center();
+    let center = bounds_of_strokes(strokes).center();
     let middles = strokes
         .iter()
         .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));

@@ -1,10 +1,10 @@
 //! TEXT, MTEXT and attributes: in plain letters.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Affine, Vec2};
 
 use super::content::{Content, line, lines};
 use super::entity::Entity;
-use super::frame::Frame;
+use super::frame::way;
 use super::walk::Walk;
 use crate::error::SourceError;
 use crate::text::{CAPITAL, Lettering, Pose};
@@ -53,7 +53,7 @@ impl Walk<'_, '_> {
     pub(super) fn text(
         &mut self,
         it: &Entity<'_>,
-        frame: Frame,
+        frame: Affine,
         is_in_block: bool,
     ) -> Result<(), SourceError> {
         let Some(code) = shown(it, is_in_block)? else {
@@ -77,7 +77,7 @@ impl Walk<'_, '_> {
     }
 
     /// MTEXT: lines. Its point and its direction are the world's.
-    pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Frame) -> Result<(), SourceError> {
+    pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
         let content = lines(&whole_text(it));
         self.tell_plainer(it, &content);
         let unit = it.number(40)? / CAPITAL;
@@ -137,20 +137,20 @@ impl Walk<'_, '_> {
     fn write(
         &mut self,
         it: &Entity<'_>,
-        frame: Frame,
+        frame: Affine,
         text: &str,
         mut pose: Pose,
     ) -> Result<(), SourceError> {
         for character in text.chars() {
             let letter = Pose {
-                at: frame.point(pose.at),
-                across: frame.way(pose.across),
-                up: frame.way(pose.up),
+                at: frame * pose.at,
+                across: way(frame, pose.across),
+                up: way(frame, pose.up),
             };
             self.lettering
                 .write(self.sketch, it.at, character, &letter)?;
             let advance = self.lettering.room(character).unwrap_or_default().advance;
-            pose.at = pose.at + pose.across * advance;
+            pose.at += pose.across * advance;
         }
         Ok(())
     }
@@ -220,7 +220,7 @@ fn spanning_pose(it: &Entity<'_>, extent: Extent, column: u32) -> Result<Pose, S
     } else {
         it.number(40)? / CAPITAL
     };
-    let up = Point::new(-way.y, way.x) * (tall / way.length());
+    let up = way.turn_90() * (tall / way.length());
     Ok(Pose { at, across, up })
 }
 
@@ -256,27 +256,27 @@ const fn below(column: u32, row: u32) -> f64 {
 }
 
 /// To the right along a line of text, and up.
-fn directions(it: &Entity<'_>) -> Result<(Point, Point), SourceError> {
-    let (sin, cos) = it.number_or(50, 0.0)?.to_radians().sin_cos();
-    Ok((Point::new(cos, sin), Point::new(-sin, cos)))
+fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
+    let right = Vec2::from_angle(it.number_or(50, 0.0)?.to_radians());
+    Ok((right, right.turn_90()))
 }
 
 /// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
 /// seen from behind.
-fn paragraph_directions(it: &Entity<'_>) -> Result<(Point, Point), SourceError> {
+fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
     let side = if it.number_or(230, 1.0)? < 0.0 {
         -1.0
     } else {
         1.0
     };
     let right = if it.find(11).is_some() {
-        let way = it.point(11)?;
+        let way = it.point(11)?.to_vec2();
         way * (1.0 / way.length())
     } else {
         let (right, _) = directions(it)?;
-        Point::new(right.x * side, right.y)
+        Vec2::new(right.x * side, right.y)
     };
-    Ok((right, Point::new(-right.y, right.x) * side))
+    Ok((right, right.turn_90() * side))
 }
 
 /// Where the point of an MTEXT lies: how much of it is before and how much is above.

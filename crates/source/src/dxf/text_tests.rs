@@ -1,4 +1,4 @@
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Stroke, Vec2};
 use proptest::prelude::*;
 
 use super::tests::{draw, draw_text, file};
@@ -142,9 +142,9 @@ proptest! {
         );
         let strokes = &draw(&entities).0.layers[0].strokes;
         let origin = strokes[0].points[0];
-        let way = Point::new(x, -y);
+        let way = Vec2::new(x, -y);
         let shares = strokes[1..].iter().flat_map(|it| &it.points);
-        let shares: Vec<f64> = shares.map(|&p| (p - origin).dot(way) / way.length2()).collect();
+        let shares: Vec<f64> = shares.map(|&p| (p - origin).dot(way) / way.hypot2()).collect();
         let least = shares.iter().fold(f64::MAX, |a, &b| a.min(b));
         let most = shares.iter().fold(f64::MIN, |a, &b| a.max(b));
         // Curves may swing a little over their corners.

@@ -1,10 +1,9 @@
 //! Through all entities of a file, and into its blocks.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Affine, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::{Block, File, LayerInfo, Span};
-use super::frame::Frame;
 use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::error::SourceError;
@@ -27,7 +26,7 @@ pub(super) struct Walk<'s, 'a> {
 /// Where a block is drawn.
 #[derive(Clone, Copy, Debug)]
 struct Copy<'l> {
-    frame: Frame,
+    frame: Affine,
     /// How many blocks it is in.
     depth: u32,
     /// The layer of the INSERT, which is that of entities on layer 0.
@@ -47,7 +46,7 @@ impl<'s, 'a> Walk<'s, 'a> {
 
     pub(super) fn all(&mut self, unit_mm: f64) -> Result<(), SourceError> {
         let copy = Copy {
-            frame: Frame::scaled(unit_mm),
+            frame: Affine::scale(unit_mm),
             depth: 0,
             layer: "0",
         };
@@ -150,7 +149,7 @@ impl<'s, 'a> Walk<'s, 'a> {
     }
 
     /// The frame as the entity's extrusion has it; `None` where it is tilted out of the plane.
-    fn seen(&mut self, it: &Entity<'_>, frame: Frame) -> Result<Option<Frame>, SourceError> {
+    fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
         let out = [
             it.number_or(210, 0.0)?,
             it.number_or(220, 0.0)?,
@@ -162,7 +161,7 @@ impl<'s, 'a> Walk<'s, 'a> {
             return Ok(None);
         }
         Ok(Some(if out[2] < 0.0 {
-            frame.mirrored()
+            frame * Affine::FLIP_X
         } else {
             frame
         }))
@@ -195,8 +194,8 @@ impl<'s, 'a> Walk<'s, 'a> {
         let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
-            let shift = Point::new(f64::from(column) * wide, f64::from(row) * high);
-            let frame = frame.within(&placed(it, base, shift)?);
+            let shift = Vec2::new(f64::from(column) * wide, f64::from(row) * high);
+            let frame = frame * placed(it, base, shift)?;
             self.block(
                 it,
                 block,
@@ -223,10 +222,7 @@ impl<'s, 'a> Walk<'s, 'a> {
         };
         let base = Point::new(block.base[0], block.base[1]);
         let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - base;
-        let frame = Frame {
-            origin: copy.frame.point(shift),
-            ..copy.frame
-        };
+        let frame = copy.frame * Affine::translate(shift);
         self.block(
             it,
             block,
@@ -260,17 +256,11 @@ impl<'s, 'a> Walk<'s, 'a> {
 }
 
 /// Where an INSERT puts its block.
-fn placed(it: &Entity<'_>, base: Point, shift: Point) -> Result<Frame, SourceError> {
-    let (sin, cos) = it.number_or(50, 0.0)?.to_radians().sin_cos();
-    let turned = |p: Point| Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
-    let across = turned(Point::new(it.number_or(41, 1.0)?, 0.0));
-    let along = turned(Point::new(0.0, it.number_or(42, 1.0)?));
-    let at = it.point(10)? + turned(shift);
-    Ok(Frame {
-        origin: at - across * base.x - along * base.y,
-        across,
-        along,
-    })
+fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
+    let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
+    let size = Affine::scale_non_uniform(it.number_or(41, 1.0)?, it.number_or(42, 1.0)?);
+    let at = Affine::translate(it.point(10)?.to_vec2());
+    Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 
 const MOST_COPIED: usize = 200_000_000;

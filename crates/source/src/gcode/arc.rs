@@ -39,8 +39,8 @@ pub(super) fn center_by_radius(
     } else {
         1.0
     };
-    let left = Point::new(-way.y, way.x) * (1.0 / way.length());
-    Ok(start.lerp(end, 0.5) + left * (side * height))
+    let left = way.turn_90() * (1.0 / way.length());
+    Ok(start.midpoint(end) + left * (side * height))
 }
 
 /// By what angle an arc goes about its center, below 0 for clockwise; a whole turn where it ends

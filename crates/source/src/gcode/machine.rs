@@ -1,6 +1,6 @@
 //! What a machine does when it reads a line: the state that G-code builds on.
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 use super::arc::{center_by_radius, sweep_rad};
 use super::block::Block;
@@ -349,7 +349,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let x = i.map_or(self.at.x, |i| self.origin.x + i);
             Point::new(x, j.map_or(self.at.y, |j| self.origin.y + j))
         } else {
-            self.at + Point::new(i.unwrap_or(0.0), j.unwrap_or(0.0))
+            self.at + Vec2::new(i.unwrap_or(0.0), j.unwrap_or(0.0))
         })
     }
 

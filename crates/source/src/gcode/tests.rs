@@ -425,7 +425,7 @@ proptest! {
         let top = all().map(|it| it.1).max().unwrap();
         let wanted = strokes.iter().flat_map(|stroke| stroke.windows(2)).filter(|it| it[0] != it[1]);
         let found = artwork.layers.iter().flat_map(|it| &it.strokes).flat_map(Stroke::segments);
-        let place = |&(x, y): &(i32, i32)| Point::new(f64::from(x - left), f64::from(top - y)) * 0.01;
+        let place = |&(x, y): &(i32, i32)| Point::new(0.01 * f64::from(x - left), 0.01 * f64::from(top - y));
         let wanted: Vec<_> = wanted.map(|it| (place(&it[0]), place(&it[1]))).collect();
         let found: Vec<_> = found.collect();
         prop_assert_eq!(found.len(), wanted.len());

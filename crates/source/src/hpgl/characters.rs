@@ -10,7 +10,7 @@
 //!   o-----------+ - - +     o: where the pen stands (LO 1), which goes on to the next cell
 //! ```
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 use super::frame::{Frame, UNIT_MM};
 use crate::text::{CAPITAL, Pose};
@@ -33,24 +33,24 @@ pub(super) enum Size {
     /// The file has not said.
     Default,
     /// In centimetres.
-    Absolute(Point),
+    Absolute(Vec2),
     /// In hundredths of the way from P1 to P2.
-    Relative(Point),
+    Relative(Vec2),
 }
 
 /// Where the next character is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Direction {
-    Absolute(Point),
+    Absolute(Vec2),
     /// In hundredths of the way from P1 to P2.
-    Relative(Point),
+    Relative(Vec2),
 }
 
 /// Where a label lies about the pen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Origin {
     /// How much of it lies before the pen, and how much below: 0, 0.5 or 1.
-    share: Point,
+    share: Vec2,
     /// How far it keeps from the pen, in heights of a character.
     gap: f64,
 }
@@ -59,14 +59,14 @@ pub(super) struct Origin {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     /// A millimetre in the direction of the label, and one up from it.
-    units: [Point; 2],
+    units: [Vec2; 2],
     /// The character's width and height.
-    pub(super) across: Point,
-    pub(super) up: Point,
+    pub(super) across: Vec2,
+    pub(super) up: Vec2,
     /// To the next character.
-    pub(super) advance: Point,
+    pub(super) advance: Vec2,
     /// To the line above.
-    pub(super) line: Point,
+    pub(super) line: Vec2,
     slant: f64,
     origin: Origin,
 }
@@ -75,7 +75,7 @@ impl Default for Characters {
     fn default() -> Self {
         Self {
             size: Size::Default,
-            direction: Direction::Absolute(Point::new(1.0, 0.0)),
+            direction: Direction::Absolute(Vec2::new(1.0, 0.0)),
             slant: 0.0,
             extra: Point::default(),
             origin: Origin::PEN,
@@ -86,7 +86,7 @@ impl Default for Characters {
 impl Characters {
     pub(super) fn cell(&self, frame: &Frame) -> Cell {
         let [p1, p2] = frame.corners;
-        let percent = |it: Point| Point::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
+        let percent = |it: Vec2| Vec2::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
         let size_mm = match self.size {
             Size::Default => DEFAULT_CM * MM_PER_CM,
             Size::Absolute(cm) => cm * MM_PER_CM,
@@ -97,7 +97,7 @@ impl Characters {
             Direction::Relative(it) => percent(it),
         };
         let right = frame.turned(way * (1.0 / way.length()));
-        let units = [right, Point::new(-right.y, right.x)];
+        let units = [right, right.turn_90()];
         let (across, up) = (units[0] * size_mm.x, units[1] * size_mm.y);
         Cell {
             units,
@@ -114,7 +114,7 @@ impl Characters {
 impl Origin {
     /// On the base line where the label begins.
     const PEN: Self = Self {
-        share: Point::new(0.0, 0.0),
+        share: Vec2::ZERO,
         gap: 0.0,
     };
 
@@ -132,14 +132,14 @@ impl Origin {
             (number, 0.0)
         };
         let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
-        let share = Point::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
+        let share = Vec2::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
         Some(Self { share, gap })
     }
 }
 
 impl Cell {
     /// From the pen to where a label of that many columns begins.
-    pub(super) fn start(&self, columns: f64) -> Point {
+    pub(super) fn start(&self, columns: f64) -> Vec2 {
         let Origin { share, gap } = self.origin;
         let gap_mm = gap * self.up.length();
         let away = |share: f64| (1.0 - 2.0 * share) * gap_mm;
@@ -153,11 +153,11 @@ impl Cell {
     }
 
     /// Of a label, without the gap behind its last character.
-    fn length(&self, columns: f64) -> Point {
+    fn length(&self, columns: f64) -> Vec2 {
         if columns > 0.0 {
             self.advance * (columns - 1.0) + self.across
         } else {
-            Point::default()
+            Vec2::ZERO
         }
     }
 
@@ -176,7 +176,7 @@ impl Cell {
 }
 
 /// On a sheet of A4 or smaller.
-const DEFAULT_CM: Point = Point::new(0.187, 0.269);
+const DEFAULT_CM: Vec2 = Vec2::new(0.187, 0.269);
 const MM_PER_CM: f64 = 10.0;
 /// Of the ink of H, on the letters' grid.
 const CAPITAL_WIDTH: f64 = 14.0;

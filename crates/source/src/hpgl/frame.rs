@@ -5,7 +5,7 @@
 //!                      stand at P1 and P2       40 to the millimetre; RO turns all
 //! ```
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 /// How points come onto the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,14 +48,14 @@ impl Frame {
     /// A point, in millimetres.
     pub(super) fn point(&self, p: Point) -> Point {
         let (factor, shift) = self.factor_and_shift();
-        let units = Point::new(p.x * factor.x, p.y * factor.y) + shift;
-        self.turned(units) * UNIT_MM
+        let units = Vec2::new(p.x * factor.x, p.y * factor.y) + shift;
+        (self.turned(units) * UNIT_MM).to_point()
     }
 
     /// The way from one point to another.
-    pub(super) fn way(&self, way: Point) -> Point {
+    pub(super) fn way(&self, way: Vec2) -> Vec2 {
         let (factor, _) = self.factor_and_shift();
-        self.turned(Point::new(way.x * factor.x, way.y * factor.y)) * UNIT_MM
+        self.turned(Vec2::new(way.x * factor.x, way.y * factor.y)) * UNIT_MM
     }
 
     /// The point that is there on the paper.
@@ -65,39 +65,39 @@ impl Frame {
             ..*self
         };
         let (factor, shift) = self.factor_and_shift();
-        let units = back.turned(place_mm * (1.0 / UNIT_MM)) - shift;
+        let units = back.turned(place_mm.to_vec2() * (1.0 / UNIT_MM)) - shift;
         Point::new(units.x / factor.x, units.y / factor.y)
     }
 
-    fn factor_and_shift(&self) -> (Point, Point) {
+    fn factor_and_shift(&self) -> (Vec2, Vec2) {
         let [p1, p2] = self.corners;
         let Some(Scale { from, to, kind }) = self.scale else {
-            return (Point::new(1.0, 1.0), Point::default());
+            return (Vec2::new(1.0, 1.0), Vec2::ZERO);
         };
         let room = p2 - p1;
-        let full = Point::new(room.x / (to.x - from.x), room.y / (to.y - from.y));
+        let full = Vec2::new(room.x / (to.x - from.x), room.y / (to.y - from.y));
         let (factor, gap) = match kind {
-            ScaleKind::Stretched => (full, Point::default()),
-            ScaleKind::Factor => (to, Point::default()),
+            ScaleKind::Stretched => (full, Vec2::ZERO),
+            ScaleKind::Factor => (to.to_vec2(), Vec2::ZERO),
             ScaleKind::Even { left, bottom } => {
                 let least = full.x.abs().min(full.y.abs());
-                let even = Point::new(least.copysign(full.x), least.copysign(full.y));
-                let used = Point::new(even.x * (to.x - from.x), even.y * (to.y - from.y));
+                let even = Vec2::new(least.copysign(full.x), least.copysign(full.y));
+                let used = Vec2::new(even.x * (to.x - from.x), even.y * (to.y - from.y));
                 let rest = room - used;
-                (even, Point::new(rest.x * left, rest.y * bottom))
+                (even, Vec2::new(rest.x * left, rest.y * bottom))
             }
         };
-        let from = Point::new(from.x * factor.x, from.y * factor.y);
-        (factor, p1 + gap - from)
+        let from = Vec2::new(from.x * factor.x, from.y * factor.y);
+        (factor, p1.to_vec2() + gap - from)
     }
 
     /// As RO turns everything.
-    pub(super) const fn turned(&self, p: Point) -> Point {
+    pub(super) const fn turned(&self, way: Vec2) -> Vec2 {
         match self.quarters {
-            0 => p,
-            1 => Point::new(-p.y, p.x),
-            2 => Point::new(-p.x, -p.y),
-            _ => Point::new(p.y, -p.x),
+            0 => way,
+            1 => Vec2::new(-way.y, way.x),
+            2 => Vec2::new(-way.x, -way.y),
+            _ => Vec2::new(way.y, -way.x),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Labels: texts in letters (LB, BL, PB, CP), and marks at places (SM).
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Vec2};
 
 use super::characters::{Cell, Characters, Direction, Origin, Size};
 use super::command::Command;
@@ -82,7 +82,7 @@ impl Plotter<'_> {
             [] if is_relative => Size::Relative(DEFAULT_PERCENT),
             [] => Size::Default,
             [width, height] if width != 0.0 && height != 0.0 => {
-                let size = Point::new(width, height);
+                let size = Vec2::new(width, height);
                 if is_relative {
                     Size::Relative(size)
                 } else {
@@ -96,8 +96,8 @@ impl Plotter<'_> {
 
     fn set_direction(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let way = match *it.numbers.as_slice() {
-            [] => Point::new(1.0, 0.0),
-            [run, rise] => Point::new(run, rise),
+            [] => Vec2::new(1.0, 0.0),
+            [run, rise] => Vec2::new(run, rise),
             _ => return Err(self.refused(it, "a direction as run,rise")),
         };
         if way.length() == 0.0 {
@@ -139,7 +139,7 @@ impl Plotter<'_> {
                 cursor.at = cursor.margin;
             }
             [spaces, lines] => {
-                cursor.at = cursor.at + cell.advance * spaces;
+                cursor.at += cell.advance * spaces;
                 cursor.lines(&cell, lines);
             }
             _ => return Err(self.refused(it, "how many spaces and lines, or nothing")),
@@ -184,9 +184,9 @@ impl Plotter<'_> {
         match character {
             '\r' => cursor.at = cursor.margin,
             '\n' => cursor.lines(cell, -1.0),
-            '\u{8}' => cursor.at = cursor.at - cell.advance,
+            '\u{8}' => cursor.at -= cell.advance,
             '\t' => {
-                cursor.at = cursor.at + cell.advance * TAB;
+                cursor.at += cell.advance * TAB;
                 self.warn(it, "label tab", "taken for five spaces");
             }
             it if it.is_control() => {}
@@ -194,7 +194,7 @@ impl Plotter<'_> {
                 if has_pen {
                     self.letter(it, character, cell, cursor.at)?;
                 }
-                cursor.at = cursor.at + cell.advance;
+                cursor.at += cell.advance;
             }
         }
         Ok(())
@@ -301,7 +301,7 @@ fn decoded(bytes: &[u8]) -> String {
 /// Where PCL, the language of printers, places a text.
 const PCL_ORIGIN: f64 = 21.0;
 /// What SR without numbers stands for.
-const DEFAULT_PERCENT: Point = Point::new(0.75, 1.5);
+const DEFAULT_PERCENT: Vec2 = Vec2::new(0.75, 1.5);
 /// In cells; the reference leaves it open, printers of HP do so.
 const TAB: f64 = 5.0;
 /// From 160 on.

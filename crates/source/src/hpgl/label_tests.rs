@@ -1,6 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
-use dobot_geometry::Point;
+use dobot_geometry::Vec2;
 use proptest::prelude::*;
 
 use super::tests::{corners, draw, strokes};
@@ -189,12 +189,12 @@ proptest! {
             "PD;PU;PU{x},{y};SI{width_cm:.3},{height_cm:.3};DI{cos:.9},{sin:.9};LB{text}\x03"
         );
         let strokes = strokes(&file);
-        let pen = Point::new(f64::from(x), -f64::from(y)) * 0.025 + strokes[0].points[0];
+        let pen = strokes[0].points[0] + Vec2::new(f64::from(x), -f64::from(y)) * 0.025;
         let cells = f64::from(u32::try_from(text.chars().count()).unwrap());
         for p in strokes[1..].iter().flat_map(|it| &it.points) {
-            let way = Point::new(p.x - pen.x, pen.y - p.y);
-            let along = way.dot(Point::new(cos, sin)) / (10.0 * width_cm);
-            let up = way.dot(Point::new(-sin, cos)) / (10.0 * height_cm);
+            let way = Vec2::new(p.x - pen.x, pen.y - p.y);
+            let along = way.dot(Vec2::new(cos, sin)) / (10.0 * width_cm);
+            let up = way.dot(Vec2::new(-sin, cos)) / (10.0 * height_cm);
             // A letter is 1.5 widths from the next; curves may swing a little over their corners.
             prop_assert!((-0.1..1.5 * cells - 0.4).contains(&along), "{along}");
             prop_assert!((-0.5..1.5).contains(&up), "{up}");

@@ -1,7 +1,6 @@
 //! A plotter that draws into a sketch.
 
-use dobot_geometry::Point;
-use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Area, FillRule, Point, Vec2};
 
 use super::command::Command;
 use super::encoded::{Item, items};
@@ -189,7 +188,7 @@ impl<'a> Plotter<'a> {
             } else {
                 Point::default()
             };
-            self.go_to(it, from + Point::new(pair[0], pair[1]))?;
+            self.go_to(it, from + Vec2::new(pair[0], pair[1]))?;
             self.mark(it)?;
         }
         Ok(())
@@ -368,7 +367,7 @@ impl<'a> Plotter<'a> {
                     } else {
                         self.at
                     };
-                    self.go_to(it, from + Point::new(x, y))?;
+                    self.go_to(it, from + Vec2::new(x, y))?;
                     self.mark(it)?;
                 }
             }

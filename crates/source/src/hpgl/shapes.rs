@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dobot_geometry::Point;
-use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Area, CubicBez, FillRule, Point, Vec2};
 
 use super::command::Command;
 use super::plotter::Plotter;
@@ -34,7 +33,7 @@ impl Plotter<'_> {
             Point::default()
         };
         let sweep_rad = self.angle_rad(it, sweep_deg)?;
-        self.sweep(it, from + Point::new(x, y), sweep_rad)
+        self.sweep(it, from + Vec2::new(x, y), sweep_rad)
     }
 
     /// AT and RT: an arc through a point to another.
@@ -47,7 +46,7 @@ impl Plotter<'_> {
         } else {
             Point::default()
         };
-        let (middle, end) = (from + Point::new(x1, y1), from + Point::new(x2, y2));
+        let (middle, end) = (from + Vec2::new(x1, y1), from + Vec2::new(x2, y2));
         match circle_through(self.at, middle, end) {
             Some((center, sweep_rad)) => self.sweep(it, center, sweep_rad),
             None => self.go_to(it, end),
@@ -66,13 +65,14 @@ impl Plotter<'_> {
             } else {
                 Point::default()
             };
-            let point = |i: usize| from + Point::new(curve[i], curve[i + 1]);
+            let point = |i: usize| from + Vec2::new(curve[i], curve[i + 1]);
             let [b, c, end] = [0, 2, 4].map(point);
             let corners = [self.at, b, c, end].map(|p| self.frame.point(p));
             for p in corners {
                 self.sketch.check(it.at, p)?;
             }
-            let points = self.sketch.cubic_points(corners)?;
+            let [a, b, c, d] = corners;
+            let points = self.sketch.cubic_points(CubicBez::new(a, b, c, d))?;
             self.follow(it, points, end)?;
         }
         Ok(())
@@ -86,7 +86,7 @@ impl Plotter<'_> {
         let is_relative = it.name[1] == b'R';
         let a = self.at;
         let b = if is_relative {
-            a + Point::new(x, y)
+            a + Vec2::new(x, y)
         } else {
             Point::new(x, y)
         };
@@ -130,13 +130,13 @@ impl Plotter<'_> {
         sweep_rad: f64,
     ) -> Result<(), SourceError> {
         let out = self.at - center;
-        let from_rad = out.y.atan2(out.x);
+        let from_rad = out.atan2();
         let mut points = self.round(it, center, out.length(), from_rad, sweep_rad)?;
         let end = if sweep_rad.abs() >= TAU {
             self.at
         } else {
             let (sin, cos) = (from_rad + sweep_rad).sin_cos();
-            center + Point::new(cos, sin) * out.length()
+            center + Vec2::new(cos, sin) * out.length()
         };
         if let [first, .., last] = points.as_mut_slice() {
             (*first, *last) = (self.frame.point(self.at), self.frame.point(end));
@@ -175,8 +175,8 @@ impl Plotter<'_> {
         from_rad: f64,
         sweep_rad: f64,
     ) -> Result<Vec<Point>, SourceError> {
-        let across = self.frame.way(Point::new(radius, 0.0));
-        let along = self.frame.way(Point::new(0.0, radius));
+        let across = self.frame.way(Vec2::new(radius, 0.0));
+        let along = self.frame.way(Vec2::new(0.0, radius));
         let center = self.frame.point(center);
         for end in [
             center + across,
@@ -201,16 +201,16 @@ impl Plotter<'_> {
 /// Center and angle of the arc through three points; `None` where they lie on a line.
 fn circle_through(start: Point, middle: Point, end: Point) -> Option<(Point, f64)> {
     let (b, c) = (middle - start, end - start);
-    if c == Point::default() {
+    if c == Vec2::ZERO {
         return Some((start.lerp(middle, 0.5), TAU));
     }
     let area = 2.0 * b.cross(c);
     if area.abs() <= 1e-12 * b.length() * c.length() {
         return None;
     }
-    let x = (c.y * b.length2() - b.y * c.length2()) / area;
-    let y = (b.x * c.length2() - c.x * b.length2()) / area;
-    let center = start + Point::new(x, y);
+    let x = (c.y * b.hypot2() - b.y * c.hypot2()) / area;
+    let y = (b.x * c.hypot2() - c.x * b.hypot2()) / area;
+    let center = start + Vec2::new(x, y);
     let (from, to) = (start - center, end - center);
     let turn = from.cross(to).atan2(from.dot(to));
     let turns_left = area > 0.0;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
@@ -59,7 +59,7 @@ fn a_square_is_the_same_however_it_is_written() {
     ] {
         let strokes = strokes(text);
         assert_eq!(strokes.len(), 1, "{text}");
-        let bounds = Bounds::of_strokes(&strokes);
+        let bounds = bounds_of_strokes(&strokes);
         assert!((bounds.width() - 1.0).abs() < 1e-9, "{text}: {bounds:?}");
         assert!((bounds.height() - 1.0).abs() < 1e-9, "{text}: {bounds:?}");
         assert!(
@@ -439,7 +439,8 @@ fn wanted(lines: &[Vec<(i32, i32)>]) -> Vec<(Point, Point)> {
     let all = || lines.iter().flatten();
     let left = all().map(|it| it.0).min().unwrap();
     let top = all().map(|it| it.1).max().unwrap();
-    let place = |&(x, y): &(i32, i32)| Point::new(f64::from(x - left), f64::from(top - y)) * 0.025;
+    let place =
+        |&(x, y): &(i32, i32)| Point::new(0.025 * f64::from(x - left), 0.025 * f64::from(top - y));
     let pairs = lines.iter().flat_map(|line| line.windows(2));
     pairs.map(|it| (place(&it[0]), place(&it[1]))).collect()
 }

@@ -131,6 +131,8 @@ mod tests {
 
     use proptest::prelude::*;
 
+    use dobot_geometry::Vec2;
+
     use super::*;
 
     fn tone(width: usize, ink: Vec<f32>) -> Tone {
@@ -152,7 +154,7 @@ mod tests {
                 crate::picture::tone::count(x),
                 crate::picture::tone::count(y),
             );
-            (at + Point::new(0.5, 0.5)).distance(middle)
+            (at + Vec2::new(0.5, 0.5)).distance(middle)
         };
         let ink =
             (0..1600).map(|i| crate::picture::tone::as_ink(1.0 - radius(i % 40, i / 40) / 20.0));

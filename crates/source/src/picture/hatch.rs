@@ -1,6 +1,6 @@
 //! Straight lines, in the more directions the darker it is.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, steps};
 
 use super::rows::{Rows, woven};
 use super::shading::Shading;
@@ -52,7 +52,7 @@ fn pieces(tone: &Tone, rows: &Rows, [a, b]: [Point; 2], threshold: f64) -> Vec<V
 fn runs(tone: &Tone, [a, b]: [Point; 2], threshold: f64) -> Vec<(f64, f64)> {
     let length_mm = a.distance(b);
     let cell_mm = tone.cell.x.min(tone.cell.y);
-    let places = a.steps_to(b, cell_mm);
+    let places = steps(a, b, cell_mm);
     let step_mm = length_mm / (length_mm / cell_mm).ceil().max(1.0);
     let mut runs = Vec::new();
     let mut began = None;

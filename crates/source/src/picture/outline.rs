@@ -1,6 +1,6 @@
 //! The borders between tones.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 
 use super::contour::contours;
 use super::levels::Histogram;
@@ -37,15 +37,17 @@ fn is_seen(stroke: &Stroke, spacing_mm: f64) -> bool {
 
 /// How much the tone changes within a spacing across a line, on the average.
 fn steepness(tone: &Tone, stroke: &Stroke, spacing_mm: f64) -> f64 {
-    let change = |p: Point, way: Point| tone.at(p + way) - tone.at(p - way);
+    let change = |p: Point, way: Vec2| tone.at(p + way) - tone.at(p - way);
     let half = spacing_mm / 2.0;
-    let steep =
-        |&p: &Point| change(p, Point::new(half, 0.0)).hypot(change(p, Point::new(0.0, half)));
+    let steep = |&p: &Point| change(p, Vec2::new(half, 0.0)).hypot(change(p, Vec2::new(0.0, half)));
     stroke.points.iter().map(steep).sum::<f64>() / count(stroke.points.len())
 }
 
 fn area_mm2(ring: &[Point]) -> f64 {
-    let twice: f64 = ring.windows(2).map(|it| it[0].cross(it[1])).sum();
+    let twice: f64 = ring
+        .windows(2)
+        .map(|it| it[0].to_vec2().cross(it[1].to_vec2()))
+        .sum();
     twice.abs() / 2.0
 }
 

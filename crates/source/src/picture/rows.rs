@@ -1,6 +1,6 @@
 //! Parallel lines over a page, and how their pieces are joined.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 
 /// Parallel lines over a page, from one border to another, all in the same direction.
 #[derive(Clone, Copy, Debug)]
@@ -16,29 +16,28 @@ pub(super) struct Rows {
 
 impl Rows {
     /// The direction of the lines.
-    pub(super) fn along(&self) -> Point {
+    pub(super) fn along(&self) -> Vec2 {
         let (sin, cos) = self.angle_deg.to_radians().sin_cos();
-        Point::new(cos, -sin)
+        Vec2::new(cos, -sin)
     }
 
     /// The direction from one line to the next.
-    pub(super) fn across(&self) -> Point {
-        let along = self.along();
-        Point::new(-along.y, along.x)
+    pub(super) fn across(&self) -> Vec2 {
+        self.along().turn_90()
     }
 
     /// Both ends of each line; the lines are even about the middle of the page.
     pub(super) fn lines(&self) -> Vec<[Point; 2]> {
-        let middle = self.page * 0.5;
+        let middle = self.page.to_vec2() * 0.5;
         let half = middle.length();
-        let room = self.page - Point::new(self.margin_mm, self.margin_mm) * 2.0;
+        let room = self.page.to_vec2() - Vec2::splat(self.margin_mm) * 2.0;
         if room.x < 0.0 || room.y < 0.0 {
             return Vec::new();
         }
         let across = self.across();
         let extent = across.x.abs() * room.x + across.y.abs() * room.y;
         let lines = (extent / self.spacing_mm).floor();
-        let first = middle - across * (lines * self.spacing_mm / 2.0);
+        let first = middle.to_point() - across * (lines * self.spacing_mm / 2.0);
         let steps = std::iter::successors(Some(0.0), |step| Some(step + 1.0));
         let starts = steps
             .take_while(|&step| step <= lines)

@@ -1,6 +1,6 @@
 //! Dots, the denser the darker it is.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Stroke, Vec2};
 
 use super::shading::Shading;
 use super::tone::{Tone, cell, count};
@@ -79,7 +79,7 @@ fn inked(tone: &Tone, p: Point) -> bool {
 
 /// For each dot the middle of its ink.
 fn middles(tone: &Tone, nearest: &Nearest, dots: usize) -> Vec<Option<Point>> {
-    let mut sums = vec![(Point::default(), 0.0); dots];
+    let mut sums = vec![(Vec2::ZERO, 0.0); dots];
     let mut cells = tone.ink.iter().zip(&nearest.dot);
     for y in 0..tone.height {
         for x in 0..tone.width {
@@ -89,12 +89,12 @@ fn middles(tone: &Tone, nearest: &Nearest, dots: usize) -> Vec<Option<Point>> {
             if f64::from(ink) >= WHITE {
                 let weight = f64::from(ink) * f64::from(ink);
                 let (sum, all) = &mut sums[dot as usize];
-                *sum = *sum + tone.middle(x, y) * weight;
+                *sum += tone.middle(x, y).to_vec2() * weight;
                 *all += weight;
             }
         }
     }
-    let middle = |(sum, all): (Point, f64)| (all > 0.0).then(|| sum * (1.0 / all));
+    let middle = |(sum, all): (Vec2, f64)| (all > 0.0).then(|| (sum * (1.0 / all)).to_point());
     sums.into_iter().map(middle).collect()
 }
 
@@ -146,7 +146,7 @@ impl Nearest {
             };
             let far = |dot: u32| {
                 let dot = dots.get(dot as usize);
-                dot.map_or(f64::INFINITY, |&dot| (dot - self.middle(x, y)).length2())
+                dot.map_or(f64::INFINITY, |&dot| (dot - self.middle(x, y)).hypot2())
             };
             let own = y * self.width + x;
             let mut best = far(held);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dobot_geometry::Bounds;
+use dobot_geometry::{Point, Stroke, bounds, bounds_of_strokes, steps};
 use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder};
 use png::{BitDepth, ColorType};
 use proptest::prelude::*;
@@ -202,7 +202,7 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
                 .to_degrees()
                 .rem_euclid(180.0)
                 .round();
-            for p in a.steps_to(b, 0.5) {
+            for p in steps(a, b, 0.5) {
                 if let Some(band) = band(p) {
                     directions[band].insert((turn % 180.0).abs().to_string());
                 }
@@ -261,9 +261,9 @@ fn inverted_light_is_drawn_on_black_paper() {
     let mut options = options(Style::Hatch);
     options.shading.invert = true;
     let strokes = drawn(&white_disc, &options);
-    let bounds = Bounds::of_strokes(&strokes);
+    let bounds = bounds_of_strokes(&strokes);
     assert!(
-        bounds.min.x > 27.5 * PIXEL_MM && bounds.max.x < 92.5 * PIXEL_MM,
+        bounds.x0 > 27.5 * PIXEL_MM && bounds.x1 < 92.5 * PIXEL_MM,
         "{bounds:?}"
     );
 }
@@ -275,7 +275,7 @@ fn transparent_pixels_are_paper() {
         .collect();
     let file = encoded(80, 50, ColorType::GrayscaleAlpha, BitDepth::Eight, &pixels);
     let strokes = drawn(&file, &options(Style::Hatch));
-    assert!(Bounds::of_strokes(&strokes).max.x < 42.5 * PIXEL_MM);
+    assert!(bounds_of_strokes(&strokes).x1 < 42.5 * PIXEL_MM);
     assert_eq!(self::pixels(&file, 0).unwrap().1[70], 0);
 }
 
@@ -333,9 +333,9 @@ fn a_photo_stands_upright_however_the_camera_was_held() {
     assert!((artwork.width_mm - 16.0 * PIXEL_MM).abs() < 1e-9);
     assert!((artwork.height_mm - 32.0 * PIXEL_MM).abs() < 1e-9);
     // Turned clockwise, what was above is on the right.
-    let bounds: Bounds = artwork.points().collect();
+    let bounds = bounds(artwork.points());
     assert!(
-        bounds.min.x > 5.5 * PIXEL_MM && bounds.max.x > 15.0 * PIXEL_MM,
+        bounds.x0 > 5.5 * PIXEL_MM && bounds.x1 > 15.0 * PIXEL_MM,
         "{bounds:?}"
     );
 }

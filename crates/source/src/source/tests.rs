@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use dobot_geometry::{Bounds, Stroke};
+use dobot_geometry::{Stroke, bounds_of_strokes};
 
 use super::*;
 use crate::artwork::Layer;
@@ -140,8 +140,8 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
 /// dot, y up.
 pub(crate) fn sides_from_dot(strokes: &[Stroke]) -> [f64; 4] {
     let origin = strokes[0].points[0];
-    let ink = Bounds::of_strokes(&strokes[1..]);
-    let sides = [ink.min.x, -ink.max.y, ink.max.x, -ink.min.y];
+    let ink = bounds_of_strokes(&strokes[1..]);
+    let sides = [ink.x0, -ink.y1, ink.x1, -ink.y0];
     let from = [origin.x, -origin.y, origin.x, -origin.y];
     std::array::from_fn(|i| ((sides[i] - from[i]) * 1e6).round() / 1e6)
 }

@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-use dobot_geometry::FillRule;
-use dobot_geometry::SegmentIndex;
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{
+    FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, bounds,
+};
 
 use super::Budget;
 use super::error::SvgError;
@@ -39,7 +39,7 @@ impl Region {
     /// The parts of a stroke that show. What runs along an edge shows, as half of its ink does in
     /// a browser.
     pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
-        let bounds = Bounds::of(stroke.points.iter().copied()).grown(ON_EDGE_MM);
+        let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
         if !self.has_edge_in(bounds) {
             let shows = self.shows(stroke.points[0]);
             return Ok(if shows { vec![stroke] } else { Vec::new() });
@@ -98,7 +98,7 @@ impl Region {
     }
 
     /// Whether an edge lies in these bounds.
-    pub(crate) fn has_edge_in(&self, bounds: Bounds) -> bool {
+    pub(crate) fn has_edge_in(&self, bounds: Rect) -> bool {
         let mut found = false;
         self.each_area(&mut |area| area.edges.touching(bounds, &mut |_| found = true));
         found
@@ -149,10 +149,7 @@ impl Area {
     }
 
     fn is_inside(&self, p: Point) -> bool {
-        let ray = Bounds {
-            min: p,
-            max: Point::new(f64::INFINITY, p.y),
-        };
+        let ray = Rect::new(p.x, p.y, f64::INFINITY, p.y);
         let mut winding = 0;
         self.edges.touching(ray, &mut |edge| {
             winding += crossing(self.edges.segment(edge), p);
@@ -165,16 +162,16 @@ impl Area {
 
     fn is_on_edge(&self, p: Point) -> bool {
         let mut on_edge = false;
-        let around = Bounds { min: p, max: p }.grown(ON_EDGE_MM);
+        let around = Rect::from_points(p, p).inflate(ON_EDGE_MM, ON_EDGE_MM);
         self.edges.touching(around, &mut |edge| {
             let (a, b) = self.edges.segment(edge);
-            on_edge |= p.distance(p.nearest_on(a, b)) <= ON_EDGE_MM;
+            on_edge |= Line::new(a, b).nearest(p, 0.0).distance_sq.sqrt() <= ON_EDGE_MM;
         });
         on_edge
     }
 
     fn cuts(&self, a: Point, b: Point, cuts: &mut Vec<f64>) {
-        let around = Bounds::of([a, b]).grown(ON_EDGE_MM);
+        let around = Rect::from_points(a, b).inflate(ON_EDGE_MM, ON_EDGE_MM);
         self.edges.touching(around, &mut |edge| {
             cuts.extend(meeting(a, b, self.edges.segment(edge)));
         });

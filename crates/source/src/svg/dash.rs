@@ -7,6 +7,8 @@ use super::error::SvgError;
 
 /// Cuts a stroke into dashes: `lengths` of pen down and pen up in turn, begun `offset` further on.
 /// A dash of length zero is a dot. Lengths that sum up to nothing leave the stroke whole.
+///
+/// kurbo would cut them too, but does not end where there are a billion.
 pub(crate) fn dash(
     stroke: Stroke,
     lengths: &[f32],

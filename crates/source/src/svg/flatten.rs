@@ -1,22 +1,12 @@
-//! Curves to lines, within a tolerance that truly holds.
+//! Paths to lines.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{CubicBez, Point, QuadBez, Stroke, chords, corners};
 use usvg::tiny_skia_path::{Path, PathSegment};
 
 use super::Budget;
 use super::error::SvgError;
 
 /// The subpaths of a path as lines that stay within `tolerance` of it, in the path's own units.
-///
-/// A curve becomes `n` chords of equal parameter steps. A chord leaves its curve by at most an
-/// eighth of the step squared times the largest second derivative, which for a Bézier curve is
-/// bounded by its control points:
-///
-/// ```text
-///   quadratic   |B''| <=  2 |p0 - 2 p1 + p2|
-///   cubic       |B''| <=  6 max(|p0 - 2 p1 + p2|, |p1 - 2 p2 + p3|)
-///   chords      n      =  ceil(sqrt(|B''| / (8 tolerance)))
-/// ```
 pub(crate) fn flatten(
     path: &Path,
     tolerance: f64,
@@ -31,8 +21,14 @@ pub(crate) fn flatten(
         match segment {
             PathSegment::MoveTo(p) => pen.strokes.push(Stroke::open(vec![point(p)])),
             PathSegment::LineTo(p) => pen.line(point(p))?,
-            PathSegment::QuadTo(b, c) => pen.quadratic(point(b), point(c))?,
-            PathSegment::CubicTo(b, c, d) => pen.cubic(point(b), point(c), point(d))?,
+            PathSegment::QuadTo(b, c) => {
+                let curve = QuadBez::new(pen.here(), point(b), point(c));
+                pen.curve(curve.raise())?;
+            }
+            PathSegment::CubicTo(b, c, d) => {
+                let here = pen.here();
+                pen.curve(CubicBez::new(here, point(b), point(c), point(d)))?;
+            }
             PathSegment::Close => pen.close()?,
         }
     }
@@ -53,38 +49,13 @@ impl Pen<'_> {
         Ok(())
     }
 
-    fn quadratic(&mut self, b: Point, c: Point) -> Result<(), SvgError> {
-        let a = self.here();
-        let n = self.chords(2.0 * bend(a, b, c))?;
-        self.curve(n, |t| a.lerp(b, t).lerp(b.lerp(c, t), t), c);
-        Ok(())
-    }
-
-    fn cubic(&mut self, b: Point, c: Point, end: Point) -> Result<(), SvgError> {
-        let a = self.here();
-        let chords = self.chords(6.0 * bend(a, b, c).max(bend(b, c, end)))?;
-        let at = |t| {
-            let middle = b.lerp(c, t);
-            let left = a.lerp(b, t).lerp(middle, t);
-            left.lerp(middle.lerp(c.lerp(end, t), t), t)
-        };
-        self.curve(chords, at, end);
-        Ok(())
-    }
-
-    fn chords(&mut self, second_derivative: f64) -> Result<u32, SvgError> {
-        let n = (second_derivative / (8.0 * self.tolerance)).sqrt().ceil();
+    fn curve(&mut self, curve: CubicBez) -> Result<(), SvgError> {
         // The cast saturates, and the budget refuses what is too much.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let n = n.max(1.0) as u32;
-        self.budget.spend(n as usize)?;
-        Ok(n)
-    }
-
-    fn curve(&mut self, n: u32, at: impl Fn(f64) -> Point, end: Point) {
-        let step = 1.0 / f64::from(n);
-        let inner = (1..n).map(|i| at(f64::from(i) * step));
-        self.current().points.extend(inner.chain([end]));
+        let count = chords(curve, self.tolerance) as u32;
+        self.budget.spend(count as usize)?;
+        self.current().points.extend(corners(curve, count));
+        Ok(())
     }
 
     fn close(&mut self) -> Result<(), SvgError> {
@@ -108,10 +79,6 @@ impl Pen<'_> {
         }
         self.strokes.last_mut().expect("a path begins with a move")
     }
-}
-
-fn bend(a: Point, b: Point, c: Point) -> f64 {
-    (a + c - b * 2.0).length()
 }
 
 fn point(p: usvg::tiny_skia_path::Point) -> Point {

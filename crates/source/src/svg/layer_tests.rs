@@ -1,7 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
-use dobot_geometry::Bounds;
-use dobot_geometry::{Area, FillRule};
+use dobot_geometry::{Area, FillRule, bounds};
 use proptest::prelude::*;
 
 use super::*;
@@ -28,8 +27,8 @@ fn contents(layers: &[Layer]) -> Vec<(&str, usize, usize)> {
 }
 
 fn extent(area: &Area) -> [f64; 4] {
-    let bounds = Bounds::of(area.rings.iter().flatten().copied());
-    let corners = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+    let bounds = bounds(area.rings.iter().flatten().copied());
+    let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
     corners.map(|it| (it * 1e3).round() / 1e3)
 }
 

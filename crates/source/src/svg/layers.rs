@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use dobot_geometry::Area;
-use dobot_geometry::Stroke;
+use dobot_geometry::{Area, Stroke};
 
 use super::color;
 use super::ink::Color;

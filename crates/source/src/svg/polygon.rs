@@ -1,8 +1,6 @@
 //! Filled areas cut at the edges of what shows.
 
-use dobot_geometry::SegmentIndex;
-use dobot_geometry::{Area, FillRule};
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Area, FillRule, Point, Rect, SegmentIndex};
 use i_overlay::core::fill_rule::FillRule as Rule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::simplify::SimplifyShape;
@@ -65,7 +63,7 @@ fn is_entangled(rings: &[Vec<Point>]) -> bool {
     let index = SegmentIndex::new(edges);
     let mut pairs = 0_usize;
     for &(a, b) in index.segments() {
-        index.touching(Bounds::of([a, b]), &mut |_| pairs += 1);
+        index.touching(Rect::from_points(a, b), &mut |_| pairs += 1);
         if pairs > MAX_PAIRS {
             return true;
         }
@@ -86,6 +84,8 @@ const MAX_PAIRS: usize = 10_000_000;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use proptest::prelude::*;
+
+    use dobot_geometry::{Line, ParamCurveNearest};
 
     use super::*;
 
@@ -112,7 +112,7 @@ mod tests {
     }
 
     fn distance(area: &Area, p: Point) -> f64 {
-        let to_edge = |(a, b)| p.distance(p.nearest_on(a, b));
+        let to_edge = |(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq.sqrt();
         let edges = area.rings.iter().flat_map(|ring| edges(ring));
         edges.map(to_edge).fold(f64::INFINITY, f64::min)
     }

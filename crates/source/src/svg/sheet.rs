@@ -3,10 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use dobot_geometry::{Area, FillRule};
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::affine::Affine;
 use super::clip::{self, Region};
 use super::dash::dash;
 use super::error::{SvgError, Unshown, WarningKind};
@@ -21,7 +19,7 @@ use crate::options::LayersBy;
 pub(crate) struct Sheet {
     size_mm: [f64; 2],
     page: Region,
-    page_bounds: Bounds,
+    page_bounds: Rect,
     /// How many segments may still come.
     pub(crate) budget: Budget,
     pub(crate) layers: Layers,
@@ -37,7 +35,7 @@ impl Sheet {
         Self {
             size_mm,
             page: Region::new(vec![area]),
-            page_bounds: Bounds::of(corners),
+            page_bounds: bounds(corners),
             budget: Budget::new(MAX_SEGMENTS),
             layers: Layers::new(by),
             warnings: BTreeMap::new(),
@@ -131,12 +129,12 @@ impl Sheet {
         fill: Fill,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        let mut bounds = Bounds::EMPTY;
+        let mut around = bounds([]);
         let mut rings = Vec::with_capacity(outlines.len());
         for outline in outlines {
             let mut ring = outline.points.clone();
             let ink = place(&mut ring, transform)?;
-            bounds = bounds.with(ink.min).with(ink.max);
+            around = around.union(ink);
             if ring.len() > 2 && ring.first() == ring.last() {
                 ring.pop();
             }
@@ -144,14 +142,14 @@ impl Sheet {
                 rings.push(ring);
             }
         }
-        if rings.is_empty() || bounds.width() <= 0.0 || bounds.height() <= 0.0 {
+        if rings.is_empty() || around.width() <= 0.0 || around.height() <= 0.0 {
             return Ok(());
         }
         let area = Area {
             rings,
             rule: fill.rule,
         };
-        match self.shown(area, bounds, clips) {
+        match self.shown(area, around, clips) {
             Some(area) if !area.rings.is_empty() => self.layers.area(area, fill.color),
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
@@ -160,7 +158,7 @@ impl Sheet {
     }
 
     /// The part of an area that shows; `None` where it is too entangled to tell.
-    fn shown(&self, area: Area, bounds: Bounds, clips: &[Rc<Region>]) -> Option<Area> {
+    fn shown(&self, area: Area, bounds: Rect, clips: &[Rc<Region>]) -> Option<Area> {
         let page = (!self.is_on_page(bounds)).then_some(&self.page);
         let mut edges = page
             .into_iter()
@@ -175,9 +173,8 @@ impl Sheet {
         Some(shown?.into_area())
     }
 
-    fn is_on_page(&self, ink: Bounds) -> bool {
-        let page = self.page_bounds;
-        page.with(ink.min).with(ink.max) == page
+    fn is_on_page(&self, ink: Rect) -> bool {
+        self.page_bounds.contains_rect(ink)
     }
 }
 
@@ -186,10 +183,10 @@ fn has_length(line: &Stroke) -> bool {
 }
 
 /// Moves points to where they lie on the page, and tells their bounds.
-pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Bounds, SvgError> {
-    let mut bounds = Bounds::EMPTY;
+pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, SvgError> {
+    let mut around = bounds([]);
     for p in points {
-        *p = transform.apply(*p);
+        *p = transform * *p;
         // What is no number passes no comparison.
         if !(p.x.abs().max(p.y.abs()) <= LIMIT_MM && (p.x + p.y).is_finite()) {
             return Err(SvgError::TooFar {
@@ -198,9 +195,9 @@ pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Bounds, S
                 limit_mm: LIMIT_MM,
             });
         }
-        bounds = bounds.with(*p);
+        around = around.union_pt(*p);
     }
-    Ok(bounds)
+    Ok(around)
 }
 
 const LIMIT_MM: f64 = 1_000_000.0;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use dobot_geometry::{Bounds, Point, Stroke};
+use dobot_geometry::{Point, Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
@@ -362,9 +362,9 @@ fn text_becomes_outlines_where_fonts_are() {
     };
     let text = page(r#"<text x="10" y="30" font-size="20">I</text>"#);
     let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
-    let ink = Bounds::of_strokes(&drawing.strokes);
+    let ink = bounds_of_strokes(&drawing.strokes);
     assert!(
-        ink.min.x > 9.0 && ink.max.y < 30.5 && ink.height() > 10.0,
+        ink.x0 > 9.0 && ink.y1 < 30.5 && ink.height() > 10.0,
         "{ink:?}"
     );
     assert_eq!(warnings, []);

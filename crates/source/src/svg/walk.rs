@@ -3,11 +3,9 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use dobot_geometry::FillRule;
-use dobot_geometry::Stroke;
+use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
 
-use super::affine::Affine;
 use super::clip::{Area, Region};
 use super::error::{SvgError, WarningKind};
 use super::flatten::flatten;
@@ -72,7 +70,7 @@ impl<'a> Walk<'a> {
         let has_mask = usize::from(group.mask().is_some());
         self.sheet.warn(WarningKind::Mask, has_mask);
         self.sheet.warn(WarningKind::Filter, group.filters().len());
-        let transform = parent.of(group.transform());
+        let transform = parent * affine(group.transform());
         let outer = clips.len();
         if let Some(clip) = group.clip_path() {
             self.regions(clip, transform, clips)?;
@@ -134,7 +132,7 @@ impl<'a> Walk<'a> {
     }
 
     fn flatten(&mut self, path: &Path, transform: Affine) -> Result<Vec<Stroke>, SvgError> {
-        let stretch = transform.max_stretch().max(f64::MIN_POSITIVE);
+        let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
         let tolerance = self.tolerance_mm / stretch;
         flatten(path.data(), tolerance, &mut self.sheet.budget)
     }
@@ -147,7 +145,7 @@ impl<'a> Walk<'a> {
         regions: &mut Vec<Rc<Region>>,
     ) -> Result<(), SvgError> {
         let mut areas = Vec::new();
-        let own = transform.of(clip.transform());
+        let own = transform * affine(clip.transform());
         self.areas(clip.root(), own, &[], &mut areas)?;
         regions.push(Rc::new(Region::new(areas)));
         match clip.clip_path() {
@@ -163,7 +161,7 @@ impl<'a> Walk<'a> {
         within: &[Rc<Region>],
         areas: &mut Vec<Area>,
     ) -> Result<(), SvgError> {
-        let transform = parent.of(group.transform());
+        let transform = parent * affine(group.transform());
         let mut within = within.to_vec();
         if let Some(clip) = group.clip_path() {
             self.regions(clip, transform, &mut within)?;
@@ -204,6 +202,10 @@ impl<'a> Walk<'a> {
             }
         }
     }
+}
+
+fn affine(map: usvg::Transform) -> Affine {
+    Affine::new([map.sx, map.ky, map.kx, map.sy, map.tx, map.ty].map(f64::from))
 }
 
 /// Width and height of the page.

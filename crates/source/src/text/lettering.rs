@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use dobot_geometry::{Bounds, Point};
+use dobot_geometry::{Point, Vec2, bounds};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
 use crate::error::SourceError;
@@ -20,9 +20,9 @@ pub(crate) struct Pose {
     /// Where its place on the base line begins.
     pub(crate) at: Point,
     /// A unit of the letters' grid to the right; a capital is [`CAPITAL`] units tall.
-    pub(crate) across: Point,
+    pub(crate) across: Vec2,
     /// And a unit up.
-    pub(crate) up: Point,
+    pub(crate) up: Vec2,
 }
 
 /// How much room a letter takes, in units of the grid.
@@ -38,13 +38,13 @@ impl Lettering {
     /// The room of a character; `None` where it cannot be written.
     pub(crate) fn room(&mut self, character: char) -> Option<Room> {
         let letter = self.letter(character)?;
-        let ink: Bounds = letter.strokes.iter().flatten().copied().collect();
+        let ink = bounds(letter.strokes.iter().flatten().copied());
         let advance = letter.advance;
         let is_blank = letter.strokes.is_empty();
         let ink = if is_blank {
             [0.0, advance]
         } else {
-            [ink.min.x, ink.max.x]
+            [ink.x0, ink.x1]
         };
         Some(Room { ink, advance })
     }
@@ -61,7 +61,7 @@ impl Lettering {
         // Blanks count too: there may be too many of them to look at.
         sketch.spend(1)?;
         // Before rounding: letters as tall as mountains have many corners.
-        for way in [Point::default(), pose.up, pose.across] {
+        for way in [Vec2::ZERO, pose.up, pose.across] {
             sketch.check(at, pose.at + way * CAPITAL)?;
         }
         let Some(letter) = self.letter(character) else {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use dobot_geometry::Bounds;
+use dobot_geometry::bounds;
 use usvg::fontdb::{Database, FaceInfo};
 
 use super::{Align, Text, TextError, layer};
@@ -31,7 +31,7 @@ pub(super) fn read(
     let (artwork, warnings) = svg::read(&page, &fine)?;
     let mut shown = one(artwork);
     for p in shown.points_mut() {
-        *p = *p * scale;
+        *p = (p.to_vec2() * scale).to_point();
     }
     let name = layer(&text.text).name;
     Ok((
@@ -126,7 +126,7 @@ fn difference(from: &str, to: &str) -> usize {
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
     let page = page(&Text::new("H"), face, 1.0);
     let height = svg::read(&page, options).ok().map(|(artwork, _)| {
-        let ink: Bounds = one(artwork).points().collect();
+        let ink = bounds(one(artwork).points());
         ink.height()
     });
     // A font of symbols has no capitals; the usual share serves it.

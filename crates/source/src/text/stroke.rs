@@ -78,7 +78,7 @@ impl Writer {
             let (advance, lines) = (letter.advance, letter.strokes.clone());
             for points in lines {
                 self.segments += points.len();
-                let points = points.iter().map(|p| at + *p * scale).collect();
+                let points = points.iter().map(|p| at + p.to_vec2() * scale).collect();
                 self.strokes.push(stroke(points));
             }
             at.x += advance * scale;

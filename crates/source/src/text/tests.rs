@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_geometry::Area;
+use dobot_geometry::{Area, Point, Rect, bounds};
 use proptest::prelude::*;
 use usvg::fontdb;
 
@@ -27,8 +27,8 @@ fn error(text: &Text) -> String {
     text.read(&ReadOptions::default()).unwrap_err().to_string()
 }
 
-fn ink(artwork: &Artwork) -> Bounds {
-    artwork.points().collect()
+fn ink(artwork: &Artwork) -> Rect {
+    bounds(artwork.points())
 }
 
 #[test]
@@ -53,11 +53,8 @@ fn capitals_are_as_tall_as_asked() {
 fn the_page_is_the_ink() {
     let (artwork, _) = read(&Text::new("Grüße,\nÅse"));
     let ink = ink(&artwork);
-    assert_eq!((ink.min.x, ink.min.y), (0.0, 0.0));
-    assert_eq!(
-        (ink.max.x, ink.max.y),
-        (artwork.width_mm, artwork.height_mm)
-    );
+    assert_eq!((ink.x0, ink.y0), (0.0, 0.0));
+    assert_eq!((ink.x1, ink.y1), (artwork.width_mm, artwork.height_mm));
     assert_eq!(artwork.layers.len(), 1);
     assert_eq!(artwork.layers[0].name, "Grüße,");
 }
@@ -70,9 +67,9 @@ fn lines_stand_apart_and_meet_where_asked() {
             ..Text::new("HHHH\nH")
         });
         let lower = artwork.points().filter(|p| p.y > 15.0);
-        let lower: Bounds = lower.collect();
-        assert!((lower.min.y - 17.5).abs() < 1e-9, "{lower:?}");
-        [lower.min.x, artwork.width_mm - lower.max.x].map(|it| it.abs() < 1e-9)
+        let lower = bounds(lower);
+        assert!((lower.y0 - 17.5).abs() < 1e-9, "{lower:?}");
+        [lower.x0, artwork.width_mm - lower.x1].map(|it| it.abs() < 1e-9)
     };
     assert_eq!(end(Align::Left), [true, false]);
     assert_eq!(end(Align::Center), [false, false]);
@@ -175,8 +172,8 @@ fn outlines_are_areas_as_tall_as_asked_at_their_lines() {
         ..Text::new("HH\n\nH<&\">\u{7}")
     };
     let (artwork, _) = text.read(&options).unwrap();
-    let bounds = |area: &Area| area.rings.iter().flatten().copied().collect::<Bounds>();
-    let lines: Vec<Bounds> = artwork.layers[0].areas.iter().map(bounds).collect();
+    let ink = |area: &Area| bounds(area.rings.iter().flatten().copied());
+    let lines: Vec<Rect> = artwork.layers[0].areas.iter().map(ink).collect();
     assert_eq!(lines.len(), 2);
     assert!((lines[0].height() - 30.0).abs() < 0.1, "{lines:?}");
     let apart_mm = lines[1].center().y - lines[0].center().y;
@@ -213,8 +210,8 @@ proptest! {
         match text.read(&ReadOptions::default()) {
             Ok((artwork, _)) => {
                 let ink = ink(&artwork);
-                prop_assert!(ink.min.x == 0.0 && ink.min.y == 0.0);
-                prop_assert!(ink.max.x.is_finite() && ink.max.y.is_finite());
+                prop_assert!(ink.x0 == 0.0 && ink.y0 == 0.0);
+                prop_assert!(ink.x1.is_finite() && ink.y1.is_finite());
             }
             Err(error) => prop_assert!(!error.to_string().contains('\n')),
         }

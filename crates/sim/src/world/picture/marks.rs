@@ -2,8 +2,10 @@
 
 use dobot_lettering::{Look, Sheet};
 
+use dobot_geometry::Point;
+
 use super::{INK, mix};
-use crate::world::{Burn, Hole, Point, ToolKind, WorldState};
+use crate::world::{Burn, Hole, ToolKind, WorldState};
 
 /// All ink and all burns, from above.
 pub(super) fn marks(sheet: &mut Sheet, state: &WorldState) {

@@ -1,10 +1,11 @@
 //! The world from the side, across the way the arm points.
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_geometry::{Point, Vec2, direction};
 use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
 
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, edge, fill};
-use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// Below the view from above, half as wide as that.
 pub(super) fn bounds(state: &WorldState, top: &Frame, unit: f64) -> Frame {
@@ -52,12 +53,12 @@ fn table(sheet: &mut Sheet, y: f64) {
 
 /// The farther an object is beside the plane of the arm, the fainter.
 fn objects(sheet: &mut Sheet, state: &WorldState, base_deg: f64) {
-    let across = Point::towards(base_deg + 90.0);
-    let beside = |it: &Object| it.at_mm.dot(across).abs();
+    let across = direction(base_deg + 90.0);
+    let beside = |it: &Object| it.at_mm.to_vec2().dot(across).abs();
     let mut objects: Vec<&Object> = state.objects.iter().collect();
     objects.sort_by(|a, b| beside(b).total_cmp(&beside(a)));
     for object in objects {
-        let [from, to] = object.footprint().extent(Point::towards(base_deg));
+        let [from, to] = object.footprint().extent(direction(base_deg));
         let (opacity, edge) = if state.held.contains(&object.name) {
             (1.0, WARM.to_owned())
         } else {
@@ -83,8 +84,8 @@ fn base(sheet: &mut Sheet, floor: f64) {
 fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let (rear, fore) = (arm.rear_deg.to_radians(), arm.fore_deg.to_radians());
     let elbow = Point::new(REAR_ARM.0 * rear.sin(), -REAR_ARM.0 * rear.cos());
-    let wrist = elbow + Point::new(FOREARM.0 * fore.cos(), FOREARM.0 * fore.sin());
-    let tool = wrist + Point::new(state.tool.mounting().reach().0, 0.0);
+    let wrist = elbow + Vec2::new(FOREARM.0 * fore.cos(), FOREARM.0 * fore.sin());
+    let tool = wrist + Vec2::new(state.tool.mounting().reach().0, 0.0);
     let [shoulder, elbow, wrist, tool] =
         [Point::default(), elbow, wrist, tool].map(|it| [it.x, it.y]);
     for (from, to, wide) in [

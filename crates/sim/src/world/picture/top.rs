@@ -3,12 +3,13 @@
 use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_geometry::{Point, Vec2, direction};
 use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
 
 use super::marks::marks;
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, contrast, edge, fill};
 use crate::world::footprint::Footprint;
-use crate::world::{ArmState, Object, Point, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// What is shown: the arm and what it reaches before it, and whatever else there is.
 pub(super) fn bounds(state: &WorldState) -> Frame {
@@ -19,7 +20,7 @@ pub(super) fn bounds(state: &WorldState) -> Frame {
         max = Point::new(max.x.max(x[1]), max.y.max(y[1]));
     };
     for object in &state.objects {
-        let [x, y] = [0.0, 90.0].map(|it| object.footprint().extent(Point::towards(it)));
+        let [x, y] = [0.0, 90.0].map(|it| object.footprint().extent(direction(it)));
         show([x[0] - 10.0, x[1] + 10.0], [y[0] - 10.0, y[1] + 10.0]);
     }
     if let Some(paper) = state.paper {
@@ -138,7 +139,8 @@ fn outline(object: &Object) -> String {
             let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)];
             let mut path = String::new();
             for (i, (x, y)) in corners.into_iter().enumerate() {
-                let corner = middle + Point::new(x * along, y * across).turned(turn_deg);
+                let corner =
+                    middle + Vec2::new(x * along, y * across).rotate_scale(direction(turn_deg));
                 let to = if i == 0 { 'M' } else { 'L' };
                 let _ = write!(path, "{to}{:.2} {:.2}", -corner.y, -corner.x);
             }
@@ -156,7 +158,7 @@ fn name(sheet: &mut Sheet, object: &Object, state: &WorldState, unit: f64) {
     } else {
         object.name.clone()
     };
-    let [right, left] = object.footprint().extent(Point::new(0.0, 1.0));
+    let [right, left] = object.footprint().extent(Vec2::new(0.0, 1.0));
     let covered = state.objects.iter().any(|it| it.stands_on(object));
     let middle = Point::new(-object.at_mm.y, -object.at_mm.x);
     let kind = Type::new(high, contrast(object));
@@ -164,7 +166,7 @@ fn name(sheet: &mut Sheet, object: &Object, state: &WorldState, unit: f64) {
         let at = [middle.x, middle.y + high / 2.0];
         return sheet.text(at, Anchor::Middle, &kind, &text);
     }
-    let [back, _] = object.footprint().extent(Point::new(1.0, 0.0));
+    let [back, _] = object.footprint().extent(Vec2::new(1.0, 0.0));
     let below = [middle.x, -back + high + 1.1 * unit];
     let kind = Type::new(high, if held { WARM } else { INK });
     for kind in [kind.halo(PAPER), kind] {

@@ -4,11 +4,12 @@ mod objects;
 
 use std::ops::RangeInclusive;
 
+use dobot_geometry::Point;
 use toml::Spanned;
 
 use super::file::{self, File, Number, line};
 use super::{Paper, Scene, SceneError};
-use crate::world::{Point, Tool, ToolKind};
+use crate::world::{Tool, ToolKind};
 
 pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
     let check = Check { text };

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use dobot_geometry::Point;
 use toml::Spanned;
 
 use super::{Check, MOST_G, NEAR_MM};
@@ -9,7 +10,7 @@ use crate::world::color::{color, names};
 use crate::world::footprint::Footprint;
 use crate::world::scene::SceneError;
 use crate::world::scene::file::{self, File, Number};
-use crate::world::{Object, Point, Shape};
+use crate::world::{Object, Shape};
 
 /// What the file tells of every object, whatever its shape.
 struct Thing<'a> {

@@ -1,0 +1,29 @@
+//! Curves to lines, within a tolerance that truly holds.
+
+use kurbo::{CubicBez, ParamCurve, Point};
+
+/// How many chords of equal parameter steps stay within `tolerance` of a curve: a whole number from
+/// 1 up, or NaN.
+///
+/// A chord leaves its curve by at most an eighth of the step squared times the largest second
+/// derivative, which is bounded by the control points:
+///
+/// ```text
+///   |B''| <= 6 max(|p0 - 2 p1 + p2|, |p1 - 2 p2 + p3|)     n = ceil(sqrt(|B''| / (8 tolerance)))
+/// ```
+///
+/// kurbo flattens with fewer chords, but within an estimate, and cannot be told when to give up.
+#[must_use]
+pub fn chords(curve: CubicBez, tolerance: f64) -> f64 {
+    let CubicBez { p0, p1, p2, p3 } = curve;
+    let bend = |a: Point, b: Point, c: Point| ((a - b) + (c - b)).hypot();
+    let second = 6.0 * bend(p0, p1, p2).max(bend(p1, p2, p3));
+    (second / (8.0 * tolerance)).sqrt().ceil().max(1.0)
+}
+
+/// The corners of a curve in `count` chords behind its start; the last one is its end.
+pub fn corners(curve: CubicBez, count: u32) -> impl Iterator<Item = Point> {
+    let step = 1.0 / f64::from(count);
+    let inner = (1..count).map(move |i| curve.eval(f64::from(i) * step));
+    inner.chain([curve.p3])
+}
