@@ -12,7 +12,6 @@
 mod greedy;
 mod near;
 mod nodes;
-mod random;
 mod search;
 mod tour;
 mod travel;
@@ -20,11 +19,11 @@ mod way;
 
 use self::greedy::greedy;
 use self::nodes::Nodes;
-use self::random::Random;
 use self::search::Settling;
 pub use self::travel::{Travel, travel_mm};
 use self::way::{Stop, cost, drawn, given, turn_loops};
 use dobot_geometry::{Point, Stroke};
+use dobot_random::Random;
 
 /// What to search for, and for how long.
 ///
@@ -71,7 +70,7 @@ pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke>
 /// The best way found. Where strokes are closed, it is searched in rounds: a loop that is turned
 /// may belong elsewhere in the order.
 fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -> Vec<Stop> {
-    let mut random = Random(search.seed);
+    let mut random = Random::new(search.seed);
     let turn = |way: &mut Vec<Stop>| turn_loops(strokes, way, start, search.travel);
     let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel);
     let mut nodes = nodes_of(given);

@@ -149,3 +149,32 @@ fn number(count: usize) -> u32 {
 
 const NONE: u32 = u32::MAX;
 const LEAF_ITEMS: usize = 8;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn point() -> impl Strategy<Value = Point> {
+        (-9..9_i32, -9..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
+    }
+
+    proptest! {
+        #[test]
+        fn the_nearest_point_is_as_near_as_by_looking_at_all_of_them(
+            mut points in proptest::collection::vec(point(), 1..80),
+            p in point(),
+        ) {
+            let tree = BoxTree::sort(&mut points, |&p| (p, p));
+            let away2 = |it: &Point| (it.x - p.x).powi(2) + (it.y - p.y).powi(2);
+            let mut found = f64::INFINITY;
+            tree.around(p, f64::INFINITY, &|_, _| true, &mut |items| {
+                let leaf = &points[items.start as usize..items.end as usize];
+                found = leaf.iter().map(away2).fold(found, f64::min);
+                found
+            });
+            prop_assert_eq!(found, points.iter().map(away2).fold(f64::INFINITY, f64::min));
+        }
+    }
+}

@@ -1,7 +1,6 @@
 //! What goes wrong, in words: `drop=1%`, `reset@12s`.
 
 mod parse;
-mod random;
 mod schedule;
 mod struck;
 mod trouble;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use common::{button, completed, in_process, move_to, ms, refusals, run};
 use dobot_arm::Position;
 use dobot_client::{Connection, Event, LinkError, Peer};
+use dobot_random::Random;
 use dobot_sim::InProcess;
 use dobot_wire::{Command, Dialect, JointJogAxis, MovingMode};
 
@@ -16,7 +17,7 @@ struct Damaging {
     arm: InProcess,
     random: Random,
     /// One byte of so many is damaged.
-    one_of: u64,
+    one_of: u32,
 }
 
 impl Peer for Damaging {
@@ -39,7 +40,7 @@ impl Peer for Damaging {
             match self.random.below(3) {
                 0 => {}
                 1 => bytes.push(byte ^ (1 << self.random.below(8))),
-                _ => bytes.extend([self.random.byte(), byte]),
+                _ => bytes.extend([byte_of(&mut self.random), byte]),
             }
         }
         open
@@ -90,30 +91,13 @@ impl Peer for Noise {
 
     fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool {
         self.now = (self.now + ms(10)).min(until);
-        bytes.extend((0..10).map(|_| self.random.byte()));
+        bytes.extend((0..10).map(|_| byte_of(&mut self.random)));
         true
     }
 }
 
-/// The same numbers for the same seed (xorshift).
-#[derive(Debug)]
-struct Random(u64);
-
-impl Random {
-    fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
-
-    fn below(&mut self, end: u64) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) % end
-    }
-
-    fn byte(&mut self) -> u8 {
-        u8::try_from(self.below(256)).expect("it is below 256")
-    }
+fn byte_of(random: &mut Random) -> u8 {
+    u8::try_from(random.below(256)).expect("it is below 256")
 }
 
 fn grabbing_program() -> Vec<Command> {

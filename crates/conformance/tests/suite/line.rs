@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use dobot_conformance::{Hindrance, Verdict};
 use dobot_controller::Personality;
+use dobot_random::Random;
 
 use crate::broken::Broken;
 use crate::delayed::Delayed;
@@ -88,22 +89,17 @@ async fn exchanged_angles_in_the_status_are_said_to_disagree_with_the_position()
     );
 }
 
-/// A small generator of chances, the same every time.
-fn every_so_often(seed: u64, percent: u64) -> impl FnMut() -> bool + Send {
-    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
-    move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state % 100 < percent
-    }
+/// Chances that are the same every time.
+fn every_so_often(seed: u64, percent: f64) -> impl FnMut() -> bool + Send {
+    let mut random = Random::new(seed);
+    move || random.chance(percent)
 }
 
 #[tokio::test]
 async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
     for personality in Personality::ALL {
         for seed in 1..=12 {
-            let mut lost = every_so_often(seed, 3);
+            let mut lost = every_so_often(seed, 3.0);
             let broken =
                 Broken::new(speaking(personality)).obeys(move |frame| (!lost()).then_some(frame));
             let report = check(broken, ON_A_PORT).await;
@@ -117,7 +113,7 @@ async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
 async fn a_line_that_loses_statuses_is_told_and_makes_no_good_controller_differ() {
     for personality in Personality::ALL {
         for seed in 1..=12 {
-            let mut lost = every_so_often(seed, 2);
+            let mut lost = every_so_often(seed, 2.0);
             let broken = Broken::new(speaking(personality))
                 .says(move |frame| (!lost()).then(|| frame.to_bytes().to_vec()));
             let report = check(broken, ON_A_PORT).await;

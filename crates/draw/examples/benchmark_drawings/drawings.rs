@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use dobot_geometry::Point;
 use dobot_lettering::{Anchor, strokes, width};
+use dobot_random::Random;
 
 /// All of them.
 pub(crate) const ALL: [Benchmark; 10] = [
@@ -109,10 +110,10 @@ fn spirograph_points() -> Vec<[f64; 2]> {
 
 /// 2,000 strokes of lettering: words in lines, as a letter has them.
 fn text() -> Vec<String> {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
     while strokes.len() < 2000 {
-        let word = WORDS[random.below(WORDS.len())];
+        let word = WORDS[random.below(WORDS.len() as u32) as usize];
         if width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
             strokes.append(&mut letters(&line, y));
             line.clear();
@@ -135,11 +136,14 @@ fn letters(line: &str, y: f64) -> Vec<String> {
 
 /// 10,000 dots that shade two balls, in the order of a scan from the top.
 fn stipple() -> Vec<String> {
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     let mut dots = Vec::new();
     while dots.len() < 10_000 {
-        let dot = [2.0 + 196.0 * random.share(), 2.0 + 116.0 * random.share()];
-        if random.share() < darkness(dot).powi(2) {
+        let dot = [
+            2.0 + 196.0 * share(&mut random),
+            2.0 + 116.0 * share(&mut random),
+        ];
+        if share(&mut random) < darkness(dot).powi(2) {
             dots.push(dot);
         }
     }
@@ -220,33 +224,16 @@ fn path(points: &[[f64; 2]], end: &str) -> String {
 }
 
 fn shuffled(mut paths: Vec<String>) -> Vec<String> {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for i in (1..paths.len()).rev() {
-        paths.swap(i, random.below(i + 1));
+        paths.swap(i, random.below(i as u32 + 1) as usize);
     }
     paths
 }
 
-/// A small generator (`SplitMix64`), so that the drawings are the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to 1.
-    fn share(&mut self) -> f64 {
-        f64::from((self.next() >> 32) as u32) / f64::from(u32::MAX)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        ((self.next() >> 32) as usize * count) >> 32
-    }
+/// From 0 to 1.
+fn share(random: &mut Random) -> f64 {
+    f64::from((random.number() >> 32) as u32) / f64::from(u32::MAX)
 }
 
 const WIDTH_MM: f64 = 200.0;

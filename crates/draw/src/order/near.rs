@@ -90,3 +90,38 @@ fn nearest_in(
 /// How many neighbours a node has.
 pub(super) const NEAR: usize = NEAREST + 3;
 const NEAREST: usize = 7;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn point() -> impl Strategy<Value = Point> {
+        (-9..9_i32, -9..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
+    }
+
+    proptest! {
+        #[test]
+        fn the_nearest_of_a_quadrant_is_as_near_as_by_looking_at_all_of_them(
+            mut points in proptest::collection::vec(point(), 1..80),
+            p in point(),
+            right in any::<bool>(),
+            down in any::<bool>(),
+        ) {
+            let tree = BoxTree::sort(&mut points, |&p| (p, p));
+            let far = |positive| if positive { f64::INFINITY } else { f64::NEG_INFINITY };
+            let quadrant = bounds([p, Point::new(far(right), far(down))]);
+            let none = u32::MAX;
+            let found = nearest_in(quadrant, &tree, &points, p, [none, none]).map(|it| it.0);
+            let is_in = |it: &&Point| {
+                let beside = if right { it.x >= p.x } else { it.x <= p.x };
+                let along = if down { it.y >= p.y } else { it.y <= p.y };
+                beside && along && **it != p
+            };
+            let away2 = |it: &Point| (it.x - p.x).powi(2) + (it.y - p.y).powi(2);
+            let looked = points.iter().filter(is_in).map(away2).min_by(f64::total_cmp);
+            prop_assert_eq!(found, looked);
+        }
+    }
+}

@@ -1,9 +1,9 @@
 //! The search for shorter tours: exchanges of a few edges at a time, and kicks.
 
+use dobot_random::Random;
 use std::collections::VecDeque;
 
 use super::nodes::Nodes;
-use super::random::Random;
 use super::tour::{MOST, Tour};
 
 /// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken

@@ -90,7 +90,7 @@ proptest! {
 
 #[test]
 fn small_drawings_get_the_best_order_there_is() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     let mut point = || Point::new(f64::from(random.below(1000)), f64::from(random.below(1000)));
     for _ in 0..60 {
         let strokes: Vec<Stroke> = (0..5)
@@ -124,7 +124,7 @@ fn least(left: &mut Vec<Stroke>, here: Point) -> f64 {
 #[test]
 fn a_field_of_dots_is_gone_through_almost_without_a_detour() {
     // The best way through a square of 30 x 30 from a corner is 899 steps.
-    let mut random = Random(9);
+    let mut random = Random::new(9);
     let mut dots: Vec<Stroke> = (0..900_u32)
         .map(|i| line(&[(f64::from(i % 30), f64::from(i / 30))]))
         .collect();
@@ -149,7 +149,7 @@ fn thousands_of_dots_in_the_same_two_places_take_one_way_between() {
 #[test]
 fn a_shuffled_line_of_segments_is_put_together_again() {
     let at = |i: u32| (f64::from(i), (f64::from(i) * 0.1).sin());
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     let mut pieces: Vec<Stroke> = (0..500).map(|i| line(&[at(i), at(i + 1)])).collect();
     for i in (1..500).rev() {
         pieces.swap(i as usize, random.below(i + 1) as usize);

@@ -3,7 +3,8 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use super::random::Random;
+use dobot_random::Random;
+
 use super::when::{End, Moment};
 use super::{Amount, Damage, Fault, Kind, Struck, Tilt, What};
 use crate::{Line, Mechanics};
@@ -281,7 +282,7 @@ impl Entry {
             phase: Phase::Waiting,
             left: [left; 2],
             hits: 0,
-            random: [2 * number, 2 * number + 1].map(|it| Random::new(seed, it)),
+            random: [2 * number, 2 * number + 1].map(|it| Random::sequence(seed, it)),
             delay: [Duration::ZERO; 2],
         }
     }
@@ -331,7 +332,7 @@ impl Entry {
             }
             match damage {
                 Damage::Drop => {}
-                Damage::Flip => bytes.push(byte ^ self.random[direction].bit()),
+                Damage::Flip => bytes.push(byte ^ (1 << (self.random[direction].number() >> 61))),
                 Damage::Duplicate => bytes.extend([byte, byte]),
             }
         }

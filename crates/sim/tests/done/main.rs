@@ -12,6 +12,7 @@ use std::time::Duration;
 use common::{button, move_to, ms};
 use dobot_client::{CommandId, Connection, Event, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_random::Random;
 use dobot_sim::{InProcess, Line, VirtualArm};
 use dobot_wire::{
     Command, Configuration, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
@@ -54,21 +55,12 @@ const KINDS: [Kind; 13] = [
     Kind::Percent,
 ];
 
-/// Numbers by a seed (splitmix64).
 #[derive(Debug)]
-struct Dice(u64);
+struct Dice(Random);
 
 impl Dice {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
     fn below(&mut self, most: u64) -> u64 {
-        self.next() % most
+        self.0.number() % most
     }
 
     #[expect(clippy::cast_precision_loss, reason = "a share of it is enough")]
@@ -243,9 +235,9 @@ impl Trial {
             ..PowerUp::default()
         };
         let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
-        let mut dice = Dice(seed);
+        let mut dice = Dice(Random::new(seed));
         let latency = ms(dice.below(3) * dice.below(101));
-        let jitter = (dice.below(3) == 0).then(|| Dice(seed + 1000));
+        let jitter = (dice.below(3) == 0).then(|| Dice(Random::new(seed + 1000)));
         let late = Late::new(arm.clone(), latency, jitter);
         Self {
             connection: Connection::over_peer(late, Some(personality.dialect())),

@@ -1,6 +1,7 @@
 //! Dots, the denser the darker it is.
 
 use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_random::Random;
 
 use super::shading::Shading;
 use super::tone::{Tone, cell, count};
@@ -23,7 +24,7 @@ pub(super) fn stippled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<S
 /// Dots in the middles of cells, as many as each tone asks for.
 fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
     let per_cell = tone.cell.x * tone.cell.y / (HEXAGON * spacing_mm * spacing_mm);
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut dots = Vec::new();
     // What is still owed to the cells of this row and of the next; one more on both sides.
     let mut here = vec![0.0; tone.width + 2];
@@ -165,21 +166,6 @@ impl Nearest {
             (count(x) + 0.5) * self.cell.x,
             (count(y) + 0.5) * self.cell.y,
         )
-    }
-}
-
-/// A linear congruential generator (Knuth's constants): the same numbers everywhere.
-struct Random(u64);
-
-impl Random {
-    /// From 0 to below 1.
-    fn share(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        let high = u32::try_from(self.0 >> 40).expect("24 bits");
-        f64::from(high) / f64::from(1 << 24)
     }
 }
 

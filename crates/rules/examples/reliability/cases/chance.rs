@@ -2,23 +2,21 @@
 
 use std::time::Duration;
 
-/// Numbers that look like chance; the same seed gives the same ones (`SplitMix64`).
+use dobot_random::Random;
+
+/// What a case leaves to chance; the same seed gives the same.
 #[derive(Clone, Debug)]
-pub(crate) struct Chance(u64);
+pub(crate) struct Chance(Random);
 
 impl Chance {
     /// Begins with a seed.
     pub(crate) const fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        Self(Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
     }
 
     /// Any number.
     pub(crate) const fn number(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut it = self.0;
-        it = (it ^ (it >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        it = (it ^ (it >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        it ^ (it >> 31)
+        self.0.number()
     }
 
     /// A number below `end`.
