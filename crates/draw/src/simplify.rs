@@ -1,5 +1,6 @@
 //! Fewer, longer vectors: the link carries few, so each has to count.
 
+mod corner;
 mod search;
 mod settle;
 mod sight;

@@ -3,8 +3,8 @@
 use crate::Plan;
 use crate::commands::write;
 use crate::seen::{at_ticks, second_difference};
+use crate::tick::TICK_S;
 use crate::ticker::Ticker;
-use crate::ticks::TICK_S;
 
 /// The largest acceleration of a plan's motion in mm/s2, as seen by somebody who looks where the
 /// tool is each `apart_s` seconds.

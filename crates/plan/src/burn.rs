@@ -5,8 +5,8 @@ use dobot_motion::Cut;
 
 use crate::commands::write;
 use crate::planner::Planner;
+use crate::tick::TICK_S;
 use crate::ticker::Ticker;
-use crate::ticks::TICK_S;
 use crate::ways::{Early, Ways};
 use crate::{Laser, MoveKind, PlannedVector};
 

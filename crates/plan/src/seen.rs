@@ -3,8 +3,8 @@
 use dobot_motion::Cut;
 
 use crate::lookahead::Run;
-use crate::pace::Speeds;
-use crate::ticks::TICK_S;
+use crate::speeds::Speeds;
+use crate::tick::TICK_S;
 use crate::vector::length;
 
 /// A chain of vectors in motion: when the tool is at its corners, and where.

@@ -5,8 +5,9 @@ use dobot_wire::{WriteMode, WriteVector};
 
 use crate::commands::write;
 use crate::link::Credit;
-use crate::pace::Speeds;
-use crate::ticks::{Fit, OVER, TICK_S, Wish};
+use crate::speeds::Speeds;
+use crate::tick::TICK_S;
+use crate::ticks::{Fit, OVER, Wish};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.

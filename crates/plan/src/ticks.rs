@@ -3,7 +3,8 @@
 use dobot_motion::Cut;
 use dobot_wire::single;
 
-use crate::pace::Speeds;
+use crate::speeds::Speeds;
+use crate::tick::TICK_S;
 
 /// How many ticks to try: what the processor makes of them is told by [`Cut`].
 #[expect(
@@ -182,8 +183,6 @@ impl Wish {
     }
 }
 
-/// The control tick.
-pub(super) const TICK_S: f32 = dobot_arm::TICK.as_secs_f32();
 /// By how much begin speeds are lower and corrections smaller than they could be, for rounding.
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.

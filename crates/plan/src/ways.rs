@@ -3,7 +3,7 @@
 use dobot_geometry::{Point, Stroke, Vec2};
 
 use crate::planner::LEAST_VECTOR_MM;
-use crate::ticks::TICK_S;
+use crate::tick::TICK_S;
 use crate::{Laser, Machine};
 
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.

@@ -109,21 +109,24 @@ fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
 /// Numbers and their ranges.
 fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
     let Policy {
+        table,
+        tool_length,
+        arm,
         speed,
         acceleration,
+        jump,
+        laser,
         jog,
-        tool_length,
+        queue,
         ..
     } = policy;
-    let fastest = Bounds::new(0.001, 1000.0);
-    let steepest = Bounds::new(0.001, 10_000.0);
-    let length = Bounds::new(0.0, 200.0);
+    let within = Bounds::new;
+    let highest_mm = Limits::STOCK.z.max.0;
+    let fastest = within(0.001, 1000.0);
+    let steepest = within(0.001, 10_000.0);
+    let length = within(0.0, 200.0);
     [
-        (
-            "table.z_mm",
-            policy.table.z_mm,
-            Bounds::new(-300.0, Limits::STOCK.z.max.0),
-        ),
+        ("table.z_mm", table.z_mm, within(-300.0, highest_mm)),
         (
             "tool_length.suction_cup_mm",
             tool_length.suction_cup_mm,
@@ -131,20 +134,12 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
         ),
         ("tool_length.gripper_mm", tool_length.gripper_mm, length),
         ("tool_length.laser_mm", tool_length.laser_mm, length),
-        (
-            "arm.radius_mm",
-            policy.arm.radius_mm,
-            Bounds::new(0.0, 100.0),
-        ),
+        ("arm.radius_mm", arm.radius_mm, within(0.0, 100.0)),
         ("speed.joint_deg_s", speed.joint_deg_s, fastest),
         ("speed.servo_deg_s", speed.servo_deg_s, fastest),
         ("speed.line_mm_s", speed.line_mm_s, fastest),
         ("speed.writing_mm_s", speed.writing_mm_s, fastest),
-        (
-            "speed.jog_percent",
-            speed.jog_percent,
-            Bounds::new(1.0, 100.0),
-        ),
+        ("speed.jog_percent", speed.jog_percent, within(1.0, 100.0)),
         (
             "acceleration.joint_deg_s2",
             acceleration.joint_deg_s2,
@@ -161,33 +156,17 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
             acceleration.writing_mm_s2,
             steepest,
         ),
-        (
-            "jump.height_mm",
-            policy.jump.height_mm,
-            Bounds::new(0.0, 300.0),
-        ),
-        (
-            "laser.arm_for_s",
-            policy.laser.arm_for_s,
-            Bounds::new(1.0, 3600.0),
-        ),
+        ("jump.height_mm", jump.height_mm, within(0.0, 300.0)),
+        ("laser.arm_for_s", laser.arm_for_s, within(1.0, 3600.0)),
         (
             "laser.least_speed_mm_s",
-            policy.laser.least_speed_mm_s,
-            Bounds::new(0.0, 1000.0),
+            laser.least_speed_mm_s,
+            within(0.0, 1000.0),
         ),
-        ("jog.dead_man_s", jog.dead_man_s, Bounds::new(0.05, 2.0)),
-        (
-            "jog.raw_dead_man_s",
-            jog.raw_dead_man_s,
-            Bounds::new(0.05, 5.0),
-        ),
-        ("jog.reaction_s", jog.reaction_s, Bounds::new(0.05, 2.0)),
-        (
-            "queue.ahead_s",
-            policy.queue.ahead_s,
-            Bounds::new(0.0, 60.0),
-        ),
+        ("jog.dead_man_s", jog.dead_man_s, within(0.05, 2.0)),
+        ("jog.raw_dead_man_s", jog.raw_dead_man_s, within(0.05, 5.0)),
+        ("jog.reaction_s", jog.reaction_s, within(0.05, 2.0)),
+        ("queue.ahead_s", queue.ahead_s, within(0.0, 60.0)),
     ]
 }
 

@@ -10,6 +10,7 @@
 
 use dobot_geometry::Point;
 
+use super::corner::Corner;
 use super::settle::put_on_the_stroke;
 use super::sight::Sight;
 use super::tube::Tube;
@@ -31,16 +32,6 @@ pub(super) fn fewest(tube: &Tube<'_>) -> Option<Vec<Point>> {
         }
     }
     best.map(|path| put_on_the_stroke(tube, &path))
-}
-
-/// A place where one vector ends and the next begins.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    pub(super) at: Point,
-    /// The last point of the stroke that is passed here.
-    pub(super) passed: usize,
-    /// The corner before it, among those that were gone on from.
-    pub(super) before: usize,
 }
 
 struct Search<'a> {

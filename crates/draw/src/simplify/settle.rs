@@ -3,7 +3,7 @@
 use dobot_geometry::Point;
 
 use super::MIN_VECTOR_MM;
-use super::search::Corner;
+use super::corner::Corner;
 use super::tube::Tube;
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without

@@ -3,7 +3,7 @@
 use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
-use super::search::Corner;
+use super::corner::Corner;
 use super::tube::Tube;
 use super::wedge::Wedge;
 
