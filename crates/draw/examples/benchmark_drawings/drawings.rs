@@ -113,7 +113,7 @@ fn text() -> Vec<String> {
     let mut random = Random::new(7);
     let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
     while strokes.len() < 2000 {
-        let word = WORDS[random.below(WORDS.len() as u32) as usize];
+        let word = WORDS[below(&mut random, WORDS.len())];
         if width(&format!("{line} {word}"), LETTER_MM) > 190.0 {
             strokes.append(&mut letters(&line, y));
             line.clear();
@@ -226,9 +226,13 @@ fn path(points: &[[f64; 2]], end: &str) -> String {
 fn shuffled(mut paths: Vec<String>) -> Vec<String> {
     let mut random = Random::new(3);
     for i in (1..paths.len()).rev() {
-        paths.swap(i, random.below(i as u32 + 1) as usize);
+        paths.swap(i, below(&mut random, i + 1));
     }
     paths
+}
+
+fn below(random: &mut Random, count: usize) -> usize {
+    random.below(u32::try_from(count).expect("there are few")) as usize
 }
 
 /// From 0 to 1.
