@@ -25,7 +25,7 @@ impl Plan {
     /// Plans the passes in their order, on this paper.
     ///
     /// 1. A pen stands still before and after it is lowered or lifted, and draws each stroke in
-    ///    one go, with the corner speeds of [`Cornering::speeds`]. A laser is switched on and off
+    ///    one go, with the corner speeds of [`Cornering::speeds`](crate::Cornering::speeds). A laser is switched on and off
     ///    in full motion, on straight ways into the stroke and out of it.
     /// 2. A vector costs one packet: however short vectors are, the arm never waits for the link in
     ///    the middle of a stroke. A few that the arm has in hand may follow one another faster.
