@@ -30,6 +30,7 @@ impl Machine {
     #[must_use]
     pub fn of(dialect: Dialect) -> Self {
         Self {
+            link: LinkRate::of(dialect),
             has_ticks: !dialect.uses_start_speed,
             ..Self::default()
         }
@@ -81,6 +82,14 @@ pub struct LinkRate {
 }
 
 impl LinkRate {
+    /// One vector for each status that an arm of this dialect sends.
+    #[must_use]
+    pub const fn of(dialect: Dialect) -> Self {
+        Self {
+            period_s: dialect.status_period().as_secs_f64(),
+        }
+    }
+
     fn check(self) -> Result<(), PlanError> {
         not_negative("link period", self.period_s, "s")
     }
@@ -89,9 +98,6 @@ impl LinkRate {
 impl Default for LinkRate {
     /// One vector per status, which a stock arm sends every 80 ms.
     fn default() -> Self {
-        let period = Dialect::SPECIFICATION.status_period();
-        Self {
-            period_s: period.as_secs_f64(),
-        }
+        Self::of(Dialect::SPECIFICATION)
     }
 }
