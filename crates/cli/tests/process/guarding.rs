@@ -304,6 +304,8 @@ fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_
     // What it says first is laser off; it does not take up the jog where it was.
     let first = loop {
         match bench.next_command() {
+            // Once more by the guardian, which goes on until it hears the arm or the station.
+            Some((_, JOINT_RELEASE)) => {}
             Some((at, command)) if at > on => break command,
             // The guardian's last words may still be on the wire.
             _ => {}
