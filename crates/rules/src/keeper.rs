@@ -358,10 +358,6 @@ impl Keeper {
     /// What a client calls itself.
     #[must_use]
     pub fn client_name(&self, client: ClientId) -> String {
-        self.name(client)
-    }
-
-    fn name(&self, client: ClientId) -> String {
         self.leases.name(client)
     }
 }

@@ -86,7 +86,7 @@ impl Keeper {
         let Some(Silence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
             return;
         };
-        let who = client.map_or_else(|| "the arm".into(), |it| self.name(it));
+        let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
         let silent_ms = lasts.as_secs_f64() * 1e3;
         let why = format!("{who} fell silent for {silent_ms:.0} ms");
         if self.withdraw(Refusal::LetGo(why.clone())) {

@@ -84,7 +84,7 @@ impl Keeper {
     }
 
     pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        let why = format!("paused by {}", self.name(client));
+        let why = format!("paused by {}", self.client_name(client));
         let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
@@ -105,7 +105,7 @@ impl Keeper {
             return Err(Refusal::NoSuchJob(job));
         };
         let at_work = run.is_at_work();
-        let why = format!("ended by {}", self.name(client));
+        let why = format!("ended by {}", self.client_name(client));
         self.part_from_burning();
         if at_work {
             self.come_to_rest(JobPhase::Stopped, &why);

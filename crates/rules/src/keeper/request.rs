@@ -135,7 +135,7 @@ impl Keeper {
     /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
     /// again.
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
-        let by = self.name(client);
+        let by = self.client_name(client);
         let rests_within = self.rests_within();
         self.halt.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
@@ -157,7 +157,7 @@ impl Keeper {
     fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         if self.stop.reset(self.arm.now(), self.link.is_there())? {
             self.halt.forget();
-            let text = format!("{} lets the arm move again", self.name(client));
+            let text = format!("{} lets the arm move again", self.client_name(client));
             self.tell(News::StopReset, text);
         }
         Ok(Reply::Done)
@@ -189,11 +189,11 @@ impl Keeper {
             match change {
                 Change::Ended { client, why } => self.lease_over(client, &why),
                 Change::Taken(client) => {
-                    let text = format!("{} has control", self.name(client));
+                    let text = format!("{} has control", self.client_name(client));
                     self.tell(News::LeaseTaken { client }, text);
                 }
                 Change::Asked(client) => {
-                    let text = format!("{} asks for control", self.name(client));
+                    let text = format!("{} asks for control", self.client_name(client));
                     self.tell(News::LeaseAsked { client }, text);
                 }
             }
@@ -217,7 +217,7 @@ impl Keeper {
         self.leases.check_arms_laser(client)?;
         self.stop.check()?;
         self.arm.arm_laser(for_s)?;
-        let name = self.name(client);
+        let name = self.client_name(client);
         let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
         self.tell(News::LaserArmed, text);
         Ok(Reply::Done)
@@ -277,7 +277,7 @@ impl Keeper {
         let Some((sent, what)) = changed else {
             return *packet;
         };
-        let text = format!("{}: {what}", self.name(client));
+        let text = format!("{}: {what}", self.client_name(client));
         if self.leases.handle_amended(client, &text) {
             self.tell(News::Amended { client }, text);
         }
@@ -295,7 +295,7 @@ impl Keeper {
             .hint()
             .or_else(|| is_program.then(|| GOES_ON.into()));
         let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
-        let text = format!("refused to {}: {refusal}{remedy}", self.name(client));
+        let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
         let kind = refusal.kind().to_owned();
         self.tell(News::Refused { client, kind }, text);
     }
@@ -309,7 +309,10 @@ impl Keeper {
         // Nothing moves until it is confirmed, so nobody has to have control for that.
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
-            let text = format!("{} confirmed where the arm stands", self.name(client));
+            let text = format!(
+                "{} confirmed where the arm stands",
+                self.client_name(client)
+            );
             self.tell(News::PoseTrusted, text);
         }
         Ok(Reply::Done)
