@@ -142,10 +142,8 @@ pub fn read(source: dobot_source::Source) {
         assert!(artwork.points().next().is_some());
         for p in artwork.points() {
             // Twice as far as allowed from the origin: the page begins at the ink.
-            assert!(
-                (0.0..=2.1e6).contains(&p.x) && (0.0..=2.1e6).contains(&p.y),
-                "{p:?}"
-            );
+            let page = 0.0..=2e6;
+            assert!(page.contains(&p.x) && page.contains(&p.y), "{p:?}");
         }
     }
 }

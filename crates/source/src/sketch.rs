@@ -130,14 +130,15 @@ impl<'a> Sketch<'a> {
 
     /// A part of a circle or ellipse as lines, joined to the one before where that ended at its
     /// start.
-    pub(super) fn arc(&mut self, arc: &Arc) -> Result<(), SourceError> {
-        let points = self.arc_points(arc)?;
+    pub(super) fn arc(&mut self, at: usize, arc: &Arc) -> Result<(), SourceError> {
+        let points = self.arc_points(at, arc)?;
         points.windows(2).try_for_each(|it| self.line(it[0], it[1]))
     }
 
     /// The corners of an arc, both ends included.
-    pub(super) fn arc_points(&self, arc: &Arc) -> Result<Vec<Point>, SourceError> {
-        let mut points = self.curve_points(arc.chords(self.tolerance_mm), |t| arc.at(t))?;
+    pub(super) fn arc_points(&self, at: usize, arc: &Arc) -> Result<Vec<Point>, SourceError> {
+        let chords = arc.chords(self.tolerance_mm);
+        let mut points = self.curve_points(at, chords, |t| arc.at(t))?;
         if let [first, .., last] = points.as_mut_slice() {
             (*first, *last) = (arc.start, arc.end);
         }
@@ -145,15 +146,21 @@ impl<'a> Sketch<'a> {
     }
 
     /// The corners of a cubic curve, both ends included.
-    pub(super) fn cubic_points(&self, curve: CubicBez) -> Result<Vec<Point>, SourceError> {
-        self.curve_points(chords(curve, self.tolerance_mm), |t| curve.eval(t))
+    pub(super) fn cubic_points(
+        &self,
+        at: usize,
+        curve: CubicBez,
+    ) -> Result<Vec<Point>, SourceError> {
+        self.curve_points(at, chords(curve, self.tolerance_mm), |t| curve.eval(t))
     }
 
-    /// A curve of `chords` pieces, which is a whole number from 1 up, from 0 to 1.
-    pub(super) fn curve_points(
+    /// A curve of `chords` pieces, which is a whole number from 1 up, from 0 to 1. Its ends may lie
+    /// within the limits and its middle beyond them, so each point is checked.
+    fn curve_points(
         &self,
+        at: usize,
         chords: f64,
-        at: impl Fn(f64) -> Point,
+        point: impl Fn(f64) -> Point,
     ) -> Result<Vec<Point>, SourceError> {
         // Before anything is stored; what is no number is refused too.
         #[expect(clippy::cast_precision_loss, reason = "a few millions")]
@@ -168,7 +175,8 @@ impl<'a> Sketch<'a> {
             reason = "a whole number from 1 to what is left"
         )]
         let count = chords as u32;
-        Ok((0..=count).map(|i| at(f64::from(i) / chords)).collect())
+        let points = (0..=count).map(|i| point(f64::from(i) / chords));
+        points.map(|p| self.check(at, p)).collect()
     }
 
     pub(super) const fn tolerance_mm(&self) -> f64 {

@@ -89,11 +89,7 @@ impl Walk<'_, '_> {
         let center = self.place(it, frame, at)?;
         let [from_rad, sweep_rad] = [from_deg, sweep_deg].map(f64::to_radians);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
-        let points = self.sketch.arc_points(&arc)?;
-        for &p in &points {
-            self.sketch.check(it.at, p)?;
-        }
-        Ok(Some(points))
+        Ok(Some(self.sketch.arc_points(it.at, &arc)?))
     }
 }
 

@@ -72,11 +72,8 @@ impl Walk<'_, '_> {
     ) -> Result<(), SourceError> {
         let center = self.place(it, frame, center)?;
         let (across, along) = (way(frame, across), way(frame, along));
-        for end in [center + across, center + along] {
-            self.sketch.check(it.at, end)?;
-        }
-        self.sketch
-            .arc(&Arc::ellipse(center, across, along, from_rad, sweep_rad))
+        let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
+        self.sketch.arc(it.at, &arc)
     }
 
     pub(super) fn light_polyline(
@@ -147,10 +144,7 @@ impl Walk<'_, '_> {
                 continue;
             }
             let arc = bulge_arc(frame, from, to.at);
-            let arc = self.sketch.arc_points(&arc)?;
-            for &p in &arc {
-                self.sketch.check(it.at, p)?;
-            }
+            let arc = self.sketch.arc_points(it.at, &arc)?;
             points.extend(&arc[1..arc.len() - 1]);
             points.push(end);
             if points.len() > MAX_SEGMENTS {

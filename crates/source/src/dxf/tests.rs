@@ -41,6 +41,18 @@ fn error(text: &[u8]) -> String {
 }
 
 #[test]
+fn a_circle_that_leads_too_far_on_one_side_is_refused() {
+    for far in ["10 -900000 20 0", "10 900000 20 0", "10 0 20 900000"] {
+        let text = file("", "", &format!("0 CIRCLE {far} 40 900000"));
+        let error = error(text.as_bytes());
+        assert!(
+            error.contains("at most 1000000 mm from the origin"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
 fn lines_and_polylines_lie_upright() {
     let triangle = [[(0.0, 20.0), (10.0, 20.0), (10.0, 0.0), (0.0, 20.0)]];
     for entities in [

@@ -99,7 +99,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         match it.kind {
             MoveKind::Arc { center, sweep_rad } => {
                 let arc = Arc::between(center, it.from, sweep_rad, it.to);
-                self.sketch.arc(&arc)
+                self.sketch.arc(it.at, &arc)
             }
             _ => self.sketch.line(it.from, it.to),
         }

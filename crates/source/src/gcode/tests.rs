@@ -448,6 +448,18 @@ proptest! {
 }
 
 #[test]
+fn an_arc_whose_far_side_lies_too_far_is_refused() {
+    for center in ["I-900000", "I900000", "J-900000", "J900000"] {
+        let message = error(&format!("M3 S9\nG3 {center} F9"));
+        assert!(message.starts_with("2:1: leads to ("), "{message}");
+        assert!(
+            message.ends_with("at most 1000000 mm from the origin are allowed"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
 fn a_file_cut_anywhere_gives_less_or_an_error() {
     let text = "(made by hand)\nG21 G90\nM4 S0\nG0 X10 Y10\nG1 X20 S500 F1200\nG3 X10 Y20 I-10\nM5\nG0 X0 Y0\n%";
     let whole = layers(text)[0].strokes[0].length_mm();

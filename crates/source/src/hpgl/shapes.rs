@@ -67,12 +67,9 @@ impl Plotter<'_> {
             };
             let point = |i: usize| from + Vec2::new(curve[i], curve[i + 1]);
             let [b, c, end] = [0, 2, 4].map(point);
-            let corners = [self.at, b, c, end].map(|p| self.frame.point(p));
-            for p in corners {
-                self.sketch.check(it.at, p)?;
-            }
-            let [a, b, c, d] = corners;
-            let points = self.sketch.cubic_points(CubicBez::new(a, b, c, d))?;
+            let [a, b, c, d] = [self.at, b, c, end].map(|p| self.frame.point(p));
+            let curve = CubicBez::new(a, b, c, d);
+            let points = self.sketch.cubic_points(it.at, curve)?;
             self.follow(it, points, end)?;
         }
         Ok(())
@@ -178,16 +175,8 @@ impl Plotter<'_> {
         let across = self.frame.way(Vec2::new(radius, 0.0));
         let along = self.frame.way(Vec2::new(0.0, radius));
         let center = self.frame.point(center);
-        for end in [
-            center + across,
-            center - across,
-            center + along,
-            center - along,
-        ] {
-            self.sketch.check(it.at, end)?;
-        }
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
-        self.sketch.arc_points(&arc)
+        self.sketch.arc_points(it.at, &arc)
     }
 
     fn angle_rad(&self, it: &Command<'_>, angle_deg: f64) -> Result<f64, SourceError> {

@@ -13,6 +13,7 @@ use super::layers::Layers;
 use super::polygon::Polygons;
 use super::{Budget, MAX_SEGMENTS};
 use crate::artwork::Artwork;
+use crate::error::LIMIT_MM;
 use crate::options::LayersBy;
 
 /// Collects what shows on the page.
@@ -199,5 +200,3 @@ pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, Svg
     }
     Ok(around)
 }
-
-const LIMIT_MM: f64 = 1_000_000.0;
