@@ -12,7 +12,7 @@ use anyhow::anyhow;
 use dobot_api::{Folders, News, Notice, Remote, Role};
 use dobot_client::Address;
 use dobot_controller::Personality;
-use dobot_rules::{Sign, Supervisor};
+use dobot_rules::{Notification, ServiceManager};
 use dobot_sim::Speed;
 use dobot_station::{
     Config, DEFAULT_HTTP, DEFAULT_RAW, RawPortError, ServeError, StartError, Station, TlsFiles,
@@ -100,13 +100,13 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let notices = station.handle().notices();
     let welcome = welcome(&station, args.personality, data);
     output::line(&welcome.text(std::io::stdout().is_terminal()))?;
-    let supervisor = Supervisor::of_environment();
-    supervisor.tell(Sign::Ready);
+    let service_manager = ServiceManager::of_environment();
+    service_manager.tell(Notification::Ready);
     tokio::select! {
         () = tell(notices) => {}
         () = &mut interrupt => {}
     }
-    supervisor.tell(Sign::Stopping);
+    service_manager.tell(Notification::Stopping);
     eprintln!("ending: the laser goes off, and the arm comes to rest");
     tokio::select! {
         ended = station.end() => Ok(ended?),

@@ -20,7 +20,7 @@ use crate::jobs::Jobs;
 use crate::keeper::Keeper;
 use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
-use crate::supervisor::Supervisor;
+use crate::service_manager::ServiceManager;
 
 /// By which rules an arm is used, and where what has to be remembered is kept.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ pub struct Setup {
     /// does.
     pub guardian: Option<PathBuf>,
     /// Who keeps the program running, where that wants to know that the arm's thread is at work.
-    pub supervisor: Option<Supervisor>,
+    pub service_manager: Option<ServiceManager>,
 }
 
 /// The rules for one arm, at work in a thread of their own.
@@ -97,7 +97,7 @@ impl Host {
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
             own,
-            heart: heart.supervised(setup.supervisor.unwrap_or_default()),
+            heart: heart.supervised(setup.service_manager.unwrap_or_default()),
         });
         let notes = approach.notes.into_iter().chain(trouble);
         Ok(Self {

@@ -54,7 +54,7 @@ mod owner;
 mod recording;
 mod refusal;
 mod rehearsal;
-mod supervisor;
+mod service_manager;
 mod text;
 
 pub use approach::{Approach, WantedArm};
@@ -69,6 +69,6 @@ pub use host::{Host, HostError, Setup};
 pub use keeper::{Begun, Effect, JobPlan, Keeper};
 pub use refusal::{Holder, Refusal};
 pub use rehearsal::Rehearsal;
-pub use supervisor::{Sign, Supervisor};
+pub use service_manager::{Notification, ServiceManager};
 pub use text::is_plain;
 pub(crate) use text::plain;

@@ -4,7 +4,7 @@ use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
 use dobot_client::Address;
-use dobot_rules::{Approach, Handle, Host, HostError, Setup, Supervisor};
+use dobot_rules::{Approach, Handle, Host, HostError, ServiceManager, Setup};
 use dobot_safety::{Policy, PolicyError};
 
 #[cfg(unix)]
@@ -227,7 +227,7 @@ fn setup(config: &Config, policy: Policy) -> Setup {
         folders: config.folders.clone(),
         common: config.folders.clone(),
         guardian: config.guardian.clone(),
-        supervisor: config.is_service.then(Supervisor::of_environment),
+        service_manager: config.is_service.then(ServiceManager::of_environment),
     }
 }
 

@@ -131,6 +131,6 @@ fn setup(arm: &LocalArm) -> Setup {
         folders: arm.folders.of_arm(&arm.address),
         common: arm.folders.clone(),
         guardian: arm.guardian.clone(),
-        supervisor: None,
+        service_manager: None,
     }
 }

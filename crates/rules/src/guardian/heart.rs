@@ -11,7 +11,7 @@ use dobot_wire::{Dialect, Packet};
 use super::child::Child;
 use super::clock::Clock;
 use super::{Beat, Guardian, LastWords, Told};
-use crate::{Sign, Supervisor};
+use crate::{Notification, ServiceManager};
 
 /// The heart of the thread that has the arm: as long as its loop goes round, it beats.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(crate) struct Heart {
     replaced: Option<Duration>,
     trouble: Option<String>,
     /// The system that keeps the station running.
-    supervisor: Supervisor,
+    service_manager: ServiceManager,
     /// When that was told last that this loop goes round.
     fed: Duration,
 }
@@ -51,14 +51,14 @@ impl Heart {
             #[cfg(unix)]
             replaced: None,
             trouble: None,
-            supervisor: Supervisor::default(),
+            service_manager: ServiceManager::default(),
             fed: Duration::ZERO,
         }
     }
 
     /// The same, beating for the system that keeps the station running, too.
-    pub(crate) fn supervised(mut self, supervisor: Supervisor) -> Self {
-        self.supervisor = supervisor;
+    pub(crate) fn supervised(mut self, service_manager: ServiceManager) -> Self {
+        self.service_manager = service_manager;
         self
     }
 
@@ -88,11 +88,11 @@ impl Heart {
     /// Beats, if it is time to; says how long it stood still, if it did.
     pub(crate) fn beat(&mut self) -> Option<Duration> {
         let now = self.clock.now();
-        if let Some(period) = self.supervisor.period()
+        if let Some(period) = self.service_manager.period()
             && now >= self.fed + period
         {
             self.fed = now;
-            self.supervisor.tell(Sign::Alive);
+            self.service_manager.tell(Notification::Alive);
         }
         let silent = now.saturating_sub(self.last?);
         if silent >= PERIOD {
@@ -116,8 +116,8 @@ impl Heart {
     /// How soon it has to beat again, if it has to.
     pub(crate) fn due_in(&self) -> Option<Duration> {
         let guardian = self.last.map(|it| it + PERIOD);
-        let supervisor = self.supervisor.period().map(|it| self.fed + it);
-        let next = guardian.into_iter().chain(supervisor).min()?;
+        let service_manager = self.service_manager.period().map(|it| self.fed + it);
+        let next = guardian.into_iter().chain(service_manager).min()?;
         Some(next.saturating_sub(self.clock.now()))
     }
 

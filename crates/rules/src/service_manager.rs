@@ -8,7 +8,7 @@ use std::os::unix::net::{SocketAddr, UnixDatagram};
 /// The system that keeps this program running as a service, if one does: systemd, by the environment
 /// variables `NOTIFY_SOCKET` and `WATCHDOG_USEC`.
 #[derive(Debug, Default)]
-pub struct Supervisor {
+pub struct ServiceManager {
     #[cfg(unix)]
     socket: Option<(UnixDatagram, SocketAddr)>,
     watchdog: Option<Duration>,
@@ -16,7 +16,7 @@ pub struct Supervisor {
 
 /// What it is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
+pub enum Notification {
     /// The station is there.
     Ready,
     /// The thread that has the arm is at work.
@@ -25,7 +25,7 @@ pub enum Sign {
     Stopping,
 }
 
-impl Supervisor {
+impl ServiceManager {
     /// The one that the environment names; nobody where it names none.
     #[must_use]
     pub fn of_environment() -> Self {
@@ -50,19 +50,19 @@ impl Supervisor {
 
     /// Tells it.
     #[cfg(unix)]
-    pub fn tell(&self, sign: Sign) {
+    pub fn tell(&self, notification: Notification) {
         if let Some((socket, address)) = &self.socket {
             // One that is gone misses nothing.
-            let _ = socket.send_to_addr(sign.text(), address);
+            let _ = socket.send_to_addr(notification.text(), address);
         }
     }
 
     /// There is none on this system.
     #[cfg(not(unix))]
-    pub fn tell(&self, _: Sign) {}
+    pub fn tell(&self, _: Notification) {}
 }
 
-impl Sign {
+impl Notification {
     #[cfg(unix)]
     const fn text(self) -> &'static [u8] {
         match self {
