@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
 
-use self::unit::{Keeper, Scope, Unit};
+use self::unit::{Scope, ServiceManager, Unit};
 use crate::failure::Failure;
 use crate::output;
 
@@ -31,7 +31,7 @@ pub(crate) struct Args {
 
 #[derive(Debug, Subcommand)]
 enum Action {
-    /// Write the service's file, and start it where the system's keeper of services runs
+    /// Write the service's file, and start it where the system's manager of services runs
     Install {
         #[command(flatten)]
         whose: Whose,
@@ -93,11 +93,11 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
     };
     let folder = file.parent().expect("a file of a service is in a folder");
     std::fs::create_dir_all(folder)
-        .and_then(|()| std::fs::write(&file, Keeper::HERE.text(&unit)))
+        .and_then(|()| std::fs::write(&file, ServiceManager::HERE.text(&unit)))
         .map_err(|error| not_written(&file, scope, error))?;
     output::line(&format!("installed {}", file.display()))?;
-    carry_out("start it", &Keeper::HERE.enable(scope, &file))?;
-    if scope == Scope::User && Keeper::HERE == Keeper::Systemd {
+    carry_out("start it", &ServiceManager::HERE.enable(scope, &file))?;
+    if scope == Scope::User && ServiceManager::HERE == ServiceManager::Systemd {
         output::line("it ends when you log out, unless `loginctl enable-linger` says otherwise")?;
     }
     Ok(())
@@ -120,7 +120,7 @@ fn check_up(up: &[String]) -> Result<(), Failure> {
 
 fn remove(scope: Scope) -> Result<(), Failure> {
     let file = installed(scope)?;
-    carry_out("stop it", &Keeper::HERE.disable(scope, &file))?;
+    carry_out("stop it", &ServiceManager::HERE.disable(scope, &file))?;
     std::fs::remove_file(&file).map_err(|error| not_written(&file, scope, error))?;
     output::line(&format!("removed {}", file.display()))?;
     Ok(())
@@ -129,7 +129,7 @@ fn remove(scope: Scope) -> Result<(), Failure> {
 fn status(scope: Scope) -> Result<(), Failure> {
     let file = installed(scope)?;
     output::line(&format!("installed {}", file.display()))?;
-    let ask = Keeper::HERE.ask(scope);
+    let ask = ServiceManager::HERE.ask(scope);
     if !runs_here() {
         output::line(&format!(
             "nothing on this machine keeps services running now; where it does: {}",
@@ -178,9 +178,9 @@ fn command(words: &[String]) -> Command {
 
 /// Whether what keeps services runs on this machine now: in a container it mostly does not.
 fn runs_here() -> bool {
-    match Keeper::HERE {
-        Keeper::Systemd => Path::new("/run/systemd/system").is_dir(),
-        Keeper::Launchd => true,
+    match ServiceManager::HERE {
+        ServiceManager::Systemd => Path::new("/run/systemd/system").is_dir(),
+        ServiceManager::Launchd => true,
     }
 }
 
@@ -196,7 +196,9 @@ fn file(scope: Scope) -> Result<PathBuf, Failure> {
             ));
         }
     };
-    Ok(scope.folder(Keeper::HERE, &home).join(Keeper::HERE.file()))
+    Ok(scope
+        .folder(ServiceManager::HERE, &home)
+        .join(ServiceManager::HERE.file()))
 }
 
 fn installed(scope: Scope) -> Result<PathBuf, Failure> {

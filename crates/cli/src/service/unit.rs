@@ -13,7 +13,7 @@ pub(super) enum Scope {
 
 /// What keeps services running here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Keeper {
+pub(super) enum ServiceManager {
     /// systemd.
     Systemd,
     /// launchd of macOS.
@@ -33,12 +33,12 @@ pub(super) struct Unit {
 
 impl Scope {
     /// The folder of such files.
-    pub(super) fn folder(self, keeper: Keeper, home: &Path) -> PathBuf {
-        match (keeper, self) {
-            (Keeper::Systemd, Self::System) => "/etc/systemd/system".into(),
-            (Keeper::Systemd, Self::User) => home.join(".config/systemd/user"),
-            (Keeper::Launchd, Self::System) => "/Library/LaunchDaemons".into(),
-            (Keeper::Launchd, Self::User) => home.join("Library/LaunchAgents"),
+    pub(super) fn folder(self, manager: ServiceManager, home: &Path) -> PathBuf {
+        match (manager, self) {
+            (ServiceManager::Systemd, Self::System) => "/etc/systemd/system".into(),
+            (ServiceManager::Systemd, Self::User) => home.join(".config/systemd/user"),
+            (ServiceManager::Launchd, Self::System) => "/Library/LaunchDaemons".into(),
+            (ServiceManager::Launchd, Self::User) => home.join("Library/LaunchAgents"),
         }
     }
 
@@ -51,7 +51,7 @@ impl Scope {
     }
 }
 
-impl Keeper {
+impl ServiceManager {
     /// The one of this system.
     pub(super) const HERE: Self = if cfg!(target_os = "macos") {
         Self::Launchd
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_word_with_a_space_or_a_percent_sign_is_one_word_for_systemd() {
-        let text = Keeper::Systemd.text(&unit(Scope::User));
+        let text = ServiceManager::Systemd.text(&unit(Scope::User));
         let wanted = r#"ExecStart="/opt/my tools/dobot" up --arm serial:/dev/ttyUSB0 --name "100%% & \"<me>\"""#;
         assert!(text.contains(wanted), "{text}");
         for line in [
@@ -248,7 +248,7 @@ mod tests {
 
     #[test]
     fn the_service_of_a_machine_has_a_folder_of_its_own() {
-        let text = Keeper::Systemd.text(&unit(Scope::System));
+        let text = ServiceManager::Systemd.text(&unit(Scope::System));
         for line in [
             "StateDirectory=dobot",
             "DOBOT_DATA=/var/lib/dobot",
@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn a_word_with_angle_brackets_is_one_word_for_launchd() {
-        let text = Keeper::Launchd.text(&unit(Scope::User));
+        let text = ServiceManager::Launchd.text(&unit(Scope::User));
         assert!(
             text.contains("<string>100% &amp; \"&lt;me&gt;\"</string>"),
             "{text}"
