@@ -9,8 +9,8 @@ use std::time::Duration;
 
 use jiff::Timestamp;
 
-use crate::keeper::Keeper;
 use crate::repairs::Repairs;
+use crate::rotation::Rotation;
 use crate::scribe::Scribe;
 use crate::{About, Limits, Record, StartError};
 
@@ -76,13 +76,13 @@ impl Recorder {
         let scribe = Scribe::new(start).ok_or(StartError::Clock { found: start })?;
         let folder = folder.into();
         let repairs = Repairs::new(folder.clone(), limits);
-        let keeper = Keeper::new(folder, limits, start, about, scribe);
+        let rotation = Rotation::new(folder, limits, start, about, scribe);
         let shared = Arc::new(Shared::default());
-        shared.tell(keeper.health());
+        shared.tell(rotation.health());
         let (queue, records) = sync_channel(QUEUE_LEN);
         let (end, ended) = channel();
         let worker = Worker {
-            keeper,
+            rotation,
             repairs,
             records,
             ended,
@@ -149,7 +149,7 @@ impl Shared {
 
 /// The thread's side.
 struct Worker {
-    keeper: Keeper,
+    rotation: Rotation,
     repairs: Repairs,
     records: Receiver<(Duration, Record)>,
     ended: Receiver<()>,
@@ -177,16 +177,16 @@ impl Worker {
                 Duration::ZERO
             };
             if idle >= IDLE {
-                self.keeper.handle_idle();
+                self.rotation.handle_idle();
             }
             let is_over = ended && count < QUEUE_LEN;
             if is_over {
-                self.keeper.finish();
+                self.rotation.finish();
             }
             self.shared.tell(Health {
                 repaired: self.repairs.repaired(),
                 left: self.repairs.left(),
-                ..self.keeper.health()
+                ..self.rotation.health()
             });
             if is_over {
                 return;
@@ -203,7 +203,7 @@ impl Worker {
             let size = record.size(LONGEST);
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
             self.note_crowded_out();
-            self.keeper.handle_record(at, &record);
+            self.rotation.handle_record(at, &record);
             count += 1;
         }
         self.note_crowded_out();
@@ -212,7 +212,7 @@ impl Worker {
 
     fn note_crowded_out(&mut self) {
         let lost = self.shared.crowded_out.swap(0, Ordering::Relaxed);
-        self.keeper.handle_lost(lost, CROWDED);
+        self.rotation.handle_lost(lost, CROWDED);
     }
 }
 

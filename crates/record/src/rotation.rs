@@ -14,7 +14,7 @@ use crate::{About, Health, Limits, Record, shelf};
 
 /// Keeps recordings in a folder. It has no clock: time comes with the records.
 #[derive(Debug)]
-pub(crate) struct Keeper {
+pub(crate) struct Rotation {
     folder: PathBuf,
     limits: Limits,
     start: Timestamp,
@@ -54,8 +54,8 @@ struct Trouble {
     retry: Duration,
 }
 
-impl Keeper {
-    /// A keeper of recordings whose times count from `start`.
+impl Rotation {
+    /// A rotation of recordings whose times count from `start`.
     pub(crate) fn new(
         folder: PathBuf,
         limits: Limits,
@@ -348,10 +348,10 @@ mod tests {
         total_bytes: 3 << 20,
     };
 
-    fn keeper(folder: &Path) -> Keeper {
+    fn rotation(folder: &Path) -> Rotation {
         let start = "2026-11-21T12:30:00Z".parse().unwrap();
         let scribe = Scribe::new(start).unwrap();
-        Keeper::new(folder.to_owned(), LIMITS, start, About::default(), scribe)
+        Rotation::new(folder.to_owned(), LIMITS, start, About::default(), scribe)
     }
 
     fn s(seconds: u64) -> Duration {
@@ -389,10 +389,10 @@ mod tests {
     #[test]
     fn a_program_that_is_killed_loses_a_second_at_the_most() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         for n in 0..100_u32 {
-            keeper.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
-            if let Some(path) = keeper.health().file {
+            rotation.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
+            if let Some(path) = rotation.health().file {
                 // As a killed program leaves it: nothing more is written.
                 let (bytes, _) = read(&path);
                 let lost = usize::try_from(n).unwrap() + 1 - bytes;
@@ -404,27 +404,27 @@ mod tests {
     #[test]
     fn after_a_while_of_silence_nothing_is_unsafe() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
-        keeper.handle_record(s(0), &Record::ToArm(vec![0xA5]));
-        let path = keeper.health().file.unwrap();
+        let mut rotation = rotation(folder.path());
+        rotation.handle_record(s(0), &Record::ToArm(vec![0xA5]));
+        let path = rotation.health().file.unwrap();
         assert_eq!(read(&path).0, 0);
-        keeper.handle_idle();
+        rotation.handle_idle();
         assert_eq!(read(&path).0, 1);
     }
 
     #[test]
     fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         for n in 0..600 {
-            keeper.handle_record(s(n), &noise(10_000, n));
+            rotation.handle_record(s(n), &noise(10_000, n));
             let files = recordings(folder.path()).unwrap();
             let total: u64 = files.iter().map(|it| it.bytes).sum();
             assert!(total <= LIMITS.total_bytes, "{total}");
             assert!(files.iter().all(|it| it.bytes <= LIMITS.file_bytes));
         }
-        keeper.finish();
-        assert_eq!(keeper.health().lost, 0);
+        rotation.finish();
+        assert_eq!(rotation.health().lost, 0);
         let files = recordings(folder.path()).unwrap();
         assert!(files.len() >= 3, "{files:?}");
         let last = Recording::open(&files.last().unwrap().path).unwrap();
@@ -432,7 +432,7 @@ mod tests {
         for file in &files[..files.len() - 1] {
             let mut recording = Recording::open(&file.path).unwrap();
             let first = recording.next().unwrap().at;
-            let begin = keeper.start + SignedDuration::try_from(first).unwrap();
+            let begin = rotation.start + SignedDuration::try_from(first).unwrap();
             assert_eq!(file.begin, begin, "its name is its first moment");
             recording.by_ref().for_each(drop);
             assert_eq!(recording.damage(), None);
@@ -444,21 +444,21 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let folder = place.path().join("recordings");
         std::fs::write(&folder, "something is in the way").unwrap();
-        let mut keeper = keeper(&folder);
-        let trouble = keeper.health().trouble.unwrap();
+        let mut rotation = rotation(&folder);
+        let trouble = rotation.health().trouble.unwrap();
         assert!(trouble.contains("recordings"), "{trouble}");
         for n in 0..5 {
-            keeper.handle_record(s(n), &Record::ToArm(vec![1]));
+            rotation.handle_record(s(n), &Record::ToArm(vec![1]));
         }
-        assert_eq!(keeper.health().lost, 5);
+        assert_eq!(rotation.health().lost, 5);
         std::fs::remove_file(&folder).unwrap();
         // Not yet: nobody hammers on a full disk.
-        keeper.handle_record(s(9), &Record::ToArm(vec![1]));
-        assert_eq!(keeper.health().lost, 6);
-        keeper.handle_record(s(10), &Record::ToArm(vec![1]));
-        let health = keeper.health();
+        rotation.handle_record(s(9), &Record::ToArm(vec![1]));
+        assert_eq!(rotation.health().lost, 6);
+        rotation.handle_record(s(10), &Record::ToArm(vec![1]));
+        let health = rotation.health();
         assert_eq!((health.lost, health.trouble), (6, None));
-        keeper.finish();
+        rotation.finish();
         let (bytes, lost) = read(&health.file.unwrap());
         assert_eq!(bytes, 1);
         assert_eq!(lost.len(), 1);
@@ -469,17 +469,17 @@ mod tests {
     #[test]
     fn a_new_arm_is_told_in_the_middle_of_a_file_and_in_the_next() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
-        keeper.handle_record(s(0), &Record::ToArm(vec![1]));
+        let mut rotation = rotation(folder.path());
+        rotation.handle_record(s(0), &Record::ToArm(vec![1]));
         let about = About {
             address: "tcp:arm:5555".to_owned(),
             ..About::default()
         };
-        keeper.handle_record(s(1), &Record::About(Box::new(about)));
+        rotation.handle_record(s(1), &Record::About(Box::new(about)));
         for n in 0..100 {
-            keeper.handle_record(s(2 + n), &noise(10_000, n));
+            rotation.handle_record(s(2 + n), &noise(10_000, n));
         }
-        keeper.finish();
+        rotation.finish();
         let files = recordings(folder.path()).unwrap();
         assert!(files.len() > 1);
         let mut first = Recording::open(&files[0].path).unwrap();
@@ -495,16 +495,16 @@ mod tests {
     #[test]
     fn more_topics_than_a_file_has_room_for_get_another_file() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         let schema = serde_json::json!({ "type": "object" });
         for n in 0..100 {
             let topic = crate::Topic::new(&format!("/{n}"), "x.X", &schema).unwrap();
             let value = serde_json::json!({ "n": n });
             let topic = topic.into();
-            keeper.handle_record(s(n), &Record::Json { topic, value });
+            rotation.handle_record(s(n), &Record::Json { topic, value });
         }
-        keeper.finish();
-        assert_eq!(keeper.health().lost, 0);
+        rotation.finish();
+        assert_eq!(rotation.health().lost, 0);
         let files = recordings(folder.path()).unwrap();
         assert_eq!(files.len(), 2);
         let moments = files
@@ -566,7 +566,7 @@ mod tests {
     /// a serial port gives. How many bytes it takes.
     fn idle_hour(cuts: &[usize]) -> u64 {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         let (mut seed, mut told) = (7, 0);
         for n in 0..45_000_u64 {
             let late = |seed: &mut u64| Duration::from_secs_f64(0.001 * random(seed));
@@ -576,15 +576,15 @@ mod tests {
             let mut begin = 0;
             for end in ends {
                 at += late(&mut seed);
-                keeper.handle_record(at, &Record::FromArm(status[begin..end].to_vec()));
+                rotation.handle_record(at, &Record::FromArm(status[begin..end].to_vec()));
                 begin = end;
             }
             if n % 125 == 0 {
-                keeper.handle_record(at, &state(at, &mut seed));
+                rotation.handle_record(at, &state(at, &mut seed));
             }
         }
-        keeper.finish();
-        assert_eq!(keeper.health().lost, 0);
+        rotation.finish();
+        assert_eq!(rotation.health().lost, 0);
         let files = recordings(folder.path()).unwrap();
         for file in &files {
             let mut recording = Recording::open(&file.path).unwrap();
@@ -616,7 +616,7 @@ mod tests {
     #[test]
     fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_second() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         let mut news = Duration::ZERO;
         for n in 0..1000_u32 {
             let at = Duration::from_millis(80) * n;
@@ -624,8 +624,8 @@ mod tests {
             let is_new = n % 300 == 0;
             news = if is_new { at } else { news };
             let base_deg = if is_new { 30.0 } else { 0.0 };
-            keeper.handle_record(at, &Record::FromArm(status(base_deg)));
-            let Some(path) = keeper.health().file else {
+            rotation.handle_record(at, &Record::FromArm(status(base_deg)));
+            let Some(path) = rotation.health().file else {
                 continue;
             };
             let last = Recording::open(&path).unwrap().last();
@@ -640,13 +640,13 @@ mod tests {
     #[test]
     fn records_that_were_lost_are_told_behind_what_came_before_them() {
         let folder = tempfile::tempdir().unwrap();
-        let mut keeper = keeper(folder.path());
+        let mut rotation = rotation(folder.path());
         for n in 0..5 {
-            keeper.handle_record(s(n), &Record::FromArm(status(0.0)));
+            rotation.handle_record(s(n), &Record::FromArm(status(0.0)));
         }
-        keeper.handle_lost(3, "a test");
-        keeper.handle_record(s(6), &Record::FromArm(status(0.0)));
-        keeper.finish();
+        rotation.handle_lost(3, "a test");
+        rotation.handle_record(s(6), &Record::FromArm(status(0.0)));
+        rotation.finish();
         let path = &recordings(folder.path()).unwrap()[0].path;
         let moments = Recording::open(path).unwrap();
         let told: Vec<_> = moments
