@@ -125,9 +125,9 @@ mod tests {
     use crate::guardian::{Heart, JogKind, Told};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
-    use crate::keeper::Keeper;
     use crate::owner::Given;
     use crate::recording::Recording;
+    use crate::supervisor::Supervisor;
     use crate::{Finder, Found, Search};
 
     /// A port whose driver takes everything, and panics when something is to be heard.
@@ -169,12 +169,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
-        let keeper = Keeper::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
-        let (handle, ends) = crate::Handle::new(keeper.state(), Rules::of(&policy));
+        let supervisor = Supervisor::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
+        let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
         let owner = Owner::new(Given {
-            keeper,
+            supervisor,
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: Arms::read(&folders.arms()).unwrap(),

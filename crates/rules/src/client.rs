@@ -275,7 +275,7 @@ pub enum JobsError {
     /// The station does not give them.
     #[error(transparent)]
     Connect(#[from] ConnectError),
-    /// The rules' keeper does not give them.
+    /// The rules' supervisor does not give them.
     #[error(transparent)]
     Request(#[from] RemoteError),
 }

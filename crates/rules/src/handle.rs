@@ -10,7 +10,7 @@ use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
 use crate::Refusal;
-use crate::keeper::Begun;
+use crate::supervisor::Begun;
 
 /// How the rest of the station talks to the task that owns the arm; clones share it.
 #[derive(Clone, Debug)]

@@ -17,10 +17,10 @@ use crate::connect::Source;
 use crate::guardian::{Heart, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
-use crate::keeper::Keeper;
 use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
+use crate::supervisor::Supervisor;
 
 /// By which rules an arm is used, and where what has to be remembered is kept.
 #[derive(Debug)]
@@ -82,15 +82,15 @@ impl Host {
         let arms = Arms::read(&setup.common.arms())?;
         let journal = Journal::open(&setup.folders.journal())?;
         let source = approach.source;
-        let keeper = keeper(&setup, &source);
-        let (handle, ends) = Handle::new(keeper.state(), Rules::of(&setup.policy));
+        let supervisor = supervisor(&setup, &source);
+        let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
         let heart = Heart::new(setup.guardian, note.clone(), approach.words);
         let mut owner = Owner::new(Given {
-            keeper,
+            supervisor,
             ends,
             source,
             arms,
@@ -150,11 +150,11 @@ fn make_folder(folders: &Folders) -> Result<(), HostError> {
     })
 }
 
-fn keeper(setup: &Setup, source: &Source) -> Keeper {
+fn supervisor(setup: &Setup, source: &Source) -> Supervisor {
     let mut policy = setup.policy.clone();
     in_time_of_arm(&mut policy, source.speed());
     let own = source.personality().map(Personality::dialect);
-    Keeper::new(policy, setup.dialect.or(own))
+    Supervisor::new(policy, setup.dialect.or(own))
 }
 
 /// A hand on a button is as fast as ever, however fast the arm lives.

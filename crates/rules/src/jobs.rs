@@ -14,7 +14,7 @@ use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
 use crate::handle::Message;
-use crate::keeper::{Begun, Effect, JobPlan};
+use crate::supervisor::{Begun, Effect, JobPlan};
 use crate::{Refusal, plain};
 
 /// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
@@ -67,7 +67,7 @@ impl Jobs {
         Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
     }
 
-    /// Looks at a job again, and gives what the keeper needs of it.
+    /// Looks at a job again, and gives what the supervisor needs of it.
     pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
         look_again(&self.journal, &self.policy, job, model)
     }
@@ -133,7 +133,7 @@ impl Jobs {
         });
     }
 
-    /// All jobs, the oldest first; that of the keeper as it is now, and of all others what was told
+    /// All jobs, the oldest first; that of the supervisor as it is now, and of all others what was told
     /// of them last.
     pub(crate) fn list(
         self,
@@ -147,7 +147,7 @@ impl Jobs {
         });
     }
 
-    /// Writes what the keeper wants to be kept, in order.
+    /// Writes what the supervisor wants to be kept, in order.
     pub(crate) fn write(&self, effect: Effect, written: mpsc::UnboundedSender<Written>) {
         // The writer ends only after this sender.
         let _ = self.orders.send(Order::Write(effect, written));
@@ -178,7 +178,7 @@ impl Jobs {
         startable(&self.journal, &self.policy, job, model)
     }
 
-    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    /// Waits until the journal knows what the supervisor has told: that a job is paused, say.
     fn catch_up(&self) {
         let (done, reached) = oneshot::channel();
         if self.orders.send(Order::Reached(done)).is_ok() {
@@ -296,7 +296,7 @@ pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
     }
 }
 
-/// Looks at a job again: what the keeper needs of it.
+/// Looks at a job again: what the supervisor needs of it.
 pub(crate) fn look_again(
     journal: &Journal,
     policy: &Policy,
@@ -364,7 +364,7 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     }
 }
 
-/// Writes what the keeper wants to be kept.
+/// Writes what the supervisor wants to be kept.
 pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
     match effect {
         Effect::Give {

@@ -5,12 +5,12 @@
 //!          |
 //!        Handle ----> Owner               recordings, journal
 //!                       |   the one task that has the port
-//!                     Keeper              every rule, an engine: no port, no file, no clock
+//!                     Supervisor              every rule, an engine: no port, no file, no clock
 //!                       |
 //!                    Session ----> the arm
 //! ```
 //!
-//! The [`Keeper`] decides. A [`StationClient`] asks it, wherever it is: in a station that runs, in this
+//! The [`Supervisor`] decides. A [`StationClient`] asks it, wherever it is: in a station that runs, in this
 //! process for an arm at an address, or in virtual time. A [`Rehearsal`] lets it decide in virtual time,
 //! with a virtual arm:
 //!
@@ -49,12 +49,12 @@ mod guardian;
 mod handle;
 mod host;
 mod jobs;
-mod keeper;
 mod owner;
 mod recording;
 mod refusal;
 mod rehearsal;
 mod service_manager;
+mod supervisor;
 mod text;
 
 pub use approach::{Approach, WantedArm};
@@ -66,9 +66,9 @@ pub use guardian::guard;
 pub use guardian::{Beat, Guardian, JogKind, Silence, Told};
 pub use handle::{Answer, Client, Ends, Handle, Message, Rules, Snapshot};
 pub use host::{Host, HostError, Setup};
-pub use keeper::{Begun, Effect, JobPlan, Keeper};
 pub use refusal::{Holder, Refusal};
 pub use rehearsal::Rehearsal;
 pub use service_manager::{Notification, ServiceManager};
+pub use supervisor::{Begun, Effect, JobPlan, Supervisor};
 pub use text::is_plain;
 pub(crate) use text::plain;

@@ -1,4 +1,4 @@
-//! The task that owns the arm's port: the keeper, its clock, its link, its journal, its recording.
+//! The task that owns the arm's port: the supervisor, its clock, its link, its journal, its recording.
 
 use std::collections::HashMap;
 use std::time::Duration;
@@ -18,13 +18,13 @@ use crate::connect::{Connecting, Source};
 use crate::guardian::{Heart, take_note};
 use crate::handle::{Ends, Message};
 use crate::jobs::{Jobs, Written, recovery_model};
-use crate::keeper::{Effect, Keeper};
 use crate::recording::Recording;
+use crate::supervisor::{Effect, Supervisor};
 
 /// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
 #[derive(Debug)]
 pub(crate) struct Owner {
-    keeper: Keeper,
+    supervisor: Supervisor,
     started: Instant,
     ends: Ends,
     source: Source,
@@ -55,7 +55,7 @@ pub(crate) struct Owner {
 /// What an owner is given.
 #[derive(Debug)]
 pub(crate) struct Given {
-    pub(crate) keeper: Keeper,
+    pub(crate) supervisor: Supervisor,
     pub(crate) ends: Ends,
     pub(crate) source: Source,
     pub(crate) arms: Arms,
@@ -91,7 +91,7 @@ impl Owner {
     pub(crate) fn new(given: Given) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
-            keeper: given.keeper,
+            supervisor: given.supervisor,
             started: Instant::now(),
             ends: given.ends,
             source: given.source,
@@ -126,7 +126,7 @@ impl Owner {
         match self.jobs.begun(&job, recovery_model(&job)) {
             Ok(begun) => {
                 let now = self.now();
-                self.keeper.handle_recovered(now, begun, job.window);
+                self.supervisor.handle_recovered(now, begun, job.window);
                 Ok(())
             }
             Err(refusal) => {
@@ -167,10 +167,10 @@ impl Owner {
                 Happening::Written(None) | Happening::Time => {}
             }
             let now = self.now();
-            self.keeper.handle_time(now);
+            self.supervisor.handle_time(now);
             self.try_held_start();
             if let Some(trouble) = self.recording.poll_trouble() {
-                self.keeper.handle_trouble(now, trouble);
+                self.supervisor.handle_trouble(now, trouble);
             }
         }
         Box::pin(self.part()).await
@@ -180,7 +180,7 @@ impl Owner {
     fn remember_guardian(&mut self) {
         for line in take_note(self.heart.note()) {
             let now = self.now();
-            self.keeper.handle_trouble(now, line);
+            self.supervisor.handle_trouble(now, line);
         }
     }
 
@@ -189,16 +189,16 @@ impl Owner {
     fn beat(&mut self) {
         if let Some(silent) = self.heart.beat() {
             let now = self.now();
-            self.keeper.handle_stall(now, silent);
+            self.supervisor.handle_stall(now, silent);
             self.remember_guardian();
         }
         if let Some(trouble) = self.heart.poll_trouble() {
             let now = self.now();
-            self.keeper.handle_trouble(now, trouble);
+            self.supervisor.handle_trouble(now, trouble);
         }
     }
 
-    /// What time it is for the keeper: an own virtual arm may live faster than everybody else.
+    /// What time it is for the supervisor: an own virtual arm may live faster than everybody else.
     fn now(&self) -> Duration {
         match &self.link {
             Some(link) if self.source.is_virtual() => link.now(),
@@ -210,7 +210,7 @@ impl Owner {
     fn wakeups(&self) -> (Duration, Instant) {
         let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
         let latest = Instant::now() + within.min(LOOK_AT_LEAST);
-        let wanted = self.keeper.poll_wakeup();
+        let wanted = self.supervisor.poll_wakeup();
         if self.source.is_virtual() {
             return (wanted, latest);
         }
@@ -233,30 +233,30 @@ impl Owner {
         }
     }
 
-    /// Does what the keeper wants: packets first.
+    /// Does what the supervisor wants: packets first.
     fn carry_out(&mut self) {
         self.send();
         self.relay();
         self.write_effects();
-        while let Some((client, answer)) = self.keeper.poll_answer() {
+        while let Some((client, answer)) = self.supervisor.poll_answer() {
             if let Some(reply) = self.waiting.remove(&client) {
                 // Whoever asked may have left.
                 let _ = reply.send(answer);
             }
         }
-        while let Some(notice) = self.keeper.poll_notice() {
+        while let Some(notice) = self.supervisor.poll_notice() {
             self.recording.notice(self.now(), &notice);
             self.remember(&notice);
             self.ends.announce(notice);
         }
-        if self.keeper.poll_changed() {
+        if self.supervisor.poll_changed() {
             self.publish();
         }
     }
 
     /// Hands all that is to be kept to the journal.
     fn write_effects(&mut self) {
-        while let Some(effect) = self.keeper.poll_effect() {
+        while let Some(effect) = self.supervisor.poll_effect() {
             self.write(effect);
         }
     }
@@ -264,9 +264,9 @@ impl Owner {
     /// Packets leave before anything else is done, answers and recording included.
     fn send(&mut self) {
         self.beat();
-        while let Some(packet) = self.keeper.poll_bytes() {
+        while let Some(packet) = self.supervisor.poll_bytes() {
             let bytes = packet.to_bytes();
-            let dialect = self.keeper.dialect().unwrap_or(Dialect::SPECIFICATION);
+            let dialect = self.supervisor.dialect().unwrap_or(Dialect::SPECIFICATION);
             self.heart.tell(&packet, &dialect);
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
@@ -278,15 +278,15 @@ impl Owner {
 
     /// Passes the statuses on to raw programs, as permits.
     fn relay(&mut self) {
-        while let Some(status) = self.keeper.poll_status() {
-            if self.keeper.permits_raw() {
+        while let Some(status) = self.supervisor.poll_status() {
+            if self.supervisor.permits_raw() {
                 self.ends.pass_on(Packet::from(status.emit()).to_bytes());
             }
         }
     }
 
     fn publish(&mut self) {
-        let state = self.keeper.state();
+        let state = self.supervisor.state();
         self.recording.state(self.now(), &state);
         self.ends.tell(state);
     }
@@ -295,14 +295,14 @@ impl Owner {
         let now = self.now();
         match message {
             Message::Came { name, role, reply } => {
-                let client = self.keeper.handle_client(now, &name, role);
+                let client = self.supervisor.handle_client(now, &name, role);
                 if reply.send(client).is_err() {
-                    self.keeper.handle_left(now, client);
+                    self.supervisor.handle_left(now, client);
                 }
             }
             Message::Left(client) => {
                 self.waiting.remove(&client);
-                self.keeper.handle_left(now, client);
+                self.supervisor.handle_left(now, client);
             }
             Message::Asked {
                 client,
@@ -314,7 +314,7 @@ impl Owner {
                 packet,
                 reply,
             } => {
-                let taken = self.keeper.handle_raw(now, client, &packet);
+                let taken = self.supervisor.handle_raw(now, client, &packet);
                 self.send();
                 // The program may have left.
                 let _ = reply.send(taken);
@@ -324,11 +324,11 @@ impl Owner {
                 begun,
                 reply,
             } => {
-                let started = self.keeper.handle_start(now, client, *begun);
+                let started = self.supervisor.handle_start(now, client, *begun);
                 let _ = reply.send(started);
             }
-            Message::Jobs(reply) => self.jobs.clone().list(self.keeper.job(), reply),
-            Message::Trouble(text) => self.keeper.handle_trouble(now, text),
+            Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
+            Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
         }
@@ -345,7 +345,7 @@ impl Owner {
         let now = self.now();
         self.withdraw_start(&request);
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
-            let answer = self.keeper.handle_request(now, client, job);
+            let answer = self.supervisor.handle_request(now, client, job);
             self.send();
             match answer {
                 // Whoever asked may have left.
@@ -362,12 +362,12 @@ impl Owner {
         request: Request,
         reply: Asked,
     ) -> Option<(Request, Asked)> {
-        if self.keeper.check_request(client, &request).is_err() {
+        if self.supervisor.check_request(client, &request).is_err() {
             return Some((request, reply));
         }
         let jobs = self.jobs.clone();
         match request {
-            Request::SubmitJob { job } => match self.keeper.planning_model() {
+            Request::SubmitJob { job } => match self.supervisor.planning_model() {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
@@ -380,8 +380,8 @@ impl Owner {
                     reply,
                 });
             }
-            Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
-                jobs.cancel(job, self.keeper.client_name(client), reply);
+            Request::CancelJob { job } if self.supervisor.job().is_none_or(|it| it.job != job) => {
+                jobs.cancel(job, self.supervisor.client_name(client), reply);
             }
             request => return Some((request, reply)),
         }
@@ -426,15 +426,15 @@ impl Owner {
     }
 
     fn startable(&self, job: u64) -> Result<Model, Refusal> {
-        self.keeper.check_rests(job)?;
-        self.keeper.planning_model()
+        self.supervisor.check_rests(job)?;
+        self.supervisor.planning_model()
     }
 
     fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
             self.recording.heard(now, &self.incoming);
-            self.keeper.handle_bytes(now, &self.incoming);
+            self.supervisor.handle_bytes(now, &self.incoming);
             self.incoming.clear();
         }
         let problem = match outcome {
@@ -445,7 +445,7 @@ impl Owner {
         self.link = None;
         self.heart.part();
         let problem = format!("{problem}; the station looks for the arm again");
-        self.keeper
+        self.supervisor
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
         self.connect();
     }
@@ -453,17 +453,17 @@ impl Owner {
     fn take_up(&mut self, found: Found) {
         let now = self.now();
         self.recording
-            .link(now, &found.address, self.keeper.dialect());
+            .link(now, &found.address, self.supervisor.dialect());
         let address = found.address.to_string();
         self.connecting = None;
         self.heart.take_up(&found.link);
         self.link = Some(found.link);
         if let Some(dialect) = self.arms.dialect(&address) {
-            self.keeper.handle_known_dialect(dialect);
+            self.supervisor.handle_known_dialect(dialect);
         }
-        self.keeper.handle_link_up(now, &address);
+        self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
-        self.keeper.handle_bytes(now, &found.bytes);
+        self.supervisor.handle_bytes(now, &found.bytes);
         self.address = Some(address);
     }
 
@@ -475,11 +475,11 @@ impl Owner {
         if self.source.is_virtual() {
             return;
         }
-        let finding = self.keeper.finding();
+        let finding = self.supervisor.finding();
         if let Err(error) = self.arms.keep(address, *dialect, finding) {
             let now = self.now();
             let text = format!("which dialect the arm speaks cannot be kept: {error}");
-            self.keeper.handle_trouble(now, text);
+            self.supervisor.handle_trouble(now, text);
         }
     }
 
@@ -495,7 +495,7 @@ impl Owner {
         match news {
             Some(Connecting::Up(found)) => self.take_up(found),
             Some(Connecting::Waiting(problem)) => {
-                self.keeper
+                self.supervisor
                     .handle_link_down(now, LinkPhase::Searching, Some(problem));
             }
             Some(Connecting::Begun(news)) => self.connecting = Some(news),
@@ -510,7 +510,7 @@ impl Owner {
     fn note(&mut self, written: Written) {
         let now = self.now();
         let Written { effect, outcome } = written;
-        self.keeper.handle_written(now, &effect, outcome);
+        self.supervisor.handle_written(now, &effect, outcome);
     }
 
     /// The station ends: no more of the job, laser off; what is under way gets a moment.
@@ -518,13 +518,13 @@ impl Owner {
         if self.ending.is_none() {
             self.ending = Some(Instant::now() + PATIENCE);
             let now = self.now();
-            self.keeper.handle_end(now);
+            self.supervisor.handle_end(now);
         }
     }
 
     fn is_over(&self) -> bool {
         self.ending.is_some_and(|it| {
-            let still = self.keeper.is_at_rest() && !self.keeper.is_urgent();
+            let still = self.supervisor.is_at_rest() && !self.supervisor.is_urgent();
             self.link.is_none() || still || it <= Instant::now()
         })
     }
@@ -536,7 +536,7 @@ impl Owner {
             let _ = link.flush().await;
         }
         self.heart.part();
-        let at_rest = self.keeper.is_at_rest() || self.link.is_none();
+        let at_rest = self.supervisor.is_at_rest() || self.link.is_none();
         self.jobs.end(at_rest).await;
         self.recording.end();
         self.failure.map_or(Ok(()), Err)
@@ -566,7 +566,7 @@ fn now_ms() -> i64 {
     jiff::Timestamp::now().as_millisecond()
 }
 
-/// Without anything to do the keeper is still looked at so often.
+/// Without anything to do the supervisor is still looked at so often.
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
 /// So long the arm may take to come to rest when the station ends.
 const PATIENCE: Duration = Duration::from_secs(3);

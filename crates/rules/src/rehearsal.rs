@@ -1,4 +1,4 @@
-//! A keeper and a virtual arm, in virtual time: what would happen.
+//! A supervisor and a virtual arm, in virtual time: what would happen.
 
 use std::time::Duration;
 
@@ -12,16 +12,16 @@ use dobot_wire::Packet;
 
 use crate::Refusal;
 use crate::jobs;
-use crate::keeper::{Begun, Effect, Keeper};
+use crate::supervisor::{Begun, Effect, Supervisor};
 
-/// A keeper and a virtual arm, in virtual time, with a real journal: for tests of everything that
+/// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
 ///
-/// The arm goes on whatever becomes of the keeper: [`Rehearsal::crash`] takes the keeper away in the
+/// The arm goes on whatever becomes of the supervisor: [`Rehearsal::crash`] takes the supervisor away in the
 /// middle of whatever it does, and puts a new one in its place, as after a SIGKILL.
 #[derive(Debug)]
 pub struct Rehearsal {
-    keeper: Keeper,
+    supervisor: Supervisor,
     arm: VirtualArm,
     journal: Journal,
     policy: Policy,
@@ -30,7 +30,7 @@ pub struct Rehearsal {
     /// The arm's port is gone by itself.
     port_gone: bool,
     now: Duration,
-    /// When the keeper that is there now was started.
+    /// When the supervisor that is there now was started.
     started: Duration,
     /// When the journal has written what it was asked for.
     disk: Vec<(Duration, Effect)>,
@@ -76,7 +76,7 @@ impl Rehearsal {
         journal: Journal,
     ) -> Self {
         let mut rehearsal = Self {
-            keeper: Keeper::new(policy.clone(), Some(power_up.personality.dialect())),
+            supervisor: Supervisor::new(policy.clone(), Some(power_up.personality.dialect())),
             arm,
             journal,
             policy,
@@ -131,18 +131,18 @@ impl Rehearsal {
         if self.now < self.looks {
             return self.looks;
         }
-        let keeper = self.started.saturating_add(self.keeper.poll_wakeup());
+        let supervisor = self.started.saturating_add(self.supervisor.poll_wakeup());
         let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
         let soon = self.now + Duration::from_nanos(1);
-        self.arm.poll_wakeup().min(keeper).min(disk).max(soon)
+        self.arm.poll_wakeup().min(supervisor).min(disk).max(soon)
     }
 
     /// Pulls the cable.
     pub fn unplug(&mut self) {
         self.plugged = false;
         let why = Some("the cable was pulled".to_owned());
-        let now = self.keeper_now();
-        self.keeper.handle_link_down(now, LinkPhase::Lost, why);
+        let now = self.supervisor_now();
+        self.supervisor.handle_link_down(now, LinkPhase::Lost, why);
         self.settle();
     }
 
@@ -152,8 +152,8 @@ impl Rehearsal {
         // What the arm said meanwhile nobody heard.
         self.arm.poll_bytes(&mut Vec::new());
         self.arm.handle_open(self.now);
-        let now = self.keeper_now();
-        self.keeper.handle_link_up(now, "virtual:");
+        let now = self.supervisor_now();
+        self.supervisor.handle_link_up(now, "virtual:");
         self.settle();
     }
 
@@ -167,7 +167,7 @@ impl Rehearsal {
         self.now += away;
         self.arm.handle_time(self.now);
         let dialect = Some(self.power_up.personality.dialect());
-        self.keeper = Keeper::new(self.policy.clone(), dialect);
+        self.supervisor = Supervisor::new(self.policy.clone(), dialect);
         self.started = self.now;
         self.recover()?;
         self.plug();
@@ -176,25 +176,25 @@ impl Rehearsal {
 
     /// The pose is not to be trusted until a person confirms it, as when the port of a real arm is opened.
     pub fn distrust(&mut self, reason: &str) {
-        self.keeper.distrust(reason);
+        self.supervisor.distrust(reason);
     }
 
     /// A client that may do everything.
     pub fn client(&mut self, name: &str) -> ClientId {
-        let now = self.keeper_now();
-        self.keeper.handle_client(now, name, Role::Admin)
+        let now = self.supervisor_now();
+        self.supervisor.handle_client(now, name, Role::Admin)
     }
 
     /// A client that may only watch.
     pub fn watcher(&mut self, name: &str) -> ClientId {
-        let now = self.keeper_now();
-        self.keeper.handle_client(now, name, Role::Watch)
+        let now = self.supervisor_now();
+        self.supervisor.handle_client(now, name, Role::Watch)
     }
 
     /// A client leaves, or is lost.
     pub fn leave(&mut self, client: ClientId) {
-        let now = self.keeper_now();
-        self.keeper.handle_left(now, client);
+        let now = self.supervisor_now();
+        self.supervisor.handle_left(now, client);
         self.settle();
     }
 
@@ -204,8 +204,8 @@ impl Rehearsal {
     ///
     /// [`Refusal`].
     pub fn ask(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
-        let now = self.keeper_now();
-        if self.keeper.check_request(client, &request).is_ok() {
+        let now = self.supervisor_now();
+        if self.supervisor.check_request(client, &request).is_ok() {
             if matches!(
                 request,
                 Request::StartJob { .. } | Request::CancelJob { .. }
@@ -218,14 +218,16 @@ impl Rehearsal {
                     return self.kept(job);
                 }
                 Request::StartJob { job } => return self.start(client, job),
-                Request::CancelJob { job } if self.keeper.job().is_none_or(|it| it.job != job) => {
-                    jobs::end_waiting(&self.journal, job, &self.keeper.client_name(client))?;
+                Request::CancelJob { job }
+                    if self.supervisor.job().is_none_or(|it| it.job != job) =>
+                {
+                    jobs::end_waiting(&self.journal, job, &self.supervisor.client_name(client))?;
                     return self.kept(job);
                 }
                 _ => {}
             }
         }
-        let answer = self.keeper.handle_request(now, client, request);
+        let answer = self.supervisor.handle_request(now, client, request);
         self.settle();
         answer.unwrap_or(Ok(Reply::Done))
     }
@@ -236,8 +238,8 @@ impl Rehearsal {
     ///
     /// [`Refusal`].
     pub fn send_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
-        let now = self.keeper_now();
-        let taken = self.keeper.handle_raw(now, client, packet);
+        let now = self.supervisor_now();
+        let taken = self.supervisor.handle_raw(now, client, packet);
         self.settle();
         taken
     }
@@ -248,7 +250,7 @@ impl Rehearsal {
     ///
     /// [`Refusal`].
     pub fn submit(&mut self, job: &NewJob) -> Result<u64, Refusal> {
-        let model = self.keeper.planning_model()?;
+        let model = self.supervisor.planning_model()?;
         let id = jobs::submit(&self.journal, &self.policy, job.clone(), model, 0)?;
         Ok(id.0)
     }
@@ -259,11 +261,11 @@ impl Rehearsal {
     ///
     /// [`Refusal`].
     pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
-        self.keeper.check_rests(job)?;
-        let model = self.keeper.planning_model()?;
+        self.supervisor.check_rests(job)?;
+        let model = self.supervisor.planning_model()?;
         let begun = jobs::startable(&self.journal, &self.policy, job, model)?;
-        let now = self.keeper_now();
-        let reply = self.keeper.handle_start(now, client, begun);
+        let now = self.supervisor_now();
+        let reply = self.supervisor.handle_start(now, client, begun);
         self.settle();
         reply
     }
@@ -275,17 +277,17 @@ impl Rehearsal {
     /// [`Refusal`] where the journal cannot be read.
     pub fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
         self.catch_up();
-        jobs::list(&self.journal, self.keeper.job().as_ref())
+        jobs::list(&self.journal, self.supervisor.job().as_ref())
     }
 
     /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
     pub fn free_laser(&mut self) {
-        self.keeper.free_laser();
+        self.supervisor.free_laser();
     }
 
     /// Whether the arm has told anything since this was asked last.
     pub fn poll_status(&mut self) -> bool {
-        std::iter::from_fn(|| self.keeper.poll_status()).count() > 0
+        std::iter::from_fn(|| self.supervisor.poll_status()).count() > 0
     }
 
     /// What became of a job, by the journal.
@@ -297,10 +299,10 @@ impl Rehearsal {
         self.journal.job(JobId(job))
     }
 
-    /// The keeper, to look at.
+    /// The supervisor, to look at.
     #[must_use]
-    pub const fn keeper(&self) -> &Keeper {
-        &self.keeper
+    pub const fn supervisor(&self) -> &Supervisor {
+        &self.supervisor
     }
 
     /// The arm, to look at.
@@ -313,8 +315,8 @@ impl Rehearsal {
     pub fn stall(&mut self, silent: Duration) {
         self.now += silent;
         self.arm.handle_time(self.now);
-        let now = self.keeper_now();
-        self.keeper.handle_stall(now, silent);
+        let now = self.supervisor_now();
+        self.supervisor.handle_stall(now, silent);
         self.settle();
     }
 
@@ -358,7 +360,7 @@ impl Rehearsal {
         }
     }
 
-    /// Waits until the journal knows what the keeper has told: that a job is paused, say.
+    /// Waits until the journal knows what the supervisor has told: that a job is paused, say.
     fn catch_up(&mut self) {
         let latest = self.now + PATIENCE;
         self.run_until(latest, |it| it.disk.is_empty());
@@ -370,7 +372,7 @@ impl Rehearsal {
         Ok(Reply::Job { job })
     }
 
-    fn keeper_now(&self) -> Duration {
+    fn supervisor_now(&self) -> Duration {
         self.now.saturating_sub(self.started)
     }
 
@@ -384,8 +386,8 @@ impl Rehearsal {
         };
         let model = jobs::recovery_model(&job);
         let begun = self.begun(job.id.0, model)?;
-        let now = self.keeper_now();
-        self.keeper.handle_recovered(now, begun, job.window);
+        let now = self.supervisor_now();
+        self.supervisor.handle_recovered(now, begun, job.window);
         Ok(())
     }
 
@@ -405,33 +407,33 @@ impl Rehearsal {
         self.looks = self.now + self.looks_every;
         let mut bytes = Vec::new();
         self.arm.poll_bytes(&mut bytes);
-        let now = self.keeper_now();
+        let now = self.supervisor_now();
         if self.plugged && !bytes.is_empty() {
-            self.keeper.handle_bytes(now, &bytes);
+            self.supervisor.handle_bytes(now, &bytes);
         }
-        self.keeper.handle_time(now);
+        self.supervisor.handle_time(now);
         self.write();
-        while let Some(packet) = self.keeper.poll_bytes() {
+        while let Some(packet) = self.supervisor.poll_bytes() {
             if self.plugged {
                 let packet = packet.to_bytes();
                 self.packets.push((self.now, packet));
                 self.arm.handle_bytes(self.now, &packet);
             }
         }
-        while let Some(effect) = self.keeper.poll_effect() {
+        while let Some(effect) = self.supervisor.poll_effect() {
             self.disk.push((self.now + self.disk_takes, effect));
         }
-        while let Some(notice) = self.keeper.poll_notice() {
+        while let Some(notice) = self.supervisor.poll_notice() {
             self.notices.push(notice);
         }
     }
 
     fn write(&mut self) {
-        let now = self.keeper_now();
+        let now = self.supervisor_now();
         while self.disk.first().is_some_and(|it| it.0 <= self.now) {
             let (_, effect) = self.disk.remove(0);
             let outcome = jobs::write(&self.journal, &effect).map_err(|error| error.to_string());
-            self.keeper.handle_written(now, &effect, outcome);
+            self.supervisor.handle_written(now, &effect, outcome);
         }
     }
 }

@@ -287,7 +287,7 @@ impl Report {
 
 const HEAD: &str = "# Reliability
 
-What becomes of arm, laser and drawing when something goes wrong, measured: the keeper of the station with a virtual
+What becomes of arm, laser and drawing when something goes wrong, measured: the supervisor of the station with a virtual
 arm and a real journal in virtual time. Nothing here was measured on a real arm.
 
 ```sh

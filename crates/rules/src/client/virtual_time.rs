@@ -84,7 +84,7 @@ impl InVirtualTime {
         self.told = notices.len();
         if self.station.poll_status() {
             self.heard.retain(|it| !matches!(it, Heard::State(_)));
-            let state = Box::new(self.station.keeper().state());
+            let state = Box::new(self.station.supervisor().state());
             self.heard.push_back(Heard::State(state));
         }
     }

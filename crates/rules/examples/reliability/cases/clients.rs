@@ -141,7 +141,7 @@ fn place(scene: &Scene) -> Position {
 }
 
 fn note_lease(figures: &mut Clients, scene: &Scene) {
-    let held = scene.it.keeper().state().lease.is_some();
+    let held = scene.it.supervisor().state().lease.is_some();
     figures.not_free += usize::from(held && figures.how != SILENT);
 }
 

@@ -93,7 +93,7 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
         overruns(figures, &mut scene.it);
         figures.most_waiting = figures
             .most_waiting
-            .max(scene.it.keeper().session().waiting());
+            .max(scene.it.supervisor().session().waiting());
     }
     figures.passed_on += scene.it.packets().len() - before;
     if let Some(job) = job {
@@ -103,7 +103,12 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
     scene.it.ask(watcher, Request::Stop { reason: None })?;
     scene.it.run_for(Duration::from_secs(20));
     overruns(figures, &mut scene.it);
-    let holds = scene.it.keeper().state().stop.is_some_and(|it| it.at_rest);
+    let holds = scene
+        .it
+        .supervisor()
+        .state()
+        .stop
+        .is_some_and(|it| it.at_rest);
     figures.not_served += usize::from(!holds);
     figures.times += 1;
     Ok(())

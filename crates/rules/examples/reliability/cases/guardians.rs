@@ -228,7 +228,10 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     scene.it.ask(scene.anna, Request::Command { command })?;
     let latest = scene.it.now() + Duration::from_secs(20);
     scene.it.run_for(Duration::from_millis(500));
-    if !scene.it.run_until(latest, |it| it.keeper().is_at_rest()) {
+    if !scene
+        .it
+        .run_until(latest, |it| it.supervisor().is_at_rest())
+    {
         return Err(Wrong("it does not come to rest".into()));
     }
     for _ in 0..6 + chance.below(8) {

@@ -88,14 +88,14 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
     figures.burning += usize::from(scene.burns());
     let before = scene.it.packets().len();
     scene.it.crash(chance.time(Duration::from_secs(5)))?;
-    figures.at_work += usize::from(scene.it.keeper().job().is_some());
+    figures.at_work += usize::from(scene.it.supervisor().job().is_some());
     let (began, burnt) = (scene.it.now(), scene.burns());
     let mut last = began;
     let rests = |it: &Rehearsal| {
         if burns(it) {
             last = it.now();
         }
-        it.keeper().is_at_rest() && it.now() > began + Duration::from_secs(1)
+        it.supervisor().is_at_rest() && it.now() > began + Duration::from_secs(1)
     };
     if !scene.it.run_until(began + Duration::from_mins(1), rests) {
         return Err(Wrong("the arm did not come to rest".into()));

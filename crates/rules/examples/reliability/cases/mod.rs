@@ -3,7 +3,7 @@
 pub(crate) mod cables;
 pub(crate) mod chance;
 pub(crate) mod clients;
-#[path = "../../../tests/keeper/commands.rs"]
+#[path = "../../../tests/supervisor/commands.rs"]
 mod commands;
 pub(crate) mod disks;
 pub(crate) mod floods;

@@ -126,7 +126,7 @@ impl Scene {
 
     /// How long a job takes.
     pub(crate) fn planned(&self) -> Duration {
-        let planned_s = self.it.keeper().job().and_then(|it| it.planned_s);
+        let planned_s = self.it.supervisor().job().and_then(|it| it.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
     }
 
@@ -134,17 +134,17 @@ impl Scene {
     pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
         let latest = self.it.now() + PATIENCE;
         let works = |it: &Rehearsal| {
-            it.keeper()
+            it.supervisor()
                 .job()
                 .is_some_and(|it| it.phase == JobPhase::Running)
         };
         let settled = |it: &Rehearsal| {
             let kept = match state(it, job) {
                 None | Some(JobState::Running) => false,
-                Some(JobState::Queued) => it.keeper().job().is_none(),
+                Some(JobState::Queued) => it.supervisor().job().is_none(),
                 Some(_) => true,
             };
-            it.keeper().is_at_rest() && kept && !works(it)
+            it.supervisor().is_at_rest() && kept && !works(it)
         };
         if self.it.run_until(latest, settled) {
             return state(&self.it, job).ok_or_else(|| Wrong("the job is gone".into()));
@@ -152,7 +152,7 @@ impl Scene {
         Err(Wrong(format!(
             "job and arm did not come to rest within {} s: {:?}",
             PATIENCE.as_secs(),
-            self.it.keeper().job()
+            self.it.supervisor().job()
         )))
     }
 

@@ -160,7 +160,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     for _ in 0..chance.below(3) {
         scene.it.run_for(chance.time(Duration::from_secs(8)));
         let runs = |it: &Rehearsal| {
-            let phase = it.keeper().job().map(|it| it.phase);
+            let phase = it.supervisor().job().map(|it| it.phase);
             phase == Some(JobPhase::Running)
         };
         if runs(&scene.it) {

@@ -126,7 +126,7 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
 fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     let (at, burnt) = (scene.it.now(), scene.burns());
     scene.it.ask(scene.anna, Request::Stop { reason: None })?;
-    let stop = scene.it.keeper().state().stop;
+    let stop = scene.it.supervisor().state().stop;
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
     let mut lit = at;

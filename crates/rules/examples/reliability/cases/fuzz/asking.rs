@@ -48,7 +48,7 @@ impl Asking {
     /// What is asked next.
     pub(crate) fn next(&mut self, chance: &mut Chance, it: &Rehearsal) -> Asked {
         let who = chance.one(&self.people);
-        let holder = it.keeper().state().lease.map_or(who, |it| it.client);
+        let holder = it.supervisor().state().lease.map_or(who, |it| it.client);
         let who = if chance.below(10) == 0 { who } else { holder };
         let asked = match chance.below(100) {
             0..10 => match &self.before {
@@ -73,7 +73,9 @@ impl Asking {
             79..84 => self.job(chance, who),
             84..86 => Asked::Request(self.watcher, Request::Stop { reason: None }),
             86..90 => Asked::Request(who, Request::ResetStop),
-            90 if it.keeper().is_at_rest() => Asked::Unplug(chance.time(Duration::from_secs(4))),
+            90 if it.supervisor().is_at_rest() => {
+                Asked::Unplug(chance.time(Duration::from_secs(4)))
+            }
             _ => Asked::Request(who, self.plain(chance)),
         };
         self.before = Some(asked.clone());
@@ -187,7 +189,7 @@ fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
 
 /// Somewhere in reach, or a little away from where the arm will be.
 fn place(chance: &mut Chance, it: &Rehearsal) -> [f32; 3] {
-    let model = it.keeper().session().model();
+    let model = it.supervisor().session().model();
     let here = model.map_or(Position::new(200.0, 0.0, 0.0), |it| it.place.pose.position);
     if chance.below(3) == 0 {
         #[expect(clippy::cast_possible_truncation, reason = "a packet carries no more")]

@@ -1,0 +1,206 @@
+//! The arm as the supervisor has it: the conversation with it, what it may do, and where it was seen.
+
+use std::time::Duration;
+
+use dobot_client::{CommandId, SendError, Session};
+use dobot_safety::Policy;
+use dobot_wire::{Command, Dialect, Packet, Status};
+
+use super::line::Line;
+use super::seconds;
+use crate::refusal::Refusal;
+
+/// The arm, at a time that never goes back. Whatever is sent to it goes this way.
+#[derive(Debug)]
+pub(super) struct Arm {
+    session: Session,
+    policy: Policy,
+    now: Duration,
+    line: Line,
+    last: Option<Status>,
+    /// How many statuses in a row told the same place.
+    still: u32,
+}
+
+impl Arm {
+    pub(super) fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
+        let mut session = Session::trusted(dialect);
+        session.set_ahead(seconds(policy.queue.ahead_s));
+        session.set_laser_may_stand(policy.laser.standing);
+        Self {
+            session,
+            policy,
+            now: Duration::ZERO,
+            line: Line::default(),
+            last: None,
+            still: 0,
+        }
+    }
+
+    pub(super) const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The conversation itself, for the supervisor: the parts only ask it.
+    pub(super) const fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    pub(super) const fn policy(&self) -> &Policy {
+        &self.policy
+    }
+
+    pub(super) const fn now(&self) -> Duration {
+        self.now
+    }
+
+    /// The status that came last.
+    pub(super) const fn last(&self) -> Option<Status> {
+        self.last
+    }
+
+    /// How many statuses in a row told the same place.
+    pub(super) const fn still(&self) -> u32 {
+        self.still
+    }
+
+    /// Takes what time it is, without doing what is due.
+    pub(super) fn set_time(&mut self, now: Duration) {
+        self.now = self.now.max(now);
+    }
+
+    pub(super) fn handle_time(&mut self, now: Duration) {
+        self.set_time(now);
+        self.session.handle_time(self.now);
+    }
+
+    pub(super) fn handle_bytes(&mut self, bytes: &[u8]) {
+        self.session.handle_bytes(self.now, bytes);
+    }
+
+    pub(super) fn handle_open(&mut self) {
+        self.session.handle_open(self.now);
+        self.still = 0;
+    }
+
+    pub(super) fn handle_status(&mut self, status: Status) {
+        self.still = if self.last == Some(status) {
+            self.still + 1
+        } else {
+            0
+        };
+        self.last = Some(status);
+    }
+
+    /// Nothing tells any more that it rests.
+    pub(super) const fn lose_sight(&mut self) {
+        self.still = 0;
+    }
+
+    /// Whether it was seen at rest for a while, after all that it was sent.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.still >= AT_REST && self.session.under_way() == 0
+    }
+
+    /// Whether nothing waits and nothing is under way, as far as the session has told.
+    pub(super) fn is_idle(&self) -> bool {
+        self.session.under_way() == 0 && self.session.waiting() == 0
+    }
+
+    /// By when it is at rest if nothing more is sent, where what the session does not know of takes so
+    /// long; a button that is held is let go now.
+    pub(super) fn rests_within(&self, unknown: Duration) -> Duration {
+        let within = self.session.rests_within();
+        if within < Duration::MAX {
+            return within.max(unknown);
+        }
+        let run_down_s = self.session.model().map_or(0.0, |it| {
+            let teach = it.settings.teach;
+            let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
+            joint_s.max(teach.line_mm_s / teach.line_mm_s2)
+        });
+        seconds(run_down_s) + HEARD_WITHIN
+    }
+
+    /// Whether it is where it says.
+    pub(super) fn check_trust(&self) -> Result<(), Refusal> {
+        if self.session.is_trusted() {
+            return Ok(());
+        }
+        Err(Refusal::Send(SendError::Untrusted))
+    }
+
+    /// Sends a command when its turn comes, if its whole way is allowed.
+    pub(super) fn send(&mut self, command: &Command) -> Result<CommandId, Refusal> {
+        self.check_way(command)?;
+        Ok(self.session.send(*command)?)
+    }
+
+    fn check_way(&self, command: &Command) -> Result<(), Refusal> {
+        self.session.check(command)?;
+        if let Some(model) = self.session.model() {
+            self.policy.check(model, command)?;
+        }
+        Ok(())
+    }
+
+    /// Sends a command at once, whatever waits.
+    pub(super) fn send_urgent(&mut self, command: Command) {
+        if let Ok(packet) = self.session.emit_now(&command) {
+            self.session.note_urgent(&command);
+            self.line.push(packet);
+        }
+    }
+
+    /// Sends a packet of which the session need not know at once.
+    pub(super) fn send_urgent_packet(&mut self, packet: Packet) {
+        self.line.push(packet);
+    }
+
+    /// Sends this before all else, without waiting for the line: what was urgent before is forgotten.
+    pub(super) fn send_first(&mut self, command: Command) {
+        self.line.clear();
+        self.send_urgent(command);
+        self.line.hurry();
+    }
+
+    /// Sends a command at once, without waiting for the line.
+    pub(super) fn send_at_once(&mut self, command: Command) {
+        self.send_urgent(command);
+        self.line.hurry();
+    }
+
+    /// What the session has for the line becomes urgent, in its order.
+    pub(super) fn hasten(&mut self) {
+        while let Some(packet) = self.session.poll_bytes() {
+            self.line.push(packet);
+        }
+    }
+
+    /// Releases the button that was sent last; says whether there was one.
+    pub(super) fn release_urgently(&mut self) -> bool {
+        let release = self.session.release();
+        if let Some(release) = release {
+            self.send_urgent(release);
+        }
+        release.is_some()
+    }
+
+    pub(super) fn poll_bytes(&mut self) -> Option<Packet> {
+        self.line.poll(self.now, &mut self.session)
+    }
+
+    pub(super) fn is_urgent(&self) -> bool {
+        !self.line.is_empty()
+    }
+
+    /// When the line is free again, while something waits for that.
+    pub(super) fn line_wakeup(&self) -> Option<Duration> {
+        self.line.wakeup(self.now)
+    }
+}
+
+/// So many statuses in a row that tell the same: the arm is at rest.
+const AT_REST: u32 = 3;
+/// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
+const HEARD_WITHIN: Duration = Duration::from_millis(700);

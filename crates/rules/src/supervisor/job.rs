@@ -1,0 +1,212 @@
+//! What the supervisor has the job do, for a person or because something happened.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobPhase, JobView, Reply};
+use dobot_client::CommandId;
+use dobot_journal::Window;
+
+use super::Supervisor;
+use super::run::{Begun, Run, check_height, check_speed};
+use crate::refusal::Refusal;
+
+impl Supervisor {
+    /// Begins a job, or goes on with a paused one.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; nothing has moved then.
+    pub fn handle_start(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        begun: Begun,
+    ) -> Result<Reply, Refusal> {
+        self.handle_time(now);
+        let started = self.start(client, begun);
+        if let Err(refusal) = &started {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        started
+    }
+
+    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
+        self.check_may_move(client)?;
+        self.arm.check_trust()?;
+        self.save.check()?;
+        if !self.arm.is_idle() {
+            return Err(self.still_moving());
+        }
+        if begun.plan.burns() {
+            self.arm.check_laser_armed()?;
+        }
+        let (run, wishes) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
+        self.halt.forget();
+        self.run = Some(run);
+        self.fulfil(wishes);
+        Ok(self.job_reply())
+    }
+
+    /// Takes a job that was at work when the station ended without saying so: the laser goes off,
+    /// and where the arm comes to rest tells how far the job got.
+    pub fn handle_recovered(&mut self, now: Duration, begun: Begun, window: Window) {
+        self.handle_time(now);
+        self.arm.session_mut().distrust(Run::RESTARTED);
+        self.run = Some(Run::recovered(begun, window));
+        self.outbox.note_change();
+    }
+
+    /// Whether a job may be started as far as its own last motion goes: one that was paused a
+    /// moment ago still does what the arm has got, and lifts the tool; one that a killed station left
+    /// shows how far it got where the arm comes to rest.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] where nothing tells that the arm rests.
+    pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
+        let run = self.run.as_ref().filter(|it| it.job() == job);
+        if run.is_some_and(Run::is_coming_to_rest) {
+            self.link.check()?;
+            return Err(self.still_moving());
+        }
+        Ok(())
+    }
+
+    /// The job that is at work or paused.
+    #[must_use]
+    pub fn job(&self) -> Option<JobView> {
+        self.run.as_ref().map(Run::view)
+    }
+
+    fn job_reply(&self) -> Reply {
+        self.job().map_or(Reply::Done, |job| Reply::Job { job })
+    }
+
+    pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        let why = format!("paused by {}", self.client_name(client));
+        let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
+            return Err(Refusal::NoJobRuns);
+        };
+        let at_work = run.is_at_work();
+        self.part_from_burning();
+        // One that is coming to rest already need not be told again, nor lifted twice.
+        if at_work {
+            self.come_to_rest(JobPhase::Paused, &why);
+        }
+        Ok(self.job_reply())
+    }
+
+    pub(super) fn cancel_job(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        if self.leases.is_taken() {
+            self.leases.check(client)?;
+        }
+        let Some(run) = self.run.as_ref().filter(|it| it.job() == job) else {
+            return Err(Refusal::NoSuchJob(job));
+        };
+        let at_work = run.is_at_work();
+        let why = format!("ended by {}", self.client_name(client));
+        self.part_from_burning();
+        if at_work {
+            self.come_to_rest(JobPhase::Stopped, &why);
+        } else {
+            self.of_run(|run, _| run.end(&why));
+        }
+        let reply = self.job_reply();
+        self.of_run(Run::handle_status);
+        Ok(reply)
+    }
+
+    /// Draws the vectors that are not sent yet at another speed.
+    pub(super) fn set_job_speed(
+        &mut self,
+        client: ClientId,
+        percent: f64,
+    ) -> Result<Reply, Refusal> {
+        self.leases.check(client)?;
+        check_speed(percent)?;
+        self.check_adjustable()?;
+        self.take_back();
+        self.of_run(|run, _| Some(run.set_speed(percent)));
+        Ok(self.job_reply())
+    }
+
+    /// Draws what is not sent yet higher or lower: bit by bit while it runs, at once where it is
+    /// paused, for there the tool comes from above.
+    pub(super) fn set_job_height(
+        &mut self,
+        client: ClientId,
+        offset_mm: f64,
+    ) -> Result<Reply, Refusal> {
+        self.leases.check(client)?;
+        check_height(offset_mm)?;
+        self.check_adjustable()?;
+        self.take_back();
+        if let Some(run) = &mut self.run {
+            let wish = run.set_height(offset_mm, self.arm.policy())?;
+            self.fulfil([wish]);
+        }
+        Ok(self.job_reply())
+    }
+
+    /// Whether there is a job whose vectors can be changed now.
+    fn check_adjustable(&self) -> Result<(), Refusal> {
+        let run = self.run.as_ref().ok_or(Refusal::NoJobRuns)?;
+        if run.is_coming_to_rest() {
+            return Err(self.still_moving());
+        }
+        run.check_adjustable()
+    }
+
+    /// What was given and not sent is given again.
+    fn take_back(&mut self) {
+        if self.run.as_ref().is_some_and(Run::is_running) {
+            self.drop_waiting("it is sent at another speed or height");
+        }
+    }
+
+    /// Laser off, at once, where it may be on. An arm that draws with a pen hears it when it rests:
+    /// the packet would come in the middle of a stroke, and stop it for a moment.
+    fn part_from_burning(&mut self) {
+        if self.arm.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
+            self.arm.part_from_laser();
+        }
+    }
+
+    /// The job goes no further: it comes to rest on its way, and the tool is lifted.
+    fn come_to_rest(&mut self, then: JobPhase, why: &str) {
+        self.drop_waiting(why);
+        self.of_run(|run, _| Some(run.come_to_rest(then, why)));
+        self.pump();
+    }
+
+    /// The job goes no further: what is under way comes to its end, then it is paused.
+    pub(super) fn interrupt_run(&mut self, why: &str) {
+        self.of_run(|run, _| run.interrupt(why));
+    }
+
+    /// A job that burns goes no further.
+    pub(super) fn interrupt_burning(&mut self, why: &str) {
+        let burns = |it: &Run| it.burns() && it.is_at_work();
+        if self.run.as_ref().is_some_and(burns) {
+            self.drop_waiting(why);
+            self.of_run(|run, _| Some(run.interrupt_burning(why)));
+        }
+    }
+
+    /// Takes that a command is over: of the job, or on the way to it.
+    pub(super) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
+        let now = self.arm.now();
+        let Some(run) = &mut self.run else {
+            return;
+        };
+        let is_done = failed.is_none();
+        if run.handle_over(id, now, is_done)
+            && let Some(why) = failed
+        {
+            self.arm.part_from_laser();
+            self.drop_waiting(why);
+            self.interrupt_run(why);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! What the supervisor has for those who watch and for those who asked.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_api::{ClientId, News, Notice, Reply};
+use dobot_wire::Status;
+
+use crate::refusal::Refusal;
+
+/// An answer that took its time, and whose it is.
+pub(super) type Answer = (ClientId, Result<Reply, Refusal>);
+
+/// Notices, statuses and answers until they are fetched.
+#[derive(Debug)]
+pub(super) struct Outbox {
+    notices: VecDeque<Notice>,
+    told: u64,
+    /// Statuses for raw programs, to which each one is a permit.
+    statuses: VecDeque<Status>,
+    answers: VecDeque<Answer>,
+    /// Something changed that those who watch want to see.
+    changed: bool,
+}
+
+impl Outbox {
+    /// What there is at the start counts as changed.
+    pub(super) const fn new() -> Self {
+        Self {
+            notices: VecDeque::new(),
+            told: 0,
+            statuses: VecDeque::new(),
+            answers: VecDeque::new(),
+            changed: true,
+        }
+    }
+
+    pub(super) fn tell(&mut self, now: Duration, news: News, text: String) {
+        self.told += 1;
+        self.changed = true;
+        self.notices.push_back(Notice {
+            number: self.told,
+            at_s: now.as_secs_f64(),
+            news,
+            text,
+        });
+    }
+
+    pub(super) fn pass_on(&mut self, status: Status) {
+        self.statuses.push_back(status);
+    }
+
+    pub(super) fn answer(&mut self, answer: Answer) {
+        self.answers.push_back(answer);
+    }
+
+    pub(super) const fn note_change(&mut self) {
+        self.changed = true;
+    }
+
+    pub(super) fn poll_notice(&mut self) -> Option<Notice> {
+        self.notices.pop_front()
+    }
+
+    pub(super) fn poll_status(&mut self) -> Option<Status> {
+        self.statuses.pop_front()
+    }
+
+    pub(super) fn poll_answer(&mut self) -> Option<Answer> {
+        self.answers.pop_front()
+    }
+
+    pub(super) fn poll_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+}

@@ -1,0 +1,338 @@
+//! What clients ask for, in the words of the station or in the arm's own packets.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog, News, Reply, Request, Role};
+use dobot_wire::{Command, Dialect, Packet};
+
+use super::Supervisor;
+use super::amend::amended;
+use super::commands::button;
+use super::lease::Change;
+use crate::plain;
+use crate::refusal::Refusal;
+
+impl Supervisor {
+    /// Takes that a client came.
+    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
+        self.handle_time(now);
+        self.outbox.note_change();
+        self.leases.handle_client(name, role)
+    }
+
+    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
+    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
+        self.handle_time(now);
+        let changes = self.leases.handle_left(client);
+        self.follow_lease(changes);
+        self.outbox.note_change();
+    }
+
+    /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the packet is not sent then, and all who watch are told.
+    pub fn handle_raw(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        packet: &Packet,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        let taken = self.take_raw(client, packet);
+        if let Err(refusal) = &taken {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        taken
+    }
+
+    /// Takes a request. `None` when the answer takes its time: [`Supervisor::poll_answer`] has it then.
+    ///
+    /// Jobs are kept and planned by the caller, since that may take long: he answers
+    /// [`Request::SubmitJob`], and turns [`Request::StartJob`] into [`Supervisor::handle_start`].
+    pub fn handle_request(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        request: Request,
+    ) -> Option<Result<Reply, Refusal>> {
+        self.handle_time(now);
+        let answer = match self.check_request(client, &request) {
+            Err(refusal) => Some(Err(refusal)),
+            Ok(()) if matches!(request, Request::Detect) => self.detect(client).err().map(Err),
+            Ok(()) => Some(self.obey(client, request)),
+        };
+        if let Some(Err(refusal)) = &answer {
+            self.tell_refused(client, refusal);
+            if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
+                // What its client believes about the arm is wrong.
+                self.arm.part_from_laser();
+            }
+        }
+        self.outbox.note_change();
+        self.pump();
+        answer
+    }
+
+    /// Whether a client may ask for this at all.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`].
+    pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
+        self.leases.check_role(client, request.role())
+    }
+
+    /// Begins to ask the arm for its dialect; the answer comes when the arm has made its motions.
+    fn detect(&mut self, client: ClientId) -> Result<(), Refusal> {
+        self.check_may_move(client)?;
+        self.arm.check_trust()?;
+        let rests_within = self.rests_within();
+        self.detecting.begin(client, &self.arm, rests_within)?;
+        self.halt.forget();
+        Ok(())
+    }
+
+    fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
+        match request {
+            Request::Command { command } => self.command(client, &command),
+            Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
+            Request::Release => {
+                self.leases.check(client)?;
+                self.let_go();
+                Ok(Reply::Done)
+            }
+            Request::Stop { reason } => Ok(self.stop_arm(client, reason)),
+            Request::ResetStop => self.reset_stop(client),
+            Request::TakeLease
+            | Request::ReleaseLease
+            | Request::AskLease
+            | Request::GrantLease { .. }
+            | Request::SeizeLease => self.change_lease(client, &request),
+            Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
+            Request::DisarmLaser => {
+                self.disarm_laser("a client asked for it");
+                Ok(Reply::Done)
+            }
+            Request::ConfirmPose => self.confirm_pose(client),
+            Request::SetDialect { dialect } => {
+                self.detecting.forget_finding();
+                self.set_dialect(dialect)
+            }
+            Request::PauseJob => self.pause_job(client),
+            Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
+            Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
+            Request::CancelJob { job } => self.cancel_job(client, job),
+            Request::Detect | Request::SubmitJob { .. } | Request::StartJob { .. } => Err(
+                Refusal::Malformed("jobs and detections are not asked for this way".into()),
+            ),
+        }
+    }
+
+    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
+    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
+    /// again.
+    fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
+        let by = self.client_name(client);
+        let rests_within = self.rests_within();
+        self.halt.begin(&mut self.arm);
+        self.disarm_laser("the arm was stopped");
+        let why = format!("the arm was stopped by {by}");
+        self.jogging.bar(Refusal::LetGo(why.clone()));
+        self.drop_waiting(&why);
+        self.interrupt_run(&why);
+        self.end_detection(&why);
+        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let now = self.arm.now();
+        if let Some(text) = self.stop.handle_stop(now, by, reason, rests_within) {
+            self.tell(News::Stopped, text);
+        }
+        Reply::Stopping {
+            rests_within_s: rests_within.as_secs_f64(),
+        }
+    }
+
+    fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        if self.stop.reset(self.arm.now(), self.link.is_there())? {
+            self.halt.forget();
+            let text = format!("{} lets the arm move again", self.client_name(client));
+            self.tell(News::StopReset, text);
+        }
+        Ok(Reply::Done)
+    }
+
+    fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {
+        let now = self.arm.now();
+        let changes = match *request {
+            Request::ReleaseLease => self.leases.release(client)?,
+            Request::AskLease => self.leases.ask(now, client)?,
+            Request::GrantLease { to } => self.leases.grant(now, client, to)?,
+            Request::SeizeLease => self.leases.seize(now, client),
+            _ => self.leases.take(now, client)?,
+        };
+        self.follow_lease(changes);
+        Ok(Reply::Lease {
+            lease: self.leases.view(),
+        })
+    }
+
+    /// Whether a client may move the arm by hand now.
+    pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
+        self.leases.check(client)?;
+        self.check_free()
+    }
+
+    fn follow_lease(&mut self, changes: impl IntoIterator<Item = Change>) {
+        for change in changes {
+            match change {
+                Change::Ended { client, why } => self.lease_over(client, &why),
+                Change::Taken(client) => {
+                    let text = format!("{} has control", self.client_name(client));
+                    self.tell(News::LeaseTaken { client }, text);
+                }
+                Change::Asked(client) => {
+                    let text = format!("{} asks for control", self.client_name(client));
+                    self.tell(News::LeaseAsked { client }, text);
+                }
+            }
+        }
+    }
+
+    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
+    /// the laser goes off. A drawing with a pen goes on; it is the station's.
+    fn lease_over(&mut self, client: ClientId, why: &str) {
+        self.arm.part_from_laser();
+        self.disarm_laser(why);
+        self.let_go();
+        self.end_detection(why);
+        if self.commands.any_of(client) {
+            self.drop_waiting(why);
+        }
+        self.tell(News::LeaseFree, format!("nobody has control: {why}"));
+    }
+
+    fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
+        self.leases.check_arms_laser(client)?;
+        self.stop.check()?;
+        self.arm.arm_laser(for_s)?;
+        let name = self.client_name(client);
+        let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
+        self.tell(News::LaserArmed, text);
+        Ok(Reply::Done)
+    }
+
+    /// Sends one command, if its whole way is allowed.
+    pub(super) fn command(
+        &mut self,
+        client: ClientId,
+        command: &Command,
+    ) -> Result<Reply, Refusal> {
+        if let Some(jog) = button(command) {
+            return self.jog(client, jog, self.arm.policy().jog.dead_man_s);
+        }
+        self.check_may_move(client)?;
+        // Whoever sends another command does not hold his button any more.
+        self.let_go();
+        let within = self.rests_within();
+        let id = self
+            .commands
+            .handle_command(&mut self.arm, client, command, within)?;
+        self.halt.forget();
+        Ok(Reply::Accepted {
+            command: id.0,
+            takes_s: Some(self.arm.session().ahead_s()),
+        })
+    }
+
+    fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        let taken = self.leases.handle_program(self.arm.now(), client);
+        self.follow_lease(taken);
+        self.leases.check(client)?;
+        let packet = &self.amended(client, packet);
+        let command = self.arm.session().parse(packet)?;
+        let patience_s = self.arm.policy().jog.raw_dead_man_s;
+        match command {
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            command => {
+                // Another packet than that of the button means that it is not held any more.
+                self.let_go();
+                self.command(client, &command)
+            }
+        }
+        .map(|_| ())
+    }
+
+    /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
+    /// for all that follow and are changed alike.
+    fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
+        let model = self
+            .arm
+            .session()
+            .model()
+            .filter(|_| self.arm.session().dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, self.arm.policy()));
+        let Some((sent, what)) = changed else {
+            return *packet;
+        };
+        let text = format!("{}: {what}", self.client_name(client));
+        if self.leases.handle_amended(client, &text) {
+            self.tell(News::Amended { client }, text);
+        }
+        sent
+    }
+
+    /// Tells all who watch that something was refused.
+    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        if self.jogging.is_told(client, refusal) {
+            return;
+        }
+        // The arm's own protocol has no words for that: whoever reads this is the only one to know.
+        let is_program = self.leases.is_program(client);
+        let remedy = refusal
+            .hint()
+            .or_else(|| is_program.then(|| GOES_ON.into()));
+        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
+        let kind = refusal.kind().to_owned();
+        self.tell(News::Refused { client, kind }, text);
+    }
+
+    pub(super) fn still_moving(&self) -> Refusal {
+        super::still_moving(self.rests_within())
+    }
+
+    fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        self.link.check()?;
+        // Nothing moves until it is confirmed, so nobody has to have control for that.
+        if !self.arm.session().is_trusted() {
+            self.arm.session_mut().confirm_pose();
+            let text = format!(
+                "{} confirmed where the arm stands",
+                self.client_name(client)
+            );
+            self.tell(News::PoseTrusted, text);
+        }
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
+        if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
+            return Err(Refusal::JobRunning(run.job()));
+        }
+        if self.arm.session().dialect() != Some(&dialect) {
+            self.arm.session_mut().set_dialect(dialect);
+            self.tell(
+                News::DialectKnown { dialect },
+                format!("the arm speaks {dialect}"),
+            );
+        }
+        Ok(Reply::Done)
+    }
+}
+
+/// What to do about a packet that nothing helps.
+const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
+const REASON_LEN: usize = 200;

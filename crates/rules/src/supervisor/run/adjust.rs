@@ -1,0 +1,120 @@
+//! What a person changes on a job while it runs: its speed and its height.
+
+use dobot_journal::HeightChange;
+use dobot_safety::Policy;
+
+use super::{Effect, Phase, Run, Wish};
+use crate::refusal::Refusal;
+use crate::supervisor::JobPlan;
+
+/// Whether a job may be drawn at this share of its speed.
+pub(in crate::supervisor) fn check_speed(percent: f64) -> Result<(), Refusal> {
+    check_range("percent", percent, SLOWEST_PERCENT, FASTEST_PERCENT, "%")
+}
+
+/// Whether a job may be drawn so much higher.
+pub(in crate::supervisor) fn check_height(offset_mm: f64) -> Result<(), Refusal> {
+    check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")
+}
+
+impl Run {
+    /// Whether the vectors of a job that is not coming to rest can be changed.
+    pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
+        if self.begun.doubt.is_some() {
+            let why = "nobody knows yet how far it is; start it first".to_owned();
+            return Err(Refusal::CannotResume(why));
+        }
+        if !self.begun.plan.has_vectors() {
+            return Err(Refusal::NoVectors(self.job()));
+        }
+        Ok(())
+    }
+
+    /// Draws the vectors that are not given yet at another speed.
+    pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> Wish {
+        self.begun.adjustment.speed_percent = percent;
+        self.change_pace();
+        self.keep_adjustment()
+    }
+
+    /// Draws what is not given yet higher or lower.
+    pub(in crate::supervisor) fn set_height(
+        &mut self,
+        offset_mm: f64,
+        policy: &Policy,
+    ) -> Result<Wish, Refusal> {
+        let (plan, change) = self.at_height(offset_mm);
+        plan.check_lowest(policy, change.from)?;
+        self.begun.plan = plan;
+        self.note_height(change);
+        self.change_pace();
+        self.permit.wait_for(self.begun.adjustment.clone());
+        Ok(self.keep_adjustment())
+    }
+
+    fn keep_adjustment(&self) -> Wish {
+        Wish::Ask(Effect::Adjust {
+            job: self.job(),
+            adjustment: self.begun.adjustment.clone(),
+        })
+    }
+
+    fn change_pace(&mut self) {
+        let speed_mm_s = self.speed_mm_s();
+        let percent = self.begun.adjustment.speed_percent;
+        self.pace
+            .change(&self.begun.plan, self.next, speed_mm_s, percent);
+    }
+
+    /// The job with all that is not sent yet at another height.
+    fn at_height(&self, offset_mm: f64) -> (JobPlan, HeightChange) {
+        let from = self.next;
+        let begin_mm = match self.phase {
+            Phase::Paused { .. } => offset_mm,
+            _ => self.begun.plan.raised_mm(from),
+        };
+        let change = HeightChange {
+            from,
+            begin_mm,
+            offset_mm,
+        };
+        let mut plan = self.begun.plan.clone();
+        plan.change_height(&change);
+        (plan, change)
+    }
+
+    fn note_height(&mut self, change: HeightChange) {
+        let heights = &mut self.begun.adjustment.heights;
+        heights.retain(|it| it.from < change.from);
+        forget_older(heights, self.permit.kept());
+        heights.push(change);
+    }
+}
+
+/// Of the changes before the commands that the journal knows to be done only the last one still
+/// matters.
+fn forget_older(heights: &mut Vec<HeightChange>, kept: usize) {
+    let done = heights.partition_point(|it| it.from <= kept);
+    heights.drain(..done.saturating_sub(1));
+}
+
+fn check_range(
+    name: &'static str,
+    found: f64,
+    least: f64,
+    most: f64,
+    unit: &str,
+) -> Result<(), Refusal> {
+    if (least..=most).contains(&found) {
+        return Ok(());
+    }
+    Err(Refusal::OutOfRange {
+        name,
+        found,
+        allowed: format!("{least} to {most} {unit}"),
+    })
+}
+
+const SLOWEST_PERCENT: f64 = 10.0;
+const FASTEST_PERCENT: f64 = 200.0;
+const HEIGHT_MM: f64 = 5.0;

@@ -1,0 +1,171 @@
+//! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
+
+use dobot_api::{JobPhase, News};
+use dobot_arm::Position;
+use dobot_client::position;
+use dobot_journal::prelude;
+use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
+
+use super::watch::locate_at;
+use super::{Begun, Effect, Left, Phase, Run, Tool, Wish};
+use crate::refusal::Refusal;
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// Begins a job, or goes on with a paused one: with this one, if it is the same.
+    pub(in crate::supervisor) fn begin(
+        begun: Begun,
+        arm: &mut Arm,
+        paused: Option<&Self>,
+    ) -> Result<(Self, [Wish; 2]), Refusal> {
+        let status = arm.last();
+        let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
+        let begun = located(begun, status)?;
+        let Approach { first, lower } = approach(&begun, status);
+        let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
+        let left = run.left_before(paused);
+        if left.is_unknown {
+            run.pace.rest_each(&run.begun.plan, run.begun.completed);
+        }
+        let ways = first.iter().chain(&lower);
+        run.left = ways.fold(left, |left, it| run.after(left, it));
+        for command in first.iter().chain(&lower) {
+            arm.session().check(command)?;
+        }
+        let mut last = None;
+        for command in first {
+            last = Some(arm.send(&command)?);
+        }
+        run.phase = Phase::Approaching { last };
+        run.tool = lower.map_or(Tool::Down, Tool::Above);
+        let wishes = run.begins();
+        Ok((run, wishes))
+    }
+
+    fn begins(&self) -> [Wish; 2] {
+        let (job, phase) = (self.job(), JobPhase::Running);
+        let text = format!("job {job} ({}) is under way", self.begun.title);
+        let effect = Effect::Phase {
+            job,
+            phase,
+            reason: None,
+            window: None,
+            behind: self.begun.behind,
+        };
+        [
+            Wish::Keep(effect),
+            Wish::Tell(News::Job { job, phase }, text),
+        ]
+    }
+
+    /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
+    /// left, or else what the plan says.
+    fn left_before(&self, paused: Option<&Self>) -> Left {
+        let paused = paused.filter(|it| it.job() == self.job());
+        let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
+        left.unwrap_or_else(|| self.planned_left())
+    }
+}
+
+/// A job of which nobody knows how far it got goes on only from where the arm rests.
+fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
+    let (Some(window), Some(status)) = (begun.doubt.take(), status) else {
+        return Ok(begun);
+    };
+    let located = locate_at(&begun, &window, &status);
+    begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+    Ok(begun)
+}
+
+/// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
+/// and the way there. A tool that is lifted in a pause comes down from above.
+fn approach(begun: &Begun, status: Option<Status>) -> Approach {
+    let mut first = prelude(begun.plan.commands(), begun.completed);
+    let start = begun.plan.start_position(begun.completed);
+    let (Some(start), Some(status)) = (start, status) else {
+        return Approach { first, lower: None };
+    };
+    let here = position(&status);
+    if start.distance(here).0 <= THERE_MM {
+        let higher_mm = start.z.0 - here.z.0;
+        if higher_mm.abs() > LEVEL_MM {
+            first.push(straight(higher_mm));
+        } else if may_jump(begun) {
+            first.extend(settle());
+        }
+        return Approach { first, lower: None };
+    }
+    let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
+    let above = start + Position::new(0.0, 0.0, lift_mm);
+    let mut below_mm = lift_mm;
+    if above.distance(here).0 <= THERE_MM {
+        below_mm = here.z.0 - start.z.0;
+    } else {
+        let held = last_target(&begun.plan.commands()[..begun.completed]);
+        first.push(hop(above, &status, held));
+        if lift_mm == 0.0 && may_jump(begun) {
+            first.extend(settle());
+        }
+    }
+    let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
+    if begun.completed == begun.plan.len() {
+        // Nothing comes behind it.
+        first.extend(lower.take());
+    }
+    Approach { first, lower }
+}
+
+/// The way to where a job begins or goes on.
+struct Approach {
+    /// What has to be over before the job.
+    first: Vec<Command>,
+    /// What lowers the tool, right before the job.
+    lower: Option<Command>,
+}
+
+/// Straight up or down, slowly, with the laser off.
+pub(super) fn straight(z_mm: f64) -> Command {
+    WriteVector::by(0.0, 0.0, single(z_mm), 20.0).into()
+}
+
+/// Up and down a bit: behind that an arm has forgotten the speed that it had.
+fn settle() -> [Command; 2] {
+    [straight(SETTLE_MM), straight(-SETTLE_MM)]
+}
+
+/// Up, across and down, holding what is held.
+fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Command {
+    let base_deg = to.y.0.atan2(to.x.0).to_degrees();
+    MoveTo {
+        rotation_deg: single(base_deg) + status.servo_deg,
+        suction,
+        gripper_deg,
+        ..MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0))
+    }
+    .into()
+}
+
+/// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
+/// from a stand: one that does not use the start speed keeps the last end speed (note N48).
+fn may_jump(begun: &Begun) -> bool {
+    let before = begun.completed.checked_sub(1);
+    let before = before.and_then(|it| begun.plan.commands().get(it));
+    let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
+    !begun.dialect.uses_start_speed && before.is_some_and(moves)
+}
+
+/// What the last target did with suction and gripper.
+fn last_target(commands: &[Command]) -> (bool, f32) {
+    let target = |it: &Command| match it {
+        Command::MoveTo(it) => Some((it.suction, it.gripper_deg)),
+        Command::MoveJoints(it) => Some((it.suction, it.gripper_deg)),
+        _ => None,
+    };
+    commands.iter().rev().find_map(target).unwrap_or_default()
+}
+
+const SETTLE_MM: f64 = 1.0;
+/// Another height than that by more is seen on the paper.
+const LEVEL_MM: f64 = 0.05;
+/// As near as this the arm is where it should be.
+pub(super) const THERE_MM: f64 = 0.3;

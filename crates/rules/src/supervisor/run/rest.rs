@@ -1,0 +1,155 @@
+//! A job that goes no further: by a person, by trouble, for good or for a while.
+
+use dobot_api::{JobPhase, News};
+use dobot_journal::Window;
+
+use super::{Effect, Phase, Rests, Run, Tool, Wish, straight, word};
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// Ends a job that gives the arm no commands any more, with what its phase needs for that.
+    pub(in crate::supervisor) fn end(&mut self, why: &str) -> Option<Wish> {
+        match &mut self.phase {
+            // Nothing moves for its sake: how far the job got, nobody needs to know any more.
+            Phase::Paused { .. } | Phase::Locating { .. } => {
+                Some(self.drain(JobPhase::Stopped, why, Rests::AsItIs))
+            }
+            Phase::Draining { then, reason, .. } | Phase::Lifting { then, reason, .. } => {
+                *then = JobPhase::Stopped;
+                why.clone_into(reason);
+                Some(self.tell(JobPhase::Stopped, why))
+            }
+            Phase::Running { .. } | Phase::Approaching { .. } => None,
+        }
+    }
+
+    /// The job goes no further: it comes to rest on its way, and the tool is lifted. What was not sent
+    /// is forgotten already.
+    pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> Wish {
+        let rests = if self.is_down() {
+            Rests::Lifted
+        } else {
+            Rests::AsItIs
+        };
+        let wish = self.drain(then, why, rests);
+        self.brake();
+        wish
+    }
+
+    /// The job goes no further: what is under way comes to its end, then it is paused.
+    pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<Wish> {
+        if self.is_at_work() {
+            return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
+        }
+        if let Phase::Draining {
+            reason,
+            upto,
+            rests,
+            ..
+        } = &mut self.phase
+        {
+            // It does not come to the place where it was to wait for a person.
+            if *rests == Rests::ForPerson && self.next < *upto {
+                why.clone_into(reason);
+            }
+            (*upto, *rests) = (self.next, Rests::AsItIs);
+        }
+        None
+    }
+
+    /// A job that burns goes no further, and the tool is lifted.
+    pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> Wish {
+        self.drain(JobPhase::Paused, why, Rests::Lifted)
+    }
+
+    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, rests: Rests) -> Wish {
+        self.phase = Phase::Draining {
+            then,
+            reason: reason.to_owned(),
+            upto: self.next,
+            rests,
+        };
+        // The journal keeps it as running until nothing is under way: a crash until then has to find
+        // out how far the job got.
+        self.tell(then, reason)
+    }
+
+    /// All was given that the job does before it rests: the tool is lifted right behind that, so that
+    /// no pen stands on the paper.
+    pub(super) fn lift(&mut self, arm: &mut Arm, may_lift: bool, then: JobPhase, reason: String) {
+        let up = self.lift_mm();
+        let command = straight(up.into());
+        let lifts = up > 0.0 && may_lift && arm.send(&command).is_ok();
+        self.phase = if lifts {
+            Phase::Lifting { then, reason }
+        } else {
+            Phase::Draining {
+                then,
+                reason,
+                upto: self.next,
+                rests: Rests::AsItIs,
+            }
+        };
+    }
+
+    /// Nothing of the job is under way any more: how far it got is certain, and kept.
+    pub(super) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<Wish> {
+        let window = self.come_to_end(&reason);
+        arm.part_from_laser();
+        let mut wishes = vec![Wish::Keep(Effect::Phase {
+            job: self.job(),
+            phase: then,
+            reason: Some(reason),
+            window,
+            behind: self.begun.behind,
+        })];
+        wishes.extend(then.is_over().then_some(Wish::Forget));
+        wishes
+    }
+
+    /// Gives how far the job is, where that is certain.
+    fn come_to_end(&mut self, reason: &str) -> Option<Window> {
+        let for_person = match &self.phase {
+            Phase::Draining { rests, .. } => *rests == Rests::ForPerson,
+            _ => false,
+        };
+        if matches!(self.phase, Phase::Lifting { .. }) {
+            self.left = self.after(self.left, &straight(self.lift_mm().into()));
+        }
+        self.next = self.begun.completed;
+        let waited = self.begun.next_pause().map(|it| it.before);
+        if for_person && waited == Some(self.next) {
+            self.begun.behind.pauses += 1;
+        }
+        self.note_ran();
+        self.phase = Phase::Paused {
+            reason: reason.to_owned(),
+        };
+        self.begun.doubt.is_none().then(|| self.certain())
+    }
+
+    pub(super) fn tell(&self, phase: JobPhase, reason: &str) -> Wish {
+        let job = self.job();
+        let text = format!("job {job} is {}: {reason}", word(phase));
+        Wish::Tell(News::Job { job, phase }, text)
+    }
+
+    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
+    /// do stops dead.
+    fn brake(&mut self) {
+        let left = self.left();
+        if left.moves
+            && let Some(end) = self
+                .pace
+                .brake(&self.begun.plan, self.next, left.speed_mm_s)
+            && let Phase::Draining { upto, .. } = &mut self.phase
+        {
+            *upto = end;
+        }
+    }
+
+    /// Whether the tool is where the job goes on: not above that, on its way.
+    const fn is_down(&self) -> bool {
+        !matches!(self.phase, Phase::Approaching { .. }) && !matches!(self.tool, Tool::Above(_))
+    }
+}

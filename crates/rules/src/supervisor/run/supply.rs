@@ -1,0 +1,198 @@
+//! Keeping session and journal supplied with what the job needs next.
+
+use std::time::Duration;
+
+use dobot_api::JobPhase;
+use dobot_client::CommandId;
+use dobot_wire::{Command, Status};
+
+use super::{Effect, Given, Phase, Ran, Rests, Run, Tool, Wish};
+use crate::refusal::Refusal;
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// Takes that a command was not sent, and is forgotten.
+    pub(in crate::supervisor) fn handle_forgotten(&mut self, id: CommandId) {
+        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+            let index = self.given[at].index;
+            self.given.truncate(at);
+            self.next = self.next.min(index);
+        }
+        // The tool is still above.
+        if let Tool::Lowering(it, command) = self.tool
+            && it == id
+        {
+            self.tool = Tool::Above(command);
+        }
+    }
+
+    /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
+    /// by one that failed.
+    pub(in crate::supervisor) fn handle_over(
+        &mut self,
+        id: CommandId,
+        now: Duration,
+        is_done: bool,
+    ) -> bool {
+        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_way = match &self.phase {
+            Phase::Approaching { last } => *last == Some(id),
+            _ => matches!(self.tool, Tool::Lowering(it, _) if it == id),
+        };
+        if let Some(at) = of_job {
+            self.over(at, now, is_done);
+        }
+        if !is_done {
+            return of_job.is_some() || of_way || self.is_approaching();
+        }
+        if of_way && self.is_approaching() {
+            self.set_out(now);
+        } else if of_way {
+            self.tool = Tool::Down;
+        }
+        false
+    }
+
+    /// Keeps the session and the journal supplied. The tool is lifted only where it may.
+    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<Wish> {
+        if matches!(self.phase, Phase::Approaching { last: None }) {
+            self.set_out(arm.now());
+        }
+        if !self.gives() {
+            return Vec::new();
+        }
+        let mut wishes: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
+        while arm.session().waiting() < KEEP_WAITING
+            && let Some(command) = self.next_command()
+        {
+            let given = self.lower(arm).and_then(|()| self.give(arm, &command));
+            if let Err(refusal) = given {
+                arm.part_from_laser();
+                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
+                break;
+            }
+        }
+        wishes.extend(self.reach_limit(arm, may_lift));
+        wishes
+    }
+
+    fn next_command(&mut self) -> Option<Command> {
+        if self.next >= self.upto() || !self.permit.allows(self.next) {
+            return None;
+        }
+        let speed_mm_s = self.speed_mm_s();
+        self.pace.command(&self.begun.plan, self.next, speed_mm_s)
+    }
+
+    /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
+    /// makes a blot.
+    fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Tool::Above(command) = self.tool {
+            // Where that fails, nothing of the job is given behind it.
+            self.tool = Tool::Down;
+            self.tool = Tool::Lowering(arm.send(&command)?, command);
+        }
+        Ok(())
+    }
+
+    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+        let id = arm.send(command)?;
+        let (index, left) = (self.next, self.after(self.left(), command));
+        self.given.push_back(Given { id, index, left });
+        self.next += 1;
+        Ok(())
+    }
+
+    /// All was given up to where the job comes to rest: for a person, or to be lifted.
+    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<Wish> {
+        if self.next < self.upto() {
+            return None;
+        }
+        match &self.phase {
+            Phase::Running { .. } => self.wait_for_person(),
+            Phase::Draining {
+                then,
+                reason,
+                rests: Rests::Lifted,
+                ..
+            } => {
+                let (then, reason) = (*then, reason.clone());
+                self.lift(arm, may_lift, then, reason);
+                None
+            }
+            _ => None,
+        }
+    }
+
+    fn wait_for_person(&mut self) -> Option<Wish> {
+        let here = self.begun.next_pause().filter(|it| it.before == self.next);
+        let message = here?.message.clone();
+        Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson))
+    }
+
+    /// The journal is asked in time, so that the arm does not wait for the disk.
+    fn ask_journal(&mut self, status: Option<Status>) -> Option<Wish> {
+        if !self.permit.is_low(self.next) {
+            return None;
+        }
+        let completed = self.begun.completed;
+        let upto = self.window_end(&status?).min(self.upto());
+        let effect = Effect::Give {
+            job: self.job(),
+            completed,
+            upto,
+            start: self.start(),
+        };
+        self.permit
+            .ask(upto, completed)
+            .then_some(Wish::Ask(effect))
+    }
+
+    /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
+    fn set_out(&mut self, now: Duration) {
+        let pause = self.begun.next_pause().map(|it| it.before);
+        self.phase = Phase::Running {
+            upto: pause.unwrap_or(self.begun.plan.len()),
+        };
+        self.ran = Some(Ran {
+            since: now,
+            last_over: now,
+        });
+    }
+
+    const fn is_approaching(&self) -> bool {
+        matches!(self.phase, Phase::Approaching { .. })
+    }
+
+    /// Whether there are commands to be given.
+    fn gives(&self) -> bool {
+        match self.phase {
+            Phase::Running { .. } => true,
+            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
+            _ => false,
+        }
+    }
+
+    /// Commands below this one may be given: there the job comes to rest.
+    const fn upto(&self) -> usize {
+        match self.phase {
+            Phase::Running { upto } | Phase::Draining { upto, .. } => upto,
+            _ => self.next,
+        }
+    }
+
+    /// The command at this place of those given is over.
+    fn over(&mut self, at: usize, now: Duration, is_done: bool) {
+        let given = self.given.remove(at).expect("it was found there");
+        if let Some(ran) = &mut self.ran {
+            ran.last_over = now;
+        }
+        if is_done && self.begun.completed == given.index {
+            self.begun.completed = given.index + 1;
+            self.left = given.left;
+        }
+    }
+}
+
+/// So many commands wait in the session, so that a permit finds one.
+const KEEP_WAITING: usize = 2;

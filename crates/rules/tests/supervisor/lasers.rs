@@ -1,0 +1,111 @@
+//! The laser is off, unless a person has armed it, for a while.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Request};
+use dobot_controller::Personality;
+use dobot_rules::{Refusal, Rehearsal};
+
+use crate::drawing::{burnt_spiral, rehearsal};
+
+const PERSONALITIES: [Personality; 2] = Personality::ALL;
+
+/// An arm that burns.
+fn burning(personality: Personality) -> (Rehearsal, ClientId, u64) {
+    let mut it = rehearsal(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(20)).unwrap();
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+    let minute = it.now() + Duration::from_mins(1);
+    assert!(
+        it.run_until(minute, burns),
+        "{personality}: it begins to burn"
+    );
+    it.run_for(Duration::from_secs(1));
+    (it, anna, job)
+}
+
+fn burns(it: &Rehearsal) -> bool {
+    it.arm().controller().outputs().laser
+}
+
+/// Half a second ahead, the vector that runs, and the line.
+const SOON: Duration = Duration::from_millis(2_500);
+
+#[test]
+fn a_job_that_burns_is_refused_while_the_laser_is_disarmed() {
+    let mut it = rehearsal(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(4)).unwrap();
+    assert_eq!(it.start(anna, job), Err(Refusal::LaserDisarmed));
+    it.run_for(Duration::from_secs(10));
+    assert!(!burns(&it));
+}
+
+#[test]
+fn the_laser_is_off_soon_after_a_stop() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::Stop { reason: None }).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+        assert!(it.supervisor().state().laser.armed_for_s == 0.0);
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, job) = burning(personality);
+        it.leave(anna);
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+        let left = it.now() + Duration::from_secs(30);
+        let paused = |it: &Rehearsal| it.job(job).unwrap().state.to_string().starts_with("paused");
+        assert!(it.run_until(left, paused), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_its_time_is_over() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::ArmLaser { for_s: 1.0 }).unwrap();
+        it.run_for(Duration::from_secs(1) + SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_a_pause() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_the_station_was_killed_and_started_again() {
+    for personality in PERSONALITIES {
+        let (mut it, _, _) = burning(personality);
+        it.crash(Duration::from_millis(700)).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_armed_for_no_longer_than_the_policy_allows() {
+    let mut it = rehearsal(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    for for_s in [0.0, -1.0, 601.0, f64::NAN, f64::INFINITY] {
+        let refused = it.ask(anna, Request::ArmLaser { for_s }).unwrap_err();
+        assert_eq!(refused.kind(), "out-of-range", "{for_s}");
+    }
+}
