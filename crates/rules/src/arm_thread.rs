@@ -8,21 +8,21 @@ use tokio::runtime::{Builder, Handle};
 use tokio::sync::oneshot;
 
 use crate::connect::Connecting;
+use crate::driver::Driver;
 use crate::guardian::LastWords;
-use crate::owner::Owner;
 
-/// The thread that has the arm: the owner of its port runs there, and those who speak the arm's own
+/// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
 /// protocol, so that no packet waits until a thousand others have been told where the arm is.
 ///
 /// When it panics the last words are said from here, for nobody else is left who could.
 #[derive(Debug)]
 pub(crate) struct ArmThread {
     runtime: Handle,
-    owner: oneshot::Sender<(Owner, Option<Connecting>)>,
+    driver: oneshot::Sender<(Driver, Option<Connecting>)>,
     ended: oneshot::Receiver<Result<(), String>>,
 }
 
-/// The thread, with its owner at work.
+/// The thread, with its driver at work.
 #[derive(Debug)]
 pub(crate) struct ArmAtWork {
     runtime: Handle,
@@ -30,7 +30,7 @@ pub(crate) struct ArmAtWork {
 }
 
 impl ArmThread {
-    /// Starts it; it waits for its owner, and what is spawned there runs already.
+    /// Starts it; it waits for its driver, and what is spawned there runs already.
     ///
     /// # Errors
     ///
@@ -38,14 +38,14 @@ impl ArmThread {
     pub(crate) fn start(words: Arc<LastWords>) -> io::Result<Self> {
         let runtime = Builder::new_current_thread().enable_all().build()?;
         let handle = runtime.handle().clone();
-        let (owner, given) = oneshot::channel::<(Owner, Option<Connecting>)>();
+        let (driver, given) = oneshot::channel::<(Driver, Option<Connecting>)>();
         let (over, ended) = oneshot::channel();
         let thread = std::thread::Builder::new().name("arm".into());
         thread.spawn(move || {
             let work = || {
                 runtime.block_on(async {
                     match given.await {
-                        Ok((owner, first)) => Box::pin(owner.run(first)).await,
+                        Ok((driver, first)) => Box::pin(driver.run(first)).await,
                         // The station did not start.
                         Err(_) => Ok(()),
                     }
@@ -60,16 +60,16 @@ impl ArmThread {
         })?;
         Ok(Self {
             runtime: handle,
-            owner,
+            driver,
             ended,
         })
     }
 
-    /// Lets the owner run there, beginning with what is known of its arm already; the thread ends
+    /// Lets the driver run there, beginning with what is known of its arm already; the thread ends
     /// with it, and with the thread all else that runs there.
-    pub(crate) fn give(self, owner: Owner, first: Option<Connecting>) -> ArmAtWork {
+    pub(crate) fn give(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
         // A thread that is gone says so when it is waited for.
-        let _ = self.owner.send((owner, first));
+        let _ = self.driver.send((driver, first));
         ArmAtWork {
             runtime: self.runtime,
             ended: self.ended,
@@ -88,7 +88,7 @@ impl ArmAtWork {
         self.runtime.spawn(task);
     }
 
-    /// Waits until the owner has ended.
+    /// Waits until the driver has ended.
     ///
     /// # Errors
     ///
@@ -122,10 +122,10 @@ mod tests {
     use super::*;
     use crate::arms::Arms;
     use crate::connect::Source;
+    use crate::driver::Given;
     use crate::guardian::{Heart, JogKind, Told};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
-    use crate::owner::Given;
     use crate::recording::Recording;
     use crate::supervisor::Supervisor;
     use crate::{Finder, Found, Search};
@@ -161,7 +161,7 @@ mod tests {
         }
     }
 
-    /// An owner at work on a link, and the way to it.
+    /// A driver at work on a link, and the way to it.
     fn at_work(
         link: Link,
         words: &Arc<LastWords>,
@@ -173,7 +173,7 @@ mod tests {
         let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
-        let owner = Owner::new(Given {
+        let driver = Driver::new(Given {
             supervisor,
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
@@ -192,7 +192,7 @@ mod tests {
             bytes: Vec::new(),
         };
         let thread = ArmThread::start(words.clone()).unwrap();
-        (thread.give(owner, Some(Connecting::Up(found))), own)
+        (thread.give(driver, Some(Connecting::Up(found))), own)
     }
 
     fn commands(far: &mut impl Read) -> Vec<Command> {

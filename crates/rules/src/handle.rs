@@ -24,7 +24,7 @@ pub struct Handle {
     pub(crate) rules: Arc<Rules>,
 }
 
-/// The other end of all [`Handle`]s: what the owner of the arm hears, and where it tells.
+/// The other end of all [`Handle`]s: what the driver of the arm hears, and where it tells.
 #[derive(Debug)]
 pub struct Ends {
     /// What clients ask.
@@ -114,7 +114,7 @@ pub struct Client {
     handle: Handle,
 }
 
-/// What reaches the owner.
+/// What reaches the driver.
 #[derive(Debug)]
 pub enum Message {
     /// A client came.
@@ -194,7 +194,7 @@ impl Ends {
     }
 }
 
-/// How many messages may wait for the owner.
+/// How many messages may wait for the driver.
 const MESSAGES: usize = 1024;
 /// How many states a client may lag behind before it loses some.
 const STATES: usize = 256;
@@ -206,7 +206,7 @@ const PACKETS: usize = 256;
 const RECENT: usize = 200;
 
 impl Handle {
-    /// A handle, and its other end for the owner of the arm.
+    /// A handle, and its other end for the driver of the arm.
     #[must_use]
     pub fn new(first: State, rules: Rules) -> (Self, Ends) {
         Self::with_packets(first, rules, PACKETS)
@@ -299,11 +299,11 @@ impl Handle {
 
     /// Lets those who watch know that a client behaves badly.
     pub async fn trouble(&self, text: String) {
-        // Without an owner nobody is there to know.
+        // Without a driver nobody is there to know.
         let _ = self.send(Message::Trouble(text)).await;
     }
 
-    /// The same, at once; where very much waits for the owner already, this is left out.
+    /// The same, at once; where very much waits for the driver already, this is left out.
     pub fn tell_trouble(&self, text: String) {
         let _ = self.messages.try_send(Message::Trouble(text));
     }
@@ -411,7 +411,7 @@ impl Drop for Client {
     fn drop(&mut self) {
         let (messages, left) = (self.handle.messages.clone(), Message::Left(self.id));
         if let Err(mpsc::error::TrySendError::Full(left)) = messages.try_send(left) {
-            // The owner has much to do; it must hear of this all the same.
+            // The driver has much to do; it must hear of this all the same.
             if let Ok(runtime) = tokio::runtime::Handle::try_current() {
                 runtime.spawn(async move { messages.send(left).await });
             }

@@ -1,4 +1,4 @@
-//! The rules for one arm, at work: the owner of its port with all that he needs.
+//! The rules for one arm, at work: the driver of its port with all that he needs.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,10 +14,10 @@ use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
+use crate::driver::{Driver, Given};
 use crate::guardian::{Heart, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
-use crate::owner::{Given, Owner};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
 use crate::supervisor::Supervisor;
@@ -89,7 +89,7 @@ impl Host {
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
         let heart = Heart::new(setup.guardian, note.clone(), approach.words);
-        let mut owner = Owner::new(Given {
+        let mut driver = Driver::new(Given {
             supervisor,
             ends,
             source,
@@ -102,9 +102,9 @@ impl Host {
         let notes = approach.notes.into_iter().chain(trouble);
         Ok(Self {
             handle,
-            notes: notes.chain(owner.recover().err()).collect(),
+            notes: notes.chain(driver.recover().err()).collect(),
             of_guardian: take_note(&note),
-            thread: approach.thread.give(owner, approach.first),
+            thread: approach.thread.give(driver, approach.first),
         })
     }
 

@@ -48,12 +48,16 @@ enum Order {
 }
 
 impl Jobs {
-    /// The jobs of a journal. The owner of the arm is told when they cannot be written any more.
-    pub(crate) fn new(journal: Journal, policy: Arc<Policy>, owner: mpsc::Sender<Message>) -> Self {
+    /// The jobs of a journal. The driver of the arm is told when they cannot be written any more.
+    pub(crate) fn new(
+        journal: Journal,
+        policy: Arc<Policy>,
+        driver: mpsc::Sender<Message>,
+    ) -> Self {
         let journal = Arc::new(journal);
         let (orders, waiting) = mpsc::unbounded_channel();
         let writer = journal.clone();
-        std::thread::spawn(move || watch(&owner, || write_all(&writer, waiting)));
+        std::thread::spawn(move || watch(&driver, || write_all(&writer, waiting)));
         Self {
             journal,
             policy,
@@ -94,13 +98,13 @@ impl Jobs {
         });
     }
 
-    /// Plans a job that is to be started, and hands it to the owner of the arm.
+    /// Plans a job that is to be started, and hands it to the driver of the arm.
     pub(crate) fn plan(
         self,
         job: u64,
         model: Model,
         client: ClientId,
-        owner: mpsc::Sender<Message>,
+        driver: mpsc::Sender<Message>,
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     ) {
         tokio::task::spawn_blocking(move || match self.startable(job, model) {
@@ -110,8 +114,8 @@ impl Jobs {
             }
             Ok(begun) => {
                 let begun = Box::new(begun);
-                // An owner that ends drops the message, and with it the reply.
-                let _ = owner.blocking_send(Message::Planned {
+                // A driver that ends drops the message, and with it the reply.
+                let _ = driver.blocking_send(Message::Planned {
                     client,
                     begun,
                     reply,
@@ -331,11 +335,11 @@ pub(crate) fn recovery_model(job: &Job) -> Model {
 }
 
 /// Writes the journal; a panic there is the end of the station.
-fn watch(owner: &mpsc::Sender<Message>, writing: impl FnOnce()) {
+fn watch(driver: &mpsc::Sender<Message>, writing: impl FnOnce()) {
     if catch_unwind(AssertUnwindSafe(writing)).is_err() {
         let text = "the thread that writes the journal panicked".to_owned();
-        // An owner that has ended needs no journal.
-        let _ = owner.blocking_send(Message::Failed(text));
+        // A driver that has ended needs no journal.
+        let _ = driver.blocking_send(Message::Failed(text));
     }
 }
 
@@ -345,7 +349,7 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
         match order {
             Order::Write(effect, written) => {
                 let outcome = write(journal, &effect).map_err(|error| error.to_string());
-                // An owner that has ended wants to know nothing more.
+                // A driver that has ended wants to know nothing more.
                 let _ = written.send(Written { effect, outcome });
             }
             Order::Reached(done) => {
@@ -413,8 +417,8 @@ mod tests {
 
     #[tokio::test]
     async fn a_panic_where_the_journal_is_written_ends_the_station() {
-        let (owner, mut told) = mpsc::channel(1);
-        std::thread::spawn(move || watch(&owner, || panic!("the disk is made of cheese")));
+        let (driver, mut told) = mpsc::channel(1);
+        std::thread::spawn(move || watch(&driver, || panic!("the disk is made of cheese")));
         let Some(Message::Failed(text)) = told.recv().await else {
             panic!("it is told as a failure");
         };

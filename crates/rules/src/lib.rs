@@ -3,7 +3,7 @@
 //! ```text
 //!   clients, wherever they are
 //!          |
-//!        Handle ----> Owner               recordings, journal
+//!        Handle ----> Driver               recordings, journal
 //!                       |   the one task that has the port
 //!                     Supervisor              every rule, an engine: no port, no file, no clock
 //!                       |
@@ -44,12 +44,12 @@ mod arm_thread;
 mod arms;
 mod client;
 mod connect;
+mod driver;
 mod finder;
 mod guardian;
 mod handle;
 mod host;
 mod jobs;
-mod owner;
 mod recording;
 mod refusal;
 mod rehearsal;

@@ -1,4 +1,4 @@
-//! The bridge between a program that speaks the arm's own protocol and the owner of the arm.
+//! The bridge between a program that speaks the arm's own protocol and the driver of the arm.
 
 mod patience;
 mod web;
@@ -15,10 +15,10 @@ use self::patience::Patience;
 use self::web::is_web;
 use crate::Traffic;
 
-/// Carries packets of a program to the owner of the arm, and statuses to the program, until either
+/// Carries packets of a program to the driver of the arm, and statuses to the program, until either
 /// of them leaves.
 ///
-/// Little piles up here. What the program sends is passed on no faster than the owner takes it, and no
+/// Little piles up here. What the program sends is passed on no faster than the driver takes it, and no
 /// faster than an arm's line carries it once it is refused or noise; so much of it is read ahead that
 /// the end of a program is seen at once, and what still had to wait is forgotten. Statuses that the
 /// program does not read in time are lost to it, and it goes on with the newest.
@@ -45,7 +45,7 @@ pub(crate) async fn bridge(
     }
 }
 
-/// The way from the program to the owner.
+/// The way from the program to the driver.
 struct Inward {
     decoder: Decoder<Commands>,
     opened: Instant,
@@ -63,7 +63,7 @@ impl Inward {
         }
     }
 
-    /// Runs until the program leaves, or the owner does. What it sent is read ahead, so that its end is
+    /// Runs until the program leaves, or the driver does. What it sent is read ahead, so that its end is
     /// seen behind what waits: then what would have to wait is forgotten.
     async fn run(&mut self, reader: impl AsyncRead + Unpin, client: &Client) {
         let (ahead, packets) = mpsc::channel(AHEAD);
@@ -124,7 +124,7 @@ async fn serve(
         match client.raw(packet).await {
             Ok(()) => continue,
             Err(Refusal::Ending) => return,
-            // The owner tells of it: the arm's protocol has no words for it.
+            // The driver tells of it: the arm's protocol has no words for it.
             Err(_) => *refused += 1,
         }
         patience.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
@@ -140,7 +140,7 @@ async fn serve(
     }
 }
 
-/// The way from the owner to the program.
+/// The way from the driver to the program.
 struct Outward {
     statuses: Receiver<[u8; PACKET_LEN]>,
     sent: u64,
@@ -156,7 +156,7 @@ impl Outward {
         }
     }
 
-    /// Runs until the program leaves, or the owner does.
+    /// Runs until the program leaves, or the driver does.
     async fn run(&mut self, mut writer: impl AsyncWrite + Unpin) {
         while let Some(status) = self.next().await {
             if writer.write_all(&status).await.is_err() {

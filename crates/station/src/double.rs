@@ -1,4 +1,4 @@
-//! An owner of the arm that does what a test tells it.
+//! A driver of the arm that does what a test tells it.
 
 mod lab;
 
@@ -10,14 +10,14 @@ use tokio::sync::oneshot;
 pub(crate) use self::lab::Lab;
 use crate::sample::state;
 
-/// An owner of the arm that does what a test tells it.
+/// A driver of the arm that does what a test tells it.
 pub(crate) struct Double {
     ends: Ends,
     clients: u64,
 }
 
 impl Double {
-    /// An owner, and the way to it; it keeps `kept` statuses for whoever is slow.
+    /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
     pub(crate) fn new(kept: usize) -> (Handle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());
         let (handle, ends) = Handle::with_packets(state(0.0), rules, kept);

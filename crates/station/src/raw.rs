@@ -19,7 +19,7 @@ use crate::{ProgramNews, Traffic};
 ///
 /// One program at a time is served, as a client of the station: the first packet takes the lease if
 /// nobody has it, every packet is checked, and each status that it gets permits one command. The
-/// protocol has no words for a refusal, so that the owner tells of it elsewhere.
+/// protocol has no words for a refusal, so that the driver tells of it elsewhere.
 ///
 /// Another program is told why it is turned away, in a line that holds no header of a packet. It is
 /// told so after a moment only: a program that is started again may come before the end of the last

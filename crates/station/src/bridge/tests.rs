@@ -7,24 +7,24 @@ use tokio::task::JoinHandle;
 use super::*;
 use crate::double::{Double, packet};
 
-/// A program, its bridge and the owner at the other end of it.
+/// A program, its bridge and the driver at the other end of it.
 struct Bridged {
     program: DuplexStream,
-    owner: Double,
+    driver: Double,
     bridge: JoinHandle<Traffic>,
     handle: Handle,
 }
 
 /// What a program has that reads and writes through buffers of so many bytes.
 async fn bridged(buffer: usize) -> Bridged {
-    let (handle, mut owner) = Double::new(4);
+    let (handle, mut driver) = Double::new(4);
     let (program, ours) = duplex(buffer);
     let statuses = handle.packets();
     let known = tokio::spawn({
         let handle = handle.clone();
         async move { handle.client("a program", Role::Control).await }
     });
-    owner.admit().await;
+    driver.admit().await;
     let client = known.await.expect("it runs").expect("it is let in");
     let bridge = tokio::spawn(async move {
         let (reader, writer) = split(ours);
@@ -32,7 +32,7 @@ async fn bridged(buffer: usize) -> Bridged {
     });
     Bridged {
         program,
-        owner,
+        driver,
         bridge,
         handle,
     }
@@ -43,12 +43,12 @@ fn refusal() -> Result<(), Refusal> {
 }
 
 #[tokio::test]
-async fn packets_go_to_the_owner_and_statuses_to_the_program_byte_for_byte() {
+async fn packets_go_to_the_driver_and_statuses_to_the_program_byte_for_byte() {
     let mut it = bridged(4096).await;
     it.program.write_all(&packet(1)).await.expect("it is open");
-    assert_eq!(it.owner.grant().await, packet(1));
+    assert_eq!(it.driver.grant().await, packet(1));
     let any_bytes: [u8; 42] = std::array::from_fn(|n| u8::try_from(n * 6).expect("it fits"));
-    it.owner.send_status(any_bytes);
+    it.driver.send_status(any_bytes);
     let mut got = [0; 42];
     it.program.read_exact(&mut got).await.expect("it comes");
     assert_eq!(got, any_bytes);
@@ -62,14 +62,14 @@ async fn packets_go_to_the_owner_and_statuses_to_the_program_byte_for_byte() {
 async fn a_program_that_leaves_is_a_client_that_leaves() {
     let mut it = bridged(4096).await;
     drop(it.program);
-    it.owner.left().await;
+    it.driver.left().await;
     it.bridge.await.expect("it runs");
 }
 
 #[tokio::test]
 async fn the_bridge_ends_with_the_station() {
     let mut it = bridged(4096).await;
-    drop(it.owner);
+    drop(it.driver);
     it.program.write_all(&packet(1)).await.expect("it is open");
     it.bridge.await.expect("it runs");
     assert_eq!(it.program.read(&mut [0]).await.expect("it is its end"), 0);
@@ -77,18 +77,18 @@ async fn the_bridge_ends_with_the_station() {
 }
 
 #[tokio::test]
-async fn statuses_come_while_a_packet_waits_for_the_owner() {
+async fn statuses_come_while_a_packet_waits_for_the_driver() {
     let mut it = bridged(4096).await;
     it.program.write_all(&packet(1)).await.expect("it is open");
-    let (_, _, unanswered) = it.owner.asked().await;
-    it.owner.send_status([7; 42]);
+    let (_, _, unanswered) = it.driver.asked().await;
+    it.driver.send_status([7; 42]);
     let mut got = [0; 42];
     it.program.read_exact(&mut got).await.expect("it comes");
     drop(unanswered);
 }
 
 #[tokio::test]
-async fn what_is_read_ahead_while_the_owner_has_not_answered_has_an_end() {
+async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
     let mut it = bridged(420).await;
     let flood = tokio::spawn(async move {
         let mut sent = 0_u64;
@@ -97,11 +97,11 @@ async fn what_is_read_ahead_while_the_owner_has_not_answered_has_an_end() {
         }
         sent
     });
-    let (_, _, unanswered) = it.owner.asked().await;
+    let (_, _, unanswered) = it.driver.asked().await;
     for _ in 0..100_000 {
         tokio::task::yield_now().await;
     }
-    assert!(it.owner.idle(), "one packet at a time");
+    assert!(it.driver.idle(), "one packet at a time");
     it.bridge.abort();
     drop(unanswered);
     // Those ahead, one read of 4096 bytes at the most, and what the stream holds.
@@ -123,7 +123,7 @@ async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
     let gone = Instant::now();
     let answers = tokio::spawn(async move {
         let mut refused = 0;
-        while it.owner.answer_unless_left(refusal()).await.is_some() {
+        while it.driver.answer_unless_left(refusal()).await.is_some() {
             refused += 1;
         }
         refused
@@ -141,9 +141,9 @@ async fn what_a_program_sent_before_it_left_is_passed_on_if_it_need_not_wait() {
     it.program.write_all(&packet(1)).await.expect("it is open");
     it.program.write_all(&packet(2)).await.expect("it is open");
     drop(it.program);
-    assert_eq!(it.owner.grant().await, packet(1));
-    assert_eq!(it.owner.grant().await, packet(2));
-    it.owner.left().await;
+    assert_eq!(it.driver.grant().await, packet(1));
+    assert_eq!(it.driver.grant().await, packet(2));
+    it.driver.left().await;
 }
 
 #[tokio::test(start_paused = true)]
@@ -154,7 +154,7 @@ async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_the
         tokio::spawn(async move { while it.program.write_all(&packet(1)).await.is_ok() {} });
     let mut refused = 0_u32;
     while started.elapsed().as_secs() < 60 {
-        it.owner.answer(refusal()).await;
+        it.driver.answer(refusal()).await;
         refused += 1;
     }
     // 960 bytes a second are 22.9 packets, and half a second is free.
@@ -168,11 +168,11 @@ async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_status
     let mut it = bridged(4096).await;
     for status in 0..200 {
         let started = Instant::now();
-        it.owner.send_status([status; 42]);
+        it.driver.send_status([status; 42]);
         let mut got = [0; 42];
         it.program.read_exact(&mut got).await.expect("it comes");
         it.program.write_all(&packet(1)).await.expect("it is open");
-        it.owner.answer(refusal()).await;
+        it.driver.answer(refusal()).await;
         assert!(started.elapsed().is_zero(), "{:?}", started.elapsed());
         tokio::time::advance(std::time::Duration::from_millis(80)).await;
     }
@@ -183,10 +183,10 @@ async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_status
 
 #[tokio::test(start_paused = true)]
 async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest() {
-    // The stream holds two statuses, the bridge one, the owner four.
+    // The stream holds two statuses, the bridge one, the driver four.
     let mut it = bridged(84).await;
     for status in 0..100 {
-        it.owner.send_status([status; 42]);
+        it.driver.send_status([status; 42]);
         tokio::task::yield_now().await;
     }
     let mut got = Vec::new();
@@ -197,7 +197,7 @@ async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest
         assert_eq!(status, [status[0]; 42], "it came whole");
         got.push(status[0]);
     }
-    it.owner.send_status([200; 42]);
+    it.driver.send_status([200; 42]);
     it.program.read_exact(&mut status).await.expect("it comes");
     assert_eq!(status, [200; 42]);
     assert!(got.is_sorted() && got.len() <= 7, "{got:?}");
@@ -215,11 +215,11 @@ async fn a_web_page_is_cut_off_before_any_packet_of_its_own() {
     it.program.write_all(&request).await.expect("it is open");
     let traffic = it.bridge.await.expect("it runs");
     assert!(traffic.web);
-    it.owner.left().await;
-    assert!(it.owner.idle());
+    it.driver.left().await;
+    assert!(it.driver.idle());
 }
 
-/// Runs bytes through a bridge, cut into pieces, and returns the packets that reach the owner.
+/// Runs bytes through a bridge, cut into pieces, and returns the packets that reach the driver.
 fn through(bytes: Vec<u8>, cut: usize) -> (Vec<[u8; 42]>, Traffic) {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_time()
@@ -234,7 +234,7 @@ fn through(bytes: Vec<u8>, cut: usize) -> (Vec<[u8; 42]>, Traffic) {
             }
         });
         let mut packets = Vec::new();
-        while let Some(packet) = it.owner.answer_unless_left(Ok(())).await {
+        while let Some(packet) = it.driver.answer_unless_left(Ok(())).await {
             packets.push(packet);
         }
         sending.await.expect("it runs");

@@ -1,4 +1,4 @@
-//! A port for old programs with the owner behind it.
+//! A port for old programs with the driver behind it.
 
 use dobot_api::Role;
 use dobot_rules::Handle;
@@ -7,28 +7,28 @@ use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use super::Double;
 use crate::{ProgramNews, Traffic};
 
-/// A port for old programs, at an address or a path, with the owner behind it.
+/// A port for old programs, at an address or a path, with the driver behind it.
 pub(crate) struct Lab<At> {
     pub(crate) at: At,
-    pub(crate) owner: Double,
+    pub(crate) driver: Double,
     pub(crate) told: UnboundedReceiver<ProgramNews>,
 }
 
 impl<At> Lab<At> {
-    /// With what the port is to be served: the way to the owner, and where to tell.
+    /// With what the port is to be served: the way to the driver, and where to tell.
     pub(crate) fn new(at: At) -> (Self, Handle, impl Fn(ProgramNews) + use<At>) {
-        let (handle, owner) = Double::new(16);
+        let (handle, driver) = Double::new(16);
         let (tell, told) = unbounded_channel();
         let tell = move |news| {
             // A test that has seen enough listens no more.
             let _ = tell.send(news);
         };
-        (Self { at, owner, told }, handle, tell)
+        (Self { at, driver, told }, handle, tell)
     }
 
     /// Lets the next program in, and says what it is called.
     pub(crate) async fn admit(&mut self) -> String {
-        let (_, name, role) = self.owner.admit().await;
+        let (_, name, role) = self.driver.admit().await;
         assert_eq!(role, Role::Control);
         let came = ProgramNews::Came { name: name.clone() };
         assert_eq!(self.news().await, came);
@@ -42,7 +42,7 @@ impl<At> Lab<At> {
 
     /// What went through a program that has left, which is told next.
     pub(crate) async fn left(&mut self) -> Traffic {
-        self.owner.left().await;
+        self.driver.left().await;
         match self.news().await {
             ProgramNews::Left { traffic, .. } => traffic,
             news => panic!("it has left: {news:?}"),

@@ -1,4 +1,4 @@
-//! Who asks the owner of the arm, and what everyone may see.
+//! Who asks the driver of the arm, and what everyone may see.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use super::app::{App, Visitor};
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
 
-/// One who asks the owner of the arm for something.
+/// One who asks the driver of the arm for something.
 #[derive(Debug)]
 pub(super) struct Asker {
     pub(super) app: Arc<App>,

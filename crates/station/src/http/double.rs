@@ -1,4 +1,4 @@
-//! A stand-in for the owner of an arm: it grants everything, and remembers what it was asked.
+//! A stand-in for the driver of an arm: it grants everything, and remembers what it was asked.
 
 use std::sync::{Arc, Mutex};
 
@@ -24,8 +24,8 @@ impl Asked {
     }
 }
 
-/// A stand-in for the owner, and what tells states and notices in its name.
-pub(super) fn owner() -> (Handle, Arc<Telling>, Asked) {
+/// A stand-in for the driver, and what tells states and notices in its name.
+pub(super) fn driver() -> (Handle, Arc<Telling>, Asked) {
     let rules = Rules::of(&dobot_safety::Policy::default());
     let (handle, mut ends) = Handle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
@@ -40,7 +40,7 @@ pub(super) fn owner() -> (Handle, Arc<Telling>, Asked) {
     (handle, telling, asked)
 }
 
-/// What tells states and notices in the name of the owner.
+/// What tells states and notices in the name of the driver.
 #[derive(Debug)]
 pub(super) struct Telling {
     pub(super) ends: Ends,

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use dobot_api::make_private;
 
-/// Writes a file whole or not at all, for its owner's eyes only; its folder is made where it is
+/// Writes a file whole or not at all, for its driver's eyes only; its folder is made where it is
 /// missing.
 pub(super) fn write(file: &Path, text: &str) -> io::Result<()> {
     if let Some(folder) = file.parent() {

@@ -136,7 +136,7 @@ impl Route {
         self
     }
 
-    /// A route that asks the owner of the arm for what its body says.
+    /// A route that asks the driver of the arm for what its body says.
     pub(super) fn asks<E: Entry>(
         method: Method,
         path: &'static str,
@@ -147,7 +147,7 @@ impl Route {
         Self::new(method, path, summary, ask).brings::<E>()
     }
 
-    /// The body of one who asks the owner of the arm for something.
+    /// The body of one who asks the driver of the arm for something.
     pub(super) fn brings<E: Entry>(mut self) -> Self {
         self.asks = true;
         self.takes = Some(E::takes());

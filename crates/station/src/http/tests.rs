@@ -1,4 +1,4 @@
-//! The web side against a stand-in for the owner of the arm.
+//! The web side against a stand-in for the driver of the arm.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
@@ -24,7 +24,7 @@ use tokio::sync::watch;
 use tower::ServiceExt;
 
 use super::app::{App, Peer};
-use super::double::{Asked, Telling, owner};
+use super::double::{Asked, Telling, driver};
 use super::listen::Seats;
 use super::tokens::{Token, Tokens};
 
@@ -63,7 +63,7 @@ impl Lab {
         let folder = tempfile::tempdir().unwrap();
         let mut tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
         let made = Role::ALL.map(|role| tokens.add(role, role.name()).unwrap());
-        let (handle, telling, asked) = owner();
+        let (handle, telling, asked) = driver();
         let (end, ending) = watch::channel(false);
         let app = App::new(
             handle,

@@ -37,8 +37,8 @@ async fn settle() {
 
 async fn assert_served(lab: &mut Lab<SocketAddr>, program: &mut TcpStream) {
     program.write_all(&packet(50)).await.expect("it is open");
-    assert_eq!(lab.owner.grant().await, packet(50));
-    lab.owner.send_status([9; 42]);
+    assert_eq!(lab.driver.grant().await, packet(50));
+    lab.driver.send_status([9; 42]);
     let mut status = [0; 42];
     program.read_exact(&mut status).await.expect("one comes");
     assert_eq!(status, [9; 42]);
@@ -98,7 +98,7 @@ async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_w
     let mut first = lab.program().await;
     first.write_all(&packet(50)).await.expect("it is open");
     // Nothing more is read from the first one, and so not its end, until this is answered.
-    let (_, _, answer) = lab.owner.asked().await;
+    let (_, _, answer) = lab.driver.asked().await;
     drop(first);
     let mut second = lab.come().await;
     // The port has met the second one by then, and waits.
@@ -108,7 +108,7 @@ async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_w
     answer.send(Ok(())).expect("it waits");
     let news = lab.news().await;
     assert!(matches!(news, ProgramNews::Left { .. }), "{news:?}");
-    lab.owner.left().await;
+    lab.driver.left().await;
     lab.admit().await;
     assert_served(&mut lab, &mut second).await;
 }
@@ -155,7 +155,7 @@ async fn a_port_that_another_program_has_is_told_as_in_use() {
 async fn the_port_closes_with_the_station() {
     let mut lab = Lab::served().await;
     let mut program = lab.program().await;
-    drop(lab.owner);
+    drop(lab.driver);
     program.write_all(&packet(50)).await.expect("it is open");
     assert_eq!(read_to_end(&mut program).await, "");
     // The telling ends with the serving.

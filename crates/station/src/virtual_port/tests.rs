@@ -33,8 +33,8 @@ async fn a_serial_program_is_served_leaves_and_comes_again() {
         let mut program = lab.program().await;
         program.send(&packet(50));
         program.flush().await.expect("it is open");
-        assert_eq!(lab.owner.grant().await, packet(50));
-        lab.owner.send_status([status; 42]);
+        assert_eq!(lab.driver.grant().await, packet(50));
+        lab.driver.send_status([status; 42]);
         let mut got = Vec::new();
         while got.len() < 42 {
             let open = program.receive(Duration::MAX, &mut got).await;
@@ -51,7 +51,7 @@ async fn a_serial_program_is_served_leaves_and_comes_again() {
 async fn the_port_goes_with_the_station() {
     let mut lab = Lab::served();
     let mut program = lab.program().await;
-    drop(lab.owner);
+    drop(lab.driver);
     program.send(&packet(50));
     program.flush().await.expect("it is open");
     while lab.told.recv().await.is_some() {}

@@ -90,7 +90,7 @@ async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
 }
 
 #[tokio::test]
-async fn each_route_asks_the_owner_for_what_it_says() {
+async fn each_route_asks_the_driver_for_what_it_says() {
     let lab = Lab::near();
     for (method, path, body) in [
         ("POST", "/api/v1/stop", r#"{"reason": "hot"}"#),

@@ -132,7 +132,7 @@ fn has_items(document: &Value, schema: &Value, value: &Value, closely: bool) -> 
 fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     let limit = |name: &str| schema[name].as_f64();
     let length = |name: &str| schema[name].as_u64();
-    // Whole numbers below zero are of the wrong type; for others the owner of the arm is asked.
+    // Whole numbers below zero are of the wrong type; for others the driver of the arm is asked.
     let is_whole = types(schema).contains(&"integer");
     if let Some(number) = value.as_f64().filter(|_| closely || is_whole) {
         return limit("minimum").is_none_or(|it| number >= it)

@@ -6,7 +6,7 @@ use dobot_api::{Folders, Role, Running, StationAddress, is_station};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-use super::super::double::owner;
+use super::super::double::driver;
 use crate::{ServeError, Tokens, Web, serve};
 
 const LOOPBACK: SocketAddr =
@@ -26,7 +26,7 @@ async fn ask(mut stream: impl AsyncReadExt + AsyncWriteExt + Unpin, request: &st
 async fn a_station_says_where_it_is_and_takes_that_back_at_its_end() {
     let folder = tempfile::tempdir().unwrap();
     let folders = Folders::at(folder.path());
-    let served = serve(&Web::new(LOOPBACK, folders.clone()), owner().0)
+    let served = serve(&Web::new(LOOPBACK, folders.clone()), driver().0)
         .await
         .unwrap();
     let running = Running::read(&folders.running()).unwrap().unwrap();
@@ -55,7 +55,7 @@ async fn a_station_says_where_it_is_and_takes_that_back_at_its_end() {
 async fn a_station_that_others_can_reach_does_not_start_without_tokens() {
     let folder = tempfile::tempdir().unwrap();
     let web = Web::new(EVERYWHERE, Folders::at(folder.path()));
-    let error = serve(&web, owner().0).await.unwrap_err();
+    let error = serve(&web, driver().0).await.unwrap_err();
     assert!(matches!(error, ServeError::NoTokens(_)), "{error}");
     assert_eq!(Running::read(&web.folders.running()).unwrap(), None);
 }
@@ -68,7 +68,7 @@ async fn a_station_that_others_can_reach_speaks_tls_with_a_certificate_of_its_ow
         .unwrap()
         .add(Role::Watch, "me")
         .unwrap();
-    let served = serve(&web, owner().0).await.unwrap();
+    let served = serve(&web, driver().0).await.unwrap();
     assert!(
         served.url().starts_with("https://127.0.0.1:"),
         "{}",
@@ -123,14 +123,14 @@ async fn an_address_that_is_taken_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let taken = tokio::net::TcpListener::bind(LOOPBACK).await.unwrap();
     let web = Web::new(taken.local_addr().unwrap(), Folders::at(folder.path()));
-    let error = serve(&web, owner().0).await.unwrap_err();
+    let error = serve(&web, driver().0).await.unwrap_err();
     assert!(matches!(error, ServeError::Bind { .. }), "{error}");
 }
 
 #[tokio::test]
 async fn noise_instead_of_a_request_is_survived() {
     let folder = tempfile::tempdir().unwrap();
-    let served = serve(&Web::new(LOOPBACK, Folders::at(folder.path())), owner().0)
+    let served = serve(&Web::new(LOOPBACK, Folders::at(folder.path())), driver().0)
         .await
         .unwrap();
     for noise in [

@@ -9,7 +9,7 @@ use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
-use super::super::double::{Asked, Telling, owner};
+use super::super::double::{Asked, Telling, driver};
 use crate::sample::{notice, state};
 use crate::{Served, Web, serve};
 
@@ -26,7 +26,7 @@ type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 impl Station {
     async fn start() -> Self {
         let folder = tempfile::tempdir().unwrap();
-        let (handle, telling, asked) = owner();
+        let (handle, telling, asked) = driver();
         let web = Web::new("127.0.0.1:0".parse().unwrap(), Folders::at(folder.path()));
         Self {
             served: serve(&web, handle.clone()).await.unwrap(),
@@ -56,7 +56,7 @@ impl Station {
         connect_async(request).await.map(|(socket, _)| socket)
     }
 
-    /// How many clients left, when the owner has heard all until now.
+    /// How many clients left, when the driver has heard all until now.
     async fn gone(&self) -> Vec<ClientId> {
         self.handle.jobs().await.unwrap();
         self.telling.gone.lock().unwrap().clone()

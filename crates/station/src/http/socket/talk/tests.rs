@@ -10,7 +10,7 @@ use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::super::super::double::{Asked, Telling, owner};
+use super::super::super::double::{Asked, Telling, driver};
 use super::super::super::tokens::Tokens;
 use super::*;
 use crate::sample::{notice, state};
@@ -59,7 +59,7 @@ impl Lab {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
-        let (handle, telling, asked) = owner();
+        let (handle, telling, asked) = driver();
         let (end, ending) = watch::channel(false);
         Self {
             app: App::new(handle, tokens, Some(Role::Admin), Vec::new(), ending),

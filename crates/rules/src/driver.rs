@@ -23,7 +23,7 @@ use crate::supervisor::{Effect, Supervisor};
 
 /// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
 #[derive(Debug)]
-pub(crate) struct Owner {
+pub(crate) struct Driver {
     supervisor: Supervisor,
     started: Instant,
     ends: Ends,
@@ -44,7 +44,7 @@ pub(crate) struct Owner {
     waiting: HashMap<ClientId, Asked>,
     /// A job that is started while it still comes to rest.
     held_start: Option<HeldStart>,
-    /// For tasks that tell the owner something.
+    /// For tasks that tell the driver something.
     own: mpsc::Sender<Message>,
     heart: Heart,
     ending: Option<Instant>,
@@ -52,7 +52,7 @@ pub(crate) struct Owner {
     failure: Option<String>,
 }
 
-/// What an owner is given.
+/// What a driver is given.
 #[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) supervisor: Supervisor,
@@ -61,7 +61,7 @@ pub(crate) struct Given {
     pub(crate) arms: Arms,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
-    /// For tasks that tell the owner something.
+    /// For tasks that tell the driver something.
     pub(crate) own: mpsc::Sender<Message>,
     pub(crate) heart: Heart,
 }
@@ -78,7 +78,7 @@ struct HeldStart {
 /// Where an answer goes.
 type Asked = oneshot::Sender<Result<Reply, Refusal>>;
 
-/// What the owner waits for.
+/// What the driver waits for.
 enum Happening {
     Message(Option<Message>),
     Link(Result<bool, dobot_client::LinkError>),
@@ -87,7 +87,7 @@ enum Happening {
     Time,
 }
 
-impl Owner {
+impl Driver {
     pub(crate) fn new(given: Given) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
