@@ -42,7 +42,7 @@ readonly CI_STEPS=(
   "lint         clippy over everything, warnings are errors"
   "test         all tests, those in the documentation included"
   "doc          the documentation, warnings are errors"
-  "no-std       do wire, arm, motion, course and controller link without the standard library?"
+  "no-std       do wire, arm, motion, trajectory and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
   "recordings   does PyPI's mcap read what was repaired?"

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow};
 use clap::{Subcommand, ValueEnum};
 use dobot_arm::{Degrees, Pose, Position, Tool};
-use dobot_course::{Model, Place};
 use dobot_safety::Policy;
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
 use crate::failure::Failure;
@@ -110,8 +110,8 @@ fn judge(test: &Test) -> Result<String, Failure> {
         .with_context(|| format!("the arm cannot stand at {}", told(&test.from)))?;
     let model = Model::standing(test.dialect, from);
     match policy.check(&model, &command(test).into()) {
-        Ok(course) => {
-            let motion_s = course.motion_s().unwrap_or_default();
+        Ok(trajectory) => {
+            let motion_s = trajectory.motion_s().unwrap_or_default();
             Ok(format!(
                 "allowed: {} in {motion_s:.2} s",
                 told(&test.target)

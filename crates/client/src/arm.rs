@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::{Button, LASER_OFF};
+use dobot_trajectory::{Button, LASER_OFF};
 use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, PACKET_GAP, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};

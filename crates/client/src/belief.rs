@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::{Button, Model, Settings};
+use dobot_trajectory::{Button, Model, Settings};
 use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::plan::Plan;
@@ -206,8 +206,8 @@ impl Belief {
     /// Whether the arm would pause with the laser on if it got this command now.
     pub(crate) fn would_pause_lit(&self, command: &Command) -> bool {
         let lit = self.after_sent().filter(|it| it.laser);
-        let course = lit.and_then(|it| it.course(command).ok());
-        course.is_some_and(|it| it.pause_s() > 0.0)
+        let trajectory = lit.and_then(|it| it.trajectory(command).ok());
+        trajectory.is_some_and(|it| it.pause_s() > 0.0)
     }
 
     /// Takes the one that was next and leaves now.
@@ -307,7 +307,7 @@ impl Belief {
 
 /// Whether the base stands at 0 where a command leads.
 fn ends_ahead(plan: &Plan) -> bool {
-    let end = plan.course.ok().and_then(|it| it.end());
+    let end = plan.trajectory.ok().and_then(|it| it.end());
     end.is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG)
 }
 

@@ -193,7 +193,7 @@ impl Completion {
         let mut pauses = look.waits(first);
         for sent in look.under_way.iter().take(index) {
             let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
-            if here || sent.plan.course.is_err() {
+            if here || sent.plan.trajectory.is_err() {
                 pauses += sent.plan.pause;
             }
         }
@@ -215,7 +215,7 @@ impl Completion {
         }
         // One that is refused or cut short may pause wherever the arm is.
         let mut idle = self.idle(look, first, 0)?;
-        if plan.course.is_err() {
+        if plan.trajectory.is_err() {
             idle += plan.pause;
         }
         let waited = look.now.saturating_sub(look.sent.at.max(first.since));
@@ -235,9 +235,9 @@ impl Look<'_> {
     /// How many commands are over because a later one goes on or has ended, and what is known of the
     /// one behind them.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
-        let (on_course, progress_mm) = self.on_course(first);
+        let (on_trajectory, progress_mm) = self.on_trajectory(first);
         let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
-        let over = on_course
+        let over = on_trajectory
             .max(self.beyond_room())
             .max(arrived_at.unwrap_or(0));
         let arrived = (arrived_at == Some(over)).then_some(self.seen.since);
@@ -249,7 +249,11 @@ impl Look<'_> {
             return (over, None);
         };
         let next = First {
-            progress_mm: if over == on_course { progress_mm } else { 0.0 },
+            progress_mm: if over == on_trajectory {
+                progress_mm
+            } else {
+                0.0
+            },
             arrived: next.arrived.or(arrived),
             ..next
         };
@@ -257,10 +261,10 @@ impl Look<'_> {
     }
 
     /// How many commands lie before the one that the arm is seen to follow, and how far along it.
-    fn on_course(&self, first: &First) -> (usize, f64) {
+    fn on_trajectory(&self, first: &First) -> (usize, f64) {
         let found = position(&self.seen.status);
         for (index, sent) in self.under_way.iter().enumerate() {
-            let Some((from, to)) = sent.plan.course.ok().and_then(|it| it.line()) else {
+            let Some((from, to)) = sent.plan.trajectory.ok().and_then(|it| it.line()) else {
                 if sent.plan.is_still() || sent.plan.is_endless() {
                     continue;
                 }

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position};
-use dobot_course::{Course, CourseError, Model};
+use dobot_trajectory::{Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Dialect, Packet, Status};
 
 pub use self::finding::{Evidence, Finding};
@@ -99,7 +99,7 @@ struct Running {
     tries: u32,
     from: Status,
     /// What each dialect has the arm do.
-    courses: Option<[Course; 2]>,
+    trajectories: Option<[Trajectory; 2]>,
     seen: Vec<(Duration, Status)>,
 }
 
@@ -188,17 +188,17 @@ impl Detection {
         for model in &mut self.models {
             model.seen(status);
         }
-        let courses = self
+        let trajectories = self
             .models
             .each_ref()
-            .map(|model| course(model, &step).ok());
+            .map(|model| trajectory(model, &step).ok());
         self.to_send = Some(step.frame.into());
         self.running = Some(Running {
             step,
             sent: now,
             tries,
             from: *status,
-            courses: courses[0].zip(courses[1]).map(Into::into),
+            trajectories: trajectories[0].zip(trajectories[1]).map(Into::into),
             seen: Vec::new(),
         });
     }
@@ -286,30 +286,32 @@ impl Running {
 
     /// What the motion tells, or why it tells nothing.
     fn answer(&self) -> Result<Option<Answer>, DetectionError> {
-        let (Some(courses), Some((_, last))) = (&self.courses, self.seen.last()) else {
+        let (Some(trajectories), Some((_, last))) = (&self.trajectories, self.seen.last()) else {
             return Ok(None);
         };
         if !self.step.moves {
             return Ok(None);
         }
         let found = position(last);
-        let off_end = courses.each_ref().map(|it| end(it).distance(found).0);
+        let off_end = trajectories.each_ref().map(|it| end(it).distance(found).0);
         let nearest = off_end[0].min(off_end[1]);
         if nearest > END_MM {
             return Err(DetectionError::Elsewhere { off_mm: nearest });
         }
         Ok(self.step.question.map(|question| {
-            let [one, other] = courses;
-            let duration_s = |it: &Course| it.motion_s().unwrap_or_default();
+            let [one, other] = trajectories;
+            let duration_s = |it: &Trajectory| it.motion_s().unwrap_or_default();
             let took_s = took_s(self.sent, &self.seen) - ON_THE_LINE_S;
             let (off, apart, saw) = match question {
                 Question::Modes => (
-                    courses.each_ref().map(|it| off_way_mm(it, &self.seen)),
+                    trajectories.each_ref().map(|it| off_way_mm(it, &self.seen)),
                     apart_mm(one, other),
                     0.0,
                 ),
                 Question::Percentages => (
-                    courses.each_ref().map(|it| (took_s - duration_s(it)).abs()),
+                    trajectories
+                        .each_ref()
+                        .map(|it| (took_s - duration_s(it)).abs()),
                     (duration_s(one) - duration_s(other)).abs(),
                     took_s,
                 ),
@@ -350,16 +352,16 @@ fn check_room(
     steps: &[Step],
     allowed: &impl Fn(&Joints) -> bool,
 ) -> Result<(), DetectionError> {
-    let no_room = |error: CourseError| DetectionError::NoRoom {
+    let no_room = |error: TrajectoryError| DetectionError::NoRoom {
         why: error.to_string(),
     };
     for step in steps {
-        let course = course(&model, step).map_err(no_room)?;
-        course.check().map_err(no_room)?;
-        let motion_s = course.motion_s().unwrap_or_default();
+        let trajectory = trajectory(&model, step).map_err(no_room)?;
+        trajectory.check().map_err(no_room)?;
+        let motion_s = trajectory.motion_s().unwrap_or_default();
         for index in 0..=LOOKS {
             let t_s = motion_s * f64::from(index) / f64::from(LOOKS);
-            let place = course.place_at(t_s).map_err(|it| no_room(it.into()))?;
+            let place = trajectory.place_at(t_s).map_err(|it| no_room(it.into()))?;
             if !allowed(&place.joints) {
                 let Position { x, y, z } = place.pose.position;
                 return Err(DetectionError::NoRoom {
@@ -372,12 +374,12 @@ fn check_room(
     Ok(())
 }
 
-fn command(model: &Model, step: &Step) -> Result<Command, CourseError> {
-    Command::parse(&step.frame.into(), &model.dialect).map_err(CourseError::Invalid)
+fn command(model: &Model, step: &Step) -> Result<Command, TrajectoryError> {
+    Command::parse(&step.frame.into(), &model.dialect).map_err(TrajectoryError::Invalid)
 }
 
-fn course(model: &Model, step: &Step) -> Result<Course, CourseError> {
-    model.course(&command(model, step)?)
+fn trajectory(model: &Model, step: &Step) -> Result<Trajectory, TrajectoryError> {
+    model.trajectory(&command(model, step)?)
 }
 
 /// The model behind a step.
@@ -385,16 +387,16 @@ fn told(model: &Model, step: &Step) -> Model {
     let Ok(command) = command(model, step) else {
         return *model;
     };
-    match model.course(&command) {
-        Ok(course) => model.after(&command, &course),
+    match model.trajectory(&command) {
+        Ok(trajectory) => model.after(&command, &trajectory),
         Err(_) => model.begun(&command),
     }
 }
 
-fn end(course: &Course) -> Position {
-    let motion_s = course.motion_s().unwrap_or_default();
-    let end = course.end().map(Ok);
-    let place = end.unwrap_or_else(|| course.place_at(motion_s));
+fn end(trajectory: &Trajectory) -> Position {
+    let motion_s = trajectory.motion_s().unwrap_or_default();
+    let end = trajectory.end().map(Ok);
+    let place = end.unwrap_or_else(|| trajectory.place_at(motion_s));
     place.map_or(Position::default(), |it| it.pose.position)
 }
 

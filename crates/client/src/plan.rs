@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_course::{Course, CourseError, Model};
+use dobot_trajectory::{Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Status};
 
 use crate::SendError;
@@ -11,7 +11,7 @@ use crate::SendError;
 /// Where a command leads from what was believed when it was given: told once, and kept with it.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    pub(crate) course: Result<Course, CourseError>,
+    pub(crate) trajectory: Result<Trajectory, TrajectoryError>,
     /// What is to be believed when it is over.
     pub(crate) after: Model,
     /// Where it should end, in reach or not; `None` where nobody can tell.
@@ -22,21 +22,21 @@ pub(crate) struct Plan {
 
 impl Plan {
     pub(crate) fn new(model: &Model, command: &Command) -> Box<Self> {
-        let course = model.course(command);
-        let after = if let Ok(course) = &course {
-            model.after(command, course)
+        let trajectory = model.trajectory(command);
+        let after = if let Ok(trajectory) = &trajectory {
+            model.after(command, trajectory)
         } else {
             // It is refused, skipped or cut short: where the arm is then is seen when it rests.
             let mut after = model.begun(command);
             after.lose_place();
             after
         };
-        let aim = match &course {
-            Ok(course) => course.end().map(|it| it.pose.position),
+        let aim = match &trajectory {
+            Ok(trajectory) => trajectory.end().map(|it| it.pose.position),
             Err(_) => model.aim(command),
         };
         Box::new(Self {
-            course,
+            trajectory,
             after,
             aim,
             pause: seconds(model.pause_s(command)),
@@ -45,22 +45,22 @@ impl Plan {
 
     /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
     pub(crate) fn motion(&self) -> Duration {
-        match &self.course {
-            Ok(course) => course.motion_s().map_or(Duration::ZERO, seconds),
+        match &self.trajectory {
+            Ok(trajectory) => trajectory.motion_s().map_or(Duration::ZERO, seconds),
             Err(_) => UNFORESEEN,
         }
     }
 
     /// Why it must not be sent, if a stock arm would not come out of it.
     pub(crate) const fn trap(&self) -> Option<SendError> {
-        match self.course {
-            Err(CourseError::OnTheSpot) => Some(SendError::OnTheSpot),
+        match self.trajectory {
+            Err(TrajectoryError::OnTheSpot) => Some(SendError::OnTheSpot),
             Err(
-                trap @ (CourseError::NeverEnds
-                | CourseError::NothingToFollow
-                | CourseError::BehindCutLine
-                | CourseError::LeavesBackwards { .. }
-                | CourseError::Uncounted { .. }),
+                trap @ (TrajectoryError::NeverEnds
+                | TrajectoryError::NothingToFollow
+                | TrajectoryError::BehindCutLine
+                | TrajectoryError::LeavesBackwards { .. }
+                | TrajectoryError::Uncounted { .. }),
             ) => Some(SendError::Trap(trap)),
             _ => None,
         }
@@ -68,18 +68,18 @@ impl Plan {
 
     /// Whether nothing moves by it, and it is over at once.
     pub(crate) fn is_still(&self) -> bool {
-        self.course.is_ok_and(|it| it.duration_s() == Some(0.0))
+        self.trajectory.is_ok_and(|it| it.duration_s() == Some(0.0))
     }
 
     /// Whether it goes on until told otherwise.
     pub(crate) fn is_endless(&self) -> bool {
-        self.course.is_ok_and(|it| it.motion_s().is_none())
+        self.trajectory.is_ok_and(|it| it.motion_s().is_none())
     }
 
     /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
     pub(crate) fn leaves_limits(&self) -> bool {
-        let way = self.course.and_then(|it| it.check());
-        matches!(way, Err(CourseError::Unreachable(_)))
+        let way = self.trajectory.and_then(|it| it.check());
+        matches!(way, Err(TrajectoryError::Unreachable(_)))
     }
 
     /// Whether an arm with this status stands where it ends.
@@ -90,7 +90,7 @@ impl Plan {
 
     /// The same, with the tool turned as it should be then.
     pub(crate) fn ends_at(&self, status: &Status) -> bool {
-        let end = self.course.ok().and_then(|it| it.end());
+        let end = self.trajectory.ok().and_then(|it| it.end());
         let turned =
             |rotation_deg: f64| (rotation_deg - f64::from(status.rotation_deg)).abs() <= TURNED_DEG;
         self.is_near(status) && end.is_none_or(|it| turned(it.pose.rotation.0))

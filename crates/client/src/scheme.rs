@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use dobot_arm::Tool;
-use dobot_course::Place;
+use dobot_trajectory::Place;
 use dobot_wire::{Frame, Status};
 
 /// Tells by the statuses which port of the arm this is.

@@ -1,6 +1,6 @@
 //! Why a command is not sent.
 
-use dobot_course::CourseError;
+use dobot_trajectory::TrajectoryError;
 use dobot_wire::{Command, ParseError, VoiceOrder};
 
 /// Why a command is not sent.
@@ -31,7 +31,7 @@ pub enum SendError {
     LaserDisarmed,
     /// A stock arm would not come out of it: it would hang, or go on for ever (notes N48 and N51).
     #[error("{0}")]
-    Trap(CourseError),
+    Trap(TrajectoryError),
     /// The command breaks a range of its table.
     #[error("the command is not allowed: {0}")]
     Invalid(ParseError),

@@ -6,7 +6,7 @@ mod look;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::Button;
+use dobot_trajectory::Button;
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use dobot_arm::Joints;
-use dobot_course::Place;
+use dobot_trajectory::Place;
 use dobot_wire::{Command, Configuration, Status};
 
 /// What shows that an arm was reset: its base angle is 0 by order, rear arm and forearm are read anew

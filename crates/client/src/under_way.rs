@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_course::Model;
+use dobot_trajectory::Model;
 use dobot_wire::Command;
 
 use crate::CommandId;
@@ -224,7 +224,7 @@ impl UnderWay {
 
 /// Whether the laser is on during a command.
 fn lit(before: &Model, plan: &Plan) -> bool {
-    match &plan.course {
+    match &plan.trajectory {
         Ok(it) if it.moves() => it.laser(),
         _ => before.laser || plan.after.laser,
     }

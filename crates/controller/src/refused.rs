@@ -1,7 +1,7 @@
 //! What a controller does not do.
 
 use dobot_arm::Unreachable;
-use dobot_course::CourseError;
+use dobot_trajectory::TrajectoryError;
 use dobot_wire::ParseError;
 
 /// Why the controller did not do what a packet says, or stopped.
@@ -21,7 +21,7 @@ pub enum Refused {
     QueueFull,
     /// A command leads nowhere, or its way leaves the limits (note N30); it was not begun.
     #[error("a command was refused before it moved: {0}")]
-    Course(CourseError),
+    Trajectory(TrajectoryError),
     /// No word of a voice command is known.
     #[error(
         "a voice command was refused: it is none of ahead, back, left, right, up and down with a number word, catch and release"
@@ -64,11 +64,11 @@ pub enum Refused {
     PoseLost,
 }
 
-impl From<CourseError> for Refused {
-    fn from(error: CourseError) -> Self {
+impl From<TrajectoryError> for Refused {
+    fn from(error: TrajectoryError) -> Self {
         match error {
-            CourseError::NotUnderstood => Self::NotUnderstood,
-            error => Self::Course(error),
+            TrajectoryError::NotUnderstood => Self::NotUnderstood,
+            error => Self::Trajectory(error),
         }
     }
 }

@@ -8,7 +8,7 @@ mod motion;
 use core::time::Duration;
 
 use dobot_arm::{Joints, Pose, TICK, Tool, Unreachable};
-use dobot_course::{Button, Course, JogAxis, JogCourse, Model, Place};
+use dobot_trajectory::{Button, JogAxis, JogTrajectory, Model, Place, Trajectory};
 use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder, single};
 use heapless::Deque;
 
@@ -167,9 +167,9 @@ impl Specification {
         let Some(running) = self.running.take() else {
             return;
         };
-        if let Motion::Course(command, course) = running.motion {
-            self.arrive(&command, &course);
-            let pause = Duration::try_from_secs_f64(course.pause_s()).unwrap_or_default();
+        if let Motion::Trajectory(command, trajectory) = running.motion {
+            self.arrive(&command, &trajectory);
+            let pause = Duration::try_from_secs_f64(trajectory.pause_s()).unwrap_or_default();
             if pause > Duration::ZERO {
                 self.run(&Motion::Pause, at, pause);
             }
@@ -177,9 +177,9 @@ impl Specification {
     }
 
     /// The motion of a command is over: set the tool, and end the stroke (note N36).
-    fn arrive(&mut self, command: &Command, course: &Course) {
+    fn arrive(&mut self, command: &Command, trajectory: &Trajectory) {
         let laser = self.model.laser;
-        self.model = self.model.after(command, course);
+        self.model = self.model.after(command, trajectory);
         if matches!(command, Command::WriteVector(_))
             && matches!(self.queue.front(), Some(Command::WriteVector(_)))
         {
@@ -200,17 +200,17 @@ impl Specification {
     }
 
     fn begin(&mut self, command: &Command, at: Duration, log: &mut Log) -> Result<(), Refused> {
-        let course = self.model.course(command)?;
-        course.check()?;
-        if let Some(jog) = course.jog() {
+        let trajectory = self.model.trajectory(command)?;
+        trajectory.check()?;
+        if let Some(jog) = trajectory.jog() {
             self.run(&Motion::Jog(jog), at, Duration::MAX);
         } else if is_motion(command) {
             self.model = self.model.begun(command);
-            let lasts = course.motion_s().map(Duration::try_from_secs_f64);
+            let lasts = trajectory.motion_s().map(Duration::try_from_secs_f64);
             let lasts = lasts.and_then(Result::ok).unwrap_or(Duration::MAX);
-            self.run(&Motion::Course(*command, course), at, lasts);
+            self.run(&Motion::Trajectory(*command, trajectory), at, lasts);
         } else {
-            let after = self.model.after(command, &course);
+            let after = self.model.after(command, &trajectory);
             self.forget_way(&after.place.joints);
             self.model = after;
         }
@@ -249,7 +249,7 @@ impl Specification {
                     Next::Go
                 }
                 Some(Button::Held { axis, share }) if axis == jog.axis() => {
-                    JogCourse::start(&self.model, axis, share, jog.speed_at(t_s))
+                    JogTrajectory::start(&self.model, axis, share, jog.speed_at(t_s))
                         .map_or(Next::Go, |jog| Next::Jog(jog, Duration::MAX))
                 }
                 Some(Button::Released) => self.released(&jog, t_s),
@@ -270,7 +270,7 @@ impl Specification {
         }
     }
 
-    fn released(&self, jog: &JogCourse, t_s: f64) -> Next {
+    fn released(&self, jog: &JogTrajectory, t_s: f64) -> Next {
         jog.release(&self.model, t_s).map_or(Next::Go, |jog| {
             let lasts = Duration::try_from_secs_f64(jog.change_s());
             Next::Jog(jog, lasts.unwrap_or_default())
@@ -300,7 +300,7 @@ impl Specification {
     }
 
     /// Where a jog leads, if it moves the arm, and the arm may go there.
-    fn look_ahead(&self, jog: &JogCourse, time: Duration) -> Result<Option<Place>, Refused> {
+    fn look_ahead(&self, jog: &JogTrajectory, time: Duration) -> Result<Option<Place>, Refused> {
         let t_s = time.as_secs_f64();
         let gripper_deg = jog.gripper_deg_at(t_s);
         if gripper_deg.abs() > GRIPPER_DEG && gripper_deg.abs() > self.model.gripper_deg.abs() {
@@ -326,7 +326,7 @@ enum Next {
     /// The jog goes on.
     Go,
     /// Another one, for so long.
-    Jog(JogCourse, Duration),
+    Jog(JogTrajectory, Duration),
 }
 
 /// Whether a command takes its time; all others act at once.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::Position;
-use dobot_course::Model;
+use dobot_trajectory::Model;
 use dobot_wire::{Command, WriteVector};
 
 use crate::prelude::is_setting;
@@ -120,11 +120,11 @@ impl<'a> Walk<'a> {
     /// command whose end can be told.
     pub(crate) fn step(&mut self) -> Option<impl Iterator<Item = End> + use<>> {
         let command = self.commands.get(self.index)?;
-        let course = self.model.course(command).ok()?;
-        let position = course.end()?.pose.position;
-        self.model = self.model.after(command, &course);
+        let trajectory = self.model.trajectory(command).ok()?;
+        let position = trajectory.end()?.pose.position;
+        self.model = self.model.after(command, &trajectory);
         self.index += 1;
-        let stays = !course.moves() || is_target(command) && self.is_here(position);
+        let stays = !trajectory.moves() || is_target(command) && self.is_here(position);
         if !stays {
             self.last.located.next = self.index;
             self.last.position = position;

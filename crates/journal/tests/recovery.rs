@@ -256,11 +256,11 @@ proptest! {
         let mut model = program::model(Dialect::SPECIFICATION);
         let mut upto = 0;
         for completed in 0..commands.len() {
-            let Ok(course) = model.course(&commands[completed]) else { break };
+            let Ok(trajectory) = model.trajectory(&commands[completed]) else { break };
             let next = window_end(&commands, completed, &model, Some(LIFT_MM), most);
             prop_assert!(next >= upto, "{upto}, then {next}");
             upto = next;
-            model = model.after(&commands[completed], &course);
+            model = model.after(&commands[completed], &trajectory);
         }
     }
 }

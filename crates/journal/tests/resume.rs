@@ -5,10 +5,10 @@ mod lab;
 
 use dobot_api::{JobKind, JobState};
 use dobot_arm::{Position, Tool};
-use dobot_course::{Model, Place};
 use dobot_journal::{
     JobId, Journal, PlannedJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
 };
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Command, Dialect};
 use lab::Disk;
 use lab::program::{self, LIFT_MM, lifted};

@@ -112,9 +112,9 @@ mod tests {
 
     use dobot_api::Folders;
     use dobot_client::{Address, Link};
-    use dobot_course::LASER_OFF;
     use dobot_journal::Journal;
     use dobot_safety::Policy;
+    use dobot_trajectory::LASER_OFF;
     use dobot_wire::{Command, Decoder, Dialect, LinearJog, LinearJogAxis};
     use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
     use tokio::sync::Mutex;

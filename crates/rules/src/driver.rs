@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, LinkPhase, News, Notice, Reply, Request};
 use dobot_client::Link;
-use dobot_course::Model;
+use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};

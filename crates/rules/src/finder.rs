@@ -10,7 +10,7 @@ mod search;
 use std::io;
 
 use dobot_client::{Address, Link, LinkError, Port};
-use dobot_course::LASER_OFF;
+use dobot_trajectory::LASER_OFF;
 use dobot_wire::Dialect;
 use tokio::time::Instant;
 

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use dobot_api::{ClientId, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
-use dobot_course::{Model, Place};
 use dobot_journal::{Job, JobId, Journal, JournalError, Window};
 use dobot_safety::Policy;
+use dobot_trajectory::{Model, Place};
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;

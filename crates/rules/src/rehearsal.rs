@@ -391,7 +391,7 @@ impl Rehearsal {
         Ok(())
     }
 
-    fn begun(&self, job: u64, model: dobot_course::Model) -> Result<Begun, Refusal> {
+    fn begun(&self, job: u64, model: dobot_trajectory::Model) -> Result<Begun, Refusal> {
         let job = self
             .journal
             .job(JobId(job))

@@ -24,8 +24,8 @@ use std::time::Duration;
 
 use dobot_api::{ArmView, ClientId, News, Notice, QueueView, Reply, State, TrustView};
 use dobot_client::{Finding, SendError, Session};
-use dobot_course::{LASER_OFF, Model};
 use dobot_safety::Policy;
+use dobot_trajectory::{LASER_OFF, Model};
 use dobot_wire::{Dialect, Packet, Status};
 
 use self::arm::Arm;

@@ -6,8 +6,8 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_arm::{Joints, Tool};
-use dobot_course::{Model, Place};
 use dobot_safety::Policy;
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode, WriteVector};
 
 fn main() {
@@ -48,13 +48,13 @@ fn jog(bencher: Bencher, policy: Named) {
     });
 }
 
-/// Where the course leads, without any check: what the numbers above contain.
+/// Where the trajectory leads, without any check: what the numbers above contain.
 #[divan::bench]
-fn course_alone(bencher: Bencher) {
+fn trajectory_alone(bencher: Bencher) {
     let pairs = hundred(|part| target(MovingMode::MovL, part));
     bencher.counter(ItemsCount::new(pairs.len())).bench(|| {
         for (model, command) in &pairs {
-            divan::black_box(model.course(command).is_ok());
+            divan::black_box(model.trajectory(command).is_ok());
         }
     });
 }

@@ -1,7 +1,7 @@
 //! Where the parts of the arm are at one place, and what the rules measure there.
 
 use dobot_arm::{Joints, REAR_ARM, Tool};
-use dobot_course::Place;
+use dobot_trajectory::Place;
 
 use crate::point::{Point, distance};
 

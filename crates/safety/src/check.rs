@@ -1,6 +1,6 @@
 //! The check of a command over its whole way.
 
-use dobot_course::{Button, Course, Model, Place, burns};
+use dobot_trajectory::{Button, Model, Place, Trajectory, burns};
 use dobot_wire::{Command, Configuration};
 
 use crate::body::measures;
@@ -21,38 +21,38 @@ impl Policy {
     /// # Errors
     ///
     /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
-    pub fn check(&self, model: &Model, command: &Command) -> Result<Course, Violation> {
-        let course = model
-            .course(command)
-            .map_err(|error| Violation::of_course(&error))?;
+    pub fn check(&self, model: &Model, command: &Command) -> Result<Trajectory, Violation> {
+        let trajectory = model
+            .trajectory(command)
+            .map_err(|error| Violation::of_trajectory(&error))?;
         if stops(command) {
-            return Ok(course);
+            return Ok(trajectory);
         }
-        self.check_settings(model, command, &course)?;
-        self.check_laser(model, command, &course)?;
-        if course.jog().is_some() {
+        self.check_settings(model, command, &trajectory)?;
+        self.check_laser(model, command, &trajectory)?;
+        if trajectory.jog().is_some() {
             let within_s = self.jog.dead_man_s + self.jog.reaction_s;
             self.check_jog(model, command, within_s)?;
-        } else if course.moves() {
-            self.check_way(model, command, &course)?;
+        } else if trajectory.moves() {
+            self.check_way(model, command, &trajectory)?;
         } else {
-            self.check_standing(model, command, &course)?;
+            self.check_standing(model, command, &trajectory)?;
         }
-        Ok(course)
+        Ok(trajectory)
     }
 
     fn check_way(
         &self,
         model: &Model,
         command: &Command,
-        course: &Course,
+        trajectory: &Trajectory,
     ) -> Result<(), Violation> {
-        let burning = course.laser() || burns(command);
-        let paths = paths(course);
+        let burning = trajectory.laser() || burns(command);
+        let paths = paths(trajectory);
         let mut walk = Walk::begin(Fence::new(self, model.tool, burning), &paths[0])
             .map_err(|error| Violation::of_arm(&error))?;
-        let duration_s = course.motion_s().unwrap_or_default();
-        let place = |share: f64| course.place_at(share * duration_s).ok();
+        let duration_s = trajectory.motion_s().unwrap_or_default();
+        let place = |share: f64| trajectory.place_at(share * duration_s).ok();
         paths
             .iter()
             .filter(|path| path.time_at(0.0) < path.time_at(1.0))
@@ -66,9 +66,9 @@ impl Policy {
         &self,
         model: &Model,
         command: &Command,
-        course: &Course,
+        trajectory: &Trajectory,
     ) -> Result<(), Violation> {
-        let after = model.after(command, course);
+        let after = model.after(command, trajectory);
         let applies = |rule: &str| match command {
             Command::Configuration(Configuration::InitialAngles { .. }) => {
                 rule.starts_with("joints.")
@@ -107,14 +107,14 @@ fn stops(command: &Command) -> bool {
     }
 }
 
-fn paths(course: &Course) -> [Path<'_>; 3] {
-    let stretches = course.stretches();
-    let ends_s = stretches.map(|it| it.until_s);
-    [0, 1, 2].map(|index| Path::Course {
-        course,
+fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
+    let segments = trajectory.segments();
+    let ends_s = segments.map(|it| it.until_s);
+    [0, 1, 2].map(|index| Path::Trajectory {
+        trajectory,
         from_s: if index == 0 { 0.0 } else { ends_s[index - 1] },
         to_s: ends_s[index],
-        bend: stretches[index].bend,
+        bend: segments[index].bend,
     })
 }
 

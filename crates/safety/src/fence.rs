@@ -1,7 +1,7 @@
 //! The rules in force on a way: those of the policy, wider where the arm stands outside already.
 
 use dobot_arm::{Tool, Unreachable};
-use dobot_course::{Bend, Place};
+use dobot_trajectory::{Bend, Place};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};
@@ -24,7 +24,7 @@ pub(crate) struct Fence<'a> {
 /// A place on a way, and all that the rules want to know of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
-    /// The share of the stretch behind it.
+    /// The share of the segment behind it.
     pub(crate) share: f64,
     pub(crate) place: Place,
     pub(crate) measures: [f64; MEASURES],
@@ -134,7 +134,7 @@ impl<'a> Fence<'a> {
         limits.map(|gate| Broken::Limit(gate.limit)).chain(zones)
     }
 
-    /// What may forbid a place between two of a stretch; `None` where none is forbidden for sure.
+    /// What may forbid a place between two of a segment; `None` where none is forbidden for sure.
     pub(crate) fn broken_between(&self, bend: Bend, a: &Stop, b: &Stop) -> Option<Broken> {
         let reach_mm = self.tool.reach().0;
         let Some(sweep) = Sweep::between(bend, &a.place, &b.place, reach_mm) else {

@@ -1,7 +1,7 @@
 //! The way that a jog can cover until a release is in force.
 
 use dobot_arm::{Degrees, Joints, Millimeters, Position, TICK_S};
-use dobot_course::{JogAxis, JogCourse, Model, Place};
+use dobot_trajectory::{JogAxis, JogTrajectory, Model, Place};
 use dobot_wire::Command;
 
 use crate::check::worst;
@@ -28,18 +28,23 @@ impl Policy {
         command: &Command,
         within_s: f64,
     ) -> Result<(), Violation> {
-        let course = model
-            .course(command)
-            .map_err(|error| Violation::of_course(&error))?;
-        let Some(jog) = course.jog() else {
+        let trajectory = model
+            .trajectory(command)
+            .map_err(|error| Violation::of_trajectory(&error))?;
+        let Some(jog) = trajectory.jog() else {
             return Ok(());
         };
         let speed = jog.target_speed();
-        self.check_jog_way(model, &jog, run_out(&jog, speed, within_s), course.laser())?;
+        self.check_jog_way(
+            model,
+            &jog,
+            run_out(&jog, speed, within_s),
+            trajectory.laser(),
+        )?;
         let now = jog.speed_at(0.0);
         if now * speed < 0.0 {
             // It still runs the other way, and turns round first.
-            return self.check_jog_way(model, &jog, run_out(&jog, now, 0.0), course.laser());
+            return self.check_jog_way(model, &jog, run_out(&jog, now, 0.0), trajectory.laser());
         }
         Ok(())
     }
@@ -47,7 +52,7 @@ impl Policy {
     fn check_jog_way(
         &self,
         model: &Model,
-        jog: &JogCourse,
+        jog: &JogTrajectory,
         by: f64,
         burning: bool,
     ) -> Result<(), Violation> {
@@ -67,7 +72,7 @@ impl Policy {
 
 /// How far a jog goes within a time and until it stands, with the sign of its speed. A stock arm may
 /// be faster by one tick's acceleration.
-fn run_out(jog: &JogCourse, speed: f64, within_s: f64) -> f64 {
+fn run_out(jog: &JogTrajectory, speed: f64, within_s: f64) -> f64 {
     let acceleration = jog.acceleration();
     let fastest = speed.abs() + acceleration * TICK_S;
     (fastest * within_s + fastest * fastest / (2.0 * acceleration)).copysign(speed)

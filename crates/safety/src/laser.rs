@@ -1,6 +1,6 @@
 //! When the laser may burn.
 
-use dobot_course::{Course, Model, burns};
+use dobot_trajectory::{Model, Trajectory, burns};
 use dobot_wire::{Command, WriteVector};
 
 use crate::{Bounds, Policy, Violation};
@@ -11,20 +11,21 @@ impl Policy {
         &self,
         model: &Model,
         command: &Command,
-        course: &Course,
+        trajectory: &Trajectory,
     ) -> Result<(), Violation> {
         let rules = &self.laser;
         if burns(command) && !rules.allowed {
             let message = "the command lights the laser; laser.allowed is false".to_owned();
             return Err(Violation::of_words("laser.allowed", message));
         }
-        let stands = burns(command) && !course.moves() || model.laser && course.pause_s() > 0.0;
+        let stands =
+            burns(command) && !trajectory.moves() || model.laser && trajectory.pause_s() > 0.0;
         if stands && !rules.standing {
             let message = "the laser would burn while the arm stands; laser.standing is false: light it in a vector, and switch it off before a pause".to_owned();
             return Err(Violation::of_words("laser.standing", message));
         }
         match command {
-            Command::WriteVector(vector) if course.laser() => self.check_burning_speed(vector),
+            Command::WriteVector(vector) if trajectory.laser() => self.check_burning_speed(vector),
             _ => Ok(()),
         }
     }

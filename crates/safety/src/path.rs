@@ -1,14 +1,14 @@
-//! A stretch of a way on which the same things change evenly.
+//! A segment of a way on which the same things change evenly.
 
 use dobot_arm::{Joints, Pose, Tool, Unreachable};
-use dobot_course::{Bend, Course, Place};
+use dobot_trajectory::{Bend, Place, Trajectory};
 
-/// A stretch of a way; where on it is told by a share, 0 to 1.
+/// A segment of a way; where on it is told by a share, 0 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Path<'a> {
-    /// A part of a course, between two times in seconds.
-    Course {
-        course: &'a Course,
+    /// A part of a trajectory, between two times in seconds.
+    Trajectory {
+        trajectory: &'a Trajectory,
         from_s: f64,
         to_s: f64,
         bend: Bend,
@@ -26,7 +26,9 @@ pub(crate) enum Path<'a> {
 impl Path<'_> {
     pub(crate) fn place_at(&self, share: f64) -> Result<Place, Unreachable> {
         match self {
-            Self::Course { course, .. } => course.place_at(self.time_at(share).unwrap_or_default()),
+            Self::Trajectory { trajectory, .. } => {
+                trajectory.place_at(self.time_at(share).unwrap_or_default())
+            }
             Self::Joints { from, to, tool } => {
                 Ok(Place::at_joints(joints_between(from, to, share), *tool))
             }
@@ -43,15 +45,15 @@ impl Path<'_> {
     /// The time since the command began, in seconds, where it is known.
     pub(crate) fn time_at(&self, share: f64) -> Option<f64> {
         match *self {
-            Self::Course { to_s, .. } if share >= 1.0 => Some(to_s),
-            Self::Course { from_s, to_s, .. } => Some(from_s + (to_s - from_s) * share),
+            Self::Trajectory { to_s, .. } if share >= 1.0 => Some(to_s),
+            Self::Trajectory { from_s, to_s, .. } => Some(from_s + (to_s - from_s) * share),
             _ => None,
         }
     }
 
     pub(crate) const fn bend(&self) -> Bend {
         match self {
-            Self::Course { bend, .. } => *bend,
+            Self::Trajectory { bend, .. } => *bend,
             Self::Joints { .. } => Bend::Joints,
             Self::Line { .. } => Bend::Line,
         }

@@ -1,7 +1,7 @@
 //! Whether the arm may be somewhere at all.
 
 use dobot_arm::Tool;
-use dobot_course::Place;
+use dobot_trajectory::Place;
 
 use crate::fence::Fence;
 use crate::{Policy, Violation};

@@ -1,7 +1,7 @@
 //! Speeds, accelerations and the height of a JUMP against their ceilings.
 
-use dobot_course::{Course, JogAxis, Model, Settings};
 use dobot_motion::Speeds;
+use dobot_trajectory::{JogAxis, Model, Settings, Trajectory};
 use dobot_wire::{Command, Configuration, MovingMode, WriteVector};
 
 use crate::{Bounds, Policy, Violation};
@@ -12,7 +12,7 @@ impl Policy {
         &self,
         model: &Model,
         command: &Command,
-        course: &Course,
+        trajectory: &Trajectory,
     ) -> Result<(), Violation> {
         let settings = model.begun(command).settings;
         let moves = settings.move_speeds();
@@ -22,10 +22,10 @@ impl Policy {
             Command::MoveTo(it) => self.check_target(it.mode, &settings),
             Command::MoveJoints(it) => self.check_target(it.mode, &settings),
             Command::WriteVector(it) => self.check_vector(it, &settings),
-            Command::JointJog(it) => self.check_jog_speed(it.speed_percent, course),
-            Command::LinearJog(it) => self.check_jog_speed(it.speed_percent, course),
-            Command::MouseMove(_) if model.dialect.mouse_swings => self.check_followed(course),
-            Command::Gesture(_) if model.dialect.scales_gesture => self.check_followed(course),
+            Command::JointJog(it) => self.check_jog_speed(it.speed_percent, trajectory),
+            Command::LinearJog(it) => self.check_jog_speed(it.speed_percent, trajectory),
+            Command::MouseMove(_) if model.dialect.mouse_swings => self.check_followed(trajectory),
+            Command::Gesture(_) if model.dialect.scales_gesture => self.check_followed(trajectory),
             Command::MouseMove(_) | Command::Gesture(_) | Command::Voice(_) => {
                 self.check_line(&moves)
             }
@@ -74,8 +74,8 @@ impl Policy {
         self.check_writing(settings)
     }
 
-    fn check_jog_speed(&self, percent: f32, course: &Course) -> Result<(), Violation> {
-        let Some(jog) = course.jog() else {
+    fn check_jog_speed(&self, percent: f32, trajectory: &Trajectory) -> Result<(), Violation> {
+        let Some(jog) = trajectory.jog() else {
             return Ok(());
         };
         let (speed, most) = (&self.speed, &self.acceleration);
@@ -114,9 +114,9 @@ impl Policy {
     }
 
     /// A stock arm follows mouse and hand with all joints at an even speed of its own.
-    fn check_followed(&self, course: &Course) -> Result<(), Violation> {
-        let duration_s = course.motion_s().unwrap_or_default();
-        let ends = [course.place_at(0.0), course.place_at(duration_s)];
+    fn check_followed(&self, trajectory: &Trajectory) -> Result<(), Violation> {
+        let duration_s = trajectory.motion_s().unwrap_or_default();
+        let ends = [trajectory.place_at(0.0), trajectory.place_at(duration_s)];
         let [Ok(from), Ok(to)] = ends.map(|it| it.map(|place| place.joints)) else {
             return Ok(()); // The way is checked besides.
         };

@@ -7,7 +7,7 @@
 //! `docs/safety.md` derives them.
 
 use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM, Tool};
-use dobot_course::{Bend, Place};
+use dobot_trajectory::{Bend, Place};
 
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};

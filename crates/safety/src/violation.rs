@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::{Quantity, Unreachable};
-use dobot_course::CourseError;
+use dobot_trajectory::TrajectoryError;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -96,9 +96,9 @@ impl Violation {
 
     /// A command that leads nowhere.
     #[must_use]
-    pub fn of_course(error: &CourseError) -> Self {
+    pub fn of_trajectory(error: &TrajectoryError) -> Self {
         match error {
-            CourseError::Unreachable(unreachable) => Self::of_arm(unreachable),
+            TrajectoryError::Unreachable(unreachable) => Self::of_arm(unreachable),
             other => Self::of_words(ARM, other.to_string()),
         }
     }

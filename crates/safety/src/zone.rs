@@ -42,7 +42,7 @@ pub struct Cylinder {
     pub z_mm: Bounds,
 }
 
-/// A part of the arm at the two ends of a stretch of its way: its line, then its line.
+/// A part of the arm at the two ends of a segment of its way: its line, then its line.
 pub(crate) type Swept = [[Point; 2]; 2];
 
 impl KeepOut {

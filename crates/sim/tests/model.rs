@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_course::{CourseError, Model};
+use dobot_trajectory::{Model, TrajectoryError};
 use dobot_wire::{
     Command, Configuration, EndEffector, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode,
     WriteVector,
@@ -112,18 +112,18 @@ proptest! {
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let mut model = Model::new(personality.dialect(), &status);
         for command in commands {
-            let Ok(course) = model.course(&command) else { continue };
-            if course.check().is_err() {
+            let Ok(trajectory) = model.trajectory(&command) else { continue };
+            if trajectory.check().is_err() {
                 continue;
             }
-            let expected_s = course.motion_s().expect("it ends");
+            let expected_s = trajectory.motion_s().expect("it ends");
             let took_s = lab.obey(&command, personality).as_secs_f64();
             let late_s = took_s - expected_s;
             prop_assert!(
                 (-0.05..=LATE_S).contains(&late_s),
                 "{command:?} took {took_s} s; {expected_s} s were expected"
             );
-            model = model.after(&command, &course);
+            model = model.after(&command, &trajectory);
             let found = lab.controller.pose_at(lab.now).position;
             let off_mm = apart_mm(found, model.place.pose.position);
             prop_assert!(off_mm < 0.05, "{command:?} ended {off_mm} mm off at {found:?}");
@@ -151,7 +151,10 @@ fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
             arrives,
             "{max_speed_mm_s}: {y_mm}"
         );
-        let refused = matches!(model.course(&rapid), Err(CourseError::SlowRapid { .. }));
+        let refused = matches!(
+            model.trajectory(&rapid),
+            Err(TrajectoryError::SlowRapid { .. })
+        );
         assert_eq!(refused, !arrives, "{max_speed_mm_s} mm/s");
     }
 }
@@ -172,8 +175,8 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let mut model = Model::new(personality.dialect(), &status);
         for command in [vector(40.0, true, speed), vector(7.3, false, speed)].map(Command::from) {
-            let course = model.course(&command).expect("it is allowed");
-            model = model.after(&command, &course);
+            let trajectory = model.trajectory(&command).expect("it is allowed");
+            model = model.after(&command, &trajectory);
             lab.obey(&command, personality);
         }
         let y_mm = lab.controller.pose_at(lab.now).position.y.0;

@@ -148,8 +148,8 @@ async fn targets_passed_without_a_rest_follow_each_other_without_a_pause() {
         let y_mm = if n % 2 == 0 { 30.0 } else { -30.0 };
         let target = move_to(MovingMode::MovJ, 230.0, y_mm, 0.0);
         let model = *connection.session().model().expect("it was seen");
-        let course = model.course(&target.into()).expect("it is in reach");
-        planned_s += course.duration_s().expect("it ends");
+        let trajectory = model.trajectory(&target.into()).expect("it is in reach");
+        planned_s += trajectory.duration_s().expect("it ends");
         last = Some(connection.send(target).expect("it is allowed"));
     }
     let began = connection.now();

@@ -1,4 +1,4 @@
-//! Proof that `wire`, `arm`, `motion`, `course` and `controller` need neither the standard library nor a heap.
+//! Proof that `wire`, `arm`, `motion`, `trajectory` and `controller` need neither the standard library nor a heap.
 //!
 //! This program has no `std`, no allocator and a panic handler of its own. Were one of the five
 //! rooms, or anything below them, to ask for `std`, there would be two panic handlers; were one to
@@ -15,7 +15,7 @@ use core::time::Duration;
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
 use dobot_controller::{Controller, PowerUp};
-use dobot_course::{Model, Place};
+use dobot_trajectory::{Model, Place};
 use dobot_motion::{LineMove, Speeds};
 use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet, Status};
 
@@ -68,10 +68,10 @@ fn motion() -> Option<()> {
 }
 
 /// A command leads to its target.
-fn course() -> Option<()> {
+fn trajectory() -> Option<()> {
     let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
-    let course = Model::standing(DIALECT, here).course(&TARGET.into()).ok()?;
-    let off_mm = course.end()?.pose.position.x.0 - f64::from(TARGET.x_mm);
+    let trajectory = Model::standing(DIALECT, here).trajectory(&TARGET.into()).ok()?;
+    let off_mm = trajectory.end()?.pose.position.x.0 - f64::from(TARGET.x_mm);
     (off_mm.abs() < 1e-9).then_some(())
 }
 
@@ -94,6 +94,6 @@ fn packet() -> Packet {
     Command::from(TARGET).emit(&DIALECT)
 }
 
-const CHECKS: [fn() -> Option<()>; 5] = [wire, arm, motion, course, controller];
+const CHECKS: [fn() -> Option<()>; 5] = [wire, arm, motion, trajectory, controller];
 const DIALECT: Dialect = Dialect::SPECIFICATION;
 const TARGET: MoveTo = MoveTo::to(220.0, 40.0, 10.0).with_mode(MovingMode::MovL);

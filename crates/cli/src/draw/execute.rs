@@ -6,9 +6,9 @@ use std::time::Duration;
 use anyhow::anyhow;
 use dobot_api::{JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State};
 use dobot_client::position;
-use dobot_course::Model;
 use dobot_plan::Plan;
 use dobot_rules::StationClient;
+use dobot_trajectory::Model;
 use dobot_wire::single;
 use tokio::io::{AsyncBufReadExt, BufReader};
 
@@ -89,7 +89,7 @@ async fn way_s(station: &mut StationClient, plan: &Plan) -> Option<f64> {
     let (arm, dialect) = control::arm(station).await.ok()?;
     let model = Model::new(dialect?, &arm.status);
     let to_start = plan.commands().nth(plan.command_of(0) - 1)?;
-    model.course(&to_start).ok()?.duration_s()
+    model.trajectory(&to_start).ok()?.duration_s()
 }
 
 async fn submit(

@@ -1,7 +1,7 @@
 //! The geometry that completion asks for.
 
 use dobot_arm::{Degrees, Limits, Position, Tool};
-use dobot_course::Place;
+use dobot_trajectory::Place;
 use dobot_wire::Status;
 
 /// Whether an arm stands so near to a limit that a tick's way further would be beyond it.

@@ -3,26 +3,26 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_course::Course;
+use dobot_trajectory::Trajectory;
 use dobot_wire::Status;
 
 use crate::position;
 
-/// The way of a course, as a chain of points.
-fn chain(course: &Course) -> Vec<Position> {
-    let motion_s = course.motion_s().unwrap_or_default();
+/// The way of a trajectory, as a chain of points.
+fn chain(trajectory: &Trajectory) -> Vec<Position> {
+    let motion_s = trajectory.motion_s().unwrap_or_default();
     (0..=POINTS)
         .filter_map(|index| {
             let share = f64::from(index) / f64::from(POINTS);
-            course.place_at(motion_s * share).ok()
+            trajectory.place_at(motion_s * share).ok()
         })
         .map(|place| place.pose.position)
         .collect()
 }
 
-/// How far the statuses stray from a course, in millimetres.
-pub(super) fn off_way_mm(course: &Course, seen: &[(Duration, Status)]) -> f64 {
-    let chain = chain(course);
+/// How far the statuses stray from a trajectory, in millimetres.
+pub(super) fn off_way_mm(trajectory: &Trajectory, seen: &[(Duration, Status)]) -> f64 {
+    let chain = chain(trajectory);
     let off = |at: Position| {
         let segments = chain.windows(2).map(|it| off_segment_mm(it[0], it[1], at));
         segments.fold(f64::INFINITY, f64::min)
@@ -31,8 +31,8 @@ pub(super) fn off_way_mm(course: &Course, seen: &[(Duration, Status)]) -> f64 {
     offs.fold(0.0, f64::max)
 }
 
-/// How far two courses are apart somewhere, in millimetres.
-pub(super) fn apart_mm(one: &Course, other: &Course) -> f64 {
+/// How far two trajectories are apart somewhere, in millimetres.
+pub(super) fn apart_mm(one: &Trajectory, other: &Trajectory) -> f64 {
     let other = chain(other);
     let off = |at: Position| {
         let segments = other.windows(2).map(|it| off_segment_mm(it[0], it[1], at));

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::{Button, LASER_OFF, burns};
+use dobot_trajectory::{Button, LASER_OFF, burns};
 use dobot_wire::{Command, LINE_TIME, Status};
 
 use super::{CommandId, Session};

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::Model;
+use dobot_trajectory::Model;
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
 use super::{LATE, Session};

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Pose, Position, Tool, inverse};
 use dobot_client::{CommandId, Event, Session};
-use dobot_course::Place;
+use dobot_trajectory::Place;
 use dobot_wire::{Dialect, MoveTo, MovingMode, Status, WriteVector};
 
 pub(crate) const PERIOD: Duration = Dialect::SPECIFICATION.status_period();

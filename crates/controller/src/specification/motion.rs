@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use dobot_arm::Unreachable;
-use dobot_course::{Course, JogCourse, Place};
+use dobot_trajectory::{JogTrajectory, Place, Trajectory};
 use dobot_wire::Command;
 
 /// What is going on.
@@ -20,8 +20,8 @@ pub(crate) struct Running {
 /// The motion of a command, a jog, or the pause behind a motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Motion {
-    Course(Command, Course),
-    Jog(JogCourse),
+    Trajectory(Command, Trajectory),
+    Jog(JogTrajectory),
     Pause,
 }
 
@@ -33,7 +33,7 @@ impl Running {
         }
         let t_s = at.saturating_sub(self.began).as_secs_f64();
         match &self.motion {
-            Motion::Course(_, course) => Some(course.place_at(t_s)),
+            Motion::Trajectory(_, trajectory) => Some(trajectory.place_at(t_s)),
             Motion::Jog(jog) => Some(jog.place_at(t_s)),
             Motion::Pause => None,
         }

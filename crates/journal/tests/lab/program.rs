@@ -1,7 +1,7 @@
 //! Random programs, and where they lead.
 
 use dobot_arm::{Degrees, Pose, Position, Tool};
-use dobot_course::{Model, Place};
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Command, Configuration, Dialect, MoveTo, MovingMode};
 use proptest::prelude::*;
 
@@ -57,8 +57,8 @@ fn target(x: f32, z: f32) -> Command {
 fn doable(mut model: Model, commands: Vec<Command>) -> Vec<Command> {
     let mut doable = Vec::new();
     for command in commands {
-        if let Ok(course) = model.course(&command) {
-            model = model.after(&command, &course);
+        if let Ok(trajectory) = model.trajectory(&command) {
+            model = model.after(&command, &trajectory);
             doable.push(command);
         }
     }
@@ -84,7 +84,7 @@ pub fn lifted(at: Position) -> Position {
 /// The model behind commands.
 pub fn after(model: &Model, commands: &[Command]) -> Model {
     commands.iter().fold(*model, |model, command| {
-        let course = model.course(command).unwrap();
-        model.after(command, &course)
+        let trajectory = model.trajectory(command).unwrap();
+        model.after(command, &trajectory)
     })
 }

@@ -59,7 +59,7 @@ const KEPT: usize = 4096;
 #[cfg(test)]
 mod tests {
     use dobot_arm::{Joints, Tool};
-    use dobot_course::Place;
+    use dobot_trajectory::Place;
     use proptest::prelude::*;
 
     use super::*;

@@ -1,6 +1,6 @@
 //! What the station tells its guardian: that it lives, and what must not outlive it.
 
-use dobot_course::LASER_OFF;
+use dobot_trajectory::LASER_OFF;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 /// What the station tells its guardian, a byte each.
@@ -80,7 +80,7 @@ impl Told {
             Command::JointJog(it) if it.axis == JointJogAxis::LaserOff => false,
             Command::LinearJog(it) if it.axis == LinearJogAxis::LaserOff => false,
             Command::WriteVector(it) => it.laser,
-            _ => self.burns || dobot_course::burns(&command),
+            _ => self.burns || dobot_trajectory::burns(&command),
         };
         Self { jog, burns }
     }

@@ -1,9 +1,9 @@
 //! What a stock arm takes of old programs harmlessly, though a table or the policy does not allow it: sent
 //! with what does the same, or with the ceiling, instead of being refused as a whole.
 
-use dobot_course::Model;
 use dobot_motion::Speeds;
 use dobot_safety::Policy;
+use dobot_trajectory::Model;
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, Instead, JointJog, Leniency, LinearJog, MoveJoints,
     MoveTo, Packet, PlaybackAdjustment, WriteVector, single,

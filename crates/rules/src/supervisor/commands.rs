@@ -6,8 +6,8 @@ use std::time::Duration;
 use dobot_api::{ClientId, Jog};
 use dobot_arm::Pose;
 use dobot_client::{CommandId, SendError};
-use dobot_course::{Button, CourseError, Model};
 use dobot_safety::Violation;
+use dobot_trajectory::{Button, Model, TrajectoryError};
 use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
 
 use super::arm::Arm;
@@ -90,8 +90,8 @@ fn understood(arm: &Arm, command: &Command, rests_within: Duration) -> Result<Co
         };
     }
     let (Some(order), Some(model)) = (VoiceOrder::parse(voice), arm.session().model()) else {
-        let error = CourseError::NotUnderstood;
-        return Err(Refusal::Policy(Box::new(Violation::of_course(&error))));
+        let error = TrajectoryError::NotUnderstood;
+        return Err(Refusal::Policy(Box::new(Violation::of_trajectory(&error))));
     };
     Ok(spoken(order, model))
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::ClientId;
 use dobot_arm::{Joints, Tool};
 use dobot_client::{Detection, Finding};
-use dobot_course::Place;
+use dobot_trajectory::Place;
 use dobot_wire::{Packet, Status};
 
 use super::arm::Arm;

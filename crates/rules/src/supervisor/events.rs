@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{LinkPhase, News};
 use dobot_client::{Address, CommandId, Event};
-use dobot_course::LASER_OFF;
+use dobot_trajectory::LASER_OFF;
 
 use super::Supervisor;
 use super::run::{Effect, Run};

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_course::LASER_OFF;
+use dobot_trajectory::LASER_OFF;
 
 use super::arm::Arm;
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::LaserView;
 use dobot_client::CommandId;
-use dobot_course::LASER_OFF;
+use dobot_trajectory::LASER_OFF;
 
 use super::arm::Arm;
 use super::seconds;

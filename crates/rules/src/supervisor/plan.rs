@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
-use dobot_course::{Model, Place, burns};
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
+use dobot_trajectory::{Model, Place, burns};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 use self::height::Height;
@@ -292,25 +292,25 @@ impl Look<'_> {
 
     fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
         let bad = |why: String| Refusal::BadJob { index, why };
-        let course = if self.unjudged == Some(index) {
+        let trajectory = if self.unjudged == Some(index) {
             // To stand there already is no reason to refuse what is done.
             self.model.place = somewhere(self.model.tool);
-            let course = self.model.course(command);
-            course.map_err(|error| bad(error.to_string()))?
+            let trajectory = self.model.trajectory(command);
+            trajectory.map_err(|error| bad(error.to_string()))?
         } else {
             let checked = self.policy.check(&self.model, command);
             checked.map_err(|violation| bad(violation.to_string()))?
         };
-        let takes_s = course.duration_s().ok_or_else(|| {
+        let takes_s = trajectory.duration_s().ok_or_else(|| {
             bad("a jog goes on until it is released; a job may not hold one".into())
         })?;
-        self.model = self.model.after(command, &course);
+        self.model = self.model.after(command, &trajectory);
         self.until_s += takes_s;
         Ok(Step {
             end: self.model.status(),
             raised_mm: self.height.raised_mm,
             higher_mm: 0.0,
-            moves: course.moves(),
+            moves: trajectory.moves(),
             until_s: self.until_s,
         })
     }

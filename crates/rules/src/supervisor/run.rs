@@ -14,9 +14,9 @@ use std::time::Duration;
 
 use dobot_api::{JobPhase, JobView, News};
 use dobot_client::CommandId;
-use dobot_course::Model;
 use dobot_journal::{Window, model_at, window_end};
 use dobot_plan::{Machine, end_speed_mm_s};
+use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
 pub(super) use self::adjust::{check_height, check_speed};

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Request};
 use dobot_controller::Personality;
-use dobot_course::{Button, JogAxis};
 use dobot_rules::{Refusal, Rehearsal};
+use dobot_trajectory::{Button, JogAxis};
 use dobot_wire::{Command, JointJogAxis, LinearJogAxis, Packet};
 
 use crate::chance::Chance;

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use dobot_api::{Jog, Request};
 use dobot_controller::Personality;
-use dobot_course::LASER_OFF;
 use dobot_rules::{Refusal, Rehearsal};
+use dobot_trajectory::LASER_OFF;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use crate::commands::vector;

@@ -5,10 +5,10 @@ use std::time::Duration;
 use dobot_api::{ClientId, Jog, News, Request};
 use dobot_arm::Joints;
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_course::{Button, JogAxis};
 use dobot_rules::Rehearsal;
 use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, VirtualArm};
+use dobot_trajectory::{Button, JogAxis};
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
     PACKET_LEN,

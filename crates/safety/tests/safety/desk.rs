@@ -1,8 +1,8 @@
 //! An arm before a policy, and short words for commands.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
-use dobot_course::{Course, Model, Place};
 use dobot_safety::{Policy, Violation};
+use dobot_trajectory::{Model, Place, Trajectory};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
     MovingMode, WriteVector,
@@ -54,14 +54,14 @@ impl Desk {
         self
     }
 
-    pub(crate) fn check(&self, command: impl Into<Command>) -> Result<Course, Violation> {
+    pub(crate) fn check(&self, command: impl Into<Command>) -> Result<Trajectory, Violation> {
         self.policy.check(&self.model, &command.into())
     }
 
     #[track_caller]
-    pub(crate) fn allows(&self, command: impl Into<Command>) -> Course {
+    pub(crate) fn allows(&self, command: impl Into<Command>) -> Trajectory {
         match self.check(command) {
-            Ok(course) => course,
+            Ok(trajectory) => trajectory,
             Err(violation) => panic!("refused: {violation}"),
         }
     }

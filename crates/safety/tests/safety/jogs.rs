@@ -1,6 +1,6 @@
 //! Jogs: the way that they can cover until the release is in force.
 
-use dobot_course::Model;
+use dobot_trajectory::Model;
 use dobot_wire::{Command, JointJogAxis as J, LinearJogAxis as L};
 
 use crate::desk::{Desk, assert_near, jog, slide};
@@ -97,6 +97,6 @@ fn the_gripper_moves_nothing_else() {
 
 /// The model behind a jog that goes on, at the same place.
 fn held(model: &Model, command: Command) -> Model {
-    let course = model.course(&command).expect("a jog");
-    model.after(&command, &course)
+    let trajectory = model.trajectory(&command).expect("a jog");
+    model.after(&command, &trajectory)
 }

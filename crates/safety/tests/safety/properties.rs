@@ -1,8 +1,8 @@
 //! What holds for every policy, place and command.
 
 use dobot_arm::{Joints, Limits, Tool};
-use dobot_course::{Model, Place};
 use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{
     Command, Dialect, JointJogAxis, LinearJogAxis,
     MovingMode::{self, Jump, MovJ, MovL},
@@ -29,13 +29,13 @@ proptest! {
     ) {
         let model = Model::standing(dialect(stock), from);
         prop_assume!(broken(&policy, &from, BEGINS).is_none());
-        let Ok(course) = policy.check(&model, &command) else {
+        let Ok(trajectory) = policy.check(&model, &command) else {
             return Ok(());
         };
-        let duration_s = course.motion_s().expect("no jog");
+        let duration_s = trajectory.motion_s().expect("no jog");
         for index in 0..=1000 {
             let t_s = duration_s * f64::from(index) / 1000.0;
-            let place = course.place_at(t_s).expect("an allowed place is reachable");
+            let place = trajectory.place_at(t_s).expect("an allowed place is reachable");
             prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
         }
     }
@@ -57,8 +57,8 @@ proptest! {
             return Ok(());
         };
         // The place that is told is on the way, right behind the nearest that is allowed.
-        let course = model.course(&command).expect("it has a way");
-        let place = course.place_at(at.after_s.expect("no jog")).expect("it is reachable");
+        let trajectory = model.trajectory(&command).expect("it has a way");
+        let place = trajectory.place_at(at.after_s.expect("no jog")).expect("it is reachable");
         let told = place.pose.position;
         let [at_x, at_y, at_z] = at.position_mm;
         let apart = (told.x.0 - at_x).hypot(told.y.0 - at_y).hypot(told.z.0 - at_z);
@@ -71,7 +71,7 @@ proptest! {
         // All before it is free.
         for index in 0..200 {
             let t_s = at.after_s.expect("no jog") * f64::from(index) / 200.0;
-            let place = course.place_at(t_s).expect("it is reachable");
+            let place = trajectory.place_at(t_s).expect("it is reachable");
             prop_assert_eq!(broken(&policy, &place, LEAF), None, "after {} s", t_s);
         }
     }
@@ -89,19 +89,19 @@ proptest! {
             return Ok(());
         }
         // At full speed for that long, and then the run-down, a little at a time.
-        let course = model.course(&command).expect("a jog").jog().expect("a jog");
-        let full_s = course.change_s() + within_s;
-        let (speed, acceleration) = (course.target_speed().abs(), course.acceleration());
+        let trajectory = model.trajectory(&command).expect("a jog").jog().expect("a jog");
+        let full_s = trajectory.change_s() + within_s;
+        let (speed, acceleration) = (trajectory.target_speed().abs(), trajectory.acceleration());
         let covered = speed * within_s + speed * speed / (2.0 * acceleration);
         // The same way from rest takes longer: until then no farther than it.
         for index in 0..=300 {
             let t_s = full_s * f64::from(index) / 300.0;
-            let ramp_s = t_s.min(course.change_s());
+            let ramp_s = t_s.min(trajectory.change_s());
             let gone = 0.5 * acceleration * ramp_s * ramp_s + speed * (t_s - ramp_s);
             if gone > covered {
                 break;
             }
-            let place = course.place_at(t_s).expect("an allowed place is reachable");
+            let place = trajectory.place_at(t_s).expect("an allowed place is reachable");
             prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
         }
     }
@@ -117,7 +117,7 @@ proptest! {
         policy.joints.rear_deg.max = rear_max;
         policy.workspace.z_mm.min = lowest;
         let model = Model::standing(Dialect::SPECIFICATION, from);
-        let Ok(course) = policy.check(&model, &command) else {
+        let Ok(trajectory) = policy.check(&model, &command) else {
             return Ok(());
         };
         let outside = |place: &Place| {
@@ -125,17 +125,17 @@ proptest! {
             [rear, (lowest - place.pose.position.z.0).max(0.0)]
         };
         let deepest = outside(&from);
-        let (mut came_in, duration_s) = ([false; 2], course.motion_s().expect("no jog"));
+        let (mut came_in, duration_s) = ([false; 2], trajectory.motion_s().expect("no jog"));
         for index in 0..=1000 {
             let t_s = duration_s * f64::from(index) / 1000.0;
-            let now = outside(&course.place_at(t_s).expect("reachable"));
+            let now = outside(&trajectory.place_at(t_s).expect("reachable"));
             for rule in 0..2 {
                 prop_assert!(now[rule] <= deepest[rule] + 3e-6, "{:?} after {} s", now, t_s);
                 came_in[rule] |= now[rule] == 0.0;
             }
         }
         // What came in is in at the end.
-        let end = outside(&course.place_at(duration_s).expect("reachable"));
+        let end = outside(&trajectory.place_at(duration_s).expect("reachable"));
         for rule in 0..2 {
             prop_assert!(!came_in[rule] || end[rule] <= 3e-6, "{:?} at the end", end);
         }

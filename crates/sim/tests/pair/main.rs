@@ -18,8 +18,8 @@ use common::{
 use dobot_arm::Position;
 use dobot_client::{CommandId, Connection, Event, Peer};
 use dobot_controller::Refused;
-use dobot_course::CourseError;
 use dobot_sim::{InProcess, Sample};
+use dobot_trajectory::TrajectoryError;
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, JointJogAxis, LinearJog, LinearJogAxis,
     MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,

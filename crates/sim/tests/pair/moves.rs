@@ -93,7 +93,7 @@ async fn a_target_out_of_reach_is_told_with_the_place_where_the_arm_rests() {
     assert_at(*found, POWER_UP_X_MM, 0.0, -17.677_669_5, 1e-3);
     assert!(matches!(
         refusals(&peer)[..],
-        [Refused::Course(CourseError::Unreachable(_))]
+        [Refused::Trajectory(TrajectoryError::Unreachable(_))]
     ));
 }
 

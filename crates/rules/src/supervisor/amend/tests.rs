@@ -1,6 +1,6 @@
 use dobot_arm::{Joints, Tool};
-use dobot_course::{Model, Place};
 use dobot_safety::Policy;
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Dialect, Frame, Packet, Voice};
 
 use super::amended;

@@ -1,7 +1,7 @@
 //! At which speeds the vectors go that are not sent yet.
 
-use dobot_course::burns;
 use dobot_plan::{Begin, Machine, respeed};
+use dobot_trajectory::burns;
 use dobot_wire::{Command, WriteVector, single};
 
 use crate::supervisor::JobPlan;

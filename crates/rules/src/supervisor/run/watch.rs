@@ -2,8 +2,8 @@
 
 use dobot_api::{JobPhase, News};
 use dobot_client::position;
-use dobot_course::Model;
 use dobot_journal::{Unclear, Window, locate, model_at};
+use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
 use super::approach::THERE_MM;

@@ -10,7 +10,7 @@ use crate::{Button, Model};
 /// Such a command may be sent only while a person has armed the laser.
 ///
 /// ```
-/// use dobot_course::burns;
+/// use dobot_trajectory::burns;
 /// use dobot_wire::{Command, JointJog, JointJogAxis};
 ///
 /// let button = |axis| Command::from(JointJog::new(axis, 0.0));

@@ -7,7 +7,7 @@ use dobot_wire::ParseError;
 /// Why a command leads nowhere, or to where nobody knows.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum CourseError {
+pub enum TrajectoryError {
     /// A value breaks a range of its table.
     #[error("{0}")]
     Invalid(ParseError),
@@ -84,13 +84,13 @@ pub enum CourseError {
     },
 }
 
-impl From<Unreachable> for CourseError {
+impl From<Unreachable> for TrajectoryError {
     fn from(error: Unreachable) -> Self {
         Self::Unreachable(error)
     }
 }
 
-impl From<PlanError> for CourseError {
+impl From<PlanError> for TrajectoryError {
     fn from(error: PlanError) -> Self {
         Self::Unplannable(error)
     }

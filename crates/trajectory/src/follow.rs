@@ -7,29 +7,29 @@ use dobot_wire::{Gesture, MouseMove};
 
 use crate::followed::{Before, Behind, hand_sample, mouse_sample};
 use crate::way::Way;
-use crate::{Course, CourseError, Model, Place};
+use crate::{Model, Place, Trajectory, TrajectoryError};
 
 /// Swings the base, and changes reach and height, by what a mouse tells.
-pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
-    let course = |before| {
+pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    let trajectory = |before| {
         let average = model.followed.mouse_average(mouse_sample(by), before);
         swung(average, by, model)
     };
-    surely_moves(&course(Before::Another))?;
-    surely_moves(&course(Before::TheRow))?;
-    course(Before::AsSent)
+    surely_moves(&trajectory(Before::Another))?;
+    surely_moves(&trajectory(Before::TheRow))?;
+    trajectory(Before::AsSent)
 }
 
 /// Whether the arm does not hang with a packet that may come to this.
-fn surely_moves(course: &Result<Course, CourseError>) -> Result<(), CourseError> {
-    match course {
-        Err(CourseError::NothingToFollow) => Err(CourseError::NothingToFollow),
+fn surely_moves(trajectory: &Result<Trajectory, TrajectoryError>) -> Result<(), TrajectoryError> {
+    match trajectory {
+        Err(TrajectoryError::NothingToFollow) => Err(TrajectoryError::NothingToFollow),
         Ok(_) | Err(_) => Ok(()),
     }
 }
 
 /// Goes by what a mouse told, averaged.
-fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
+fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let [swing, longer, higher] = average.map(f64::from);
     let from = model.place;
     let reach = from.pose.position.reach() + Millimeters(MOUSE_MM * longer);
@@ -55,21 +55,21 @@ fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Course, Cou
 }
 
 /// Goes to where a hand is, scaled to the arm.
-pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
+pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let sample = hand_sample(hand);
-    let course = |before, behind| {
+    let trajectory = |before, behind| {
         let average = model.followed.hand_average(sample, before, behind);
         handed(average, model)
     };
     for before in [Before::AsSent, Before::Another, Before::TheRow] {
-        surely_moves(&course(before, Behind::AsSent))?;
-        surely_moves(&course(before, Behind::TheSame))?;
+        surely_moves(&trajectory(before, Behind::AsSent))?;
+        surely_moves(&trajectory(before, Behind::TheSame))?;
     }
-    course(Before::AsSent, Behind::AsSent)
+    trajectory(Before::AsSent, Behind::AsSent)
 }
 
 /// Goes to the place of a hand that is averaged already.
-fn handed([x, y, z]: [f32; 3], model: &Model) -> Result<Course, CourseError> {
+fn handed([x, y, z]: [f32; 3], model: &Model) -> Result<Trajectory, TrajectoryError> {
     let from = model.place;
     let to = Position::new(
         230.0 + 0.5 * f64::from(x),
@@ -103,7 +103,7 @@ fn followed(
     period_s: f64,
     sure: [bool; 3],
     model: &Model,
-) -> Result<Course, CourseError> {
+) -> Result<Trajectory, TrajectoryError> {
     let from = model.place.joints;
     let ways = [
         to.base - from.base,
@@ -112,7 +112,7 @@ fn followed(
     ];
     let longest_deg = longest(ways, [true; 3]);
     if longest(ways, sure) < STEP_DEG {
-        return Err(CourseError::NothingToFollow);
+        return Err(TrajectoryError::NothingToFollow);
     }
     let ticks = libm::floor(period_s / TICK_S + ROUNDING);
     let share = (ticks * TICK_S / period_s).min(1.0);
@@ -131,12 +131,12 @@ fn followed(
         ..Speeds::STOCK
     };
     let way = Way::Joints(JointMove::new(from, end, &even)?);
-    let course = Course::moving(way, Place::at_joints(end, model.tool), model);
+    let trajectory = Trajectory::moving(way, Place::at_joints(end, model.tool), model);
     // With a whole number of ticks, rounding decides whether it is one less.
     let clear = libm::fabs(period_s / TICK_S - ticks) > 2.0 * ROUNDING || period_s == FOLLOW_S;
-    Ok(Course {
-        knows_end: course.knows_end && clear,
-        ..course
+    Ok(Trajectory {
+        knows_end: trajectory.knows_end && clear,
+        ..trajectory
     })
 }
 

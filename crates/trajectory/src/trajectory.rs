@@ -5,11 +5,11 @@ use dobot_arm::{Position, Tool, Unreachable};
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
 use crate::left::Left;
 use crate::way::Way;
-use crate::{CourseError, JogCourse, Model, Place};
+use crate::{JogTrajectory, Model, Place, TrajectoryError};
 
 /// Where a command leads: the whole way, as a pure function of the time since it began.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Course {
+pub struct Trajectory {
     pub(crate) way: Way,
     pub(crate) from: Place,
     pub(crate) tool: Tool,
@@ -25,7 +25,7 @@ pub struct Course {
     pub(crate) left: Option<Left>,
 }
 
-impl Course {
+impl Trajectory {
     /// A way of an arm from where it is.
     pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl Course {
     }
 
     /// A way by so much from wherever the arm is.
-    pub(crate) fn relative(way: Way, model: &Model) -> Result<Self, CourseError> {
+    pub(crate) fn relative(way: Way, model: &Model) -> Result<Self, TrajectoryError> {
         let to = way
             .place_at(f64::MAX, model.tool)
             .unwrap_or(Ok(model.place));
@@ -80,7 +80,7 @@ impl Course {
     }
 
     /// Where the arm is at a time since the command began: before 0 at the start, behind the motion
-    /// at the end. Limits are not looked at: [`Course::check`] does that.
+    /// at the end. Limits are not looked at: [`Trajectory::check`] does that.
     ///
     /// # Errors
     ///
@@ -91,7 +91,7 @@ impl Course {
 
     /// Where the command ends. `None` where that cannot be told: of a jog and its release, of a step
     /// from a place that is not known itself, and where rounding decides when a stock arm ends a
-    /// gesture (note N49); [`Course::place_at`] the end is the best guess then.
+    /// gesture (note N49); [`Trajectory::place_at`] the end is the best guess then.
     #[must_use]
     pub fn end(&self) -> Option<Place> {
         self.knows_end.then_some(self.to)
@@ -128,7 +128,7 @@ impl Course {
 
     /// The jog that it is.
     #[must_use]
-    pub const fn jog(&self) -> Option<JogCourse> {
+    pub const fn jog(&self) -> Option<JogTrajectory> {
         match self.way {
             Way::Jog(jog) => Some(jog),
             _ => None,
@@ -136,15 +136,15 @@ impl Course {
     }
 
     /// Whether the motion takes no longer than [`LONGEST_S`].
-    pub(crate) fn check_duration(&self) -> Result<(), CourseError> {
+    pub(crate) fn check_duration(&self) -> Result<(), TrajectoryError> {
         match self.motion_s() {
-            Some(found) if found > LONGEST_S => Err(CourseError::TooSlow { found }),
+            Some(found) if found > LONGEST_S => Err(TrajectoryError::TooSlow { found }),
             _ => Ok(()),
         }
     }
 
     /// Whether a stock arm can count the ticks of motion and pause: it does so in 16 bits.
-    pub(crate) fn check_counters(&self) -> Result<(), CourseError> {
+    pub(crate) fn check_counters(&self) -> Result<(), TrajectoryError> {
         let motion_s = self.motion_s().unwrap_or(0.0);
         let found = if motion_s > MOST_COUNTED_S {
             motion_s
@@ -152,7 +152,7 @@ impl Course {
             self.pause_s
         };
         if found > MOST_COUNTED_S {
-            return Err(CourseError::Uncounted { found });
+            return Err(TrajectoryError::Uncounted { found });
         }
         Ok(())
     }
@@ -163,8 +163,8 @@ impl Course {
     ///
     /// # Errors
     ///
-    /// [`CourseError::TooSlow`], or [`CourseError::Unreachable`] with the first limit on the way.
-    pub fn check(&self) -> Result<(), CourseError> {
+    /// [`TrajectoryError::TooSlow`], or [`TrajectoryError::Unreachable`] with the first limit on the way.
+    pub fn check(&self) -> Result<(), TrajectoryError> {
         let Some(duration_s) = self.motion_s() else {
             return Ok(());
         };

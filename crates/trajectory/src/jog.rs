@@ -7,7 +7,7 @@ use crate::{JogAxis, Model, Place, Settings};
 
 /// One axis on the move, until told otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JogCourse {
+pub struct JogTrajectory {
     axis: JogAxis,
     from: Place,
     tool: Tool,
@@ -17,7 +17,7 @@ pub struct JogCourse {
     target: f64,
 }
 
-impl JogCourse {
+impl JogTrajectory {
     /// Starts from where the arm is, with the speed that the axis has (degrees/s or mm/s), towards
     /// a share of the axis's speed, -1 to 1.
     ///
@@ -42,7 +42,7 @@ impl JogCourse {
     ///
     /// # Errors
     ///
-    /// As of [`JogCourse::start`].
+    /// As of [`JogTrajectory::start`].
     pub fn release(&self, model: &Model, t_s: f64) -> Result<Self, PlanError> {
         Ok(Self {
             from: model.place,

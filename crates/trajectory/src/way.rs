@@ -4,7 +4,7 @@ use dobot_arm::{Degrees, Millimeters, Pose, Tool, Unreachable};
 use dobot_motion::{JointMove, Jump, LineMove, Stroke};
 
 use crate::lifts::Lifts;
-use crate::{JogCourse, Place};
+use crate::{JogTrajectory, Place};
 
 /// How an arm gets somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,9 +23,9 @@ pub(crate) enum Way {
         held_z: Option<Millimeters>,
     },
     /// Until told otherwise.
-    Jog(JogCourse),
+    Jog(JogTrajectory),
     /// The end of a jog.
-    RunDown(JogCourse),
+    RunDown(JogTrajectory),
 }
 
 impl Way {

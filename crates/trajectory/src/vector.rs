@@ -1,4 +1,4 @@
-//! The course of a writing or laser vector (state 4).
+//! The trajectory of a writing or laser vector (state 4).
 
 use dobot_arm::{Pose, Position, TICK_S, stock};
 use dobot_motion::{Cut, Stroke, StrokeSpeeds};
@@ -8,15 +8,15 @@ use crate::error::MOST_COUNTED_S;
 use crate::left::{CREEPS_MM_S, Left};
 use crate::place::position;
 use crate::way::Way;
-use crate::{Course, CourseError, Model, Place};
+use crate::{Model, Place, Trajectory, TrajectoryError};
 
 /// Plans a vector from where the arm is.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, CourseError> {
+pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let from = model.place.pose;
     let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
     if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
-        return Err(CourseError::OnTheSpot);
+        return Err(TrajectoryError::OnTheSpot);
     }
     let speeds = stroke_speeds(vector, model)?;
     let cut = Cuts::of(vector, speeds.acceleration_mm_s2, model);
@@ -24,11 +24,11 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
     let stroke = Stroke::new(from.position, by, &speeds)?;
     if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
         let found = stroke.duration_s();
-        return Err(CourseError::Uncounted { found });
+        return Err(TrajectoryError::Uncounted { found });
     }
     let rapid = is_rapid(vector, model);
     if cut.as_ref().is_some_and(|it| it.may_never_end(rapid)) {
-        return Err(CourseError::NeverEnds);
+        return Err(TrajectoryError::NeverEnds);
     }
     if let Some(cut) = &cut {
         cut.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
@@ -39,37 +39,39 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Course, Cour
         rotation: from.rotation,
         held_z: is_flat.then_some(from.position.z),
     };
-    let course = Course::relative(way, model)?;
+    let trajectory = Trajectory::relative(way, model)?;
     let length_mm = by.length().0;
-    Ok(Course {
-        knows_end: course.knows_end
+    Ok(Trajectory {
+        knows_end: trajectory.knows_end
             && (model.left.is_known() || cut.as_ref().is_none_or(|it| it.is_sure(length_mm))),
         to: if model.dialect.uses_start_speed {
-            course.to
+            trajectory.to
         } else {
-            stock_end(&course, model)
+            stock_end(&trajectory, model)
         },
         burns: model.laser_during(vector),
         left: cut.map(|it| it.left()),
-        ..course
+        ..trajectory
     })
 }
 
 /// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
 /// rounding could bring it out: there it is where the way leads.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn stock_end(course: &Course, model: &Model) -> Place {
-    let [from, to] = [course.from, course.to].map(|it| it.pose.position);
+fn stock_end(trajectory: &Trajectory, model: &Model) -> Place {
+    let [from, to] = [trajectory.from, trajectory.to].map(|it| it.pose.position);
     let way = to - from;
     let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
     let from = [from.x, from.y, from.z].map(|it| it.0);
     let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
     let pose = Pose {
         position: Position::new(x, y, z),
-        ..course.to.pose
+        ..trajectory.to.pose
     };
     let place = Place::at_pose(pose, model.tool).ok();
-    place.filter(|it| it.check().is_ok()).unwrap_or(course.to)
+    place
+        .filter(|it| it.check().is_ok())
+        .unwrap_or(trajectory.to)
 }
 
 /// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
@@ -122,11 +124,11 @@ impl Cuts {
 
     /// Whether a vector of writing mode behind it goes its way: begun at less than nothing it first goes
     /// back, until it has accelerated to something.
-    fn check_left(&self, acceleration_mm_s2: f32) -> Result<(), CourseError> {
+    fn check_left(&self, acceleration_mm_s2: f32) -> Result<(), TrajectoryError> {
         let left_mm_s = self.believed.end_mm_s;
         let back_mm = left_mm_s * left_mm_s / (2.0 * acceleration_mm_s2);
         if left_mm_s < 0.0 && back_mm > BACK_MM {
-            return Err(CourseError::LeavesBackwards { left_mm_s, back_mm });
+            return Err(TrajectoryError::LeavesBackwards { left_mm_s, back_mm });
         }
         Ok(())
     }
@@ -140,7 +142,7 @@ impl Cuts {
 }
 
 /// Speeds above the largest count as the largest (note N5).
-fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, CourseError> {
+fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, TrajectoryError> {
     let max_mm_s = f64::from(vector.max_speed_mm_s);
     let start_mm_s = if model.dialect.uses_start_speed {
         vector.start_speed_mm_s.into()
@@ -168,7 +170,7 @@ fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
 }
 
 /// Without the laser, laser mode accelerates a hundredfold (note N48).
-fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, CourseError> {
+fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, TrajectoryError> {
     let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
     let least_mm_s = acceleration_mm_s2 * TICK_S / 2.0;
     if speeds.max_mm_s >= least_mm_s {
@@ -181,7 +183,7 @@ fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, CourseE
     // fast as it begins it goes on; at rest it stays, and perhaps where nobody knows how it begins.
     let begin_mm_s = speeds.start_mm_s;
     if begin_mm_s < CREEPS_MM_S || may_creep {
-        return Err(CourseError::SlowRapid {
+        return Err(TrajectoryError::SlowRapid {
             found: speeds.max_mm_s,
             least: least_mm_s,
         });
@@ -223,10 +225,10 @@ mod tests {
             end_speed_mm_s: 40.0,
             ..WriteVector::by(0.0, -1.4, 0.0, 150.0)
         });
-        assert!(model.course(&rapid).is_ok());
+        assert!(model.trajectory(&rapid).is_ok());
         model.lose_place();
         model.knows_place = true;
-        assert_eq!(model.course(&rapid), Err(CourseError::NeverEnds));
+        assert_eq!(model.trajectory(&rapid), Err(TrajectoryError::NeverEnds));
     }
 
     #[test]
@@ -241,11 +243,11 @@ mod tests {
             end_speed_mm_s: 10.0,
             ..WriteVector::by(0.0, -3.1, 0.0, 10.0)
         };
-        assert!(model.course(&vector.into()).is_ok());
+        assert!(model.trajectory(&vector.into()).is_ok());
         model.left = model.left.perhaps();
-        let refused = model.course(&vector.into());
+        let refused = model.trajectory(&vector.into());
         assert!(
-            matches!(refused, Err(CourseError::SlowRapid { .. })),
+            matches!(refused, Err(TrajectoryError::SlowRapid { .. })),
             "{refused:?}"
         );
         // At 145 mm/s2 a tick is worth 2.9 mm/s, and 1 mm/s is not half of that: no tick accelerates, and behind
@@ -253,11 +255,11 @@ mod tests {
         model.settings.write_acceleration_mm_s2 = 145.0;
         vector.mode = WriteMode::Writing;
         (vector.y_mm, vector.max_speed_mm_s, vector.end_speed_mm_s) = (-0.4, 1.0, 0.0);
-        let course = model.course(&vector.into()).expect("it may be sent");
-        assert_eq!(course.end(), None);
+        let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
+        assert_eq!(trajectory.end(), None);
         model.left = Left::known(0.5);
-        let course = model.course(&vector.into()).expect("it may be sent");
-        assert!(course.end().is_some());
+        let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
+        assert!(trajectory.end().is_some());
     }
 
     #[test]
@@ -271,9 +273,9 @@ mod tests {
             mode: WriteMode::Laser,
             ..WriteVector::by(0.0, 26.764, 0.0, 150.0)
         };
-        let course = model.course(&rapid.into());
-        let Err(CourseError::LeavesBackwards { left_mm_s, back_mm }) = course else {
-            panic!("{course:?}");
+        let trajectory = model.trajectory(&rapid.into());
+        let Err(TrajectoryError::LeavesBackwards { left_mm_s, back_mm }) = trajectory else {
+            panic!("{trajectory:?}");
         };
         assert!((left_mm_s + 141.0).abs() < 1.0, "{left_mm_s}");
         assert!((back_mm - 99.0).abs() < 1.5, "{back_mm}");
@@ -281,7 +283,7 @@ mod tests {
             mode: WriteMode::Writing,
             ..rapid
         };
-        assert!(model.course(&written.into()).is_ok());
+        assert!(model.trajectory(&written.into()).is_ok());
     }
 
     #[test]
@@ -296,6 +298,6 @@ mod tests {
             end_speed_mm_s: 1.0,
             ..WriteVector::by(0.3, 0.0, 0.0, 10.0)
         });
-        assert_eq!(model.course(&vector), Err(CourseError::NeverEnds));
+        assert_eq!(model.trajectory(&vector), Err(TrajectoryError::NeverEnds));
     }
 }

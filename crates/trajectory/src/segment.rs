@@ -1,11 +1,11 @@
-//! How a course runs: what changes evenly on which part of it.
+//! How a trajectory runs: what changes evenly on which part of it.
 
 use crate::way::Way;
-use crate::{Course, JogAxis};
+use crate::{JogAxis, Trajectory};
 
 /// What changes evenly with the share of the way: all of it at one pace, whatever the pace is.
 ///
-/// Whoever has to be sure of what lies between two places of a course needs this.
+/// Whoever has to be sure of what lies between two places of a trajectory needs this.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bend {
     /// The tool's position and rotation: a straight line in space.
@@ -16,33 +16,33 @@ pub enum Bend {
     Joints,
 }
 
-/// A part of a course.
+/// A part of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stretch {
+pub struct Segment {
     /// When it ends, in seconds since the command began; it begins where the one before ends.
     pub until_s: f64,
     /// What changes evenly on it.
     pub bend: Bend,
 }
 
-impl Course {
-    /// The stretches of the whole motion in their order. Those behind the last end where it ends,
+impl Trajectory {
+    /// The segments of the whole motion in their order. Those behind the last end where it ends,
     /// and a jog, which has no end, has none that lasts.
     #[must_use]
-    pub fn stretches(&self) -> [Stretch; 3] {
-        let whole = |until_s, bend| [Stretch { until_s, bend }; 3];
+    pub fn segments(&self) -> [Segment; 3] {
+        let whole = |until_s, bend| [Segment { until_s, bend }; 3];
         match &self.way {
             Way::Still | Way::Jog(_) => whole(0.0, Bend::Joints),
             Way::Joints(it) => whole(it.duration_s(), Bend::Joints),
             Way::Stroke { stroke, .. } => whole(stroke.duration_s(), Bend::Line),
             Way::RunDown(it) => whole(it.change_s(), bend_of(it.axis())),
-            Way::Lifts(it) => it.ends_s().map(|until_s| Stretch {
+            Way::Lifts(it) => it.ends_s().map(|until_s| Segment {
                 until_s,
                 bend: Bend::Joints,
             }),
             Way::Jump(it) => {
                 let [up_s, across_s] = it.corners_s();
-                [up_s, across_s, it.duration_s()].map(|until_s| Stretch {
+                [up_s, across_s, it.duration_s()].map(|until_s| Segment {
                     until_s,
                     bend: Bend::Around,
                 })
@@ -53,12 +53,12 @@ impl Course {
 }
 
 /// Some arms turn the tool in one step when the line is over.
-fn turning_at_the_end(duration_s: f64) -> [Stretch; 3] {
-    let line = Stretch {
+fn turning_at_the_end(duration_s: f64) -> [Segment; 3] {
+    let line = Segment {
         until_s: duration_s.next_down().max(0.0),
         bend: Bend::Line,
     };
-    let turn = Stretch {
+    let turn = Segment {
         until_s: duration_s,
         bend: Bend::Joints,
     };
@@ -83,23 +83,23 @@ mod tests {
     use super::*;
     use crate::{Model, Place};
 
-    fn course(dialect: Dialect, mode: MovingMode) -> Course {
+    fn trajectory(dialect: Dialect, mode: MovingMode) -> Trajectory {
         let here = Place::at_joints(Joints::new(-20.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let target = Command::from(MoveTo {
             rotation_deg: 40.0,
             mode,
             ..MoveTo::to(200.0, 80.0, 0.0)
         });
-        Model::standing(dialect, here).course(&target).unwrap()
+        Model::standing(dialect, here).trajectory(&target).unwrap()
     }
 
     #[test]
-    fn the_last_stretch_ends_where_the_motion_does() {
+    fn the_last_segment_ends_where_the_motion_does() {
         for dialect in Dialect::ALL {
             for mode in [MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ] {
-                let course = course(dialect, mode);
-                let [_, _, last] = course.stretches();
-                assert_eq!(Some(last.until_s), course.motion_s());
+                let trajectory = trajectory(dialect, mode);
+                let [_, _, last] = trajectory.segments();
+                assert_eq!(Some(last.until_s), trajectory.motion_s());
             }
         }
     }
@@ -107,17 +107,17 @@ mod tests {
     #[test]
     fn a_jump_is_highest_above_both_of_its_ends_where_its_corners_are() {
         for dialect in Dialect::ALL {
-            let course = course(dialect, MovingMode::Jump);
-            let z_mm = |t_s| course.place_at(t_s).unwrap().pose.position.z.0;
-            let [up, across, down] = course.stretches();
+            let trajectory = trajectory(dialect, MovingMode::Jump);
+            let z_mm = |t_s| trajectory.place_at(t_s).unwrap().pose.position.z.0;
+            let [up, across, down] = trajectory.segments();
             let height_mm = f64::from(dialect.default_jump_height_mm);
             let tops = if dialect.jumps_by_joints {
                 [z_mm(0.0) + height_mm, height_mm]
             } else {
                 [height_mm; 2]
             };
-            for (stretch, top_mm) in [up, across].into_iter().zip(tops) {
-                let found = z_mm(stretch.until_s);
+            for (segment, top_mm) in [up, across].into_iter().zip(tops) {
+                let found = z_mm(segment.until_s);
                 assert!(
                     (found - top_mm).abs() < 1e-5,
                     "found {found}, expected {top_mm}, tolerance 1e-5"
@@ -128,10 +128,10 @@ mod tests {
     }
 
     #[test]
-    fn a_tool_that_turns_when_the_line_is_over_does_so_on_a_stretch_of_its_own() {
-        let course = course(Dialect::FIRMWARE_1_1, MovingMode::MovL);
-        let [line, turn, _] = course.stretches();
-        let rotation_deg = |t_s| course.place_at(t_s).unwrap().pose.rotation.0;
+    fn a_tool_that_turns_when_the_line_is_over_does_so_on_a_segment_of_its_own() {
+        let trajectory = trajectory(Dialect::FIRMWARE_1_1, MovingMode::MovL);
+        let [line, turn, _] = trajectory.segments();
+        let rotation_deg = |t_s| trajectory.place_at(t_s).unwrap().pose.rotation.0;
         assert_eq!(rotation_deg(line.until_s), -20.0);
         assert_eq!(rotation_deg(turn.until_s), 40.0);
         assert_eq!((line.bend, turn.bend), (Bend::Line, Bend::Joints));

@@ -3,7 +3,7 @@
 use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
 use dobot_motion::{JointMove, Speeds};
 
-use crate::{CourseError, Place};
+use crate::{Place, TrajectoryError};
 
 /// Lifts by a height where it stands, goes to that height above the target, and down.
 ///
@@ -28,7 +28,7 @@ impl Lifts {
         height: Millimeters,
         speeds: &Speeds,
         tool: Tool,
-    ) -> Result<Self, CourseError> {
+    ) -> Result<Self, TrajectoryError> {
         let above = |mut pose: Pose| {
             pose.position.z += height;
             Limits::STOCK.solve(&pose, tool)

@@ -8,23 +8,23 @@ use dobot_wire::{
 use crate::followed::Followed;
 use crate::left::Left;
 use crate::settings::tool_named;
-use crate::{Button, Course, JogCourse, Place, Settings};
+use crate::{Button, JogTrajectory, Place, Settings, Trajectory};
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
 ///
 /// ```
 /// # use dobot_arm::{Joints, Tool};
-/// # use dobot_course::{Model, Place};
+/// # use dobot_trajectory::{Model, Place};
 /// # use dobot_wire::{Command, Dialect, WriteVector};
 /// let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
 /// let model = Model::standing(Dialect::SPECIFICATION, here);
 /// let vector = Command::from(WriteVector::by(0.0, 20.0, 0.0, 40.0));
-/// let course = model.course(&vector)?;
+/// let trajectory = model.trajectory(&vector)?;
 /// // 8 mm speeding up to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
-/// assert!((course.duration_s().unwrap() - 0.9).abs() < 1e-9);
-/// let after = model.after(&vector, &course);
+/// assert!((trajectory.duration_s().unwrap() - 0.9).abs() < 1e-9);
+/// let after = model.after(&vector, &trajectory);
 /// assert!((after.place.pose.position.y.0 - 20.0).abs() < 1e-9);
-/// # Ok::<(), dobot_course::CourseError>(())
+/// # Ok::<(), dobot_trajectory::TrajectoryError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(
@@ -53,7 +53,7 @@ pub struct Model {
     /// What the last vector left.
     pub(crate) left: Left,
     /// The jog that goes on, or whose speed the arm keeps.
-    pub(crate) jog: Option<JogCourse>,
+    pub(crate) jog: Option<JogTrajectory>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
     pub(crate) idle_pause_s: f64,
     /// The mouse moves and gestures with which the next one is averaged.
@@ -144,7 +144,7 @@ impl Model {
     /// The jog that goes on, if one does. Of a stock arm also one that was stopped by something else
     /// than its release: it keeps the speed for that (note N44).
     #[must_use]
-    pub const fn jog(&self) -> Option<&JogCourse> {
+    pub const fn jog(&self) -> Option<&JogTrajectory> {
         self.jog.as_ref()
     }
 
@@ -181,15 +181,15 @@ impl Model {
 
     /// The model when the command is over.
     #[must_use]
-    pub fn after(&self, command: &Command, course: &Course) -> Self {
+    pub fn after(&self, command: &Command, trajectory: &Trajectory) -> Self {
         let mut model = self.begun(command);
-        model.place = course.to;
-        model.knows_place = course.knows_end;
+        model.place = trajectory.to;
+        model.knows_place = trajectory.knows_end;
         model.jog = match Button::of(command) {
-            Some(Button::Held { .. } | Button::Released) => course.jog(),
+            Some(Button::Held { .. } | Button::Released) => trajectory.jog(),
             _ => self.jog.filter(|_| self.dialect.keeps_jog_speed),
         };
-        model.left = course.left.unwrap_or(model.left);
+        model.left = trajectory.left.unwrap_or(model.left);
         match command {
             Command::MoveTo(it) => {
                 model.note_lines(it.mode);

@@ -1,4 +1,4 @@
-//! From a command to its course: pure, nothing has moved yet.
+//! From a command to its trajectory: pure, nothing has moved yet.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward};
 use dobot_motion::{JointMove, Jump, LineMove};
@@ -13,10 +13,10 @@ use crate::place::position;
 use crate::settings::tool_named;
 use crate::vector::vector;
 use crate::way::Way;
-use crate::{Button, Course, CourseError, JogCourse, Model, Place};
+use crate::{Button, JogTrajectory, Model, Place, Trajectory, TrajectoryError};
 
 /// Plans a command from where the arm is.
-fn plan(model: &Model, command: &Command) -> Result<Course, CourseError> {
+fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError> {
     match command {
         Command::MoveTo(it) => {
             let target = Target::Pose(Pose {
@@ -24,13 +24,13 @@ fn plan(model: &Model, command: &Command) -> Result<Course, CourseError> {
                 rotation: Degrees(it.rotation_deg.into()),
             });
             Ok(target
-                .course(model, it.mode)?
+                .trajectory(model, it.mode)?
                 .pausing(model.pause_s(command)))
         }
         Command::MoveJoints(it) => {
             let target = Target::Joints(joints(it));
             Ok(target
-                .course(model, it.mode)?
+                .trajectory(model, it.mode)?
                 .pausing(model.pause_s(command)))
         }
         Command::WriteVector(it) if it.stop => Ok(still(model)),
@@ -64,7 +64,7 @@ impl Target {
         }
     }
 
-    fn course(self, model: &Model, mode: MovingMode) -> Result<Course, CourseError> {
+    fn trajectory(self, model: &Model, mode: MovingMode) -> Result<Trajectory, TrajectoryError> {
         let to = self.place(model)?;
         let speeds = model.settings.move_speeds();
         let height = model.settings.jump_height;
@@ -77,20 +77,20 @@ impl Target {
             MovingMode::MovL => line(model, to.pose)?,
             MovingMode::MovJ => Way::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
         };
-        Ok(Course {
+        Ok(Trajectory {
             // It says itself where it ends, from wherever.
             knows_end: true,
-            ..Course::moving(way, to, model)
+            ..Trajectory::moving(way, to, model)
         })
     }
 }
 
 /// A straight line, and how the tool turns on it.
-fn line(model: &Model, to: Pose) -> Result<Way, CourseError> {
+fn line(model: &Model, to: Pose) -> Result<Way, TrajectoryError> {
     let from = model.place.pose;
     let length_mm = from.position.distance(to.position).0;
     if model.dialect.loses_pose_on_the_spot && model.knows_place && length_mm < ON_THE_SPOT_MM {
-        return Err(CourseError::OnTheSpot);
+        return Err(TrajectoryError::OnTheSpot);
     }
     check_lines(model)?;
     let held = Pose {
@@ -106,15 +106,15 @@ fn line(model: &Model, to: Pose) -> Result<Way, CourseError> {
 }
 
 /// Whether a straight line begins where the arm is.
-fn check_lines(model: &Model) -> Result<(), CourseError> {
+fn check_lines(model: &Model) -> Result<(), TrajectoryError> {
     if model.dialect.resumes_cut_lines && model.lines == Lines::Cut {
-        return Err(CourseError::BehindCutLine);
+        return Err(TrajectoryError::BehindCutLine);
     }
     Ok(())
 }
 
 /// By a mouse increment: that much of Y, X and Z by the document (note N9).
-fn mouse(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
+fn mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
     if model.dialect.mouse_swings {
         return moused(by, model);
     }
@@ -123,7 +123,7 @@ fn mouse(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
         position: from.position + position(by.x, by.y, by.z),
         rotation: Degrees(by.rotation_deg.into()),
     };
-    Course::relative(
+    Trajectory::relative(
         Way::Line(
             LineMove::new(from, to, &model.settings.move_speeds())?,
             to.rotation,
@@ -133,18 +133,18 @@ fn mouse(by: &MouseMove, model: &Model) -> Result<Course, CourseError> {
 }
 
 /// To where the hand is, with the rotation kept (note N18).
-fn gesture(hand: &Gesture, model: &Model) -> Result<Course, CourseError> {
+fn gesture(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
     if model.dialect.scales_gesture {
         return gestured(hand, model);
     }
     straight(position(hand.x, hand.y, hand.z), model)
 }
 
-fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
+fn spoken(voice: &Voice, model: &Model) -> Result<Trajectory, TrajectoryError> {
     if !model.dialect.hears_voice && !model.is_bluetooth {
-        return Err(CourseError::NotHeard);
+        return Err(TrajectoryError::NotHeard);
     }
-    match VoiceOrder::parse(voice).ok_or(CourseError::NotUnderstood)? {
+    match VoiceOrder::parse(voice).ok_or(TrajectoryError::NotUnderstood)? {
         VoiceOrder::Catch | VoiceOrder::Release => Ok(still(model)),
         VoiceOrder::Move { x_mm, y_mm, z_mm } => {
             let from = model.place.pose.position;
@@ -153,7 +153,7 @@ fn spoken(voice: &Voice, model: &Model) -> Result<Course, CourseError> {
     }
 }
 
-fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
+fn straight(to: Position, model: &Model) -> Result<Trajectory, TrajectoryError> {
     check_lines(model)?;
     let from = model.place.pose;
     let to = Pose {
@@ -161,18 +161,18 @@ fn straight(to: Position, model: &Model) -> Result<Course, CourseError> {
         ..from
     };
     let line = LineMove::new(from, to, &model.settings.move_speeds())?;
-    Course::relative(Way::Line(line, to.rotation), model)
+    Trajectory::relative(Way::Line(line, to.rotation), model)
 }
 
 /// A button pressed; while an arm jogs it goes on from the speed that it has.
-fn pressed(command: &Command, model: &Model) -> Result<Course, CourseError> {
+fn pressed(command: &Command, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let speed = |axis| match &model.jog {
         Some(jog) if jog.axis() == axis || model.dialect.keeps_jog_speed => jog.target_speed(),
         _ => 0.0,
     };
     let way = match Button::of(command) {
         Some(Button::Held { axis, share }) => {
-            Way::Jog(JogCourse::start(model, axis, share, speed(axis))?)
+            Way::Jog(JogTrajectory::start(model, axis, share, speed(axis))?)
         }
         Some(Button::Released) => match &model.jog {
             Some(jog) => Way::RunDown(jog.release(model, f64::MAX)?),
@@ -181,30 +181,30 @@ fn pressed(command: &Command, model: &Model) -> Result<Course, CourseError> {
         _ => Way::Still,
     };
     let goes_on = matches!(way, Way::Jog(_) | Way::RunDown(_));
-    let course = Course::moving(way, model.place, model);
-    Ok(Course {
-        knows_end: course.knows_end && !goes_on,
+    let trajectory = Trajectory::moving(way, model.place, model);
+    Ok(Trajectory {
+        knows_end: trajectory.knows_end && !goes_on,
         burns: model.begun(command).laser && goes_on,
-        ..course
+        ..trajectory
     })
 }
 
-fn configured(configuration: &Configuration, model: &Model) -> Result<Course, CourseError> {
+fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let joints = model.place.joints;
     let to = match *configuration {
         Configuration::InitialAngles { rear_deg, fore_deg } => {
             let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
             let place = Place::at_joints(told, model.tool);
             place.check()?;
-            return Ok(Course {
+            return Ok(Trajectory {
                 knows_end: true,
-                ..Course::moving(Way::Still, place, model)
+                ..Trajectory::moving(Way::Still, place, model)
             });
         }
         Configuration::EndEffector { tool } => Place::at_joints(joints, tool_named(tool)),
         _ => model.place,
     };
-    Ok(Course::moving(Way::Still, to, model))
+    Ok(Trajectory::moving(Way::Still, to, model))
 }
 
 impl Model {
@@ -212,21 +212,22 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`CourseError`] where a value breaks its table, its end is out of reach or beyond the limits
+    /// [`TrajectoryError`] where a value breaks its table, its end is out of reach or beyond the limits
     /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
-    pub fn course(&self, command: &Command) -> Result<Course, CourseError> {
+    pub fn trajectory(&self, command: &Command) -> Result<Trajectory, TrajectoryError> {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
-            .map_err(CourseError::Invalid)?;
-        let course = plan(self, command)?;
-        course.check_duration()?;
+            .map_err(TrajectoryError::Invalid)?;
+        let trajectory = plan(self, command)?;
+        trajectory.check_duration()?;
         if self.dialect.counts_ticks_in_16_bits {
-            course.check_counters()?;
+            trajectory.check_counters()?;
         }
-        if course.motion_s().is_some() && course.knows_end && course.to.check().is_err() {
+        if trajectory.motion_s().is_some() && trajectory.knows_end && trajectory.to.check().is_err()
+        {
             // Its end is beyond a limit; the text tells where the way leaves it.
-            course.check()?;
+            trajectory.check()?;
         }
-        Ok(course)
+        Ok(trajectory)
     }
 
     /// How long the arm waits behind a command, in seconds. A target without a pause of its own
@@ -281,8 +282,8 @@ fn joints(target: &MoveJoints) -> Joints {
     Joints::new(base, rear, fore, servo)
 }
 
-fn still(model: &Model) -> Course {
-    Course::moving(Way::Still, model.place, model)
+fn still(model: &Model) -> Trajectory {
+    Trajectory::moving(Way::Still, model.place, model)
 }
 
 /// A status says where the arm is to that much.

@@ -1,7 +1,7 @@
 //! Where commands lead, against closed formulas.
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_course::{Course, CourseError, JogAxis, Model, Place};
+use dobot_trajectory::{JogAxis, Model, Place, Trajectory, TrajectoryError};
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog,
     LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Status, Voice,
@@ -37,20 +37,20 @@ fn jog(axis: JointJogAxis, speed_percent: f32) -> Command {
     JointJog::new(axis, speed_percent).into()
 }
 
-fn course(model: &Model, command: impl Into<Command>) -> Course {
+fn trajectory(model: &Model, command: impl Into<Command>) -> Trajectory {
     model
-        .course(&command.into())
+        .trajectory(&command.into())
         .expect("the arm may do that from here")
 }
 
 fn after(model: &Model, command: impl Into<Command>) -> Model {
     let command = command.into();
-    model.after(&command, &course(model, command))
+    model.after(&command, &trajectory(model, command))
 }
 
-fn refusal(model: &Model, command: impl Into<Command>) -> CourseError {
+fn refusal(model: &Model, command: impl Into<Command>) -> TrajectoryError {
     model
-        .course(&command.into())
+        .trajectory(&command.into())
         .expect_err("the arm may not do that")
 }
 
@@ -64,27 +64,27 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 /// A stock arm takes itself to be where its single precision brings it: 24 bits of 300 mm.
 const SINGLE_MM: f64 = 1e-4;
 
-fn motion_s(course: &Course) -> f64 {
-    course.motion_s().expect("it comes to an end")
+fn motion_s(trajectory: &Trajectory) -> f64 {
+    trajectory.motion_s().expect("it comes to an end")
 }
 
-fn z_at(course: &Course, t_s: f64) -> f64 {
-    let place = course.place_at(t_s).expect("it is in reach");
+fn z_at(trajectory: &Trajectory, t_s: f64) -> f64 {
+    let place = trajectory.place_at(t_s).expect("it is in reach");
     place.pose.position.z.0
 }
 
 #[test]
 fn a_line_takes_its_length_by_its_speed_and_one_ramp_more() {
     for dialect in Dialect::ALL {
-        let course = course(&model(dialect), to(MovingMode::MovL, 220.0, 100.0, 20.0));
+        let trajectory = trajectory(&model(dialect), to(MovingMode::MovL, 220.0, 100.0, 20.0));
         // 50 mm/s and 100 mm/s2: half of what a stock arm is configured for.
         close(
             "duration",
-            motion_s(&course),
+            motion_s(&trajectory),
             100.0 / 50.0 + 50.0 / 100.0,
             1e-9,
         );
-        let middle = course.place_at(1.25).expect("it is in reach");
+        let middle = trajectory.place_at(1.25).expect("it is in reach");
         close("y half way", middle.pose.position.y.0, 50.0, 1e-9);
     }
 }
@@ -101,10 +101,10 @@ fn a_short_joint_move_takes_twice_the_root_of_angle_by_acceleration() {
         let turn = MoveJoints::to([81.0, joints.rear.0 as f32, joints.fore.0 as f32, 0.0])
             .with_mode(MovingMode::MovJ);
         // 100 degrees/s2, and the 100 degrees/s are never reached.
-        let course = course(&from, turn);
+        let trajectory = trajectory(&from, turn);
         close(
             "duration",
-            motion_s(&course),
+            motion_s(&trajectory),
             2.0 * (81.0_f64 / 100.0).sqrt(),
             1e-6,
         );
@@ -121,11 +121,11 @@ fn percentages_scale_speeds_and_accelerations() {
             teach_speed_percent: 10.0,
         },
     );
-    let course = course(&adjusted, to(MovingMode::MovL, 220.0, 120.0, 20.0));
+    let trajectory = trajectory(&adjusted, to(MovingMode::MovL, 220.0, 120.0, 20.0));
     // 75 mm/s and 100 mm/s2.
     close(
         "duration",
-        motion_s(&course),
+        motion_s(&trajectory),
         120.0 / 75.0 + 75.0 / 100.0,
         1e-9,
     );
@@ -139,9 +139,19 @@ fn a_vector_begins_with_its_start_speed_or_with_what_the_last_one_left() {
     let from_rest_s = 0.4 + 12.0 / 40.0;
     for (dialect, expected_s) in [(DOCUMENT, from_rest_s), (STOCK, 20.0 / 40.0)] {
         let model = model(dialect);
-        close("first", motion_s(&course(&model, first)), from_rest_s, 1e-9);
+        close(
+            "first",
+            motion_s(&trajectory(&model, first)),
+            from_rest_s,
+            1e-9,
+        );
         let then = after(&model, first);
-        close("second", motion_s(&course(&then, second)), expected_s, 1e-9);
+        close(
+            "second",
+            motion_s(&trajectory(&then, second)),
+            expected_s,
+            1e-9,
+        );
     }
 }
 
@@ -149,14 +159,15 @@ fn a_vector_begins_with_its_start_speed_or_with_what_the_last_one_left() {
 fn a_jump_rises_above_the_higher_end_or_lifts_at_each_end_as_the_dialect_has_it() {
     let target = to(MovingMode::Jump, 220.0, 100.0, 60.0);
     let highest = |dialect| {
-        let course = course(&model(dialect), target);
-        let steps = (0..=1000).map(|n| z_at(&course, motion_s(&course) * f64::from(n) / 1000.0));
+        let trajectory = trajectory(&model(dialect), target);
+        let steps =
+            (0..=1000).map(|n| z_at(&trajectory, motion_s(&trajectory) * f64::from(n) / 1000.0));
         steps.fold(f64::MIN, f64::max)
     };
     close("document", highest(DOCUMENT), 60.0 + 20.0, 0.01);
     close("stock", highest(STOCK), 60.0 + 10.0, 0.1);
     // Where the document has risen to 80 a stock arm has lifted by 10.
-    let stock = course(&model(STOCK), target);
+    let stock = trajectory(&model(STOCK), target);
     let lifted_s = (0..=1000)
         .map(|n| motion_s(&stock) * f64::from(n) / 1000.0)
         .find(|&t_s| stock.place_at(t_s).expect("in reach").joints.base.0 > 0.01)
@@ -167,7 +178,7 @@ fn a_jump_rises_above_the_higher_end_or_lifts_at_each_end_as_the_dialect_has_it(
 #[test]
 fn a_jump_of_a_stock_arm_whose_corner_is_out_of_reach_is_refused() {
     let error = refusal(&model(STOCK), to(MovingMode::Jump, 220.0, 0.0, 130.0));
-    assert!(matches!(error, CourseError::Unreachable(_)), "{error}");
+    assert!(matches!(error, TrajectoryError::Unreachable(_)), "{error}");
     assert!(error.to_string().contains("140"), "{error}");
 }
 
@@ -178,15 +189,17 @@ fn the_tool_of_a_stock_arm_turns_at_the_end_of_a_line() {
         ..to(MovingMode::MovL, 220.0, 50.0, 20.0)
     };
     for (dialect, expected_deg) in [(DOCUMENT, 15.0), (STOCK, 0.0)] {
-        let course = course(&model(dialect), target);
-        let half = course.place_at(motion_s(&course) / 2.0).expect("in reach");
+        let trajectory = trajectory(&model(dialect), target);
+        let half = trajectory
+            .place_at(motion_s(&trajectory) / 2.0)
+            .expect("in reach");
         close(
             "rotation half way",
             half.pose.rotation.0,
             expected_deg,
             1e-9,
         );
-        let end = course.end().expect("it is known");
+        let end = trajectory.end().expect("it is known");
         close("rotation at the end", end.pose.rotation.0, 30.0, 1e-9);
     }
 }
@@ -196,18 +209,18 @@ fn a_default_pause_counts_where_the_dialect_knows_it() {
     let playback = Configuration::playback([200.0, 200.0, 200.0, 200.0, 100.0, 200.0], 3.0, 5.0);
     for (dialect, expected_s) in [(DOCUMENT, 3.0), (STOCK, 0.0)] {
         let model = after(&model(dialect), playback);
-        let course = course(&model, to(MovingMode::MovJ, 230.0, 0.0, 20.0));
-        close("pause", course.pause_s(), expected_s, 0.0);
-        let duration_s = course.duration_s().expect("it ends");
-        close("all", duration_s, motion_s(&course) + expected_s, 1e-12);
+        let trajectory = trajectory(&model, to(MovingMode::MovJ, 230.0, 0.0, 20.0));
+        close("pause", trajectory.pause_s(), expected_s, 0.0);
+        let duration_s = trajectory.duration_s().expect("it ends");
+        close("all", duration_s, motion_s(&trajectory) + expected_s, 1e-12);
     }
 }
 
 #[test]
 fn a_line_without_length_is_refused_for_an_arm_that_would_lose_its_pose() {
     let here = to(MovingMode::MovL, 220.0, 0.0, 20.0);
-    assert_eq!(refusal(&model(STOCK), here), CourseError::OnTheSpot);
-    assert!(!course(&model(DOCUMENT), here).moves());
+    assert_eq!(refusal(&model(STOCK), here), TrajectoryError::OnTheSpot);
+    assert!(!trajectory(&model(DOCUMENT), here).moves());
 }
 
 #[test]
@@ -217,7 +230,7 @@ fn a_line_behind_one_that_ends_at_a_limit_is_refused_for_an_arm_that_would_jump(
     let to_limit = MoveJoints::to([10.0, -5.0, 35.0, 0.0]).with_mode(MovingMode::MovL);
     let back = to(MovingMode::MovL, 220.0, 0.0, 20.0);
     let there = after(&model(STOCK), to_limit);
-    assert_eq!(refusal(&there, back), CourseError::BehindCutLine);
+    assert_eq!(refusal(&there, back), TrajectoryError::BehindCutLine);
     let beside = after(
         &model(STOCK),
         MoveJoints {
@@ -225,9 +238,9 @@ fn a_line_behind_one_that_ends_at_a_limit_is_refused_for_an_arm_that_would_jump(
             ..to_limit
         },
     );
-    assert!(course(&beside, back).moves());
+    assert!(trajectory(&beside, back).moves());
     let cleared = after(&there, to(MovingMode::MovJ, 220.0, 10.0, 20.0));
-    assert!(course(&cleared, back).moves());
+    assert!(trajectory(&cleared, back).moves());
 }
 
 #[test]
@@ -241,14 +254,14 @@ fn a_value_beyond_its_table_is_refused_with_the_table() {
         .into(),
     ] {
         let error = refusal(&model(STOCK), command);
-        assert!(matches!(error, CourseError::Invalid(_)), "{error}");
+        assert!(matches!(error, TrajectoryError::Invalid(_)), "{error}");
     }
 }
 
 #[test]
 fn an_end_beyond_a_limit_is_refused_where_the_way_leaves_it() {
     let error = refusal(&model(DOCUMENT), vector(150.0, 0.0, 0.0, 40.0));
-    let CourseError::Unreachable(beyond) = error else {
+    let TrajectoryError::Unreachable(beyond) = error else {
         panic!("{error}");
     };
     // A tick's way at 40 mm/s, which at that reach opens the elbow by less than half a degree.
@@ -260,14 +273,14 @@ fn an_end_beyond_a_limit_is_refused_where_the_way_leaves_it() {
 fn a_jog_goes_on_and_its_release_runs_down() {
     let model = model(DOCUMENT);
     let held = jog(JointJogAxis::BasePlus, 100.0);
-    let course_held = course(&model, held);
-    assert_eq!(course_held.duration_s(), None);
-    assert_eq!(course_held.end(), None);
-    let going = course_held.jog().expect("it is one");
+    let trajectory_held = trajectory(&model, held);
+    assert_eq!(trajectory_held.duration_s(), None);
+    assert_eq!(trajectory_held.end(), None);
+    let going = trajectory_held.jog().expect("it is one");
     assert_eq!(going.axis(), JogAxis::Base);
     close("speed", going.target_speed(), 15.0, 0.0);
     // 15 degrees/s after 0.3 s at 50 degrees/s2.
-    let later = course_held.place_at(2.0).expect("in reach");
+    let later = trajectory_held.place_at(2.0).expect("in reach");
     close(
         "base",
         later.joints.base.0,
@@ -277,7 +290,7 @@ fn a_jog_goes_on_and_its_release_runs_down() {
 
     let jogging = after(&model, held);
     assert!(!jogging.knows_place());
-    let released = course(&jogging, jog(JointJogAxis::Released, 0.0));
+    let released = trajectory(&jogging, jog(JointJogAxis::Released, 0.0));
     close("run down", motion_s(&released), 0.3, 1e-9);
     assert_eq!(released.end(), None);
 }
@@ -285,10 +298,10 @@ fn a_jog_goes_on_and_its_release_runs_down() {
 #[test]
 fn behind_a_jog_a_target_has_a_known_end_and_a_step_has_none() {
     let jogging = after(&model(STOCK), jog(JointJogAxis::BasePlus, 50.0));
-    let target = course(&jogging, to(MovingMode::MovL, 220.0, 50.0, 20.0));
+    let target = trajectory(&jogging, to(MovingMode::MovL, 220.0, 50.0, 20.0));
     assert!(target.end().is_some() && !target.is_exact());
     assert!(after(&jogging, to(MovingMode::MovL, 220.0, 50.0, 20.0)).knows_place());
-    let step = course(&jogging, vector(0.0, 10.0, 0.0, 40.0));
+    let step = trajectory(&jogging, vector(0.0, 10.0, 0.0, 40.0));
     assert_eq!(step.end(), None);
 }
 
@@ -301,8 +314,8 @@ fn the_jog_percentage_of_state_10_counts_where_the_dialect_uses_it() {
     };
     let held = LinearJog::new(LinearJogAxis::YMinus, 50.0);
     for (dialect, expected) in [(DOCUMENT, -6.0), (STOCK, -30.0)] {
-        let course = course(&after(&model(dialect), adjustment), held);
-        let jog = course.jog().expect("it is one");
+        let trajectory = trajectory(&after(&model(dialect), adjustment), held);
+        let jog = trajectory.jog().expect("it is one");
         close("speed", jog.target_speed(), expected, 1e-9);
     }
 }
@@ -315,7 +328,7 @@ fn laser_mode_of_a_stock_arm_holds_its_height_and_leaves_the_laser_on() {
         z_mm: 30.0,
         ..vector(0.0, 40.0, 0.0, 50.0)
     };
-    let stock = course(&model(STOCK), burn);
+    let stock = trajectory(&model(STOCK), burn);
     assert!(stock.laser());
     let end = stock.end().expect("it is known").pose.position;
     assert!(
@@ -326,7 +339,7 @@ fn laser_mode_of_a_stock_arm_holds_its_height_and_leaves_the_laser_on() {
     close("duration", motion_s(&stock), 50.0 / 50.0 + 0.5, 1e-9);
     assert!(after(&model(STOCK), burn).laser);
 
-    let document = course(&model(DOCUMENT), burn);
+    let document = trajectory(&model(DOCUMENT), burn);
     close(
         "z",
         document.end().expect("known").pose.position.z.0,
@@ -346,12 +359,12 @@ fn a_rapid_vector_that_a_stock_arm_cuts_short_is_refused() {
     let error = refusal(&model(STOCK), slow);
     assert_eq!(
         error,
-        CourseError::SlowRapid {
+        TrajectoryError::SlowRapid {
             found: 50.0,
             least: 100.0
         }
     );
-    course(&model(DOCUMENT), slow);
+    trajectory(&model(DOCUMENT), slow);
 }
 
 #[test]
@@ -368,10 +381,10 @@ fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
         ..vector(0.0, 2.0, 0.0, 10.0)
     };
     let burned = after(&model(STOCK), burn);
-    let course = course(&burned, run_out);
+    let trajectory = trajectory(&burned, run_out);
     // 2 mm at about 10 mm/s: whole ticks of the burn make it a little more or less.
-    close("time", course.motion_s().expect("it ends"), 0.2, 0.02);
-    let end = course.end().expect("known").pose.position;
+    close("time", trajectory.motion_s().expect("it ends"), 0.2, 0.02);
+    let end = trajectory.end().expect("known").pose.position;
     close(
         "y",
         end.y.0 - burned.place.pose.position.y.0,
@@ -387,7 +400,7 @@ fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
     );
     assert!(matches!(
         refusal(&rested, run_out),
-        CourseError::SlowRapid { .. }
+        TrajectoryError::SlowRapid { .. }
     ));
 }
 
@@ -447,7 +460,7 @@ fn a_mouse_moves_by_millimetres_or_swings() {
         rotation_deg: 0.0,
         suction: true,
     };
-    let document = course(&model(DOCUMENT), by);
+    let document = trajectory(&model(DOCUMENT), by);
     assert!(document.is_exact());
     close(
         "y",
@@ -455,7 +468,7 @@ fn a_mouse_moves_by_millimetres_or_swings() {
         10.0,
         1e-9,
     );
-    let stock = course(&model(STOCK), by);
+    let stock = trajectory(&model(STOCK), by);
     assert!(stock.is_exact());
     let end = stock.end().expect("the row is known");
     close("base", end.joints.base.0, -2.25, 1e-6);
@@ -464,19 +477,19 @@ fn a_mouse_moves_by_millimetres_or_swings() {
     let nothing = MouseMove { y: 0.0, ..by };
     assert_eq!(
         refusal(&model(STOCK), nothing),
-        CourseError::NothingToFollow
+        TrajectoryError::NothingToFollow
     );
 }
 
 #[test]
 fn a_spoken_order_is_a_line_and_nonsense_is_refused() {
     let say = |text| Command::from(Voice::new(text).expect("it fits"));
-    let course = course(&model(DOCUMENT), say("up twenty"));
-    close("z", z_at(&course, 9.0), 40.0, 1e-9);
+    let trajectory = trajectory(&model(DOCUMENT), say("up twenty"));
+    close("z", z_at(&trajectory, 9.0), 40.0, 1e-9);
     assert!(after(&model(DOCUMENT), say("catch")).suction);
     assert_eq!(
         refusal(&model(DOCUMENT), say("hello")),
-        CourseError::NotUnderstood
+        TrajectoryError::NotUnderstood
     );
 }
 
@@ -534,18 +547,18 @@ fn command() -> impl Strategy<Value = Command> {
 }
 
 proptest! {
-    /// A course begins where the arm stands and ends where the model goes on.
+    /// A trajectory begins where the arm stands and ends where the model goes on.
     #[test]
-    fn courses_lead_from_the_model_to_the_model_after(
+    fn trajectories_lead_from_the_model_to_the_model_after(
         stock in any::<bool>(),
         commands in prop::collection::vec(command(), 1..6),
     ) {
         let mut model = model(if stock { STOCK } else { DOCUMENT });
         for command in commands {
-            let Ok(course) = model.course(&command) else { continue };
-            let after = model.after(&command, &course);
-            let begin = course.place_at(0.0).expect("the arm stands there");
-            let end = course.place_at(motion_s(&course)).expect("it was planned");
+            let Ok(trajectory) = model.trajectory(&command) else { continue };
+            let after = model.after(&command, &trajectory);
+            let begin = trajectory.place_at(0.0).expect("the arm stands there");
+            let end = trajectory.place_at(motion_s(&trajectory)).expect("it was planned");
             let off_mm = begin.pose.position.distance(model.place.pose.position).0;
             prop_assert!(off_mm < 1e-6, "it begins {off_mm} mm off");
             let off_mm = end.pose.position.distance(after.place.pose.position).0;
