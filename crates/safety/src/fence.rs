@@ -16,7 +16,7 @@ use crate::{Bounds, KeepOut, Policy};
 #[derive(Debug)]
 pub(crate) struct Fence<'a> {
     limits: Vec<Gate>,
-    zones: Vec<Fenced<'a>>,
+    keep_outs: Vec<Fenced<'a>>,
     tool: Tool,
     tip_mm: f64,
 }
@@ -37,7 +37,7 @@ pub(crate) enum Broken {
     /// A measure is out of bounds.
     Limit(Limit),
     /// A part of the arm touches a keep-out.
-    Zone { name: String, part: &'static str },
+    KeepOut { name: String, part: &'static str },
     /// The arm cannot be there at all.
     Unreachable(Unreachable),
     /// The arm is folded or stretched so far that its joints may turn at any speed.
@@ -55,7 +55,7 @@ struct Gate {
 #[derive(Debug)]
 struct Fenced<'a> {
     name: &'a str,
-    zone: &'a KeepOut,
+    keep_out: &'a KeepOut,
     /// The thickness of the arm, and the resolution.
     strict_mm: f64,
     now_mm: f64,
@@ -69,15 +69,15 @@ impl<'a> Fence<'a> {
             now: limit.bounds.grown(ROUNDING),
         };
         let strict_mm = policy.arm.radius_mm + RESOLUTION_MM;
-        let fenced = |(name, zone): (&'a String, &'a KeepOut)| Fenced {
+        let fenced = |(name, keep_out): (&'a String, &'a KeepOut)| Fenced {
             name,
-            zone,
+            keep_out,
             strict_mm,
             now_mm: strict_mm,
         };
         Self {
             limits: policy.limits(tool, burning).into_iter().map(gate).collect(),
-            zones: policy.keep_out.iter().map(fenced).collect(),
+            keep_outs: policy.keep_out.iter().map(fenced).collect(),
             tool,
             tip_mm: policy.tool_length.of(tool),
         }
@@ -100,7 +100,7 @@ impl<'a> Fence<'a> {
                 gate.now = gate.wide_enough_for(at);
             }
         }
-        for fenced in &mut self.zones {
+        for fenced in &mut self.keep_outs {
             fenced.now_mm = fenced.from(&at.body);
         }
     }
@@ -112,7 +112,7 @@ impl<'a> Fence<'a> {
             gate.now.min = gate.now.min.max(still.min);
             gate.now.max = gate.now.max.min(still.max);
         }
-        for fenced in &mut self.zones {
+        for fenced in &mut self.keep_outs {
             if fenced.now_mm < fenced.strict_mm && fenced.is_clear_at(&to.body) {
                 fenced.now_mm = fenced.strict_mm;
             }
@@ -124,14 +124,16 @@ impl<'a> Fence<'a> {
         let outside =
             |gate: &&'b Gate| !gate.now.contains(at.measures[gate.limit.measure as usize]);
         let limits = self.limits.iter().filter(outside);
-        let zones = self.zones.iter().filter_map(|fenced| {
+        let keep_outs = self.keep_outs.iter().filter_map(|fenced| {
             let lines = at.body.lines();
             let part = lines
                 .iter()
-                .position(|line| fenced.zone.touches(line, fenced.now_mm))?;
+                .position(|line| fenced.keep_out.touches(line, fenced.now_mm))?;
             Some(fenced.broken(part))
         });
-        limits.map(|gate| Broken::Limit(gate.limit)).chain(zones)
+        limits
+            .map(|gate| Broken::Limit(gate.limit))
+            .chain(keep_outs)
     }
 
     /// What may forbid a place between two of a segment; `None` where none is forbidden for sure.
@@ -148,8 +150,8 @@ impl<'a> Fence<'a> {
         if let Some(gate) = self.limits.iter().find(outside) {
             return Some(Broken::Limit(gate.limit));
         }
-        let zones = &self.zones;
-        zones
+        let keep_outs = &self.keep_outs;
+        keep_outs
             .iter()
             .find_map(|fenced| fenced.broken_between(&sweep, &a.body, &b.body))
     }
@@ -174,7 +176,7 @@ impl Stop {
 impl Fenced<'_> {
     /// By how much it is larger for an arm that begins here.
     fn from(&self, body: &Body) -> f64 {
-        let room_mm = self.zone.room(&body.lines(), self.strict_mm);
+        let room_mm = self.keep_out.room(&body.lines(), self.strict_mm);
         if room_mm < self.strict_mm {
             room_mm - ROOM_MM
         } else {
@@ -184,20 +186,22 @@ impl Fenced<'_> {
 
     fn is_clear_at(&self, body: &Body) -> bool {
         let mut lines = body.lines().into_iter();
-        !lines.any(|line| self.zone.touches(&line, self.strict_mm))
+        !lines.any(|line| self.keep_out.touches(&line, self.strict_mm))
     }
 
     fn broken_between(&self, sweep: &Sweep, a: &Body, b: &Body) -> Option<Broken> {
         let (from, to, strays) = (a.lines(), b.lines(), sweep.strays_mm());
         let touched = |&part: &usize| {
             let swept = [from[part], to[part]];
-            !self.zone.is_clear_of(&swept, self.now_mm + strays[part])
+            !self
+                .keep_out
+                .is_clear_of(&swept, self.now_mm + strays[part])
         };
         (0..PARTS.len()).find(touched).map(|part| self.broken(part))
     }
 
     fn broken(&self, part: usize) -> Broken {
-        Broken::Zone {
+        Broken::KeepOut {
             name: self.name.to_owned(),
             part: PARTS[part],
         }

@@ -26,6 +26,7 @@ mod bounds;
 mod check;
 mod fence;
 mod jog;
+mod keep_out;
 mod laser;
 mod limits;
 mod path;
@@ -39,9 +40,9 @@ mod sweep;
 mod validate;
 mod violation;
 mod walk;
-mod zone;
 
 pub use bounds::Bounds;
+pub use keep_out::{Area, Cylinder, KeepOut};
 pub use policy::Policy;
 pub use policy_error::PolicyError;
 pub use sections::{
@@ -49,4 +50,3 @@ pub use sections::{
     SpeedCeilings, Table, ToolLengths, Workspace,
 };
 pub use violation::{Judged, Spot, Violation};
-pub use zone::{Area, Cylinder, KeepOut};

@@ -30,8 +30,9 @@ pub(crate) fn problem(policy: &Policy) -> Option<Problem> {
         .or_else(|| area("laser.area", &policy.laser.area))
         .or_else(|| {
             let mut keep_outs = policy.keep_out.iter();
-            keep_outs.find_map(|(name, zone)| {
-                keep_out(name, zone).or_else(|| around_the_base(name, zone, policy.arm.radius_mm))
+            keep_outs.find_map(|(name, keep_out)| {
+                check_keep_out(name, keep_out)
+                    .or_else(|| around_the_base(name, keep_out, policy.arm.radius_mm))
             })
         })
 }
@@ -170,7 +171,7 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
     ]
 }
 
-fn keep_out(name: &str, zone: &KeepOut) -> Option<Problem> {
+fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<Problem> {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
     if name.is_empty() || !name.chars().all(plain) {
         return Some(Problem {
@@ -179,7 +180,7 @@ fn keep_out(name: &str, zone: &KeepOut) -> Option<Problem> {
             allowed: "names of letters, digits, - and _".to_owned(),
         });
     }
-    match zone {
+    match keep_out {
         KeepOut::Box(it) => area(&format!("keep_out.{name}.box"), it),
         KeepOut::Cylinder(it) => {
             let key = |field: &str| format!("keep_out.{name}.cylinder.{field}");
@@ -192,8 +193,9 @@ fn keep_out(name: &str, zone: &KeepOut) -> Option<Problem> {
 }
 
 /// The arm's own base is always where it is: a keep-out there would forbid everything.
-fn around_the_base(name: &str, zone: &KeepOut, radius_mm: f64) -> Option<Problem> {
-    zone.touches(&[PIVOT, PIVOT], radius_mm + 1.0)
+fn around_the_base(name: &str, keep_out: &KeepOut, radius_mm: f64) -> Option<Problem> {
+    keep_out
+        .touches(&[PIVOT, PIVOT], radius_mm + 1.0)
         .then(|| Problem {
             key: format!("keep_out.{name}"),
             found: "around the pivot of the rear arm".to_owned(),

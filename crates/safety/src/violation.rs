@@ -167,7 +167,7 @@ impl Violation {
                 let (name, unit) = limit.measure.words();
                 Self::of_value(limit.key, name, found(limit), limit.bounds, unit)
             }
-            Broken::Zone { name, part } => {
+            Broken::KeepOut { name, part } => {
                 let rule = format!("keep_out.{name}");
                 let message = format!("the {part} would touch {rule}");
                 Self::of_words(&rule, message)

@@ -242,9 +242,9 @@ fn keep_outs() -> impl Strategy<Value = KeepOut> {
             })
         },
     );
-    prop_oneof![blocks, cylinders].prop_filter("around the pivot", |zone| {
+    prop_oneof![blocks, cylinders].prop_filter("around the pivot", |keep_out| {
         let mut policy = Policy::default();
-        policy.keep_out.insert("it".to_owned(), *zone);
+        policy.keep_out.insert("it".to_owned(), *keep_out);
         policy.validate().is_ok()
     })
 }

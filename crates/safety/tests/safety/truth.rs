@@ -36,8 +36,8 @@ pub(crate) fn broken(policy: &Policy, place: &Place, tolerance: f64) -> Option<S
         return Some(format!("table: {z}"));
     }
     let radius = policy.arm.radius_mm - tolerance;
-    for (name, zone) in &policy.keep_out {
-        if let Some(point) = points(place, length).find(|point| holds(zone, *point, radius)) {
+    for (name, keep_out) in &policy.keep_out {
+        if let Some(point) = points(place, length).find(|point| holds(keep_out, *point, radius)) {
             return Some(format!("keep_out.{name}: {point:?}"));
         }
     }
@@ -65,9 +65,9 @@ fn points(place: &Place, length: f64) -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
-fn holds(zone: &KeepOut, [x, y, z]: [f64; 3], radius: f64) -> bool {
+fn holds(keep_out: &KeepOut, [x, y, z]: [f64; 3], radius: f64) -> bool {
     let within = |value: f64, span: Bounds| value > span.min - radius && value < span.max + radius;
-    match zone {
+    match keep_out {
         KeepOut::Box(it) => within(x, it.x_mm) && within(y, it.y_mm) && within(z, it.z_mm),
         KeepOut::Cylinder(it) => {
             (x - it.x_mm).hypot(y - it.y_mm) < it.radius_mm + radius && within(z, it.z_mm)

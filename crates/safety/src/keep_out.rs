@@ -98,7 +98,7 @@ impl KeepOut {
         clear
     }
 
-    /// Whether one flat face has the zone on one side and all four corners on the other.
+    /// Whether one flat face has the keep-out on one side and all four corners on the other.
     fn has_face_between(&self, [a, b]: &Swept, room: f64) -> bool {
         let corners = [a[0], a[1], b[0], b[1]];
         let beyond = |axis: usize, span: Bounds| {
@@ -177,5 +177,5 @@ fn mean(a: Point, b: Point) -> Point {
 /// A line from its beginning to its end.
 const WHOLE: [f64; 2] = [0.0, 1.0];
 
-/// No zone is thicker than this from its middle: a policy has none larger than 2000 mm.
+/// No keep-out is thicker than this from its middle: a policy has none larger than 2000 mm.
 const THICKEST_MM: f64 = 1100.0;
