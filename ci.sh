@@ -129,26 +129,46 @@ step_no-std() {
   echo "it links, and what it calculates is right"
 }
 
+# The command that each example names is what a person types; here the binaries that `test` has built are run, since a
+# build of one package has other features than a build of all, and would compile the dependencies once more.
 step_examples() {
-  local file command
+  local file room name command
+  build_all --examples
   for file in crates/*/examples/*.rs crates/*/examples/*/main.rs; do
     [[ -e $file ]] || continue
-    command=$(sed -n '1s/^\/\/! `\(cargo run [^`]*\)`.*/\1/p' "$file")
+    room=$(cut -d/ -f2 <<<"$file")
+    name=${file#crates/*/examples/}
+    name=${name%.rs}
+    name=${name%/main}
+    command=$(sed -n "1s/^\/\/! \`cargo run -p dobot-$room --example \($name\( -- [^\`]*\)\?\)\`.*/\1/p" "$file")
     if [[ -z $command ]]; then
-      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p ...\`"
+      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p dobot-$room --example $name\`"
     fi
-    echo "\$ $command"
-    bash -c "$command" </dev/null
+    run_example "$command"
   done
+}
+
+# Everything with every feature, as `test` builds it.
+build_all() {
+  cargo build --locked --workspace --all-features "$@"
+}
+
+built() {
+  echo "${CARGO_TARGET_DIR:-target}/debug"
+}
+
+run_example() {
+  echo "\$ ${1/ -- / }"
+  bash -c "'$(built)/examples/'${1/ -- / }" </dev/null
 }
 
 # The station says in a file where it is; its arm is a virtual one.
 step_api() {
   local folder address station
   needs_venv
-  cargo build --locked -p dobot-cli
+  build_all --bins --examples
   folder=$(mktemp -d)
-  "${CARGO_TARGET_DIR:-target}/debug/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
+  "$(built)/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
   station=$!
   STATION=$station
   for _ in {1..100}; do
@@ -158,8 +178,8 @@ step_api() {
   done
   [[ -n $address ]] || fail "the station does not start: $(cat "$folder/log")"
   # The library through a station; `examples` runs the same without one.
-  cargo run --locked -p dobot-rules --example move_and_jog -- "$address"
-  cargo run --locked -p dobot-rules --example draw -- examples/drawings/square.svg "$address"
+  run_example "move_and_jog -- '$address'"
+  run_example "draw -- examples/drawings/square.svg '$address'"
   EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
   kill -INT "$station"
   wait "$station"
@@ -171,7 +191,7 @@ step_recordings() {
   local folder
   needs_venv
   folder=$(mktemp -d)
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked -p dobot-record --all-features --test repairs -- --exact samples --ignored
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test repairs -- --exact samples --ignored
   tests/recordings/read.sh "$folder"
   rm -rf "$folder"
 }
