@@ -203,10 +203,7 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     ("p20_cfg_ratio", "speed and acceleration in percent are set"),
     ("p21_cfg_teach", "speeds and accelerations of jogs are set"),
-    (
-        "p22_cfg_tool",
-        "tools are chosen, one of them unknown",
-    ),
+    ("p22_cfg_tool", "tools are chosen, one of them unknown"),
     (
         "p23_cfg_angles",
         "the angles are set anew, without a motion",
