@@ -204,10 +204,7 @@ const SHOWN: [(&str, &str); 61] = [
     ("p20_cfg_ratio", "speed and acceleration in percent are set"),
     ("p21_cfg_teach", "speeds and accelerations of jogs are set"),
     ("p22_cfg_tool", "tools are chosen, one of them unknown"),
-    (
-        "p23_cfg_angles",
-        "the angles are set anew, without a motion",
-    ),
+    ("p23_cfg_angles", "new angles are set, without a motion"),
     (
         "p24_write_vectors",
         "write vectors one by one: plus x goes to minus x",
@@ -263,7 +260,7 @@ const SHOWN: [(&str, &str); 61] = [
     ("p43_jump_whole_ticks", "the same with a jump"),
     (
         "p44_write_below_zero",
-        "trap: a vector behind a speed below zero creeps on for ever",
+        "trap: a vector after a speed below zero moves on slowly for ever",
     ),
     (
         "p45_laser_neither",
@@ -275,7 +272,7 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     (
         "p47_shared_history",
-        "gestures behind mouse packets, which they count",
+        "gestures after mouse packets, which are averaged in too",
     ),
     ("p48_voice_stops_line", "catch, said during a line, ends it"),
     (
