@@ -287,8 +287,8 @@ impl Report {
 
 const HEAD: &str = "# Reliability
 
-What becomes of arm, laser and drawing when something goes wrong, measured: the supervisor of the station with a virtual
-arm and a real journal in virtual time. Nothing here was measured on a real arm.
+This page says what happens to arm, laser and drawing when something goes wrong. The figures were measured with the
+supervisor of the station, a virtual arm and a real journal in virtual time. Nothing here was measured on a real arm.
 
 ```sh
 cargo run -p dobot-rules --example reliability > docs/reliability.md    # the numbers below
@@ -296,113 +296,118 @@ cargo run -p dobot-rules --example reliability -- --quick               # a fort
 cargo test -p dobot-rules --test faults                                 # the same, with what must hold
 ```
 
-Every case has a number from 0 on, which is the seed of all its chances; even numbers are arms of the document
-(`specification`), odd ones are the twin of the arms that were sold (`firmware-1.1`). Jobs are, in turn, pen drawings of
-closed loops (some of 0.3 mm), the same burnt, and programs of targets with pauses. The example ends with an error if
-one of the bold figures is not 0.
+Every case has a number, counted from 0, which is the seed of all its random choices. Even numbers are arms of the
+document (`specification`), odd ones are the twin of the arms that were sold (`firmware-1.1`). Jobs are, in turn, pen
+drawings of closed loops (some of 0.3 mm), the same loops burned, and programs of targets with pauses. The example ends
+with an error if one of the bold figures is not 0.
 
-\"Lost\" and \"repeated\" count vectors that draw or burn and targets of programs, by the packets on the wire; pen drawings
-are held against the paper, too: no ink further than 0.3 mm from its line, no line missing. Lines may be up to 0.1 mm longer each, by the steps of the motors.";
+\"Lost\" and \"repeated\" count the vectors that draw or burn, and the targets of programs, by the packets on the wire. Pen
+drawings are also compared with the paper: no ink may be further than 0.3 mm from its line, and no line may be missing.
+Each line may be up to 0.1 mm longer, because of the steps of the motors.";
 
 const KILLS: &str = "
 ## The station is killed
 
-At random moments, up to three times in a job, while it is paused too; it is started again up to five seconds later, and
-a person confirms the pose and goes on. Here without a guardian: until the new station is there nobody switches the laser
-off. The arm ends what it has got, half a second and a vector at the most, and the light stays on.
+The station is killed at random moments, up to three times in a job, also while the job is paused. It is started again
+up to five seconds later. Then a person confirms the pose and continues the job. There is no guardian in these cases:
+until the new station runs, nobody switches the laser off. The arm finishes what it has received, half a second and a
+vector at the most, and the laser stays on.
 ";
 
 const GUARDIANS: &str = "
 ## The station is gone, and its guardian is there
 
-The station is killed, stands still (SIGSTOP, swap, a debugger), or panics, at a random moment of a jog of 20 to 100 % of
-the speed, of a job that burns, of a way to a point; nobody starts it again. Its guardian, a process of its own with the
-arm's port, speaks at once when the station ends without a goodbye, and otherwise after 0.3 s without a heartbeat. What is
-told is the most of all times: from the last heartbeat to the first packet, and from the end of the station to the arm's
-rest and the end of the light, with the way from there. A light on a spot is one that is on while the arm stands.
+The station is killed, stands still (SIGSTOP, swap, a debugger), or panics. This happens at a random moment of a jog of
+20 to 100 % of the speed, of a job that burns, or of a motion to a point; nobody starts the station again. Its guardian,
+a process of its own with the arm's port, acts at once when the station ends without a goodbye, and otherwise after 0.3
+s without a heartbeat. Each figure is the longest or farthest of all cases: the time from the last heartbeat to the
+first packet, and the time and the way from the end of the station to the arm's rest and to the end of the light. A
+light on a spot is a laser that is on while the arm stands.
 ";
 
 const GUARDIANS_END: &str = "
-A jog runs down with its acceleration, from full speed in half a second to a second. What the arm has got before it
-does: a vector and half a second of vectors, burning what they were to burn, or the way to the point. Laser off waits
-behind that in the arm, for the protocol has no stop.";
+A jog slows down with its acceleration, from full speed in half a second to a second. The arm finishes what it has
+received: a vector and half a second of vectors, with their burning, or the motion to the point. Laser off waits behind
+that in the arm, because the protocol has no stop.";
 
 const CABLES: &str = "
 ## The cable is pulled
 
-For up to six seconds, in each phase of a job. What is on the line in that moment arrives here.
-Where the base stands at exactly 0 afterwards, as behind a reset, and the joints are elsewhere, the arm may have been reset
-or have gone on: it is not trusted, what it had got is taken for lost, and the person who confirms its pose is told; these
-count apart.
+The cable is pulled for up to six seconds, in each phase of a job. Here, bytes that are on the line at that moment still
+arrive. If the base stands at exactly 0 afterwards, as after a reset, and the joints are elsewhere, the arm may have
+been reset or may have continued. Then its pose is not trusted, the commands that it had received count as lost, and the
+person who confirms its pose is told so. These cases are counted separately.
 ";
 
 const LINES: &str = "
 ## The line is bad
 
-Pen drawings, with nobody who goes on with one that is paused. `drop=0.1%` loses one byte of a thousand, so one packet
-of 24; `:from` are the statuses of the arm, `:to` the commands to it.
+The jobs are pen drawings. Nobody continues a drawing that is paused. `drop=0.1%` loses one byte of a thousand, so one
+packet of 24. `:from` means the statuses of the arm, `:to` the commands to it.
 ";
 
 const LINES_END: &str = "
-Statuses may be lost, damaged and late: there will be another one. A command that is lost cannot be taken back, for the
-protocol has no acknowledgement: those behind it are on their way already, and are drawn from the wrong place until the
-statuses show it, half a second and a vector later. Then the job is paused with the place where the arm rests and the
-one where it should. A drawing that ends elsewhere than planned is told as failed. One loss was not
-noticed (seed 52, of the document): a part of a loop of 0.36 mm is missing, and the arm rested where the drawing ends.";
+Lost, damaged and late statuses do no harm, because there will be another one. A lost command cannot be sent again in
+time, because the protocol has no acknowledgement: the commands behind it are already on their way, and are drawn from
+the wrong place until the statuses show it, half a second and a vector later. Then the job is paused; the message names
+the place where the arm rests and the place where it should rest. A drawing that ends elsewhere than planned is reported
+as failed. One loss was not noticed (seed 52, of the document): a part of a loop of 0.36 mm is missing, and the arm
+rested where the drawing ends.";
 
 const CLIENTS: &str = "
 ## A client vanishes
 
-Silent is one whose connection stays; its button is let go after 0.15 s (`jog.dead_man_s` of the policy). The way is that
-of the tool from the moment when it vanished; jogs are of all speeds. A job that burns is paused.";
+A silent client keeps its connection; its button is released after 0.15 s (`jog.dead_man_s` of the policy). The way is
+the distance that the tool moves after the client vanished. Jogs are of all speeds. A job that burns is paused.";
 
 const FLOODS: &str = "
 ## Somebody sends too much
 
-Forty requests or packets in 50 ms, 60 times, while the arm is at a long command or a job. What the arm loses is what it
-has no room for, or what came too soon behind another packet; of stops only the former, for the first packet of a stop
-does not wait until the line is free, and is said again. \"Others\" are a job of another client, which has to be
-drawn, and somebody who may only watch and stops the arm.
+Forty requests or packets come in 50 ms, 60 times, while the arm carries out a long command or a job. The arm loses
+packets for which it has no room, and packets that come too soon behind another one. For stops only the former count,
+because the first packet of a stop does not wait until the line is free, and is sent again. \"Others\" are a job of
+another client, which must still be drawn, and somebody who may only watch, and stops the arm.
 ";
 
 const DISKS: &str = "
 ## The disk of the journal is full
 
-At a random moment of a job, until the arm rests; then there is room again.
+The disk becomes full at a random moment of a job, and stays full until the arm rests. Then there is room again.
 ";
 
 const STOPS: &str = "
 ## A stop
 
-Anybody stops the arm at a random moment; the answer says within what time it rests for sure. The laser has to be dark by
-then, too.
+Somebody stops the arm at a random moment. The answer says within what time it will certainly rest. The laser must be
+off by then, too.
 ";
 
 const STANDS: &str = "
 ## The laser and an arm that stands
 
-Vectors that burn and others, at random, with and without time between them, as requests of a client, as packets of a
-raw program, and as jobs that are paused and gone on with. A stock arm leaves its laser on behind what burns (note N36):
-the station switches it off. The time is the longest in a program for which the laser was on and the arm stood.
-`delay` lets packets come in a heap, of which a stock arm may lose one while it calculates (note N39): the job fails then,
-and says that it is displaced. `drop=1%:from` loses every third status, `withhold` all of them for a while; commands that a bad line loses may cost
-more, for nobody sees whether the laser is on.
+Vectors that burn and others come at random, with and without time between them: as requests of a client, as packets of
+a raw program, and as jobs that are paused and continued. A stock arm leaves its laser on after a burning vector (note
+N36); the station switches it off. The time is the longest in a program for which the laser was on while the arm stood.
+`delay` makes several packets arrive at once; a stock arm may lose one of them while it calculates (note N39). The job
+then fails, and reports that it is displaced. `drop=1%:from` loses every third status, `withhold` loses all of them for
+a while. Commands that a bad line loses may have worse effects, because nobody sees whether the laser is on.
 ";
 
 const TAIL: &str = "
-The arm has no command that stops it: it finishes the command that it is at and those that it has got, which take half a
-second at the most behind that one (`queue.ahead_s` of the policy). What is promised is the longest that these may take,
-so it is more than what it takes. Just after a start nobody knows what the arm was given before: what is promised then is
-the time of all that the journal holds possible.";
+The arm has no command that stops it. It finishes the command in execution and those that it has received, which take at
+most half a second after that one (`queue.ahead_s` of the policy). The promised time is the longest that these may take,
+so it is longer than the time that they take. Just after a start nobody knows what the arm was sent before. The promised
+time is then the time of all commands that, by the journal, the arm may have.";
 
 const FUZZ: &str = "
 ## Anything that anybody may ask
 
-Requests of all kinds and packets of all states, good, on the edge and absurd (`NaN`, infinities, lengths of nothing),
-from three people, a raw program and a watcher: buttons pressed, changed and let go, mouse and hand in rows, voice, jobs,
-leases, stops, cables pulled, three policies, and in a third of the cases a fault: statuses lost, damaged, twice, late or
-withheld, the port closed, the arm reset or its power cut. At every control tick the true place of the twin is held
-against the limits of the policy, by a check of its own. Three arms of four are stock arms.
+Requests of all kinds and packets of all states are sent: good ones, ones at the limits, and absurd ones (`NaN`,
+infinities, lengths of zero). They come from three people, a raw program and a watcher. Buttons are pressed, changed and
+released; there are rows of mouse and hand packets, voice, jobs, leases, stops, pulled cables and three policies. A
+third of the cases have a fault: statuses are lost, damaged, doubled, late or withheld, the port is closed, the arm is
+reset or its power is cut. At every control tick a separate check compares the true place of the twin with the limits of
+the policy. Three arms of four are stock arms.
 
 ```sh
 cargo run --release -p dobot-rules --example fuzz -- --requests 1000000 > crates/rules/examples/reliability/fuzz.md
@@ -410,6 +415,7 @@ cargo run -p dobot-rules --example fuzz -- --seed 42    # one case
 cargo test -p dobot-rules --test faults whatever        # 80,000 of them, as CI does
 ```
 
-Left out is what no station can promise: packets that get lost on the way to the arm, buttons held while the port is
-gone, and initial angles that are a lie. Where arms go that are reset is not judged, for they do not know it.
+Some cases are left out, because no station can promise anything there: packets that get lost on the way to the arm,
+buttons held while the port is closed, and wrong initial angles. The places to which an arm moves after a reset are not
+judged, because the arm does not know its pose then.
 ";

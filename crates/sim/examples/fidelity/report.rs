@@ -131,20 +131,20 @@ fn shows(name: &str) -> &'static str {
 const HEAD: &str = "\
 # Fidelity
 
-How far the twin (`--personality firmware-1.1`) is from the controller of a stock arm. The program of such a
-controller, version 1.1, was run instruction by instruction on a simulated processor; what it uploaded and did
-is recorded in [`vectors/traces/`](../vectors/traces/README.md). Here the twin gets the same bytes at the same
+This page says how far the twin (`--personality firmware-1.1`) differs from the controller of a stock arm. The program
+of such a controller, version 1.1, was run instruction by instruction on a simulated processor. Its uploads and actions
+are recorded in [`vectors/traces/`](../vectors/traces/README.md). Here the twin gets the same bytes at the same
 times, and every status and every control tick of both are compared:
 
 - **statuses**: how many there are, at the same times in both
 - **mm**: the largest deviation of x, y and z in any status
-- **degrees**: that of the angles of base, rear arm, forearm, servo, tool and gripper
-- **pulses**: that of the motor pulses sent since power-up, in any tick; 88.89 of them are a degree
+- **degrees**: the largest deviation of the angles of base, rear arm, forearm, servo, tool and gripper
+- **pulses**: the largest deviation of the motor pulses sent since power-up, in any tick; 88.89 pulses are a degree
 - **outputs**: servo values, pump, valve and laser in every tick
 - **text**: what is printed on the port that is not in use
 
-NaN has to stand where the recording has NaN. A 0 is no rounded value: every digit is the same.
-`crates/sim/tests/traces.rs` allows no difference, and fails if this page is not what
+Where the recording has NaN, the twin must have NaN. A 0 is not a rounded value: every digit is the same.
+`crates/sim/tests/traces.rs` allows no difference, and fails if this page differs from what
 `cargo run -p dobot-sim --example fidelity` prints.
 ";
 
@@ -203,14 +203,8 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     ("p20_cfg_ratio", "speed and acceleration in percent are set"),
     ("p21_cfg_teach", "speeds and accelerations of jogs are set"),
-    (
-        "p22_cfg_tool",
-        "tools are chosen, one of which nobody knows",
-    ),
-    (
-        "p23_cfg_angles",
-        "the angles are set anew, without a motion",
-    ),
+    ("p22_cfg_tool", "tools are chosen, one of them unknown"),
+    ("p23_cfg_angles", "new angles are set, without a motion"),
     (
         "p24_write_vectors",
         "write vectors one by one: plus x goes to minus x",
@@ -257,7 +251,7 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     (
         "p41_jog_percent",
-        "percents that come to whole ticks, or just not",
+        "percents that give whole ticks, or just not",
     ),
     (
         "p42_movj_whole_ticks",
@@ -266,7 +260,7 @@ const SHOWN: [(&str, &str); 61] = [
     ("p43_jump_whole_ticks", "the same with a jump"),
     (
         "p44_write_below_zero",
-        "trap: a vector behind a speed below zero creeps on for ever",
+        "trap: a vector after a speed below zero moves on slowly for ever",
     ),
     (
         "p45_laser_neither",
@@ -278,7 +272,7 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     (
         "p47_shared_history",
-        "gestures behind mouse packets, which they count",
+        "gestures after mouse packets, which are averaged in too",
     ),
     ("p48_voice_stops_line", "catch, said during a line, ends it"),
     (
@@ -303,7 +297,7 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     (
         "x2_write_zero_nan",
-        "trap: so does a write vector without length",
+        "trap: a write vector without length loses the pose",
     ),
     (
         "x3_unknown_state_hang",
@@ -311,9 +305,9 @@ const SHOWN: [(&str, &str); 61] = [
     ),
     (
         "x4_unknown_type_hang",
-        "trap: nor is an unknown way to move",
+        "trap: an unknown way to move is never finished",
     ),
-    ("x5_axis15_hang", "trap: nor is a jog of axis 15"),
+    ("x5_axis15_hang", "trap: a jog of axis 15 is never finished"),
     (
         "x6_out_of_reach_twice_nan",
         "trap: the second line out of reach is not stopped",
