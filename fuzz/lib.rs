@@ -140,6 +140,7 @@ pub fn spelled(input: &[u8], words: &[&str]) -> Vec<u8> {
 pub fn read(source: dobot_source::Source) {
     if let Ok((artwork, _)) = source.read(&dobot_source::ReadOptions::default()) {
         assert!(artwork.points().next().is_some());
+        assert!(artwork.width_mm.is_finite() && artwork.height_mm.is_finite());
         for p in artwork.points() {
             // Twice as far as allowed from the origin: the page begins at the ink.
             let page = 0.0..=2e6;
