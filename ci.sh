@@ -23,6 +23,8 @@
 #   follow its OpenAPI document, and more that break it.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired.
+# - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
+#   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
 #   that: a file that is missing in a package is missing there. `cargo publish --dry-run --workspace` builds
 #   each crate anew with all that it depends on; it is for the day of a release.
@@ -30,8 +32,6 @@
 #
 # Why not others:
 #
-# - Minimum Rust version: it is the version that we build with (`rust-version`); another would need a
-#   second toolchain.
 # - Other targets: they would have to be installed. What is Unix-only sits behind a `cfg`; that no
 #   `std` slips into the lower rooms is proved by linking (`no-std`) on the host.
 # - Advisories: they come from the network and change without a commit.
@@ -43,6 +43,7 @@ readonly CI_STEPS=(
   "fmt          is all code formatted?"
   "licences     does every dependency have a licence that we may ship?"
   "lint         clippy over everything, warnings are errors"
+  "msrv         do the sources keep to the Rust version that each crate names?"
   "test         all tests, those in the documentation included"
   "doc          the documentation, warnings are errors; do the READMEs show its examples?"
   "package      does every crate build from its package?"
@@ -118,6 +119,11 @@ dependencies() {
 step_lint() {
   needs_component clippy clippy
   cargo clippy --locked --workspace --all-targets --all-features -- -D warnings
+}
+
+step_msrv() {
+  needs_component clippy clippy
+  cargo clippy --locked --workspace --all-features -- -A clippy::all -A clippy::pedantic -D clippy::incompatible_msrv
 }
 
 step_test() {
