@@ -9,7 +9,7 @@ use dobot_api::{FromClient, Request};
 use dobot_controller::{Personality, PowerUp};
 use dobot_rules::Rehearsal;
 use dobot_safety::Policy;
-use dobot_wire::{Command, Dialect, Frame};
+use dobot_wire::{Command, Decoder, Dialect, Packet};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
@@ -54,8 +54,12 @@ fn ask(requests: Vec<Request>) {
     stop.expect("anyone may stop at any time");
     station.run_for(Duration::from_secs(2));
     for (at, bytes) in station.packets() {
-        let frame = Frame::from_bytes(bytes).expect("a packet is a frame");
-        let command = Command::parse_frame(&frame, &Dialect::FIRMWARE_1_1);
+        let mut decoder = Decoder::commands();
+        let packets: Vec<Packet> = decoder.feed(bytes).collect();
+        let [packet] = &packets[..] else {
+            panic!("{at:?}: {bytes:?} are no packet");
+        };
+        let command = Command::parse(packet, &Dialect::FIRMWARE_1_1);
         assert!(command.is_ok(), "{at:?}: {command:?}");
     }
     assert!(!station.into_arm().controller().laser());
