@@ -11,7 +11,7 @@ fuzz_target!(|input: &[u8]| {
         text.splice(..0, BEGIN.iter().copied());
         text.extend_from_slice(END);
     }
-    dobot_fuzz::read(Source::Dxf(text));
+    dobot_fuzz::read(&Source::Dxf(text));
 });
 
 const BEGIN: &[u8] = b"0\nSECTION\n2\nENTITIES\n";

@@ -1,4 +1,4 @@
-//! SVG of any kind: an error, or ink within the limits, but never a panic.
+//! SVG of any kind: an error, or ink on the file's page, but never a panic.
 #![no_main]
 
 use dobot_source::Source;
@@ -11,7 +11,9 @@ fuzz_target!(|input: &[u8]| {
     if input.first().is_some_and(|kind| kind % 4 == 1) {
         text = format!("{BEGIN}{text}</svg>");
     }
-    dobot_fuzz::read(Source::Svg(text));
+    if let Some(artwork) = dobot_fuzz::read(&Source::Svg(text)) {
+        dobot_fuzz::lies_on(&artwork, [artwork.width_mm, artwork.height_mm]);
+    }
 });
 
 const BEGIN: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" \
