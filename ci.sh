@@ -23,12 +23,15 @@
 #   follow its OpenAPI document, and more that break it.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired.
+# - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
+#   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
+# - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
+#   that: a file that is missing in a package is missing there. `cargo publish --dry-run --workspace` builds
+#   each crate anew with all that it depends on; it is for the day of a release.
 # - `licences` looks at every dependency on every platform with `cargo tree` alone.
 #
 # Why not others:
 #
-# - Minimum Rust version: it is the version that we build with (`rust-version`); another would need a
-#   second toolchain.
 # - Other targets: they would have to be installed. What is Unix-only sits behind a `cfg`; that no
 #   `std` slips into the lower rooms is proved by linking (`no-std`) on the host.
 # - Advisories: they come from the network and change without a commit.
@@ -40,8 +43,10 @@ readonly CI_STEPS=(
   "fmt          is all code formatted?"
   "licences     does every dependency have a licence that we may ship?"
   "lint         clippy over everything, warnings are errors"
+  "msrv         do the sources keep to the Rust version that each crate names?"
   "test         all tests, those in the documentation included"
-  "doc          the documentation, warnings are errors"
+  "doc          the documentation, warnings are errors; do the READMEs show its examples?"
+  "package      does every crate build from its package?"
   "no-std       do wire, arm, motion, trajectory and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
@@ -116,12 +121,55 @@ step_lint() {
   cargo clippy --locked --workspace --all-targets --all-features -- -D warnings
 }
 
+step_msrv() {
+  needs_component clippy clippy
+  cargo clippy --locked --workspace --all-features -- -A clippy::all -A clippy::pedantic -D clippy::incompatible_msrv
+}
+
 step_test() {
   cargo test --locked --workspace --all-features --no-fail-fast
 }
 
 step_doc() {
+  local readme library
   RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --all-features --no-deps
+  for readme in crates/*/README.md; do
+    library=${readme%README.md}src/lib.rs
+    [[ -e $library ]] || continue
+    diff <(example_of_library "$library") <(example_of_readme "$readme") ||
+      fail "$readme: the example is not that of $library (<), which is tested"
+  done
+}
+
+# The first example of a library's documentation, without the lines that a reader does not see.
+example_of_library() {
+  sed -n 's/^\/\/! \{0,1\}//p' "$1" |
+    awk '!within && /^```(no_run)?$/ { within = 1; next } within && /^```$/ { exit } within && !/^#( |$)/'
+}
+
+example_of_readme() {
+  awk '/^```rust$/ { within = 1; next } within && /^```$/ { exit } within' "$1"
+}
+
+step_package() {
+  local target folder crate
+  target=${CARGO_TARGET_DIR:-target}
+  folder=$target/unpacked
+  rm -rf "$folder" "$target"/package/*.crate
+  mkdir -p "$folder"
+  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile
+  {
+    printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
+    for crate in "$target"/package/dobot-*.crate; do
+      tar -xzf "$crate" -C "$folder"
+      crate=$(basename "$crate" .crate)
+      printf '%s = { path = "%s" }\n' "${crate%-[0-9]*}" "$crate"
+    done
+    # The same profiles, so that what was built before is used.
+    sed -n '/^\[profile/,$p' Cargo.toml
+  } >"$folder/Cargo.toml"
+  cp Cargo.lock "$folder"
+  cargo check --manifest-path "$folder/Cargo.toml" --target-dir "$target" --workspace --all-features
 }
 
 step_no-std() {

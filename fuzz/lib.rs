@@ -137,13 +137,30 @@ pub fn spelled(input: &[u8], words: &[&str]) -> Vec<u8> {
 /// # Panics
 ///
 /// If it does not.
-pub fn read(source: dobot_source::Source) {
-    if let Ok((artwork, _)) = source.read(&dobot_source::ReadOptions::default()) {
-        assert!(artwork.points().next().is_some());
-        for p in artwork.points() {
-            // Twice as far as allowed from the origin: the page begins at the ink.
-            let page = 0.0..=2e6;
-            assert!(page.contains(&p.x) && page.contains(&p.y), "{p:?}");
-        }
+pub fn read(source: &dobot_source::Source) -> Option<dobot_source::Artwork> {
+    let (artwork, _) = source.read(&dobot_source::ReadOptions::default()).ok()?;
+    assert!(artwork.points().next().is_some());
+    // Twice as far as allowed from the origin: the page begins at the ink.
+    lies_on(&artwork, [2e6, 2e6]);
+    Some(artwork)
+}
+
+/// The ink lies on a page of this width and height.
+///
+/// # Panics
+///
+/// If it does not.
+pub fn lies_on(artwork: &dobot_source::Artwork, [width_mm, height_mm]: [f64; 2]) {
+    assert!(artwork.width_mm.is_finite() && artwork.height_mm.is_finite());
+    let within = |at: f64, most: f64| (-ON_EDGE_MM..=most + ON_EDGE_MM).contains(&at);
+    for p in artwork.points() {
+        let is_on = within(p.x, width_mm) && within(p.y, height_mm);
+        assert!(
+            is_on,
+            "{p:?} is not on a page of {width_mm} x {height_mm} mm"
+        );
     }
 }
+
+/// What lies that near to the edge of a page counts as on it.
+const ON_EDGE_MM: f64 = 2e-3;

@@ -5,7 +5,7 @@ use dobot_source::Source;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
-    dobot_fuzz::read(Source::Hpgl(dobot_fuzz::spelled(input, WORDS)));
+    dobot_fuzz::read(&Source::Hpgl(dobot_fuzz::spelled(input, WORDS)));
 });
 
 const WORDS: &[&str] = &[

@@ -7,8 +7,8 @@ use libfuzzer_sys::fuzz_target;
 fuzz_target!(|input: &[u8]| {
     let text = dobot_fuzz::spelled(input, WORDS);
     let text = String::from_utf8_lossy(&text).into_owned();
-    dobot_fuzz::read(Source::Csv(text.clone()));
-    dobot_fuzz::read(Source::Json(text));
+    dobot_fuzz::read(&Source::Csv(text.clone()));
+    dobot_fuzz::read(&Source::Json(text));
 });
 
 const WORDS: &[&str] = &[

@@ -275,9 +275,9 @@ fn broken(error: tungstenite::Error) -> RemoteError {
 const fn patience(request: &Request) -> Duration {
     match request {
         // Small slow motions.
-        Request::Detect => Duration::from_mins(3),
+        Request::Detect => Duration::from_secs(180),
         // The whole way of a job is checked before it is kept, and again before it is begun.
-        Request::SubmitJob { .. } | Request::StartJob { .. } => Duration::from_mins(1),
+        Request::SubmitJob { .. } | Request::StartJob { .. } => Duration::from_secs(60),
         _ => PATIENCE,
     }
 }

@@ -119,6 +119,6 @@ pub(crate) fn seconds(seconds: f64) -> Duration {
 pub(crate) const ARRIVED_MM: f64 = 0.05;
 const TURNED_DEG: f64 = 0.05;
 /// By then a command is over whose way cannot be foreseen: 700 mm at a quarter of the stock speed.
-const UNFORESEEN: Duration = Duration::from_mins(1);
+const UNFORESEEN: Duration = Duration::from_secs(60);
 /// Many of them added up still are a duration.
 const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

@@ -80,7 +80,7 @@ impl Card {
         for &speed in speeds {
             ranged("speed", speed, SPEED, "mm/s")?;
         }
-        if let Some([a, b]) = speeds.array_windows().find(|[a, b]| a >= b) {
+        if let Some([a, b]) = speeds.windows(2).find(|it| it[0] >= it[1]) {
             return Err(CardError {
                 name: "order of speeds",
                 found: format!("{a} mm/s before {b} mm/s"),

@@ -83,7 +83,9 @@ impl Playback {
     /// What came of it; what was recorded by now and was not sent is not waited for any more.
     pub(crate) fn report(&mut self) -> Report {
         self.look_ahead();
-        while let Some((at, recorded)) = self.expected.pop_front_if(|(at, _)| *at <= self.now) {
+        while self.expected.front().is_some_and(|it| it.0 <= self.now)
+            && let Some((at, recorded)) = self.expected.pop_front()
+        {
             self.report.push(Difference {
                 at,
                 recorded: Some(recorded),

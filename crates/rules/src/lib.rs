@@ -3,9 +3,9 @@
 //! ```text
 //!   clients, wherever they are
 //!          |
-//!        Handle ----> Driver               recordings, journal
-//!                       |   the one task that has the port
-//!                     Supervisor              every rule, an engine: no port, no file, no clock
+//!        Handle ----> Driver          the one task that has the port; recordings, journal
+//!                       |
+//!                   Supervisor        every rule, an engine: no port, no file, no clock
 //!                       |
 //!                    Session ----> the arm
 //! ```

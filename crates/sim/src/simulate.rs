@@ -217,7 +217,7 @@ const REQUEST_BELOW_MM: f32 = 500.0;
 /// How long the motors stand still at the end of a script that does not say when it ends.
 const STILL: Duration = Duration::from_secs(1);
 /// How long such a script waits for what does not come.
-const PATIENCE: Duration = Duration::from_mins(1);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

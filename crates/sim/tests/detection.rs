@@ -66,7 +66,7 @@ impl Bench {
     fn go_through(&mut self, mut detection: Detection) -> Result<Finding, DetectionError> {
         let from = self.found();
         let (mut before, mut at) = (from, self.arm.now());
-        while self.arm.now() < Duration::from_mins(5) {
+        while self.arm.now() < Duration::from_secs(300) {
             for status in self.statuses() {
                 detection.handle_status(self.arm.now(), &status);
             }

@@ -129,8 +129,8 @@ fn is_sized(frame: &Frame) -> bool {
 #[cold]
 fn is_bad_in_place(window: &[u8; PACKET_LEN]) -> bool {
     !window[1..]
-        .array_windows()
-        .any(|&[header, a, b, c, d]| header == HEADER && is_state(f32::from_le_bytes([a, b, c, d])))
+        .windows(5)
+        .any(|it| it[0] == HEADER && is_state(f32::from_le_bytes([it[1], it[2], it[3], it[4]])))
 }
 
 const STATES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 15.0];

@@ -15,8 +15,8 @@ use core::time::Duration;
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
 use dobot_controller::{Controller, PowerUp};
-use dobot_trajectory::{Model, Place};
 use dobot_motion::{LineMove, Speeds};
+use dobot_trajectory::{Model, Place};
 use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet, Status};
 
 // The one place of the project with `unsafe`: without `std` nobody else gives the C start-up code
@@ -70,7 +70,9 @@ fn motion() -> Option<()> {
 /// A command leads to its target.
 fn trajectory() -> Option<()> {
     let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
-    let trajectory = Model::standing(DIALECT, here).trajectory(&TARGET.into()).ok()?;
+    let trajectory = Model::standing(DIALECT, here)
+        .trajectory(&TARGET.into())
+        .ok()?;
     let off_mm = trajectory.end()?.pose.position.x.0 - f64::from(TARGET.x_mm);
     (off_mm.abs() < 1e-9).then_some(())
 }

@@ -105,7 +105,7 @@ impl Bench {
     /// Waits for what passes the wire to the arm, and keeps those that burn.
     fn next(&mut self) -> Passed {
         loop {
-            let next = self.passed.recv_timeout(Duration::from_mins(1));
+            let next = self.passed.recv_timeout(Duration::from_secs(60));
             let next = next.expect("something passes the wire within a minute");
             match next {
                 Passed::FromArm(..) => continue,

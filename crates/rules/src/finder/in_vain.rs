@@ -47,7 +47,7 @@ impl InVain {
     }
 }
 
-const LEFT_ALONE: Duration = Duration::from_mins(1);
+const LEFT_ALONE: Duration = Duration::from_secs(60);
 
 #[cfg(test)]
 mod tests {

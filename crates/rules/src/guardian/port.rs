@@ -48,6 +48,6 @@ pub(super) fn write_within(port: impl AsFd, mut bytes: &[u8], within: Duration) 
 
 /// A time to wait, at the most a day.
 pub(super) fn timespec(time: Duration) -> Timespec {
-    let time = time.min(Duration::from_hours(24));
+    let time = time.min(Duration::from_secs(86400));
     Timespec::try_from(time).expect("a day is a number of seconds")
 }

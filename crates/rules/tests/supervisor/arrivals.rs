@@ -38,7 +38,7 @@ fn sent(it: &mut Rehearsal, target: MoveTo) -> u64 {
             panic!("it is accepted");
         };
         if command > 0 {
-            it.run_for(Duration::from_mins(2));
+            it.run_for(Duration::from_secs(120));
             return command;
         }
     }

@@ -33,7 +33,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         }
         it.crash(Duration::from_millis(away_ms)).unwrap();
         let was_running = it.supervisor().job().is_some();
-        let minute = it.now() + Duration::from_mins(1);
+        let minute = it.now() + Duration::from_secs(60);
         assert!(
             it.run_until(minute, |it| rests(it, job)),
             "it is paused, not lost"
@@ -51,7 +51,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         it.ask(anna, Request::ConfirmPose).unwrap();
         it.start(anna, job).unwrap();
     }
-    let minutes = it.now() + Duration::from_mins(3);
+    let minutes = it.now() + Duration::from_secs(180);
     assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));

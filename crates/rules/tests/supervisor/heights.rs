@@ -183,7 +183,7 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
             break;
         }
         it.crash(Duration::from_millis(400)).unwrap();
-        let minute = it.now() + Duration::from_mins(2);
+        let minute = it.now() + Duration::from_secs(120);
         let rests = |it: &Rehearsal| it.supervisor().is_at_rest() && is_paused(it, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         anna = it.client("Anna");
@@ -220,7 +220,7 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
             .unwrap();
         run_to(&mut it, 8);
         it.crash(Duration::from_millis(400)).unwrap();
-        let minute = it.now() + Duration::from_mins(1);
+        let minute = it.now() + Duration::from_secs(60);
         let rests = |it: &Rehearsal| it.supervisor().is_at_rest() && is_paused(it, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         let anna = it.client("Anna");

@@ -18,7 +18,7 @@ fn burning(personality: Personality) -> (Rehearsal, ClientId, u64) {
     let job = it.submit(&burnt_spiral(20)).unwrap();
     it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
     it.start(anna, job).unwrap();
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(
         it.run_until(minute, burns),
         "{personality}: it begins to burn"

@@ -26,13 +26,13 @@ fn paused(it: &Rehearsal, job: u64) -> bool {
 }
 
 fn wait_until_paused(it: &mut Rehearsal, job: u64) {
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(it.run_until(minute, |it| paused(it, job)));
 }
 
 fn finish(it: &mut Rehearsal, anna: ClientId, job: u64, drawing: &NewJob) {
     it.start(anna, job).unwrap();
-    let minutes = it.now() + Duration::from_mins(3);
+    let minutes = it.now() + Duration::from_secs(180);
     assert!(it.run_until(minutes, |it| is_over(it, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let (found_mm, wanted_mm) = (drawn_mm(it), wanted_mm(drawing));
@@ -95,7 +95,7 @@ fn a_job_that_was_ended_is_not_paused_afterwards() {
     let (mut it, anna, job, _) = drawing();
     it.ask(anna, Request::CancelJob { job }).unwrap();
     it.ask(anna, Request::PauseJob).unwrap();
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(it.run_until(minute, |it| is_over(it, job)));
     assert!(it.supervisor().job().is_none());
 }
@@ -139,7 +139,7 @@ fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
     };
     let other = it.submit(&between).unwrap();
     it.start(anna, other).unwrap();
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(it.run_until(minute, |it| is_over(it, other)));
     assert!(paused(&it, job));
     finish(&mut it, anna, job, &drawing);
@@ -149,7 +149,7 @@ fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
 fn a_laser_whose_time_is_over_does_not_disturb_a_pen() {
     let (mut it, anna, job, drawing) = drawing();
     it.ask(anna, Request::ArmLaser { for_s: 2.0 }).unwrap();
-    let minutes = it.now() + Duration::from_mins(3);
+    let minutes = it.now() + Duration::from_secs(180);
     assert!(it.run_until(minutes, |it| is_over(it, job)));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(
@@ -257,6 +257,6 @@ fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
     wait_until_paused(&mut it, job);
     assert_eq!(it.supervisor().job().unwrap().completed, 1);
     it.start(anna, job).unwrap();
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(it.run_until(minute, |it| is_over(it, job)));
 }

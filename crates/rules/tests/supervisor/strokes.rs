@@ -87,7 +87,7 @@ pub(crate) fn is_paused(it: &Rehearsal, job: u64) -> bool {
 pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
     // A job that was started a moment ago is so for the journal soon.
     it.run_for(Duration::from_millis(10));
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = it.now() + Duration::from_secs(60);
     assert!(
         it.run_until(minute, |it| is_paused(it, job)),
         "{:?}",
@@ -96,7 +96,7 @@ pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
 }
 
 pub(crate) fn finish(it: &mut Rehearsal, job: u64) {
-    let minutes = it.now() + Duration::from_mins(10);
+    let minutes = it.now() + Duration::from_secs(600);
     assert!(
         it.run_until(minutes, |it| is_over(it, job)),
         "{:?}",
@@ -107,7 +107,7 @@ pub(crate) fn finish(it: &mut Rehearsal, job: u64) {
 
 /// Lets the job go on until so many of its commands are over.
 pub(crate) fn run_to(it: &mut Rehearsal, command: usize) {
-    let minutes = it.now() + Duration::from_mins(10);
+    let minutes = it.now() + Duration::from_secs(600);
     let there = |it: &Rehearsal| {
         it.supervisor()
             .job()
@@ -205,7 +205,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
         pauses: Vec::new(),
     };
     let (mut it, _, job) = started(personality, &planned);
-    let hours = it.now() + Duration::from_hours(2);
+    let hours = it.now() + Duration::from_secs(7200);
     assert!(it.run_until(hours, |it| is_over(it, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }

@@ -184,7 +184,8 @@ impl Schedule {
     /// Takes the next byte that has come through by then, and tells when it did.
     pub(crate) fn pop(&mut self, direction: Direction, by: Duration) -> Option<(Duration, u8)> {
         let judged = &mut self.judged[direction as usize];
-        judged.pop_front_if(|&mut (at, _)| at <= by)
+        judged.front().filter(|it| it.0 <= by)?;
+        judged.pop_front()
     }
 
     /// Whether bytes wait to be fetched.

@@ -41,10 +41,14 @@ impl Late {
 
     fn deliver(&mut self, bytes: &mut Vec<u8>) {
         let now = self.arm.now();
-        while let Some((_, packet)) = self.to_arm.pop_front_if(|it| it.0 <= now) {
+        while self.to_arm.front().is_some_and(|it| it.0 <= now)
+            && let Some((_, packet)) = self.to_arm.pop_front()
+        {
             self.arm.send(&packet);
         }
-        while let Some((_, piece)) = self.from_arm.pop_front_if(|it| it.0 <= now) {
+        while self.from_arm.front().is_some_and(|it| it.0 <= now)
+            && let Some((_, piece)) = self.from_arm.pop_front()
+        {
             bytes.extend(piece);
         }
     }

@@ -76,7 +76,7 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 
 /// Until the job works no more, and a bit: is it dark then?
 fn wait(figures: &mut Disks, scene: &mut Scene) {
-    let latest = scene.it.now() + Duration::from_mins(1);
+    let latest = scene.it.now() + Duration::from_secs(60);
     let works = |it: &Rehearsal| it.supervisor().job().is_some_and(|it| it.reason.is_none());
     scene.it.run_until(latest, |it| !works(it));
     let (paused, burnt) = (scene.it.now(), scene.burns());

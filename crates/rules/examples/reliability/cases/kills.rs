@@ -97,7 +97,7 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
         }
         it.supervisor().is_at_rest() && it.now() > began + Duration::from_secs(1)
     };
-    if !scene.it.run_until(began + Duration::from_mins(1), rests) {
+    if !scene.it.run_until(began + Duration::from_secs(60), rests) {
         return Err(Wrong("the arm did not come to rest".into()));
     }
     if burnt {

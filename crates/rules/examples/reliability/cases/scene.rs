@@ -260,4 +260,4 @@ pub(crate) fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)
 
 /// What switches the laser off.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
-const PATIENCE: Duration = Duration::from_mins(2);
+const PATIENCE: Duration = Duration::from_secs(120);

@@ -1,0 +1,111 @@
+//! DXF of any kind: an error, or ink within the limits, but never a panic.
+#![no_main]
+
+use dobot_source::Source;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|input: &[u8]| {
+    let mut text = dobot_fuzz::spelled(input, WORDS);
+    // Most of what is spelled is in the section of the drawing, so that it is looked at.
+    if input.first().is_some_and(|kind| kind % 4 == 1) {
+        text.splice(..0, BEGIN.iter().copied());
+        text.extend_from_slice(END);
+    }
+    dobot_fuzz::read(&Source::Dxf(text));
+});
+
+const BEGIN: &[u8] = b"0\nSECTION\n2\nENTITIES\n";
+const END: &[u8] = b"0\nENDSEC\n0\nEOF\n";
+
+const WORDS: &[&str] = &[
+    "0\nSECTION\n",
+    "0\nENDSEC\n",
+    "0\nEOF\n",
+    "2\nHEADER\n",
+    "2\nTABLES\n",
+    "2\nBLOCKS\n",
+    "2\nENTITIES\n",
+    "9\n$INSUNITS\n70\n4\n",
+    "9\n$INSUNITS\n70\n1\n",
+    "9\n$ACADVER\n1\nAC1015\n",
+    "0\nTABLE\n2\nLAYER\n",
+    "0\nLAYER\n2\na\n62\n-1\n",
+    "0\nENDTAB\n",
+    "0\nBLOCK\n2\nb\n",
+    "0\nENDBLK\n",
+    "0\nINSERT\n2\nb\n",
+    "0\nLINE\n",
+    "0\nPOINT\n",
+    "0\nCIRCLE\n",
+    "0\nARC\n",
+    "0\nELLIPSE\n",
+    "0\nLWPOLYLINE\n",
+    "0\nPOLYLINE\n",
+    "0\nVERTEX\n",
+    "0\nSEQEND\n",
+    "0\nSPLINE\n",
+    "0\nTEXT\n",
+    "0\nMTEXT\n",
+    "0\nHATCH\n",
+    "0\nSOLID\n",
+    "0\n3DFACE\n",
+    "0\nDIMENSION\n",
+    "0\nLEADER\n",
+    "0\nATTRIB\n",
+    "0\nVIEWPORT\n",
+    "1\nword\n",
+    "1\n%%c\\P{\\fArial;x}\n",
+    "3\nmore\n",
+    "7\nSTANDARD\n",
+    "8\na\n",
+    "10\n0\n20\n0\n",
+    "10\n5\n20\n5\n",
+    "11\n9\n21\n0\n",
+    "12\n1\n22\n1\n",
+    "13\n2\n23\n3\n",
+    "30\n7\n",
+    "40\n3\n",
+    "40\n0\n",
+    "40\n1e9\n",
+    "40\n-1\n",
+    "41\n1\n",
+    "41\n6.283185307\n",
+    "42\n1\n",
+    "42\n-0.5\n",
+    "43\n0\n",
+    "44\n2\n",
+    "45\n2\n",
+    "50\n0\n51\n90\n",
+    "50\n360\n",
+    "60\n1\n",
+    "62\n7\n",
+    "66\n1\n",
+    "67\n1\n",
+    "70\n0\n",
+    "70\n1\n",
+    "70\n8\n",
+    "70\n1000\n",
+    "71\n3\n",
+    "71\n99999\n",
+    "72\n4\n",
+    "72\n1\n",
+    "73\n2\n",
+    "74\n1\n",
+    "91\n1\n",
+    "92\n2\n",
+    "93\n3\n",
+    "97\n0\n",
+    "210\n0\n220\n0\n230\n-1\n",
+    "420\n255\n",
+    "999\ncomment\n",
+    "10\n",
+    "20\n",
+    "40\n",
+    "0\n",
+    "1e300\n",
+    "nan\n",
+    "-\n",
+    "\r\n",
+    " ",
+    "9",
+];
