@@ -7,9 +7,9 @@ use dobot_geometry::{
     FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, bounds,
 };
 
-use super::Budget;
-use super::error::SvgError;
 use super::polygon::Polygons;
+use crate::error::SvgError;
+use crate::limits::Budget;
 
 /// What a clip path shows: the union of some areas.
 #[derive(Debug, Default)]

@@ -1,7 +1,7 @@
 //! Entities: abbreviations that a hostile file could use to fill the memory.
 
-use super::error::SvgError;
-use crate::sketch::place;
+use crate::error::SvgError;
+use crate::place::place;
 
 /// Refuses entities that expand to much more than the file holds. Drawing programs declare a few
 /// short ones for their namespaces; nothing needs one inside another, or from another file.
