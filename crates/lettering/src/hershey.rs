@@ -8,8 +8,6 @@
 
 use dobot_geometry::Point;
 
-use crate::letter::Letter;
-
 /// A font of single strokes that comes with the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum StrokeFont {
@@ -26,6 +24,15 @@ pub enum StrokeFont {
     Italic,
     /// Blackletter.
     Gothic,
+}
+
+/// A letter as lines: from x 0 to its advance, on a base line at y 0, capitals up to y -21.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Letter {
+    /// Its lines; each one of a single point is a dot.
+    pub strokes: Vec<Vec<Point>>,
+    /// From its beginning to that of the next letter.
+    pub advance: f64,
 }
 
 impl StrokeFont {

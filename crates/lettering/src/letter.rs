@@ -2,18 +2,9 @@
 
 use dobot_geometry::{Point, Rect, Vec2, bounds};
 
-use crate::hershey::{CAPITAL, StrokeFont};
+use crate::hershey::{CAPITAL, Letter, StrokeFont};
 use crate::smooth::smooth;
 use crate::symbols::{self, Mark, Recipe};
-
-/// A letter as lines: from x 0 to its advance, on a base line at y 0, capitals up to y -21.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Letter {
-    /// Its lines; each one of a single point is a dot.
-    pub strokes: Vec<Vec<Point>>,
-    /// From its beginning to that of the next letter.
-    pub advance: f64,
-}
 
 impl Letter {
     /// The letter for a character; `None` where the font has none and it cannot be made.

@@ -19,8 +19,7 @@ mod smooth;
 mod symbols;
 mod words;
 
-pub use self::hershey::{CAPITAL, StrokeFont};
-pub use self::letter::Letter;
+pub use self::hershey::{CAPITAL, Letter, StrokeFont};
 pub use self::look::{Look, Type};
 pub use self::sheet::{Frame, Sheet};
 pub use self::words::{Anchor, strokes, width};

@@ -16,9 +16,10 @@ mod walk;
 use self::file::File;
 use self::walk::Walk;
 use crate::artwork::Artwork;
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
+use crate::warning::Warning;
 
 /// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as the
 /// ink and upright (Y points up), in the units that the file tells.
@@ -30,8 +31,7 @@ pub(crate) fn read(
     let file = File::read(text)?;
     let unit_mm = file.unit_mm.unwrap_or_else(|| {
         let instead = "taken for millimetres";
-        let warnings = sketch.warnings();
-        warnings.add(None, "file without a unit ($INSUNITS)", instead);
+        sketch.warn(None, "file without a unit ($INSUNITS)", instead);
         1.0
     });
     let mut walk = Walk::new(&mut sketch, &file);

@@ -1,27 +1,15 @@
-//! What can be wrong with a source, and what is drawn otherwise than it says.
+//! What can be wrong with a source.
 
-use std::fmt;
+mod picture;
+mod svg;
+mod text;
 
 use thiserror::Error;
 
-use crate::picture::ImageError;
-use crate::svg::SvgError;
-use crate::text::TextError;
-
-/// A place in a text file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// From 1.
-    pub line: u32,
-    /// In characters, from 1.
-    pub column: u32,
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.line, self.column)
-    }
-}
+pub use self::picture::ImageError;
+pub use self::svg::SvgError;
+pub use self::text::TextError;
+use crate::place::{Place, excerpt, place};
 
 /// Why a source cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -96,50 +84,30 @@ pub enum SourceError {
     },
 }
 
-/// Something in a source that is drawn otherwise than it says.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Warning {
-    /// Where it is found first, where that is known.
-    pub place: Option<Place>,
-    /// What it is, in the singular.
-    pub what: String,
-    /// What is drawn instead.
-    pub instead: String,
-    /// How many of it.
-    pub count: usize,
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(place) = self.place {
-            write!(f, "{place}: ")?;
-        }
-        let plural = if self.count == 1 { "" } else { "s" };
-        let Self {
-            what,
-            instead,
-            count,
-            ..
-        } = self;
-        write!(f, "{count} {what}{plural}: {instead}")
-    }
-}
-
-/// A text from a file as it may stand in a message: on one line, and without what would steer a
-/// terminal.
-pub(crate) fn printable(text: &str) -> String {
-    let mut printable = String::with_capacity(text.len());
-    for character in text.chars() {
-        if character.is_control() {
-            printable.extend(character.escape_debug());
-        } else {
-            printable.push(character);
+impl SourceError {
+    /// Tells what was found at an offset of a text.
+    pub(crate) fn found(
+        text: &[u8],
+        at: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self::Found {
+            place: place(text, at),
+            found: found.into(),
+            expected: expected.into(),
         }
     }
-    printable
-}
 
-/// No drawing is larger than that many line segments: the arm takes two days for it.
-pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
-/// No drawing leads farther than that, in mm.
-pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
+    /// Tells what stands in a text from an offset on.
+    pub(crate) fn unexpected(text: &[u8], at: usize, expected: &str) -> Self {
+        Self::found(text, at, excerpt(text, at), expected)
+    }
+
+    pub(crate) fn nothing_to_draw(reasons: impl IntoIterator<Item = String>) -> Self {
+        let reasons: Vec<String> = reasons.into_iter().collect();
+        Self::NothingToDraw {
+            reason: reasons.join("; "),
+        }
+    }
+}

@@ -14,9 +14,11 @@ use self::census::Census;
 use self::ink::Inker;
 use self::machine::{Machine, Move};
 use crate::artwork::Artwork;
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Warnings, Y};
+use crate::sketch::{Sketch, Y};
+use crate::warning::Warning;
+use crate::warning::Warnings;
 
 /// Reads G-code: lines and arcs of the plane XY, upright (Y points up), moved so that the ink
 /// begins at the page's corner.
@@ -34,7 +36,7 @@ pub(crate) fn read(
     })?;
     let style = census.style();
     if let Some((what, instead)) = style.assumed() {
-        sketch.warnings().add(None, what, &instead);
+        sketch.warn(None, what, &instead);
     }
     let mut inker = Inker::new(&mut sketch, style);
     run(text, &mut Warnings::new(text), |it| inker.draw(it))?;

@@ -14,9 +14,10 @@ mod units;
 use self::command::commands;
 use self::plotter::Plotter;
 use crate::artwork::Artwork;
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
+use crate::warning::Warning;
 
 /// Reads a plot: each pen is a layer, filled rectangles, wedges and polygons are areas. The page is
 /// as large as the ink and upright (Y points up).

@@ -13,6 +13,7 @@
 //! # Ok::<(), dobot_source::SourceError>(())
 //! ```
 
+mod arc;
 mod artwork;
 mod dxf;
 mod error;
@@ -20,20 +21,25 @@ mod fonts;
 mod gcode;
 mod hpgl;
 mod kind;
+mod limits;
+mod number;
 mod options;
 mod picture;
+mod place;
 mod points;
 mod sketch;
 mod source;
 mod svg;
 mod text;
+mod warning;
 
 pub use artwork::{Artwork, Layer};
-pub use error::{Place, SourceError, Warning};
+pub use error::{ImageError, SourceError, SvgError, TextError};
 pub use fonts::system_fonts;
 pub use options::{LayersBy, ReadOptions};
-pub use picture::{ImageError, Shading, Style};
+pub use picture::{Shading, Style};
+pub use place::Place;
 pub use source::Source;
-pub use svg::SvgError;
-pub use text::{Align, Font, StrokeFont, Text, TextError};
+pub use text::{Align, Font, StrokeFont, Text};
 pub use usvg::fontdb;
+pub use warning::Warning;

@@ -7,7 +7,6 @@
 
 mod contour;
 mod decode;
-mod error;
 mod exif;
 mod hatch;
 mod levels;
@@ -20,13 +19,14 @@ mod stipple;
 mod tone;
 mod waves;
 
+pub(super) use self::decode::is_picture;
 use self::decode::{Header, header, pixels};
-pub use self::error::ImageError;
 pub use self::shading::{Shading, Style};
 use self::tone::{Tone, count};
 use crate::artwork::{Artwork, Layer};
-use crate::error::{SourceError, Warning};
+use crate::error::{ImageError, SourceError};
 use crate::options::ReadOptions;
+use crate::warning::Warning;
 use dobot_geometry::{Point, Stroke};
 
 /// Reads a picture as lines or dots, all on its page: 96 pixels to the inch, or what a PNG file
@@ -51,9 +51,8 @@ pub(crate) fn read(
     let strokes = strokes(&tone, shading, spacing_mm);
     if strokes.is_empty() {
         let reason = "the picture is of one light tone, or its dark parts are smaller than the \
-                      spacing"
-            .to_owned();
-        return Err(SourceError::NothingToDraw { reason });
+                      spacing";
+        return Err(SourceError::nothing_to_draw([reason.to_owned()]));
     }
     let page = tone.page();
     let artwork = Artwork {
@@ -65,11 +64,6 @@ pub(crate) fn read(
         }],
     };
     Ok((artwork, warnings(header)))
-}
-
-/// Whether it begins as a PNG or JPEG file does.
-pub(super) fn is_picture(bytes: &[u8]) -> bool {
-    decode::is_picture(bytes)
 }
 
 /// Width and height of the page in millimetres, without reading the pixels.
@@ -123,12 +117,7 @@ fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError
 }
 
 fn warnings(header: Header) -> Vec<Warning> {
-    let animation = Warning {
-        place: None,
-        what: "animation".to_owned(),
-        instead: "only its first picture is drawn".to_owned(),
-        count: 1,
-    };
+    let animation = Warning::new("animation", "only its first picture is drawn", 1);
     header.animated.then_some(animation).into_iter().collect()
 }
 

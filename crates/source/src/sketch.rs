@@ -2,13 +2,15 @@
 
 use std::collections::{HashMap, HashSet};
 
-use dobot_geometry::{Area, CubicBez, ParamCurve, Point, Stroke, Vec2, bounds, chords};
+use dobot_geometry::{Area, CubicBez, ParamCurve, Point, Stroke, bounds, chords};
 
+use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
-use crate::error::{LIMIT_MM, MAX_SEGMENTS};
-use crate::error::{Place, SourceError, Warning};
+use crate::error::SourceError;
+use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::ReadOptions;
-use crate::svg::checked_tolerance_mm;
+use crate::place::place;
+use crate::warning::{Warning, Warnings};
 
 /// The drawing of a text file while it is being read. Places in the text are offsets in bytes, `at`.
 #[derive(Debug)]
@@ -21,7 +23,7 @@ pub(super) struct Sketch<'a> {
     current: usize,
     /// The last stroke of the layer may go on.
     goes_on: bool,
-    segments_left: usize,
+    budget: Budget,
     /// The edges of areas, each with the layer that it belongs to.
     borders: Vec<(usize, Vec<Point>)>,
     warnings: Warnings<'a>,
@@ -36,7 +38,7 @@ impl<'a> Sketch<'a> {
             numbers: HashMap::new(),
             current: 0,
             goes_on: false,
-            segments_left: MAX_SEGMENTS,
+            budget: Budget::new(MAX_SEGMENTS),
             borders: Vec::new(),
             warnings: Warnings::new(text),
         })
@@ -164,7 +166,7 @@ impl<'a> Sketch<'a> {
     ) -> Result<Vec<Point>, SourceError> {
         // Before anything is stored; what is no number is refused too.
         #[expect(clippy::cast_precision_loss, reason = "a few millions")]
-        let fits = chords <= self.segments_left as f64;
+        let fits = chords <= self.budget.left() as f64;
         if !fits {
             let limit = MAX_SEGMENTS;
             return Err(SourceError::TooManySegments { limit });
@@ -183,6 +185,11 @@ impl<'a> Sketch<'a> {
         self.tolerance_mm
     }
 
+    /// Counts one more of `what`, which is in the singular.
+    pub(super) fn warn(&mut self, at: impl Into<Option<usize>>, what: &str, instead: &str) {
+        self.warnings.add(at, what, instead);
+    }
+
     pub(super) const fn warnings(&mut self) -> &mut Warnings<'a> {
         &mut self.warnings
     }
@@ -193,15 +200,12 @@ impl<'a> Sketch<'a> {
     }
 
     pub(super) fn found(&self, at: usize, found: impl Into<String>, expected: &str) -> SourceError {
-        found_at(self.text, at, found, expected)
+        SourceError::found(self.text, at, found, expected)
     }
 
     /// Counts what will be kept.
     pub(super) fn spend(&mut self, segments: usize) -> Result<(), SourceError> {
-        let limit = MAX_SEGMENTS;
-        let left = self.segments_left.checked_sub(segments);
-        self.segments_left = left.ok_or(SourceError::TooManySegments { limit })?;
-        Ok(())
+        Ok(self.budget.spend(segments)?)
     }
 
     /// Draws the edges of areas that the file does not draw itself.
@@ -227,7 +231,10 @@ impl<'a> Sketch<'a> {
         self.draw_borders();
         self.layers.retain(|layer| !layer.is_empty());
         if self.layers.is_empty() {
-            return Err(self.warnings.nothing_to_draw(nothing));
+            let warnings = self.warnings.into_list();
+            let warnings = warnings.iter().map(Warning::to_string);
+            let reasons = [nothing.to_owned()].into_iter().chain(warnings);
+            return Err(SourceError::nothing_to_draw(reasons));
         }
         let mut artwork = Artwork {
             layers: self.layers,
@@ -243,7 +250,7 @@ impl<'a> Sketch<'a> {
         let strokes = artwork.layers.iter_mut().flat_map(|it| &mut it.strokes);
         strokes.for_each(close);
         [artwork.width_mm, artwork.height_mm] = [ink.width(), ink.height()];
-        Ok((artwork, self.warnings.list))
+        Ok((artwork, self.warnings.into_list()))
     }
 }
 
@@ -254,140 +261,7 @@ pub(super) enum Y {
     Down,
 }
 
-/// A part of an ellipse, `center + across cos t + along sin t`; its size may drift on the way, so
-/// that it ends where the file says.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Arc {
-    center: Point,
-    across: Vec2,
-    along: Vec2,
-    from_rad: f64,
-    sweep_rad: f64,
-    /// How much larger it is at its end.
-    growth: f64,
-    start: Point,
-    end: Point,
-}
-
-impl Arc {
-    /// Counterclockwise where `sweep_rad` is above 0 and y points up.
-    pub(super) fn circle(center: Point, radius: f64, from_rad: f64, sweep_rad: f64) -> Self {
-        let across = Vec2::new(radius, 0.0);
-        Self::ellipse(center, across, Vec2::new(0.0, radius), from_rad, sweep_rad)
-    }
-
-    pub(super) fn ellipse(
-        center: Point,
-        across: Vec2,
-        along: Vec2,
-        from_rad: f64,
-        sweep_rad: f64,
-    ) -> Self {
-        let at = |t: f64| center + across * t.cos() + along * t.sin();
-        let is_whole = sweep_rad.abs() >= std::f64::consts::TAU;
-        let start = at(from_rad);
-        Self {
-            center,
-            across,
-            along,
-            from_rad,
-            sweep_rad,
-            growth: 1.0,
-            start,
-            end: if is_whole {
-                start
-            } else {
-                at(from_rad + sweep_rad)
-            },
-        }
-    }
-
-    /// About a center from a point by an angle to another point, which may be a little nearer or
-    /// farther.
-    pub(super) fn between(center: Point, start: Point, sweep_rad: f64, end: Point) -> Self {
-        let out = start - center;
-        let radius = out.length();
-        Self {
-            growth: end.distance(center) / radius,
-            start,
-            end,
-            ..Self::circle(center, radius, out.atan2(), sweep_rad)
-        }
-    }
-
-    fn at(&self, share: f64) -> Point {
-        let (sin, cos) = (self.from_rad + self.sweep_rad * share).sin_cos();
-        let size = 1.0 + (self.growth - 1.0) * share;
-        self.center + (self.across * cos + self.along * sin) * size
-    }
-
-    /// How many chords stay within the tolerance, a whole number from 1 up.
-    ///
-    /// A chord over the angle `a` leaves its circle by `r (1 - cos(a / 2))`; an ellipse is a circle
-    /// of its larger radius, flattened.
-    fn chords(&self, tolerance: f64) -> f64 {
-        let radius = self.across.length().max(self.along.length()) * self.growth.max(1.0);
-        let share = (tolerance / (2.0 * radius)).sqrt().min(1.0);
-        let most_rad = (4.0 * share.asin()).min(std::f64::consts::FRAC_PI_2);
-        (self.sweep_rad.abs() / most_rad).ceil().max(1.0)
-    }
-}
-
-/// What is drawn otherwise than the file says, each kind once.
-#[derive(Debug)]
-pub(super) struct Warnings<'a> {
-    text: &'a [u8],
-    list: Vec<Warning>,
-    numbers: HashMap<String, usize>,
-}
-
-impl<'a> Warnings<'a> {
-    pub(super) fn new(text: &'a [u8]) -> Self {
-        Self {
-            text,
-            list: Vec::new(),
-            numbers: HashMap::new(),
-        }
-    }
-
-    /// Counts one more of `what`, which is in the singular.
-    pub(super) fn add(&mut self, at: impl Into<Option<usize>>, what: &str, instead: &str) {
-        if let Some(&number) = self.numbers.get(what) {
-            self.list[number].count += 1;
-            return;
-        }
-        self.numbers.insert(what.to_owned(), self.list.len());
-        self.list.push(Warning {
-            place: at.into().map(|at| place(self.text, at)),
-            what: what.to_owned(),
-            instead: instead.to_owned(),
-            count: 1,
-        });
-    }
-
-    fn nothing_to_draw(&self, nothing: &str) -> SourceError {
-        let warnings = self.list.iter().map(Warning::to_string);
-        let reasons: Vec<String> = [nothing.to_owned()].into_iter().chain(warnings).collect();
-        SourceError::NothingToDraw {
-            reason: reasons.join("; "),
-        }
-    }
-}
-
-/// Line and column of an offset into a text.
-pub(super) fn place(text: &[u8], at: usize) -> Place {
-    let before = &text[..at.min(text.len())];
-    let lines = before.split(|&byte| byte == b'\n');
-    let (count, last) = lines.fold((0, before), |(count, _), line| (count + 1, line));
-    // The second and further bytes of a character are no columns.
-    let columns = last.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
-    let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
-    Place {
-        line: number(count),
-        column: number(columns),
-    }
-}
-
+/// Refuses points beyond any table, and those that are no numbers.
 pub(super) fn checked(text: &[u8], at: usize, p: Point) -> Result<Point, SourceError> {
     if p.x.abs() <= LIMIT_MM && p.y.abs() <= LIMIT_MM {
         return Ok(p);
@@ -398,51 +272,6 @@ pub(super) fn checked(text: &[u8], at: usize, p: Point) -> Result<Point, SourceE
         y_mm: p.y,
         limit_mm: LIMIT_MM,
     })
-}
-
-pub(super) fn found_at(
-    text: &[u8],
-    at: usize,
-    found: impl Into<String>,
-    expected: &str,
-) -> SourceError {
-    SourceError::Found {
-        place: place(text, at),
-        found: found.into(),
-        expected: expected.to_owned(),
-    }
-}
-
-/// What stands in a text from there on, shortened, in quotes; its end where there is no more.
-pub(super) fn excerpt(text: &[u8], at: usize) -> String {
-    let rest = text.get(at..).unwrap_or_default();
-    let line = rest.split(|byte| b"\r\n".contains(byte)).next();
-    let line = line.unwrap_or_default();
-    match (rest.is_empty(), line.is_empty()) {
-        (true, _) => "the end of the file".to_owned(),
-        (_, true) => "the end of the line".to_owned(),
-        _ => format!("{:?}", shortened(&String::from_utf8_lossy(line))),
-    }
-}
-
-pub(super) fn shortened(text: &str) -> String {
-    match text.char_indices().nth(20) {
-        Some((end, _)) => format!("{}..", &text[..end]),
-        None => text.to_owned(),
-    }
-}
-
-/// The decimal number without an exponent that a text begins with, and its length in bytes.
-pub(super) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
-    let is_part = |(i, byte): &(usize, &u8)| match byte {
-        b'0'..=b'9' | b'.' => true,
-        b'+' | b'-' => *i == 0,
-        _ => false,
-    };
-    let length = text.iter().enumerate().take_while(is_part).count();
-    let digits = std::str::from_utf8(&text[..length]).ok()?;
-    let number: f64 = digits.parse().ok()?;
-    (number.abs() <= MAX_NUMBER).then_some((number, length))
 }
 
 fn closed(mut ring: Vec<Point>) -> Vec<Point> {
@@ -477,9 +306,5 @@ fn close(stroke: &mut Stroke) {
     }
 }
 
-/// Larger numbers are a mistake, and would overflow further on.
-pub(super) const MAX_NUMBER: f64 = 1e9;
-/// What sums of rounded ways may leave between two points that are the same.
-pub(super) const SAME_MM: f64 = 1e-6;
 /// No file has more pens, or speeds and powers.
 const MAX_LAYERS: usize = 1000;

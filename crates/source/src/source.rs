@@ -3,9 +3,10 @@
 use dobot_geometry::Point;
 
 use crate::artwork::Artwork;
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
+use crate::warning::Warning;
 use crate::{dxf, gcode, hpgl, kind, picture, points, svg};
 
 /// Something to be drawn, not yet read.

@@ -5,7 +5,6 @@ mod clip;
 mod color;
 mod dash;
 mod entities;
-mod error;
 mod expand;
 mod flatten;
 mod groups;
@@ -14,6 +13,7 @@ mod layers;
 mod polygon;
 mod sheet;
 mod substitutes;
+mod unshown;
 mod walk;
 
 use std::borrow::Cow;
@@ -25,16 +25,17 @@ use usvg::fontdb::Family;
 use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
-pub use self::error::SvgError;
-use self::error::{Unshown, WarningKind};
 use self::groups::Groups;
 use self::sheet::Sheet;
 use self::substitutes::Substitutes;
+use self::unshown::{Unshown, WarningKind};
 use self::walk::Walk;
 use crate::artwork::Artwork;
-use crate::error::{MAX_SEGMENTS, printable};
-use crate::error::{SourceError, Warning};
+use crate::error::{SourceError, SvgError};
+use crate::limits::{Budget, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::{LayersBy, ReadOptions};
+use crate::place::printable;
+use crate::warning::Warning;
 
 /// Reads an SVG file as a browser does, at 96 dots per inch.
 ///
@@ -57,7 +58,7 @@ fn draw(
     text: &str,
     options: &ReadOptions,
     substitutes: &Substitutes,
-) -> Result<(Artwork, Vec<Unshown>), SvgError> {
+) -> Result<(Artwork, Vec<Unshown>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let unseen = Unseen::new(substitutes);
     let (tree, groups) = parse(text, options, &unseen)?;
@@ -69,34 +70,6 @@ fn draw(
         return Err(nothing_to_draw(&warnings));
     }
     Ok((artwork, warnings))
-}
-
-pub(super) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
-    let least_mm = 1e-6;
-    if found_mm >= least_mm && found_mm.is_finite() {
-        return Ok(found_mm);
-    }
-    Err(SvgError::Tolerance { found_mm, least_mm })
-}
-
-/// How many segments may still come: the guard against drawings that would fill the memory.
-#[derive(Debug)]
-pub(crate) struct Budget {
-    limit: usize,
-    left: usize,
-}
-
-impl Budget {
-    pub(crate) const fn new(limit: usize) -> Self {
-        Self { limit, left: limit }
-    }
-
-    pub(crate) fn spend(&mut self, segments: usize) -> Result<(), SvgError> {
-        let limit = self.limit as u64;
-        let left = self.left.checked_sub(segments);
-        self.left = left.ok_or(SvgError::TooManySegments { limit })?;
-        Ok(())
-    }
 }
 
 /// What never reaches the tree: counted while it is being built.
@@ -168,9 +141,9 @@ fn parse(
     text: &str,
     options: &ReadOptions,
     unseen: &Unseen<'_>,
-) -> Result<(Tree, HashMap<String, String>), SvgError> {
+) -> Result<(Tree, HashMap<String, String>), SourceError> {
     if text.trim().is_empty() {
-        return Err(SvgError::EmptyFile);
+        return Err(SvgError::EmptyFile.into());
     }
     entities::check(text)?;
     let xml = ParsingOptions {
@@ -223,37 +196,28 @@ fn check_root(doc: &Document<'_>) -> Result<(), SvgError> {
     })
 }
 
-fn unreadable(error: &usvg::Error) -> SvgError {
+fn unreadable(error: &usvg::Error) -> SourceError {
     match error {
-        usvg::Error::InvalidSize => SvgError::NoPage,
-        usvg::Error::ParsingFailed(error) => malformed(error),
-        other => SvgError::NothingToDraw {
-            reason: other.to_string(),
-        },
+        usvg::Error::InvalidSize => SvgError::NoPage.into(),
+        usvg::Error::ParsingFailed(error) => malformed(error).into(),
+        other => SourceError::nothing_to_draw([other.to_string()]),
     }
 }
 
-fn nothing_to_draw(warnings: &[Unshown]) -> SvgError {
+fn nothing_to_draw(warnings: &[Unshown]) -> SourceError {
     if warnings.is_empty() {
-        let reason = "no visible shape or text on the page".to_owned();
-        return SvgError::NothingToDraw { reason };
+        return SourceError::nothing_to_draw(["no visible shape or text on the page".to_owned()]);
     }
     let only_text = |warning: &Unshown| warning.kind == WarningKind::TextWithoutFont;
     if warnings.iter().all(only_text) {
-        return SvgError::NoFont;
+        return SvgError::NoFont.into();
     }
     let texts = warnings.iter().map(|it| Warning::from(*it).to_string());
-    let reasons: Vec<String> = texts.collect();
-    SvgError::NothingToDraw {
-        reason: reasons.join("; "),
-    }
+    SourceError::nothing_to_draw(texts)
 }
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 const MAX_NODES: u32 = 2_000_000;
-/// Larger numbers are a mistake, and would overflow further on.
-const MAX_NUMBER: f64 = 1e9;
-
 #[cfg(test)]
 mod layer_tests;
 #[cfg(test)]

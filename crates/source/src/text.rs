@@ -1,6 +1,5 @@
 //! Text: in letters of single lines, or in the outlines of any font.
 
-mod error;
 mod lettering;
 mod outline;
 mod stroke;
@@ -11,11 +10,11 @@ use std::str::FromStr;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::error::TextError;
 pub(super) use self::lettering::{Lettering, Pose};
 use crate::artwork::{Artwork, Layer};
-use crate::error::{SourceError, Warning};
+use crate::error::{SourceError, TextError};
 use crate::options::ReadOptions;
+use crate::warning::Warning;
 use dobot_geometry::bounds;
 pub(super) use dobot_lettering::CAPITAL;
 pub use dobot_lettering::StrokeFont;
@@ -172,13 +171,10 @@ impl Align {
 }
 
 fn nothing(warnings: &[Warning]) -> SourceError {
-    let texts: Vec<String> = warnings.iter().map(Warning::to_string).collect();
-    let reason = if texts.is_empty() {
-        "the text is empty".to_owned()
-    } else {
-        texts.join("; ")
-    };
-    SourceError::NothingToDraw { reason }
+    if warnings.is_empty() {
+        return SourceError::nothing_to_draw(["the text is empty".to_owned()]);
+    }
+    SourceError::nothing_to_draw(warnings.iter().map(Warning::to_string))
 }
 
 /// The page is as large as the ink.

@@ -5,7 +5,6 @@ use dobot_geometry::Point;
 use super::file::Span;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
-use crate::sketch::found_at;
 
 /// The groups of an entity.
 #[derive(Debug)]
@@ -38,12 +37,17 @@ impl<'a> Entity<'a> {
     /// A number that has to be there.
     pub(super) fn number(&self, code: i32) -> Result<f64, SourceError> {
         let missing = || self.refused(format!("{} without group {code}", self.name()), "a number");
-        self.find(code).ok_or_else(missing)?.number(self.text)
+        self.find(code).ok_or_else(missing)?.number()
     }
 
     pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, SourceError> {
-        self.find(code)
-            .map_or(Ok(default), |it| it.number(self.text))
+        self.find(code).map_or(Ok(default), |it| it.number())
+    }
+
+    /// -1 for what is seen from behind, else 1.
+    pub(super) fn side(&self) -> Result<f64, SourceError> {
+        let is_behind = self.number_or(230, 1.0)? < 0.0;
+        Ok(if is_behind { -1.0 } else { 1.0 })
     }
 
     /// The bits of a group of flags.
@@ -64,7 +68,7 @@ impl<'a> Entity<'a> {
     /// All values of a group.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
         let pairs = self.pairs.iter().filter(|it| it.code == code);
-        pairs.map(|it| it.number(self.text)).collect()
+        pairs.map(|it| it.number()).collect()
     }
 
     /// All points whose x has that code.
@@ -81,6 +85,6 @@ impl<'a> Entity<'a> {
     }
 
     pub(super) fn refused(&self, found: impl Into<String>, expected: &str) -> SourceError {
-        found_at(self.text, self.at, found, expected)
+        SourceError::found(self.text, self.at, found, expected)
     }
 }

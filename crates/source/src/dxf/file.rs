@@ -2,9 +2,11 @@
 
 use std::collections::HashMap;
 
+use dobot_geometry::Point;
+
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
-use crate::sketch::found_at;
+use crate::place::beginning;
 
 /// Where things stand in a file.
 #[derive(Debug)]
@@ -56,7 +58,7 @@ impl LayerInfo {
 /// Entities that are drawn wherever an INSERT says.
 #[derive(Debug, Default)]
 pub(super) struct Block<'a> {
-    pub(super) base: [f64; 2],
+    pub(super) base: Point,
     pub(super) entities: Vec<Span<'a>>,
 }
 
@@ -72,13 +74,8 @@ pub(super) struct Span<'a> {
 impl<'a> File<'a> {
     pub(super) fn read(text: &'a [u8]) -> Result<Self, SourceError> {
         refuse_binary(text)?;
-        let start = if text.starts_with(b"\xEF\xBB\xBF") {
-            3
-        } else {
-            0
-        };
         let mut reader = Reader::new(text);
-        for pair in pairs(text, start) {
+        for pair in pairs(text, beginning(text)) {
             let pair = pair?;
             if pair.is(0, b"EOF") {
                 reader.end_entity(pair.at);
@@ -86,23 +83,18 @@ impl<'a> File<'a> {
             }
             reader.pair(pair)?;
         }
-        let end = text.len();
-        Err(found_at(
-            text,
-            end,
-            "the end of the file",
-            "0 and EOF: the file is cut off",
-        ))
+        let expected = "0 and EOF: the file is cut off";
+        Err(SourceError::unexpected(text, text.len(), expected))
     }
 }
 
 fn refuse_binary(text: &[u8]) -> Result<(), SourceError> {
     let expected = "a DXF file in text; save it as ASCII DXF";
     if text.starts_with(b"AutoCAD Binary DXF") {
-        return Err(found_at(text, 0, "a binary DXF file", expected));
+        return Err(SourceError::found(text, 0, "a binary DXF file", expected));
     }
     if text.starts_with(b"AC10") {
-        return Err(found_at(text, 0, "a DWG file", expected));
+        return Err(SourceError::found(text, 0, "a DWG file", expected));
     }
     Ok(())
 }
@@ -169,13 +161,18 @@ impl<'a> Reader<'a> {
         if pair.code == 9 {
             self.variable = pair.value;
         } else if self.variable == b"$INSUNITS" {
-            let code = pair.number(self.file.text)?;
+            let code = pair.number()?;
             self.file.unit_mm = unit_mm(code);
             // 0 is a file that does not tell.
             if code != 0.0 && self.file.unit_mm.is_none() {
                 let found = format!("$INSUNITS {code}");
                 let expected = "a unit of length that is drawn: 1, 2, 4 to 6, 8 to 10, 13 or 14";
-                return Err(found_at(self.file.text, pair.value_at, found, expected));
+                return Err(SourceError::found(
+                    self.file.text,
+                    pair.value_at,
+                    found,
+                    expected,
+                ));
             }
         }
         Ok(())
@@ -196,9 +193,9 @@ impl<'a> Reader<'a> {
         )]
         match pair.code {
             2 => *name = pair.text().into_owned(),
-            62 => info.color = Some(pair.number(self.file.text)? as i32),
-            70 => info.is_frozen = pair.number(self.file.text)? as i32 & 1 != 0,
-            420 => info.true_color = Some(pair.number(self.file.text)? as u32),
+            62 => info.color = Some(pair.number()? as i32),
+            70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
+            420 => info.true_color = Some(pair.number()? as u32),
             _ => return Ok(()),
         }
         let info = *info;
@@ -221,8 +218,8 @@ impl<'a> Reader<'a> {
                 };
                 match code {
                     2 => *name = value,
-                    10 => block.base[0] = pair.number(self.file.text)?,
-                    20 => block.base[1] = pair.number(self.file.text)?,
+                    10 => block.base.x = pair.number()?,
+                    20 => block.base.y = pair.number()?,
                     _ => {}
                 }
             }

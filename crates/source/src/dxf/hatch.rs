@@ -5,21 +5,18 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 use super::entity::Entity;
 use super::frame::way;
 use super::pairs::Pair;
-use super::shapes::Corner;
+use super::shapes::{Corner, span_rad};
 use super::walk::Walk;
-use crate::error::MAX_SEGMENTS;
+use crate::arc::Arc;
 use crate::error::SourceError;
-use crate::sketch::Arc;
+use crate::limits::MAX_SEGMENTS;
 
 impl Walk<'_, '_> {
     /// Its boundaries as rings of an area, whatever pattern fills it; those with ellipses or splines
     /// are told and left out.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let starts = it
-            .pairs
-            .iter()
-            .enumerate()
-            .filter(|(_, pair)| pair.code == 92);
+        let pairs = it.pairs.iter().enumerate();
+        let starts = pairs.filter(|(_, pair)| pair.code == 92);
         let starts: Vec<usize> = starts.map(|(i, _)| i).collect();
         let mut rings = Vec::new();
         for (i, &start) in starts.iter().enumerate() {
@@ -41,7 +38,7 @@ impl Walk<'_, '_> {
         path: &[Pair<'_>],
         frame: Affine,
     ) -> Result<Option<Vec<Point>>, SourceError> {
-        if let Some(corners) = corners(it.text, path)? {
+        if let Some(corners) = corners(path)? {
             return self.bulged(it, frame, &corners, true).map(Some);
         }
         let mut ring = Vec::new();
@@ -64,12 +61,12 @@ impl Walk<'_, '_> {
         edge: &[Pair<'_>],
         frame: Affine,
     ) -> Result<Option<Vec<Point>>, SourceError> {
-        let number = |code| match edge.iter().find(|pair| pair.code == code) {
-            Some(pair) => pair.number(it.text),
-            None => Ok(0.0),
+        let number = |code| {
+            let pair = edge.iter().find(|pair| pair.code == code);
+            pair.map_or(Ok(0.0), Pair::number)
         };
         let point = |x, y| Ok::<_, SourceError>(Point::new(number(x)?, number(y)?));
-        let kind = edge[0].number(it.text)?;
+        let kind = edge[0].number()?;
         let at = point(10, 20)?;
         if kind == LINE {
             let ends = [at, point(11, 21)?].map(|p| self.place(it, frame, p));
@@ -80,14 +77,12 @@ impl Walk<'_, '_> {
         }
         let (radius, is_left) = (number(40)?, number(73)? != 0.0);
         let (from_deg, to_deg) = (number(50)?, number(51)?);
-        let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
-        let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
         // Of one that goes clockwise the angles are counted clockwise too.
         let side = if is_left { 1.0 } else { -1.0 };
         let across = way(frame, Vec2::new(radius, 0.0));
         let along = way(frame, Vec2::new(0.0, radius * side));
         let center = self.place(it, frame, at)?;
-        let [from_rad, sweep_rad] = [from_deg, sweep_deg].map(f64::to_radians);
+        let [from_rad, sweep_rad] = span_rad(from_deg, to_deg);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
         Ok(Some(self.sketch.arc_points(it.at, &arc)?))
     }
@@ -95,8 +90,7 @@ impl Walk<'_, '_> {
 
 /// The edges of a boundary that is no polyline: each begins with its kind.
 fn edges<'p, 't>(path: &'p [Pair<'t>]) -> impl Iterator<Item = &'p [Pair<'t>]> {
-    let end = path.iter().position(|it| matches!(it.code, 97 | 75));
-    let path = &path[..end.unwrap_or(path.len())];
+    let path = before_sources(path);
     let first = path.iter().position(|it| it.code == 72);
     let mut rest = &path[first.unwrap_or(path.len())..];
     std::iter::from_fn(move || {
@@ -109,27 +103,19 @@ fn edges<'p, 't>(path: &'p [Pair<'t>]) -> impl Iterator<Item = &'p [Pair<'t>]> {
 }
 
 /// The corners of a boundary that is a polyline, else nothing.
-fn corners(text: &[u8], path: &[Pair<'_>]) -> Result<Option<Vec<Corner>>, SourceError> {
+fn corners(path: &[Pair<'_>]) -> Result<Option<Vec<Corner>>, SourceError> {
     #[expect(clippy::cast_possible_truncation, reason = "a few bits; saturates")]
-    let flags = path[0].number(text)? as i64;
+    let flags = path[0].number()? as i64;
     if flags & POLYLINE == 0 {
         return Ok(None);
     }
-    let mut corners: Vec<Corner> = Vec::new();
-    for pair in path {
-        match (pair.code, corners.last_mut()) {
-            // What follows the boundary: its sources, the pattern, the seeds.
-            (97 | 75, _) => break,
-            (10, _) => corners.push(Corner {
-                at: Point::new(pair.number(text)?, 0.0),
-                bulge: 0.0,
-            }),
-            (20, Some(last)) => last.at.y = pair.number(text)?,
-            (42, Some(last)) => last.bulge = pair.number(text)?,
-            _ => {}
-        }
-    }
-    Ok(Some(corners))
+    Corner::all(before_sources(path)).map(Some)
+}
+
+/// A boundary without what follows it: its sources, the pattern, the seeds.
+fn before_sources<'p, 't>(path: &'p [Pair<'t>]) -> &'p [Pair<'t>] {
+    let end = path.iter().position(|it| matches!(it.code, 97 | 75));
+    &path[..end.unwrap_or(path.len())]
 }
 
 const POLYLINE: i64 = 2;

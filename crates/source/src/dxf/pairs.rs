@@ -3,11 +3,14 @@
 use std::borrow::Cow;
 
 use crate::error::SourceError;
-use crate::sketch::{MAX_NUMBER, excerpt, found_at, shortened};
+use crate::limits::MAX_NUMBER;
+use crate::place::shortened;
 
 /// A group code with its value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair<'a> {
+    /// All of the file.
+    text: &'a [u8],
     pub(super) code: i32,
     pub(super) value: &'a [u8],
     /// Where the code stands in the text.
@@ -22,14 +25,14 @@ impl<'a> Pair<'a> {
     }
 
     /// The value as a number.
-    pub(super) fn number(&self, text: &[u8]) -> Result<f64, SourceError> {
+    pub(super) fn number(&self) -> Result<f64, SourceError> {
         let number = std::str::from_utf8(self.value)
             .ok()
             .and_then(|it| it.parse().ok());
         let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
         number.ok_or_else(|| {
             let found = format!("{:?} for group {}", shortened(&self.text()), self.code);
-            found_at(text, self.value_at, found, "a number from -1e9 to 1e9")
+            SourceError::found(self.text, self.value_at, found, "a number from -1e9 to 1e9")
         })
     }
 
@@ -38,9 +41,9 @@ impl<'a> Pair<'a> {
         decoded(self.value)
     }
 
-    /// The same with the spaces around it, from the text of the file.
-    pub(super) fn whole_text<'t>(&self, text: &'t [u8]) -> Cow<'t, str> {
-        let rest = &text[self.value_at..];
+    /// The same with the spaces around it.
+    pub(super) fn whole_text(&self) -> Cow<'a, str> {
+        let rest = &self.text[self.value_at..];
         let line = rest.split(|&byte| byte == b'\n').next();
         let line = line.unwrap_or_default();
         decoded(line.strip_suffix(b"\r").unwrap_or(line))
@@ -66,25 +69,21 @@ pub(super) fn pairs(
         }
         let code_at = at;
         let code = next_line(text, &mut at);
-        let parsed = std::str::from_utf8(code)
+        let Some(code) = std::str::from_utf8(code)
             .ok()
-            .and_then(|it| it.parse().ok());
-        let Some(code) = parsed else {
+            .and_then(|it| it.parse().ok())
+        else {
             at = text.len();
-            let found = excerpt(text, code_at);
-            return Some(Err(found_at(
-                text,
-                code_at,
-                found,
-                "a group code such as 0 or 10",
-            )));
+            let expected = "a group code such as 0 or 10";
+            return Some(Err(SourceError::unexpected(text, code_at, expected)));
         };
         let value_at = at;
         if at >= text.len() {
             let expected = "the value of the group";
-            return Some(Err(found_at(text, at, "the end of the file", expected)));
+            return Some(Err(SourceError::unexpected(text, at, expected)));
         }
         Some(Ok(Pair {
+            text,
             code,
             value: next_line(text, &mut at),
             at: code_at,

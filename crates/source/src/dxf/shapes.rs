@@ -7,17 +7,37 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 use super::entity::Entity;
 use super::file::Span;
 use super::frame::way;
+use super::pairs::Pair;
 use super::spline::Spline;
 use super::walk::Walk;
-use crate::error::MAX_SEGMENTS;
+use crate::arc::Arc;
 use crate::error::SourceError;
-use crate::sketch::Arc;
+use crate::limits::MAX_SEGMENTS;
 
 /// A corner of a polyline, and how the way to the next bulges: the tangent of a quarter of its angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Point,
     pub(super) bulge: f64,
+}
+
+impl Corner {
+    /// Those that pairs describe one after the other.
+    pub(super) fn all(pairs: &[Pair<'_>]) -> Result<Vec<Self>, SourceError> {
+        let mut corners: Vec<Self> = Vec::new();
+        for pair in pairs {
+            match (pair.code, corners.last_mut()) {
+                (10, _) => corners.push(Self {
+                    at: Point::new(pair.number()?, 0.0),
+                    bulge: 0.0,
+                }),
+                (20, Some(last)) => last.at.y = pair.number()?,
+                (42, Some(last)) => last.bulge = pair.number()?,
+                _ => {}
+            }
+        }
+        Ok(corners)
+    }
 }
 
 impl Walk<'_, '_> {
@@ -33,27 +53,17 @@ impl Walk<'_, '_> {
 
     pub(super) fn circle(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let (center, radius) = (it.point(10)?, it.number(40)?);
-        let (from_rad, sweep_rad) = match it.kind {
-            b"ARC" => {
-                let (from_deg, to_deg) = (it.number(50)?, it.number(51)?);
-                let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
-                let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
-                (from_deg.to_radians(), sweep_deg.to_radians())
-            }
-            _ => (0.0, TAU),
+        let span_rad = match it.kind {
+            b"ARC" => span_rad(it.number(50)?, it.number(51)?),
+            _ => [0.0, TAU],
         };
         let (across, along) = (Vec2::new(radius, 0.0), Vec2::new(0.0, radius));
-        self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
+        self.round(it, frame, center, [across, along], span_rad)
     }
 
     pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let (center, across) = (it.point(10)?, it.point(11)?.to_vec2());
-        let side = if it.number_or(230, 1.0)? < 0.0 {
-            -1.0
-        } else {
-            1.0
-        };
-        let along = across.turn_90() * (it.number(40)? * side);
+        let along = across.turn_90() * (it.number(40)? * it.side()?);
         let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
         let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
         // Files round the end of a whole one.
@@ -81,18 +91,7 @@ impl Walk<'_, '_> {
         it: &Entity<'_>,
         frame: Affine,
     ) -> Result<(), SourceError> {
-        let mut corners: Vec<Corner> = Vec::new();
-        for pair in &it.pairs {
-            match (pair.code, corners.last_mut()) {
-                (10, _) => corners.push(Corner {
-                    at: Point::new(pair.number(it.text)?, 0.0),
-                    bulge: 0.0,
-                }),
-                (20, Some(last)) => last.at.y = pair.number(it.text)?,
-                (42, Some(last)) => last.bulge = pair.number(it.text)?,
-                _ => {}
-            }
-        }
+        let corners = Corner::all(&it.pairs)?;
         let is_closed = it.flags(70)? & 1 != 0;
         let points = self.bulged(it, frame, &corners, is_closed)?;
         self.sketch.stroke(points)
@@ -159,12 +158,10 @@ impl Walk<'_, '_> {
         let fits = it.points(11)?;
         if controls.is_empty() && !fits.is_empty() {
             self.left_out(it, "by points alone: drawn as straight lines between them");
-            let points = fits.iter().map(|&p| self.place(it, frame, p));
-            let points = points.collect::<Result<_, _>>()?;
+            let points = self.places(it, frame, &fits)?;
             return self.sketch.stroke(points);
         }
-        let placed = controls.iter().map(|&p| self.place(it, frame, p));
-        let placed: Vec<Point> = placed.collect::<Result<_, _>>()?;
+        let placed = self.places(it, frame, &controls)?;
         let degree = usize::try_from(it.flags(71)?).unwrap_or(usize::MAX);
         let spline = Spline::new(degree, it.numbers(40)?, &placed, &it.numbers(41)?);
         let expected = "degree 1 to 15, knots for each control point and degree + 1 more";
@@ -177,15 +174,23 @@ impl Walk<'_, '_> {
 
     /// Four corners, the last two crossed over.
     pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let mut ring = Vec::new();
         let fourth = if it.find(13).is_some() { 13 } else { 12 };
-        for code in [10, 11, fourth, 12] {
-            ring.push(self.place(it, frame, it.point(code)?)?);
-        }
+        let ring = [10, 11, fourth, 12].map(|code| self.place(it, frame, it.point(code)?));
+        let ring = ring.into_iter().collect::<Result<_, _>>()?;
         self.sketch.area(Area {
             rings: vec![ring],
             rule: FillRule::NonZero,
         })
+    }
+
+    fn places(
+        &self,
+        it: &Entity<'_>,
+        frame: Affine,
+        points: &[Point],
+    ) -> Result<Vec<Point>, SourceError> {
+        let points = points.iter().map(|&p| self.place(it, frame, p));
+        points.collect()
     }
 
     pub(super) fn place(
@@ -196,6 +201,13 @@ impl Walk<'_, '_> {
     ) -> Result<Point, SourceError> {
         self.sketch.check(it.at, frame * p)
     }
+}
+
+/// From where and how far an arc goes counterclockwise; a whole turn where it ends where it begins.
+pub(super) fn span_rad(from_deg: f64, to_deg: f64) -> [f64; 2] {
+    let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
+    let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
+    [from_deg, sweep_deg].map(f64::to_radians)
 }
 
 /// The arc from a corner that bulges: by four times the arc tangent of its bulge.

@@ -56,13 +56,11 @@ impl Walk<'_, '_> {
         frame: Affine,
         is_in_block: bool,
     ) -> Result<(), SourceError> {
-        let Some(code) = shown(it, is_in_block)? else {
+        let code = shown(it, is_in_block)?;
+        let Some(pair) = code.and_then(|code| it.find(code)) else {
             return Ok(());
         };
-        let Some(pair) = it.find(code) else {
-            return Ok(());
-        };
-        let content = line(&pair.whole_text(it.text));
+        let content = line(&pair.whole_text());
         self.tell_plainer(it, &content);
         if content.text.trim().is_empty() {
             return Ok(());
@@ -158,8 +156,7 @@ impl Walk<'_, '_> {
     fn tell_plainer(&mut self, it: &Entity<'_>, content: &Content) {
         if content.is_plainer {
             let instead = "written plainly: in one height, nothing underlined, fractions in a row";
-            let warnings = self.sketch.warnings();
-            warnings.add(it.at, "formatted text", instead);
+            self.sketch.warn(it.at, "formatted text", instead);
         }
     }
 }
@@ -264,11 +261,7 @@ fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
 /// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
 /// seen from behind.
 fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let side = if it.number_or(230, 1.0)? < 0.0 {
-        -1.0
-    } else {
-        1.0
-    };
+    let side = it.side()?;
     let right = if it.find(11).is_some() {
         let way = it.point(11)?.to_vec2();
         way * (1.0 / way.length())
@@ -294,7 +287,7 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
 fn whole_text(it: &Entity<'_>) -> String {
     let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
     let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
-    pieces.map(|pair| pair.whole_text(it.text)).collect()
+    pieces.map(|pair| pair.whole_text()).collect()
 }
 
 fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {

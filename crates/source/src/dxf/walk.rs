@@ -7,7 +7,7 @@ use super::file::{Block, File, LayerInfo, Span};
 use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::error::SourceError;
-use crate::error::printable;
+use crate::place::printable;
 use crate::sketch::Sketch;
 use crate::text::Lettering;
 
@@ -96,8 +96,8 @@ impl<'s, 'a> Walk<'s, 'a> {
             return Ok(());
         }
         match it.kind {
-            b"INSERT" => return self.insert(&it, copy, layer),
-            b"DIMENSION" => return self.dimension(&it, copy, layer),
+            b"INSERT" => return self.insert(&it, Copy { layer, ..copy }),
+            b"DIMENSION" => return self.dimension(&it, Copy { layer, ..copy }),
             _ => {}
         }
         let Some(frame) = self.seen(&it, copy.frame)? else {
@@ -127,7 +127,7 @@ impl<'s, 'a> Walk<'s, 'a> {
     }
 
     pub(super) fn left_out(&mut self, it: &Entity<'_>, instead: &str) {
-        self.sketch.warnings().add(it.at, &it.name(), instead);
+        self.sketch.warn(it.at, &it.name(), instead);
     }
 
     fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
@@ -144,27 +144,19 @@ impl<'s, 'a> Walk<'s, 'a> {
         } else {
             return Ok(false);
         };
-        self.sketch.warnings().add(it.at, what, instead);
+        self.sketch.warn(it.at, what, instead);
         Ok(true)
     }
 
     /// The frame as the entity's extrusion has it; `None` where it is tilted out of the plane.
     fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
-        let out = [
-            it.number_or(210, 0.0)?,
-            it.number_or(220, 0.0)?,
-            it.number_or(230, 1.0)?,
-        ];
-        if out[0].hypot(out[1]) > 1e-6 {
+        let (x, y) = (it.number_or(210, 0.0)?, it.number_or(220, 0.0)?);
+        if x.hypot(y) > 1e-6 {
             let instead = "left out, for only what lies in the plane XY is drawn";
-            self.sketch.warnings().add(it.at, "tilted object", instead);
+            self.sketch.warn(it.at, "tilted object", instead);
             return Ok(None);
         }
-        Ok(Some(if out[2] < 0.0 {
-            frame * Affine::FLIP_X
-        } else {
-            frame
-        }))
+        Ok(Some(frame * Affine::scale_non_uniform(it.side()?, 1.0)))
     }
 
     fn use_layer(&mut self, name: &str) -> Result<(), SourceError> {
@@ -180,7 +172,7 @@ impl<'s, 'a> Walk<'s, 'a> {
     }
 
     /// A block, drawn once or in rows and columns.
-    fn insert(&mut self, it: &Entity<'a>, copy: Copy<'_>, layer: &str) -> Result<(), SourceError> {
+    fn insert(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
         let name = it.find(2).map_or(&b""[..], |it| it.value);
         let Some(block) = self.file.blocks.get(name) else {
             let found = format!("INSERT of block {:?}", String::from_utf8_lossy(name));
@@ -189,49 +181,27 @@ impl<'s, 'a> Walk<'s, 'a> {
         let Some(frame) = self.seen(it, copy.frame)? else {
             return Ok(());
         };
-        let base = Point::new(block.base[0], block.base[1]);
         let (columns, rows) = (it.flags(70)?.max(1), it.flags(71)?.max(1));
         let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let shift = Vec2::new(f64::from(column) * wide, f64::from(row) * high);
-            let frame = frame * placed(it, base, shift)?;
-            self.block(
-                it,
-                block,
-                Copy {
-                    frame,
-                    layer,
-                    ..copy
-                },
-            )?;
+            let frame = frame * placed(it, block.base, shift)?;
+            let copy = Copy { frame, ..copy };
+            self.block(it, block, copy)?;
         }
         Ok(())
     }
 
     /// The picture of a dimension, which is a block that lies where it belongs.
-    fn dimension(
-        &mut self,
-        it: &Entity<'a>,
-        copy: Copy<'_>,
-        layer: &str,
-    ) -> Result<(), SourceError> {
+    fn dimension(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
         let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
             self.left_out(it, "left out, for its picture is not in the file");
             return Ok(());
         };
-        let base = Point::new(block.base[0], block.base[1]);
-        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - base;
+        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - block.base;
         let frame = copy.frame * Affine::translate(shift);
-        self.block(
-            it,
-            block,
-            Copy {
-                frame,
-                layer,
-                ..copy
-            },
-        )
+        self.block(it, block, Copy { frame, ..copy })
     }
 
     /// A block in a frame, one deeper than what it is drawn for.

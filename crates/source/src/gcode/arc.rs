@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use dobot_geometry::Point;
 
-use crate::sketch::SAME_MM;
+use crate::arc::SAME_MM;
 
 /// The center of an arc by its radius; negative takes the long way. An error says what is wrong.
 pub(super) fn center_by_radius(

@@ -1,7 +1,8 @@
 //! The words of a line of G-code.
 
 use crate::error::SourceError;
-use crate::sketch::{decimal, excerpt, found_at};
+use crate::number::decimal;
+use crate::place::beginning;
 
 /// A line: its G and M codes in their order, and the values of its other letters.
 #[derive(Debug, Default)]
@@ -58,10 +59,9 @@ impl Block {
         };
         let tenths = (value * 10.0).round();
         if !(0.0..=99_999.0).contains(&value) || (tenths - value * 10.0).abs() > 1e-6 {
-            return Err(found_at(
+            return Err(SourceError::unexpected(
                 text,
                 at,
-                excerpt(text, at),
                 "a code such as G1 or G90.1",
             ));
         }
@@ -78,7 +78,7 @@ impl Block {
         let i = usize::from(letter - b'A');
         if self.letters & (1 << i) != 0 {
             let once = format!("{} once in a line", char::from(letter));
-            return Err(found_at(text, at, excerpt(text, at), &once));
+            return Err(SourceError::unexpected(text, at, &once));
         }
         self.letters |= 1 << i;
         self.values[i] = value;
@@ -104,8 +104,8 @@ impl Codes {
 
 /// The lines that hold words.
 pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Result<Block, SourceError>> {
-    let start = if text.starts_with(BOM) { BOM.len() } else { 0 };
-    let mut lines = Lexer { text, at: start };
+    let at = beginning(text);
+    let mut lines = Lexer { text, at };
     std::iter::from_fn(move || lines.next_block())
 }
 
@@ -228,9 +228,8 @@ impl Lexer<'_> {
     }
 
     fn found(&self, at: usize, expected: &str) -> SourceError {
-        found_at(self.text, at, excerpt(self.text, at), expected)
+        SourceError::unexpected(self.text, at, expected)
     }
 }
 
-const BOM: &[u8] = b"\xEF\xBB\xBF";
 const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";

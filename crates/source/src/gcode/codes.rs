@@ -12,41 +12,10 @@ pub(super) enum Meaning {
 }
 
 /// The meaning of a G code in tenths.
-pub(super) const fn g(code: u32) -> Meaning {
+pub(super) fn g(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
-        0
-        | 10
-        | 20
-        | 30
-        | 40
-        | 150
-        | 170
-        | 200
-        | 210
-        | 280
-        | 300
-        | 400
-        | 430..=432
-        | 490
-        | 500
-        | 530..=599
-        | 610
-        | 611
-        | 640
-        | 690
-        | 800
-        | 900
-        | 901
-        | 910
-        | 911
-        | 920
-        | 921
-        | 922
-        | 940
-        | 970
-        | 980
-        | 990 => Plain,
+        530..=599 => Plain,
         50..=52 => Refused("splines are not read; have them written as lines or arcs"),
         70 => Refused("diameters of a lathe are not read"),
         100 => Refused("offsets set by the program are not read; have the file written without"),
@@ -66,6 +35,7 @@ pub(super) const fn g(code: u32) -> Meaning {
             Refused("canned cycles are not read; have them written as single moves")
         }
         930 | 950 => LeftOut("speeds are taken for those by minute"),
+        _ if PLAIN_G.contains(&code) => Plain,
         _ => LeftOut("not known, left out"),
     }
 }
@@ -91,3 +61,9 @@ pub(super) fn name(letter: char, code: u32) -> String {
         tenth => format!("{letter}{}.{tenth}", code / 10),
     }
 }
+
+/// G codes in tenths that are carried out or make no difference; beside them there are G53 to G59.9.
+const PLAIN_G: &[u32] = &[
+    0, 10, 20, 30, 40, 150, 170, 200, 210, 280, 300, 400, 430, 431, 432, 490, 500, 610, 611, 640,
+    690, 800, 900, 901, 910, 911, 920, 921, 922, 940, 970, 980, 990,
+];

@@ -2,9 +2,10 @@
 
 use super::census::Style;
 use super::machine::{Move, MoveKind, Tool};
+use crate::arc::Arc;
 use crate::artwork::Layer;
 use crate::error::SourceError;
-use crate::sketch::{Arc, Sketch};
+use crate::sketch::Sketch;
 
 /// Draws the moves of a program.
 #[derive(Debug)]
@@ -58,8 +59,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         for at in self.dim {
             let instead =
                 "burned at full power, for this laser is on or off; draw it faster instead";
-            let warnings = self.sketch.warnings();
-            warnings.add(at, "weaker layer", instead);
+            self.sketch.warn(at, "weaker layer", instead);
         }
         Ok(())
     }
@@ -132,8 +132,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         layer.speed_mm_s = first.or(tool.speed_mm_s);
         if first.is_some() && tool.speed_mm_s.is_some() && tool.speed_mm_s != first {
             let instead = "drawn with the first speed of its tool";
-            let warnings = self.sketch.warnings();
-            warnings.add(it.at, "speed change", instead);
+            self.sketch.warn(it.at, "speed change", instead);
         }
         Ok(())
     }

@@ -6,7 +6,8 @@ use super::arc::{center_by_radius, sweep_rad};
 use super::block::Block;
 use super::codes::{self, Meaning};
 use crate::error::SourceError;
-use crate::sketch::{Warnings, checked, found_at};
+use crate::sketch::checked;
+use crate::warning::Warnings;
 
 /// What a line lets the machine do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,7 +175,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             Meaning::LeftOut(instead) => self.warn(at, &format!("{} code", name()), instead),
             Meaning::Refused(why) => {
                 let expected = format!("moves by G0 to G3: {why}");
-                return Err(found_at(self.text, at, name(), &expected));
+                return Err(SourceError::found(self.text, at, name(), &expected));
             }
         }
         Ok(())
@@ -201,7 +202,12 @@ impl<'a, 'w> Machine<'a, 'w> {
         match motions.nth(1) {
             Some(&(at, code)) => {
                 let expected = "one of G0 to G3 in a line";
-                Err(found_at(self.text, at, codes::name('G', code), expected))
+                Err(SourceError::found(
+                    self.text,
+                    at,
+                    codes::name('G', code),
+                    expected,
+                ))
             }
             None => Ok(()),
         }
@@ -278,7 +284,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
             let expected = "I, J and R with G2 or G3 only";
             let name = codes::name('G', self.motion);
-            return Err(found_at(
+            return Err(SourceError::found(
                 self.text,
                 at,
                 format!("the center of an arc with {name}"),
@@ -319,12 +325,12 @@ impl<'a, 'w> Machine<'a, 'w> {
     fn arc(&self, block: &Block, to: Point) -> Result<MoveKind, SourceError> {
         let clockwise = self.motion == 20;
         let center = self.center(block, to, clockwise)?;
-        let found = |found| found_at(self.text, block.at, found, "ends that fit the arc");
+        let found = |found| SourceError::found(self.text, block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, self.at, to, clockwise).map_err(found)?;
         checked(self.text, block.at, center)?;
         if let Some(turns) = block.value(b'P').filter(|&it| it != 1.0) {
             let turns = format!("an arc of {turns} turns (P)");
-            return Err(found_at(
+            return Err(SourceError::found(
                 self.text,
                 block.place(b'P'),
                 turns,
@@ -338,11 +344,18 @@ impl<'a, 'w> Machine<'a, 'w> {
         if let Some(radius) = block.value(b'R') {
             let center = center_by_radius(self.at, to, radius * self.unit_mm, clockwise);
             let expected = "a radius of at least half their distance";
-            return center.map_err(|found| found_at(self.text, block.place(b'R'), found, expected));
+            return center.map_err(|found| {
+                SourceError::found(self.text, block.place(b'R'), found, expected)
+            });
         }
         if !block.has_any(b"IJ") {
             let found = format!("{} without a center", codes::name('G', self.motion));
-            return Err(found_at(self.text, block.at, found, "I and J, or R"));
+            return Err(SourceError::found(
+                self.text,
+                block.at,
+                found,
+                "I and J, or R",
+            ));
         }
         let [i, j] = [b'I', b'J'].map(|it| block.value(it).map(|it| it * self.unit_mm));
         Ok(if self.centers_are_absolute {
@@ -360,7 +373,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             return Ok(());
         }
         if !block.has_any(b"XYZE") {
-            return Err(found_at(
+            return Err(SourceError::found(
                 self.text,
                 block.at,
                 "G92 alone",

@@ -1,7 +1,7 @@
 //! The commands of a plot file: two letters, and what belongs to them.
 
 use crate::error::SourceError;
-use crate::sketch::{decimal, excerpt, found_at};
+use crate::number::decimal;
 
 /// A command with its parameters.
 #[derive(Debug)]
@@ -191,7 +191,12 @@ impl<'a> Lexer<'a> {
         let text = self.until(self.label_end);
         if begin + text.len() == self.text.len() {
             let expected = "ETX (character 3) behind it, or the character that DT sets";
-            return Err(found_at(self.text, at, "a label without an end", expected));
+            return Err(SourceError::found(
+                self.text,
+                at,
+                "a label without an end",
+                expected,
+            ));
         }
         let length = text.len() + usize::from(self.writes_end);
         Ok(&self.text[begin..begin + length])
@@ -213,7 +218,7 @@ impl<'a> Lexer<'a> {
     }
 
     fn found(&self, expected: &str) -> SourceError {
-        found_at(self.text, self.at, excerpt(self.text, self.at), expected)
+        SourceError::unexpected(self.text, self.at, expected)
     }
 }
 

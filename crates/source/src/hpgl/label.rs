@@ -229,7 +229,7 @@ impl Plotter<'_> {
     /// The cell of a character that is about to be written.
     fn cell(&mut self, it: &Command<'_>) -> Cell {
         for (at, what, instead) in std::mem::take(&mut self.labels.unlike) {
-            self.sketch.warnings().add(at, what, instead);
+            self.sketch.warn(at, what, instead);
         }
         let characters = self.labels.characters;
         if characters.size == Size::Default {

@@ -10,7 +10,8 @@ use super::names::left_out;
 use super::polygon::Polygon;
 use crate::artwork::Layer;
 use crate::error::SourceError;
-use crate::sketch::{Sketch, excerpt};
+use crate::place::excerpt;
+use crate::sketch::Sketch;
 
 /// The state of a plotter.
 #[derive(Debug)]
@@ -128,7 +129,7 @@ impl<'a> Plotter<'a> {
     }
 
     pub(super) fn warn(&mut self, it: &Command<'_>, what: &str, instead: &str) {
-        self.sketch.warnings().add(it.at, what, instead);
+        self.sketch.warn(it.at, what, instead);
     }
 
     pub(super) fn refused(&self, it: &Command<'_>, expected: &str) -> SourceError {

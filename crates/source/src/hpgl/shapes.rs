@@ -6,8 +6,8 @@ use dobot_geometry::{Area, CubicBez, FillRule, Point, Vec2};
 
 use super::command::Command;
 use super::plotter::Plotter;
+use crate::arc::Arc;
 use crate::error::SourceError;
-use crate::sketch::Arc;
 
 impl Plotter<'_> {
     /// CI: a circle about the pen, which stays where it is.

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::error::ImageError;
+use crate::error::ImageError;
 
 /// How the tones of a picture become lines or dots.
 ///

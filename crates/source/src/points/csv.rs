@@ -11,9 +11,11 @@
 use dobot_geometry::Point;
 
 use crate::artwork::{Artwork, Layer};
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y, excerpt, shortened};
+use crate::place::{beginning, shortened};
+use crate::sketch::{Sketch, Y};
+use crate::warning::Warning;
 
 /// Reads points in lines.
 pub(crate) fn read(
@@ -27,7 +29,7 @@ pub(crate) fn read(
         points: Vec::new(),
         key: Vec::new(),
     };
-    let mut at = if text.starts_with('\u{FEFF}') { 3 } else { 0 };
+    let mut at = beginning(text.as_bytes());
     for line in text[at..].split_inclusive('\n') {
         reader.line(at, line.trim_end_matches(['\r', '\n']))?;
         at += line.len();
@@ -97,12 +99,9 @@ impl<'a> Reader<'a> {
         let (Some(x), Some(y)) = (column("x"), column("y")) else {
             let is_header = line.contains(|c: char| c.is_alphabetic() && !"eE".contains(c));
             if is_header || names.len() != 2 {
-                let found = excerpt(self.text.as_bytes(), at);
-                return Err(self.sketch.found(
-                    at,
-                    found,
-                    "a header with x and y, or two numbers x,y",
-                ));
+                let expected = "a header with x and y, or two numbers x,y";
+                let text = self.text.as_bytes();
+                return Err(SourceError::unexpected(text, at, expected));
             }
             self.columns = Some(Columns {
                 separator,
@@ -117,7 +116,7 @@ impl<'a> Reader<'a> {
         let known = ["x", "y", "stroke", "pen"];
         for name in names.iter().filter(|it| !known.contains(&it.as_str())) {
             let what = format!("column {:?}", shortened(name));
-            self.sketch.warnings().add(at, &what, "left out");
+            self.sketch.warn(at, &what, "left out");
         }
         let (stroke, pen) = (column("stroke"), column("pen"));
         self.columns = Some(Columns {

@@ -14,10 +14,13 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use crate::artwork::{Artwork, Layer};
-use crate::error::{LIMIT_MM, printable};
-use crate::error::{Place, SourceError, Warning};
+use crate::error::SourceError;
+use crate::limits::LIMIT_MM;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y, excerpt};
+use crate::place::Place;
+use crate::place::{excerpt, printable};
+use crate::sketch::{Sketch, Y};
+use crate::warning::Warning;
 
 /// Reads points in JSON.
 pub(crate) fn read(
@@ -57,11 +60,7 @@ fn parse(text: &str) -> Result<Strokes, SourceError> {
 
 /// What the JSON reader says, in the words of the other readers.
 fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
-    let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
-    let place = Place {
-        line: number(error.line().max(1)),
-        column: number(error.column().max(1)),
-    };
+    let place = Place::new(error.line().max(1), error.column().max(1));
     let message = error.to_string();
     let problem = message.split(" at line ").next().unwrap_or(&message);
     let inside = if path == "." {

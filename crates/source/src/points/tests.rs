@@ -7,8 +7,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artwork::Artwork;
-use crate::error::Warning;
 use crate::options::ReadOptions;
+use crate::warning::Warning;
 
 fn csv(text: &str) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = read_csv(text, &ReadOptions::default()).unwrap();

@@ -5,8 +5,8 @@ use std::str::FromStr;
 use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, ViewBox};
 use usvg::roxmltree::{Attribute, Document, Node};
 
-use super::error::SvgError;
-use super::{Budget, MAX_NUMBER};
+use crate::error::SvgError;
+use crate::limits::{Budget, MAX_NUMBER};
 
 /// Reads every path, point list, length, transform and viewBox of the document, and tells how many
 /// line segments and curves each element describes.

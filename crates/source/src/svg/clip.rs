@@ -7,9 +7,9 @@ use dobot_geometry::{
     FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, bounds,
 };
 
-use super::Budget;
-use super::error::SvgError;
 use super::polygon::Polygons;
+use crate::error::SvgError;
+use crate::limits::Budget;
 
 /// What a clip path shows: the union of some areas.
 #[derive(Debug, Default)]
@@ -40,7 +40,7 @@ impl Region {
     /// a browser.
     pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
-        if !self.has_edge_in(bounds) {
+        if stroke.points.len() == 1 || !self.has_edge_in(bounds) {
             let shows = self.shows(stroke.points[0]);
             return Ok(if shows { vec![stroke] } else { Vec::new() });
         }
@@ -54,14 +54,6 @@ impl Region {
     }
 
     fn pieces(&self, stroke: &Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
-        if stroke.points.len() == 1 {
-            let shows = self.shows(stroke.points[0]);
-            return Ok(if shows {
-                vec![stroke.clone()]
-            } else {
-                Vec::new()
-            });
-        }
         let mut pieces: Vec<Stroke> = Vec::new();
         let mut open = false;
         let mut cuts = Vec::new();

@@ -2,8 +2,8 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use super::Budget;
-use super::error::SvgError;
+use crate::error::SvgError;
+use crate::limits::Budget;
 
 /// Cuts a stroke into dashes: `lengths` of pen down and pen up in turn, begun `offset` further on.
 /// A dash of length zero is a dot. Lengths that sum up to nothing leave the stroke whole.

@@ -1,7 +1,7 @@
 //! Entities: abbreviations that a hostile file could use to fill the memory.
 
-use super::error::SvgError;
-use crate::error::Place;
+use crate::error::SvgError;
+use crate::place::place;
 
 /// Refuses entities that expand to much more than the file holds. Drawing programs declare a few
 /// short ones for their namespaces; nothing needs one inside another, or from another file.
@@ -13,7 +13,7 @@ pub(crate) fn check(text: &str) -> Result<(), SvgError> {
     let (declared, used) = text[first..].split_at(end - first);
     let refuse = |problem| {
         Err(SvgError::Entities {
-            place: place(text, first),
+            place: place(text.as_bytes(), first),
             problem,
         })
     };
@@ -34,16 +34,6 @@ fn refers_to_another(declared: &str) -> bool {
             .iter()
             .any(|s| rest.starts_with(s))
     })
-}
-
-fn place(text: &str, at: usize) -> Place {
-    let before = &text[..at];
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    Place {
-        line: count(before.matches('\n').count() + 1),
-        column: count(before[line_start..].chars().count() + 1),
-    }
 }
 
 const LIMIT: usize = 16_000_000;

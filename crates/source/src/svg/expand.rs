@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node};
 
-use super::error::SvgError;
+use crate::error::SvgError;
 
 /// Refuses a document that grows too large or too deep once every reference is replaced by a copy
 /// of what it names, and one in which that never ends.

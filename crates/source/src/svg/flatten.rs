@@ -3,8 +3,8 @@
 use dobot_geometry::{CubicBez, Point, QuadBez, Stroke, chords, corners};
 use usvg::tiny_skia_path::{Path, PathSegment};
 
-use super::Budget;
-use super::error::SvgError;
+use crate::error::SvgError;
+use crate::limits::Budget;
 
 /// The subpaths of a path as lines that stay within `tolerance` of it, in the path's own units.
 pub(crate) fn flatten(

@@ -7,8 +7,8 @@ use dobot_geometry::{Area, Stroke};
 use super::color;
 use super::ink::Color;
 use crate::artwork::Layer;
-use crate::error::printable;
 use crate::options::LayersBy;
+use crate::place::printable;
 
 /// Sorts lines and areas into layers, in the order in which each first appears.
 #[derive(Debug)]

@@ -7,13 +7,14 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
 use super::clip::{self, Region};
 use super::dash::dash;
-use super::error::{SvgError, Unshown, WarningKind};
 use super::ink::{Color, Fill, Ink};
 use super::layers::Layers;
 use super::polygon::Polygons;
-use super::{Budget, MAX_SEGMENTS};
+use super::unshown::{Unshown, WarningKind};
 use crate::artwork::Artwork;
-use crate::error::LIMIT_MM;
+use crate::error::SvgError;
+use crate::limits::LIMIT_MM;
+use crate::limits::{Budget, MAX_SEGMENTS};
 use crate::options::LayersBy;
 
 /// Collects what shows on the page.

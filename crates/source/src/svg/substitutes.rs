@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use usvg::fontdb::{Database, Family, ID};
 use usvg::{Font, FontFamily};
 
-use crate::error::Warning;
-use crate::error::printable;
+use crate::place::printable;
+use crate::warning::Warning;
 
 /// For each family that is not here the one that is taken instead.
 #[derive(Debug, Default)]
@@ -41,11 +41,10 @@ impl Substitutes {
 
     pub(super) fn warnings(self) -> impl Iterator<Item = Warning> {
         let all = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
-        all.into_iter().map(|(named, taken)| Warning {
-            place: None,
-            what: format!("font {}", printable(&named)),
-            instead: format!("not here, drawn in {}", printable(&taken)),
-            count: 1,
+        all.into_iter().map(|(named, taken)| {
+            let what = format!("font {}", printable(&named));
+            let instead = format!("not here, drawn in {}", printable(&taken));
+            Warning::new(&what, &instead, 1)
         })
     }
 }

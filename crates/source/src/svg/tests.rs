@@ -14,7 +14,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SvgError> {
+    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SourceError> {
         let (artwork, warnings) = super::draw(text, options, &super::Substitutes::default())?;
         let drawing = Self {
             width_mm: artwork.width_mm,
@@ -345,7 +345,10 @@ fn a_tolerance_must_be_a_positive_length() {
             ..options()
         };
         let error = Drawing::from_svg(&page("<rect width='5' height='5'/>"), &options).unwrap_err();
-        assert!(matches!(error, SvgError::Tolerance { .. }));
+        assert!(matches!(
+            error,
+            SourceError::Svg(SvgError::Tolerance { .. })
+        ));
     }
 }
 

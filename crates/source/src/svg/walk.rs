@@ -7,10 +7,11 @@ use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
 
 use super::clip::{Area, Region};
-use super::error::{SvgError, WarningKind};
 use super::flatten::flatten;
 use super::ink::{Color, Dashes, Fill, Ink, Line};
 use super::sheet::{Sheet, place};
+use super::unshown::WarningKind;
+use crate::error::SvgError;
 
 /// Goes through a tree and draws on a sheet what it meets.
 pub(crate) struct Walk<'a> {

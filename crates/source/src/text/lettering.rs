@@ -66,7 +66,7 @@ impl Lettering {
         }
         let Some(letter) = self.letter(character) else {
             let instead = format!("not in the sans letters, left out; the first is {character:?}");
-            sketch.warnings().add(at, "character", &instead);
+            sketch.warn(at, "character", &instead);
             return Ok(());
         };
         let unit_mm = pose.across.length().max(pose.up.length());

@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use dobot_geometry::bounds;
 use usvg::fontdb::{Database, FaceInfo};
 
-use super::{Align, Text, TextError, layer};
+use super::{Align, Text, layer};
 use crate::artwork::{Artwork, Layer};
-use crate::error::{SourceError, Warning};
+use crate::error::{SourceError, TextError};
 use crate::options::{LayersBy, ReadOptions};
 use crate::svg;
+use crate::warning::Warning;
 
 pub(super) fn read(
     text: &Text,

@@ -7,8 +7,9 @@ use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
 use super::{Text, layer};
 use crate::artwork::Layer;
-use crate::error::MAX_SEGMENTS;
-use crate::error::{SourceError, Warning};
+use crate::error::SourceError;
+use crate::limits::{Budget, MAX_SEGMENTS};
+use crate::warning::Warning;
 
 pub(super) fn read(
     text: &Text,
@@ -40,7 +41,7 @@ struct Writer {
     tolerance: f64,
     letters: HashMap<char, Option<Letter>>,
     strokes: Vec<Stroke>,
-    segments: usize,
+    budget: Budget,
     /// What cannot be written, each once, and how often that happened.
     missing: Vec<char>,
     missed: usize,
@@ -55,7 +56,7 @@ impl Writer {
             tolerance: tolerance_mm / scale,
             letters: HashMap::new(),
             strokes: Vec::new(),
-            segments: 0,
+            budget: Budget::new(MAX_SEGMENTS),
             missing: Vec::new(),
             missed: 0,
         }
@@ -77,16 +78,11 @@ impl Writer {
             };
             let (advance, lines) = (letter.advance, letter.strokes.clone());
             for points in lines {
-                self.segments += points.len();
+                self.budget.spend(points.len())?;
                 let points = points.iter().map(|p| at + p.to_vec2() * scale).collect();
                 self.strokes.push(stroke(points));
             }
             at.x += advance * scale;
-            if self.segments > MAX_SEGMENTS {
-                return Err(SourceError::TooManySegments {
-                    limit: MAX_SEGMENTS,
-                });
-            }
         }
         Ok(())
     }
@@ -106,15 +102,9 @@ impl Writer {
 
     fn warning(&self) -> Option<Warning> {
         let named: String = self.missing.iter().collect();
-        (self.missed > 0).then(|| Warning {
-            place: None,
-            what: "character".to_owned(),
-            instead: format!(
-                "not in the {} letters, left out: {named:?}",
-                self.font.name()
-            ),
-            count: self.missed,
-        })
+        let font = self.font.name();
+        let instead = format!("not in the {font} letters, left out: {named:?}");
+        (self.missed > 0).then(|| Warning::new("character", &instead, self.missed))
     }
 }
 

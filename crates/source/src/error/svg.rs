@@ -1,17 +1,8 @@
-//! What can be wrong with a drawing, and what is left out of one.
+//! What can be wrong with an SVG file.
 
 use thiserror::Error;
 
-use crate::error::{Place, Warning};
-
-impl From<usvg::roxmltree::TextPos> for Place {
-    fn from(at: usvg::roxmltree::TextPos) -> Self {
-        Self {
-            line: at.row,
-            column: at.col,
-        }
-    }
-}
+use crate::place::Place;
 
 /// Why an SVG file cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -110,12 +101,6 @@ pub enum SvgError {
         "nothing to draw: the file holds only text and no font was found; install a font or convert the text to paths"
     )]
     NoFont,
-    /// No visible line on the page.
-    #[error("nothing to draw: {reason}")]
-    NothingToDraw {
-        /// What there is instead.
-        reason: String,
-    },
     /// The tolerance must be a positive number of millimetres.
     #[error("the tolerance is {found_mm} mm; it must be from {least_mm} mm up")]
     Tolerance {
@@ -124,73 +109,4 @@ pub enum SvgError {
         /// The smallest allowed.
         least_mm: f64,
     },
-}
-
-/// What a pen does not show as a browser does, counted by kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Unshown {
-    /// What it is.
-    pub(crate) kind: WarningKind,
-    /// How many of it.
-    pub(crate) count: usize,
-}
-
-impl From<Unshown> for Warning {
-    fn from(Unshown { kind, count }: Unshown) -> Self {
-        let (what, instead) = kind.words();
-        Self {
-            place: None,
-            what: what.to_owned(),
-            instead: instead.to_owned(),
-            count,
-        }
-    }
-}
-
-/// What a pen cannot draw, or not yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum WarningKind {
-    /// A bitmap or another file.
-    Image,
-    /// A mask.
-    Mask,
-    /// A filter, such as a blur.
-    Filter,
-    /// A gradient as paint.
-    Gradient,
-    /// A pattern as paint.
-    Pattern,
-    /// A shape filled with white and without a line.
-    Paper,
-    /// A fill that crosses itself too often to be clipped.
-    Entangled,
-    /// A piece of text and no font at all.
-    TextWithoutFont,
-    /// A character that no font has.
-    MissingGlyph,
-}
-
-impl WarningKind {
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Image => ("image", "left out; trace it to paths to draw it"),
-            Self::Mask => ("mask", "ignored, what it hides is drawn"),
-            Self::Filter => ("filter", "ignored, the shape is drawn as it is"),
-            Self::Gradient => ("gradient", "drawn as one colour, that of its first stop"),
-            Self::Pattern => ("pattern", "left out, its area is drawn as one"),
-            Self::Paper => ("white shape", "left out, white is the paper"),
-            Self::Entangled => (
-                "filled shape",
-                "not hatched, it crosses itself too often to be clipped",
-            ),
-            Self::TextWithoutFont => (
-                "text",
-                "left out, no font was found; install a font or convert it to paths",
-            ),
-            Self::MissingGlyph => (
-                "character",
-                "in no font that was found, drawn as the font's box for missing ones",
-            ),
-        }
-    }
 }

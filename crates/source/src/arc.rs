@@ -1,0 +1,85 @@
+//! Arcs of circles and ellipses.
+
+use dobot_geometry::{Point, Vec2};
+
+/// A part of an ellipse, `center + across cos t + along sin t`; its size may drift on the way, so
+/// that it ends where the file says.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arc {
+    center: Point,
+    across: Vec2,
+    along: Vec2,
+    from_rad: f64,
+    sweep_rad: f64,
+    /// How much larger it is at its end.
+    growth: f64,
+    pub(crate) start: Point,
+    pub(crate) end: Point,
+}
+
+impl Arc {
+    /// Counterclockwise where `sweep_rad` is above 0 and y points up.
+    pub(crate) fn circle(center: Point, radius: f64, from_rad: f64, sweep_rad: f64) -> Self {
+        let across = Vec2::new(radius, 0.0);
+        Self::ellipse(center, across, Vec2::new(0.0, radius), from_rad, sweep_rad)
+    }
+
+    pub(crate) fn ellipse(
+        center: Point,
+        across: Vec2,
+        along: Vec2,
+        from_rad: f64,
+        sweep_rad: f64,
+    ) -> Self {
+        let at = |t: f64| center + across * t.cos() + along * t.sin();
+        let is_whole = sweep_rad.abs() >= std::f64::consts::TAU;
+        let start = at(from_rad);
+        Self {
+            center,
+            across,
+            along,
+            from_rad,
+            sweep_rad,
+            growth: 1.0,
+            start,
+            end: if is_whole {
+                start
+            } else {
+                at(from_rad + sweep_rad)
+            },
+        }
+    }
+
+    /// About a center from a point by an angle to another point, which may be a little nearer or
+    /// farther.
+    pub(crate) fn between(center: Point, start: Point, sweep_rad: f64, end: Point) -> Self {
+        let out = start - center;
+        let radius = out.length();
+        Self {
+            growth: end.distance(center) / radius,
+            start,
+            end,
+            ..Self::circle(center, radius, out.atan2(), sweep_rad)
+        }
+    }
+
+    pub(crate) fn at(&self, share: f64) -> Point {
+        let (sin, cos) = (self.from_rad + self.sweep_rad * share).sin_cos();
+        let size = 1.0 + (self.growth - 1.0) * share;
+        self.center + (self.across * cos + self.along * sin) * size
+    }
+
+    /// How many chords stay within the tolerance, a whole number from 1 up.
+    ///
+    /// A chord over the angle `a` leaves its circle by `r (1 - cos(a / 2))`; an ellipse is a circle
+    /// of its larger radius, flattened.
+    pub(crate) fn chords(&self, tolerance: f64) -> f64 {
+        let radius = self.across.length().max(self.along.length()) * self.growth.max(1.0);
+        let share = (tolerance / (2.0 * radius)).sqrt().min(1.0);
+        let most_rad = (4.0 * share.asin()).min(std::f64::consts::FRAC_PI_2);
+        (self.sweep_rad.abs() / most_rad).ceil().max(1.0)
+    }
+}
+
+/// What sums of rounded ways may leave between two points that are the same.
+pub(crate) const SAME_MM: f64 = 1e-6;

@@ -1,0 +1,87 @@
+//! Places in the text of a file, and what stands there.
+
+use std::fmt;
+
+/// A place in a text file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// From 1.
+    pub line: u32,
+    /// In characters, from 1.
+    pub column: u32,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
+}
+
+impl Place {
+    pub(crate) fn new(line: usize, column: usize) -> Self {
+        let [line, column] = [line, column].map(|it| u32::try_from(it).unwrap_or(u32::MAX));
+        Self { line, column }
+    }
+}
+
+impl From<usvg::roxmltree::TextPos> for Place {
+    fn from(at: usvg::roxmltree::TextPos) -> Self {
+        Self {
+            line: at.row,
+            column: at.col,
+        }
+    }
+}
+
+/// Line and column of an offset into a text.
+pub(crate) fn place(text: &[u8], at: usize) -> Place {
+    let before = &text[..at.min(text.len())];
+    let lines = before.split(|&byte| byte == b'\n');
+    let (count, last) = lines.fold((0, before), |(count, _), line| (count + 1, line));
+    // The second and further bytes of a character are no columns.
+    let columns = last.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
+    Place::new(count, columns)
+}
+
+/// Where a text begins: behind the mark that some programs put before UTF-8.
+pub(crate) fn beginning(text: &[u8]) -> usize {
+    let mark = "\u{FEFF}".as_bytes();
+    if text.starts_with(mark) {
+        mark.len()
+    } else {
+        0
+    }
+}
+
+/// What stands in a text from there on, shortened, in quotes; its end where there is no more.
+pub(crate) fn excerpt(text: &[u8], at: usize) -> String {
+    let rest = text.get(at..).unwrap_or_default();
+    let line = rest.split(|byte| b"\r\n".contains(byte)).next();
+    let line = line.unwrap_or_default();
+    match (rest.is_empty(), line.is_empty()) {
+        (true, _) => "the end of the file".to_owned(),
+        (_, true) => "the end of the line".to_owned(),
+        _ => format!("{:?}", shortened(&String::from_utf8_lossy(line))),
+    }
+}
+
+pub(crate) fn shortened(text: &str) -> String {
+    match text.char_indices().nth(20) {
+        Some((end, _)) => format!("{}..", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// A text from a file as it may stand in a message: on one line, and without what would steer a
+/// terminal.
+pub(crate) fn printable(text: &str) -> String {
+    let mut printable = String::with_capacity(text.len());
+    for character in text.chars() {
+        if character.is_control() {
+            printable.extend(character.escape_debug());
+        } else {
+            printable.push(character);
+        }
+    }
+    printable
+}

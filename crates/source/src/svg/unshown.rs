@@ -1,0 +1,67 @@
+//! What a pen does not show as a browser does.
+
+use crate::warning::Warning;
+
+/// What a pen does not show as a browser does, counted by kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unshown {
+    /// What it is.
+    pub(crate) kind: WarningKind,
+    /// How many of it.
+    pub(crate) count: usize,
+}
+
+impl From<Unshown> for Warning {
+    fn from(Unshown { kind, count }: Unshown) -> Self {
+        let (what, instead) = kind.words();
+        Self::new(what, instead, count)
+    }
+}
+
+/// What a pen cannot draw, or not yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum WarningKind {
+    /// A bitmap or another file.
+    Image,
+    /// A mask.
+    Mask,
+    /// A filter, such as a blur.
+    Filter,
+    /// A gradient as paint.
+    Gradient,
+    /// A pattern as paint.
+    Pattern,
+    /// A shape filled with white and without a line.
+    Paper,
+    /// A fill that crosses itself too often to be clipped.
+    Entangled,
+    /// A piece of text and no font at all.
+    TextWithoutFont,
+    /// A character that no font has.
+    MissingGlyph,
+}
+
+impl WarningKind {
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Image => ("image", "left out; trace it to paths to draw it"),
+            Self::Mask => ("mask", "ignored, what it hides is drawn"),
+            Self::Filter => ("filter", "ignored, the shape is drawn as it is"),
+            Self::Gradient => ("gradient", "drawn as one colour, that of its first stop"),
+            Self::Pattern => ("pattern", "left out, its area is drawn as one"),
+            Self::Paper => ("white shape", "left out, white is the paper"),
+            Self::Entangled => (
+                "filled shape",
+                "not hatched, it crosses itself too often to be clipped",
+            ),
+            Self::TextWithoutFont => (
+                "text",
+                "left out, no font was found; install a font or convert it to paths",
+            ),
+            Self::MissingGlyph => (
+                "character",
+                "in no font that was found, drawn as the font's box for missing ones",
+            ),
+        }
+    }
+}
