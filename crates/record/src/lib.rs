@@ -29,7 +29,6 @@
 mod about;
 mod chapter;
 mod chunk;
-mod fields;
 mod limits;
 mod moment;
 mod playback;
