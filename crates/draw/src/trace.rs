@@ -10,7 +10,6 @@ use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 
 use crate::ink::{InkLine, point, writes};
-use crate::sample::Sample;
 
 /// A plan as a virtual arm carried it out.
 ///
@@ -23,6 +22,17 @@ pub struct Trace<'a> {
     pub(crate) moments: Vec<Moment>,
     /// For each vector that was carried out, the moment at which it was over.
     pub(crate) ends: Vec<usize>,
+}
+
+/// Where a virtual arm's tool was: once a tick of 20 ms while it moves, and at every corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// When, by the clock of the arm.
+    pub at: Duration,
+    /// Where the tool was.
+    pub position: Position,
+    /// Whether the laser was on, on the way here.
+    pub laser: bool,
 }
 
 /// A sample of a trace.

@@ -1,5 +1,7 @@
 //! Look-ahead: how fast each vector begins and ends, and how long it should take.
 
+use crate::vector::length;
+
 /// One straight vector, as look-ahead sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
@@ -12,6 +14,19 @@ pub struct Run {
     /// The largest speed at the corner behind it in mm/s: infinite, or less where that corner and
     /// those near to it together turn the tool too fast.
     pub corner_mm_s: f64,
+}
+
+impl Run {
+    /// A vector with these increments in mm, which no corner slows down yet.
+    pub(crate) fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
+        let length_mm = length(increments);
+        Self {
+            direction: increments.map(|it| it / length_mm),
+            length_mm,
+            limit_mm_s,
+            corner_mm_s: f64::INFINITY,
+        }
+    }
 }
 
 /// What corners are measured against.

@@ -43,7 +43,7 @@ impl<'a> Planner<'a> {
             paper,
             machine,
             pace: Pace::new(machine),
-            ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
+            ticker: Ticker::of(machine, 0.0),
             here: start,
             landing: Landing::new(machine, tool),
             joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
@@ -98,18 +98,12 @@ impl<'a> Planner<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
         let way = [x_mm, y_mm, z_mm].map(f64::from);
-        let length_mm = length(way);
-        if length_mm < LEAST_VECTOR_MM {
+        if length(way) < LEAST_VECTOR_MM {
             return;
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
-        self.chain.push(Run {
-            direction: way.map(|d| d / length_mm),
-            length_mm,
-            limit_mm_s,
-            corner_mm_s: f64::INFINITY,
-        });
+        self.chain.push(Run::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
             x_mm,
             y_mm,

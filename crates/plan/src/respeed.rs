@@ -43,18 +43,14 @@ pub fn respeed(
     share: f64,
     machine: &Machine,
 ) -> Vec<WriteVector> {
-    let Begin {
-        speed_mm_s,
-        position,
-        tool,
-    } = *begin;
+    let position = begin.position;
     let mut respeeding = Respeeding {
         machine,
         share,
-        speed_mm_s,
+        speed_mm_s: begin.speed_mm_s,
         here: [position.x.0, position.y.0, position.z.0],
-        joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach().0),
-        ticker: machine.has_ticks.then(|| Ticker::new(machine, speed_mm_s)),
+        joints: JointSpeeds::new(machine.joint_speed_deg_s, begin.tool.reach().0),
+        ticker: Ticker::of(machine, begin.speed_mm_s),
     };
     vectors
         .split_inclusive(|it| it.end_speed_mm_s == 0.0)
@@ -66,11 +62,8 @@ pub fn respeed(
 /// a vector at another speed than it says, and begins the next one with that (note N48).
 #[must_use]
 pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
-    if machine.has_ticks {
-        Ticker::new(machine, begin_speed_mm_s).run(vector).end_mm_s
-    } else {
-        vector.end_speed_mm_s
-    }
+    let ticker = Ticker::of(machine, begin_speed_mm_s);
+    ticker.map_or(vector.end_speed_mm_s, |mut it| it.run(vector).end_mm_s)
 }
 
 struct Respeeding<'a> {
@@ -131,7 +124,7 @@ impl Respeeding<'_> {
         for vector in chain {
             let way = way(vector);
             let wanted_mm_s = self.share * f64::from(vector.max_speed_mm_s);
-            runs.push(run(way, self.joints.cap(here, way, wanted_mm_s)));
+            runs.push(Run::of(way, self.joints.cap(here, way, wanted_mm_s)));
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
         let mut pace = Pace::new(self.machine);
@@ -156,16 +149,6 @@ fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
         [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
     };
     chain.iter().map(scaled).collect()
-}
-
-fn run(way: [f64; 3], limit_mm_s: f64) -> Run {
-    let length_mm = length(way);
-    Run {
-        direction: way.map(|part| part / length_mm),
-        length_mm,
-        limit_mm_s,
-        corner_mm_s: f64::INFINITY,
-    }
 }
 
 fn way(vector: &WriteVector) -> [f64; 3] {

@@ -32,6 +32,11 @@ impl Ticker {
         }
     }
 
+    /// The ticks of a machine that has some.
+    pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
+        machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
+    }
+
     /// Gives a vector the speeds with which a stock arm comes nearest to these, and tells how it runs
     /// it then.
     pub(super) fn set(&mut self, vector: &mut PlannedVector, speeds: Speeds, over: f64) -> Cut {

@@ -135,7 +135,7 @@ impl Asked {
             },
             ..self.settings.clone()
         };
-        let tool = end_effector(settings.tool);
+        let tool = settings.tool.end_effector();
         let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
             Drawable::Source(source) => prepare(source, &settings, reachable),
@@ -161,10 +161,8 @@ impl Asked {
 fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
     let burns = options.laser.is_some();
     let name = options.laser.as_ref().unwrap_or(&options.pen);
-    let is_of_kind = |name: &String| {
-        let material = materials.get(name);
-        material.is_ok_and(|it| matches!(it.tool, Tool::Laser(_)) == burns)
-    };
+    let burns_too = |it: &Material| it.tool.burns() == burns;
+    let is_of_kind = |name: &String| materials.get(name).is_ok_and(burns_too);
     materials.get(name).copied().map_err(|mut unknown| {
         unknown.known.retain(is_of_kind);
         unknown
@@ -259,14 +257,6 @@ fn shading(options: &Options) -> Shading {
         invert: what.invert,
         seed: options.way.seed,
         ..shading
-    }
-}
-
-/// What the arm carries: the laser is nearer to it than the pen.
-const fn end_effector(tool: Tool) -> dobot_arm::Tool {
-    match tool {
-        Tool::Pen(_) => dobot_arm::Tool::SuctionCup,
-        Tool::Laser(_) => dobot_arm::Tool::Laser,
     }
 }
 
