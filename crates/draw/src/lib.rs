@@ -50,7 +50,7 @@ mod timeline;
 mod trace;
 
 pub use card::{Card, CardError};
-pub use clip::{Clipped, clip_to_area, clip_to_reach};
+pub use clip::{Clipped, clip_to_reach};
 pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};

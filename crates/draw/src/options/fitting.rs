@@ -16,13 +16,13 @@ pub(super) fn check(
     let kind = Kind::of(source);
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, fit)| *given && !fit.kinds().contains(&kind));
-    let Some((option, _, fit)) = misfit else {
+        .find(|(_, given, Fit(kinds, _))| *given && !kinds.contains(&kind));
+    let Some((option, _, Fit(_, fits))) = misfit else {
         return Ok(());
     };
     Err(OptionsError::Misfit {
         option,
-        fits: fit.told(),
+        fits,
         is: match kind {
             Kind::Lines => format!("{title} is a file of lines"),
             Kind::Picture => format!("{title} is a picture"),
@@ -39,16 +39,13 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
         ("--paper", &options.place.paper, 9),
     ];
     for (option, numbers, allowed) in places {
-        match numbers {
-            Some(numbers) if numbers.len() != allowed => {
-                let found = numbers.len();
-                return Err(OptionsError::Count {
-                    option,
-                    found,
-                    allowed,
-                });
-            }
-            _ => {}
+        let found = numbers.as_ref().map_or(allowed, Vec::len);
+        if found != allowed {
+            return Err(OptionsError::Count {
+                option,
+                found,
+                allowed,
+            });
         }
     }
     Ok(())
@@ -63,49 +60,28 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         way,
     } = options;
     let defaults = Options::default();
-    let given_tries = way.tries != defaults.way.tries;
+    let by_pen = tool.pen != defaults.tool.pen;
+    let by_laser = tool.laser.is_some();
+    let tries = way.tries != defaults.way.tries;
+    let touched = place.paper.is_some();
     let exclusive = [
         ("--text", what.text.is_some(), "--card", what.card.is_some()),
         ("--fit", place.fit, "--scale", place.scale.is_some()),
-        (
-            "--pen-down",
-            place.pen_down.is_some(),
-            "--paper",
-            place.paper.is_some(),
-        ),
-        (
-            "--pen",
-            tool.pen != defaults.tool.pen,
-            "--laser",
-            tool.laser.is_some(),
-        ),
-        ("--keep-order", way.keep_order, "--tries", given_tries),
+        ("--pen-down", place.pen_down.is_some(), "--paper", touched),
+        ("--pen", by_pen, "--laser", by_laser),
+        ("--keep-order", way.keep_order, "--tries", tries),
     ];
     if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
         return Err(OptionsError::Both { option, other });
     }
     let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let dependent = [
-        (
-            "--layer",
-            !what.layer.is_empty(),
-            "--layers",
-            what.layers.is_some(),
-        ),
-        (
-            "--only",
-            !what.only.is_empty(),
-            "--layers",
-            what.layers.is_some(),
-        ),
-        ("--hatch-angle", turned, "--hatch", what.hatch.is_some()),
-        ("--cross", what.cross, "--hatch", what.hatch.is_some()),
-        (
-            "--passes",
-            tool.passes.is_some(),
-            "--laser",
-            tool.laser.is_some(),
-        ),
+        ("--layer", !what.layer.is_empty(), "--layers", layered),
+        ("--only", !what.only.is_empty(), "--layers", layered),
+        ("--hatch-angle", turned, "--hatch", hatched),
+        ("--cross", what.cross, "--hatch", hatched),
+        ("--passes", tool.passes.is_some(), "--laser", by_laser),
     ];
     match dependent.into_iter().find(|it| it.1 && !it.3) {
         Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
@@ -134,40 +110,21 @@ impl Kind {
     }
 }
 
-/// What an option is for.
-#[derive(Clone, Copy)]
-enum Fit {
-    Pictures,
-    Texts,
-    Cards,
-    Areas,
-    Layers,
-    Drawings,
-}
+/// What an option is for: the kinds of sources, and how a person calls them.
+struct Fit(&'static [Kind], &'static str);
 
-impl Fit {
-    const fn kinds(self) -> &'static [Kind] {
-        match self {
-            Self::Pictures => &[Kind::Picture],
-            Self::Texts => &[Kind::Text],
-            Self::Cards => &[Kind::Card],
-            Self::Areas => &[Kind::Lines, Kind::Text],
-            Self::Layers => &[Kind::Lines],
-            Self::Drawings => &[Kind::Lines, Kind::Picture, Kind::Text],
-        }
-    }
-
-    const fn told(self) -> &'static str {
-        match self {
-            Self::Pictures => "PNG and JPEG pictures",
-            Self::Texts => "the letters of --text",
-            Self::Cards => "the test card of --card",
-            Self::Areas => "the areas of drawings and texts (`--shade hatch` is for pictures)",
-            Self::Layers => "the layers of drawings",
-            Self::Drawings => "drawings, pictures and texts",
-        }
-    }
-}
+const PICTURES: Fit = Fit(&[Kind::Picture], "PNG and JPEG pictures");
+const TEXTS: Fit = Fit(&[Kind::Text], "the letters of --text");
+const CARDS: Fit = Fit(&[Kind::Card], "the test card of --card");
+const AREAS: Fit = Fit(
+    &[Kind::Lines, Kind::Text],
+    "the areas of drawings and texts (`--shade hatch` is for pictures)",
+);
+const LAYERS: Fit = Fit(&[Kind::Lines], "the layers of drawings");
+const DRAWINGS: Fit = Fit(
+    &[Kind::Lines, Kind::Picture, Kind::Text],
+    "drawings, pictures and texts",
+);
 
 /// Each option, whether it was given, and what it is for. What a material sets is no option.
 fn given(options: &Options) -> [(&'static str, bool, Fit); 16] {
@@ -175,22 +132,22 @@ fn given(options: &Options) -> [(&'static str, bool, Fit); 16] {
         what, place, tool, ..
     } = options;
     [
-        ("--shade", what.shade.is_some(), Fit::Pictures),
-        ("--spacing", what.spacing.is_some(), Fit::Pictures),
-        ("--invert", what.invert, Fit::Pictures),
-        ("--font", what.font.is_some(), Fit::Texts),
-        ("--height", what.height.is_some(), Fit::Texts),
-        ("--align", what.align.is_some(), Fit::Texts),
-        ("--card-passes", what.card_passes.is_some(), Fit::Cards),
-        ("--hatch", what.hatch.is_some(), Fit::Areas),
-        ("--layers", what.layers.is_some(), Fit::Layers),
-        ("--fit", place.fit, Fit::Drawings),
-        ("--scale", place.scale.is_some(), Fit::Drawings),
-        ("--rotate", place.rotate != 0.0, Fit::Drawings),
-        ("--margin", place.margin != 0.0, Fit::Drawings),
-        ("--clip", place.clip, Fit::Drawings),
-        ("--speed", tool.speed.is_some(), Fit::Drawings),
-        ("--passes", tool.passes.is_some(), Fit::Drawings),
+        ("--shade", what.shade.is_some(), PICTURES),
+        ("--spacing", what.spacing.is_some(), PICTURES),
+        ("--invert", what.invert, PICTURES),
+        ("--font", what.font.is_some(), TEXTS),
+        ("--height", what.height.is_some(), TEXTS),
+        ("--align", what.align.is_some(), TEXTS),
+        ("--card-passes", what.card_passes.is_some(), CARDS),
+        ("--hatch", what.hatch.is_some(), AREAS),
+        ("--layers", what.layers.is_some(), LAYERS),
+        ("--fit", place.fit, DRAWINGS),
+        ("--scale", place.scale.is_some(), DRAWINGS),
+        ("--rotate", place.rotate != 0.0, DRAWINGS),
+        ("--margin", place.margin != 0.0, DRAWINGS),
+        ("--clip", place.clip, DRAWINGS),
+        ("--speed", tool.speed.is_some(), DRAWINGS),
+        ("--passes", tool.passes.is_some(), DRAWINGS),
     ]
 }
 
