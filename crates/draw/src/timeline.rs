@@ -3,7 +3,6 @@
 mod thin;
 
 use dobot_arm::TICK_S;
-use dobot_plan::MoveKind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -118,7 +117,7 @@ impl Trace<'_> {
         for (vector, &end) in self.plan.moves.iter().zip(&self.ends) {
             let what = (vector.kind, vector.stroke);
             if last.replace(what) != Some(what) {
-                moves.kind.push(number(vector.kind));
+                moves.kind.push(vector.kind as u8);
                 moves.pass.push(vector.pass);
                 moves.stroke.push(vector.stroke);
                 moves.from_s.push(rounded(from_s, MILLI));
@@ -163,19 +162,7 @@ fn rounded(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts + 0.0
 }
 
-const fn number(kind: MoveKind) -> u8 {
-    match kind {
-        MoveKind::Travel => 0,
-        MoveKind::Lower => 1,
-        MoveKind::Draw => 2,
-        MoveKind::Lift => 3,
-        MoveKind::RunUp => 4,
-        MoveKind::Burn => 5,
-        MoveKind::RunOut => 6,
-        MoveKind::Brake => 7,
-    }
-}
-
+/// In the order of [`MoveKind`](dobot_plan::MoveKind).
 const KINDS: [&str; 8] = [
     "travel", "lower", "draw", "lift", "run-up", "burn", "run-out", "brake",
 ];

@@ -55,12 +55,8 @@ impl Pace {
         chain: &'a mut [Run],
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        if self.period_s > 0.0 {
-            self.lower_to_link(chain);
-            self.plan_with_link(chain);
-        } else {
-            self.plan_without_link(chain);
-        }
+        self.lower_to_link(chain);
+        self.plan_with_link(chain);
         (0..chain.len()).map(|i| self.speeds(chain, i))
     }
 
@@ -78,6 +74,7 @@ impl Pace {
         }
     }
 
+    /// Without a link every vector is there in no time, and nothing has to wait.
     fn plan_with_link(&mut self, chain: &mut [Run]) {
         for _ in 0..ROUNDS {
             self.plan_motion(chain);
@@ -96,16 +93,6 @@ impl Pace {
         self.wait_for_link(chain);
     }
 
-    fn plan_without_link(&mut self, chain: &mut [Run]) {
-        for _ in 0..ROUNDS {
-            self.plan_motion(chain);
-            if !self.ease_corners(chain) {
-                return;
-            }
-        }
-        self.plan_motion(chain);
-    }
-
     /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
     /// may: several corners may lie within the time over which that is measured. Whether any had
     /// to be eased.
@@ -115,15 +102,11 @@ impl Pace {
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
-        let mut shares = vec![1.0_f64; chain.len()];
-        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
-        Seen::new(chain, &speeds, a).too_much(LEAST_SHARE, note);
-        let mut eased = false;
-        for (corner, share) in shares.into_iter().enumerate().filter(|it| it.1 < 1.0) {
+        let shares = Seen::new(chain, &speeds, a).shares(LEAST_SHARE);
+        for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share;
-            eased = true;
         }
-        eased
+        shares.iter().any(|it| *it < 1.0)
     }
 
     fn plan_motion(&mut self, chain: &[Run]) {

@@ -163,14 +163,11 @@ impl Planner<'_> {
             let cut = ticker.set(vector, speeds[i], over[i]);
             ticks.push(&self.chain[i], &cut);
         }
-        let mut shares = vec![1.0_f64; self.chain.len()];
-        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
-        ticks.too_much(self.machine.acceleration_mm_s2, LEAST_SHARE, note);
         Attempt {
             pace,
             ticker,
             speeds,
-            shares,
+            shares: ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE),
         }
     }
 

@@ -35,21 +35,24 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// Calls `found` with a corner, by the number of the vector before it, and the share of the
-    /// acceleration seen there that is allowed, wherever that share is below `least`.
+    /// For each vector the share that is allowed of the acceleration seen at the corner behind it; 1
+    /// where the share is not below `least`.
     ///
     /// It is looked at each corner, and around it as far as the corner is seen.
-    pub(super) fn too_much(&self, least: f64, mut found: impl FnMut(usize, f64)) {
+    pub(super) fn shares(&self, least: f64) -> Vec<f64> {
+        let mut shares = vec![1.0_f64; self.chain.len()];
         for corner in 1..self.chain.len() {
             let at_s = self.begins[corner].0;
             for share_of_window in AROUND {
                 let t_s = at_s + share_of_window * WINDOW_S;
                 let share = self.acceleration_mm_s2 / self.acceleration(t_s, corner);
                 if share < least {
-                    found(self.nearest(t_s, corner) - 1, share);
+                    let seen = &mut shares[self.nearest(t_s, corner) - 1];
+                    *seen = seen.min(share);
                 }
             }
         }
+        shares
     }
 
     /// The acceleration seen at a moment, in mm/s2.
@@ -123,13 +126,9 @@ impl Ticks {
         self.ends.push(self.places.len() - 1);
     }
 
-    /// As [`Seen::too_much`]. The tool stands before the chain and behind it.
-    pub(super) fn too_much(
-        &self,
-        acceleration_mm_s2: f64,
-        least: f64,
-        mut found: impl FnMut(usize, f64),
-    ) {
+    /// As [`Seen::shares`]. The tool stands before the chain and behind it.
+    pub(super) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
+        let mut shares = vec![1.0_f64; self.ends.len()];
         let allowed_mm = acceleration_mm_s2 * WINDOW_S * WINDOW_S;
         let last = self.places.len() - 1;
         let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
@@ -141,11 +140,12 @@ impl Ticks {
             }
             let before = self.places[tick.saturating_sub(WINDOW_TICKS)];
             let after = self.places[(tick + WINDOW_TICKS).min(last)];
-            let seen_mm = second_difference(before, self.places[tick], after);
-            if allowed_mm / seen_mm < least {
-                found(corner, allowed_mm / seen_mm);
+            let share = allowed_mm / second_difference(before, self.places[tick], after);
+            if share < least {
+                shares[corner] = shares[corner].min(share);
             }
         }
+        shares
     }
 }
 

@@ -51,8 +51,7 @@ impl Wish {
         let mut best = None;
         self.try_slower(stored_mm_s, &mut best);
         self.try_faster(stored_mm_s, &mut best);
-        let slow = || self.crawl(stored_mm_s);
-        best.unwrap_or_else(slow)
+        best.unwrap_or_else(|| self.crawl(stored_mm_s))
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
@@ -91,34 +90,23 @@ impl Wish {
             for down in downs.clone() {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
-                    self.consider(
-                        stored_mm_s,
-                        max - (f32::from(down) - NEAR) * change,
-                        max,
-                        best,
-                    );
+                    let end = max - (f32::from(down) - NEAR) * change;
+                    self.consider(stored_mm_s, end, max, best);
                 }
             }
         }
     }
 
     fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<Fit>) {
-        let least = if self.rests { 0.0 } else { LEAST_END_MM_S };
         let end_mm_s = if self.rests {
             0.0
         } else {
-            end_mm_s.min(max_mm_s).max(least)
+            end_mm_s.min(max_mm_s).max(LEAST_END_MM_S)
         };
         if max_mm_s < LEAST_END_MM_S {
             return;
         }
-        let cut = Cut::of(
-            self.length_mm,
-            stored_mm_s,
-            end_mm_s,
-            max_mm_s,
-            self.acceleration_mm_s2,
-        );
+        let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
         if !cut.is_true() || cut.ticks() < self.least_ticks {
             return;
         }
@@ -138,11 +126,8 @@ impl Wish {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let late = f64::from(cut.ticks()) - self.ticks;
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
-        let first = if cut.counts[0] == 0 && cut.counts[1] == 0 {
-            cut.first_mm_s - cut.change_mm_s
-        } else {
-            cut.first_mm_s
-        };
+        let brakes = cut.counts[0] == 0 && cut.counts[1] == 0;
+        let first = cut.first_mm_s - if brakes { cut.change_mm_s } else { 0.0 };
         let jump = steps(f64::from(first - stored_mm_s)).abs();
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
@@ -167,19 +152,24 @@ impl Wish {
             }
         }
         let max_mm_s = single(self.speeds.limit_mm_s);
-        let cut = Cut::of(
-            self.length_mm,
-            stored_mm_s,
-            0.0,
-            max_mm_s,
-            self.acceleration_mm_s2,
-        );
         Fit {
             end_mm_s: 0.0,
             max_mm_s,
-            cut,
+            cut: self.cut(stored_mm_s, 0.0, max_mm_s),
             cost: f64::INFINITY,
         }
+    }
+
+    /// What becomes of the vector with these speeds.
+    fn cut(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32) -> Cut {
+        let (length_mm, acceleration_mm_s2) = (self.length_mm, self.acceleration_mm_s2);
+        Cut::of(
+            length_mm,
+            stored_mm_s,
+            end_mm_s,
+            max_mm_s,
+            acceleration_mm_s2,
+        )
     }
 }
 

@@ -1,6 +1,7 @@
 //! One MCAP file while it is written.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -70,9 +71,11 @@ impl<W: Write> Chapter<W> {
     /// Writes a message; it is safe from the next [`Chapter::flush`] on.
     pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
         let (cost, index_len) = (self.cost(message), self.index_len);
+        let channel = self.channel(message.topic)?;
+        channel.messages = channel.messages.wrapping_add(1);
         let header = MessageHeader {
-            channel_id: self.channel(message.topic)?,
-            sequence: self.count(message.topic),
+            channel_id: channel.id,
+            sequence: channel.messages,
             log_time: message.at_ns,
             publish_time: message.at_ns,
         };
@@ -142,30 +145,15 @@ impl<W: Write> Chapter<W> {
         (own + channel) / 64 + own + channel + chunk
     }
 
-    fn channel(&mut self, topic: &Topic) -> McapResult<u16> {
-        if let Some(channel) = self.channels.get(topic.name()) {
-            return Ok(channel.id);
+    fn channel(&mut self, topic: &Topic) -> McapResult<&mut Channel> {
+        match self.channels.entry(topic.name().to_owned()) {
+            Entry::Occupied(known) => Ok(known.into_mut()),
+            Entry::Vacant(new) => {
+                let id = topic.add_to(&mut self.writer)?;
+                self.index_len += description_len(topic);
+                Ok(new.insert(Channel { id, messages: 0 }))
+            }
         }
-        let schema = topic.schema().as_bytes();
-        let schema_id = self
-            .writer
-            .add_schema(topic.schema_name(), "jsonschema", schema)?;
-        let id = self
-            .writer
-            .add_channel(schema_id, topic.name(), "json", &BTreeMap::new())?;
-        let channel = Channel { id, messages: 0 };
-        self.channels.insert(topic.name().to_owned(), channel);
-        self.index_len += description_len(topic);
-        Ok(id)
-    }
-
-    /// The number of the next message of a topic.
-    fn count(&mut self, topic: &Topic) -> u32 {
-        let Some(channel) = self.channels.get_mut(topic.name()) else {
-            return 0;
-        };
-        channel.messages = channel.messages.wrapping_add(1);
-        channel.messages
     }
 }
 

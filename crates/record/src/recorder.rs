@@ -73,7 +73,7 @@ impl Recorder {
         start: Timestamp,
     ) -> Result<Self, StartError> {
         limits.check()?;
-        let scribe = Scribe::new(start).ok_or(StartError::Clock { found: start })?;
+        let scribe = Scribe::new(start).ok_or(StartError::Clock(start))?;
         let folder = folder.into();
         let repairs = Repairs::new(folder.clone(), limits);
         let rotation = Rotation::new(folder, limits, start, about, scribe);

@@ -1,6 +1,5 @@
 //! A recording that broke off is written anew, as far as it can be read.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufWriter, Seek, Write};
@@ -176,9 +175,7 @@ impl Repair {
         let channel_id = if let Some(id) = self.recorder {
             id
         } else {
-            let schema = topic.schema().as_bytes();
-            let schema_id = writer.add_schema(topic.schema_name(), "jsonschema", schema)?;
-            writer.add_channel(schema_id, RECORDER, "json", &BTreeMap::new())?
+            topic.add_to(writer)?
         };
         let start_ns = self.start_ns.unwrap_or_default();
         let at_ns = self.last_ns.max(start_ns);

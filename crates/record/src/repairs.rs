@@ -77,16 +77,13 @@ impl Repairs {
 
     /// Begins to repair a file; there is room for the new one beside it, and for one that is recorded.
     fn begin(&self, file: &Shelved) -> Option<Repair> {
-        let Limits {
-            file_bytes,
-            total_bytes,
-        } = self.limits;
-        let most = (2 * file.bytes + LEAST_BYTES).min(file_bytes.max(file.bytes));
-        let room = file_bytes + most;
-        if room + file.bytes > total_bytes {
+        let limits = self.limits;
+        let most = (2 * file.bytes + LEAST_BYTES).min(limits.file_bytes.max(file.bytes));
+        let room = limits.file_bytes + most;
+        if room + file.bytes > limits.total_bytes {
             return None;
         }
-        shelf::make_room(&self.folder, room, total_bytes).ok()?;
+        shelf::make_room(&self.folder, room, limits.total_bytes).ok()?;
         Repair::begin(&file.path, most).ok()?
     }
 }

@@ -1,8 +1,10 @@
 //! Topics: what messages of one kind are called, and what they look like.
 
-use serde_json::Value;
+use std::collections::BTreeMap;
+use std::io::{Seek, Write};
 
-use crate::schema;
+use mcap::{McapResult, Writer};
+use serde_json::Value;
 
 /// Where bytes to the arm are recorded.
 pub const TO_ARM: &str = "/wire/to_arm";
@@ -22,6 +24,9 @@ pub const TRANSFORM: &str = "/tf";
 
 /// What the recorder has to say about itself: records that it lost, and why.
 pub const RECORDER: &str = "/recorder";
+
+/// The topics that the recorder writes itself.
+pub(crate) const OWN: [&str; 6] = [TO_ARM, FROM_ARM, POSE, JOINTS, TRANSFORM, RECORDER];
 
 /// A topic: messages of one kind, JSON objects with a JSON Schema.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +52,7 @@ impl Topic {
         if !name.starts_with('/') || name.len() > NAME_LEN || schema_name.len() > NAME_LEN {
             return Err(TopicError::Name { found: found() });
         }
-        if schema::own(name).is_some() {
+        if OWN.contains(&name) {
             return Err(TopicError::Taken { found: found() });
         }
         if schema.get("type").and_then(Value::as_str) != Some("object") {
@@ -82,6 +87,13 @@ impl Topic {
     /// The schema, as text.
     pub(crate) const fn schema(&self) -> &str {
         self.schema.as_str()
+    }
+
+    /// Adds its schema and a channel for it to a file; gives the channel's number.
+    pub(crate) fn add_to<W: Write + Seek>(&self, writer: &mut Writer<W>) -> McapResult<u16> {
+        let schema = self.schema.as_bytes();
+        let schema_id = writer.add_schema(&self.schema_name, "jsonschema", schema)?;
+        writer.add_channel(schema_id, &self.name, "json", &BTreeMap::new())
     }
 
     /// One of the recorder's own.

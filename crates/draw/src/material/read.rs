@@ -14,7 +14,12 @@ pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, Materi
         line: line_at(text, error.span().map_or(0, |span| span.start)),
         reason: error.message().trim().replace('\n', ", "),
     })?;
-    let root = Table::new(text, String::new(), document.get_ref(), 0);
+    let root = Table {
+        text,
+        name: String::new(),
+        keys: document.get_ref(),
+        line: 0,
+    };
     root.knows(&["materials"])?;
     let Some(all) = root.table("materials")? else {
         return Ok(BTreeMap::new());
@@ -95,15 +100,6 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    const fn new(text: &'a str, name: String, keys: &'a DeTable<'a>, line: usize) -> Self {
-        Self {
-            text,
-            name,
-            keys,
-            line,
-        }
-    }
-
     /// Refuses a key that is not one of these.
     fn knows(&self, allowed: &[&'static str]) -> Result<(), MaterialError> {
         let known = |key: &str| allowed.contains(&key);
@@ -121,15 +117,15 @@ impl<'a> Table<'a> {
     }
 
     fn table(&self, key: &str) -> Result<Option<Self>, MaterialError> {
-        let Some(value) = self.value(key) else {
-            return Ok(None);
-        };
-        match value.get_ref() {
-            DeValue::Table(keys) => {
-                let line = self.line_of(key);
-                Ok(Some(Self::new(self.text, self.path(key), keys, line)))
-            }
-            _ => Err(self.kind(key, "a table")),
+        match self.value(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::Table(keys)) => Ok(Some(Self {
+                text: self.text,
+                name: self.path(key),
+                keys,
+                line: self.line_of(key),
+            })),
+            Some(_) => Err(self.kind(key, "a table")),
         }
     }
 
