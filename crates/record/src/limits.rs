@@ -41,8 +41,8 @@ impl Default for Limits {
     }
 }
 
-/// Why a recorder could not be started. A folder that cannot be written is none of the reasons: that
-/// may change, and [`Recorder::health`](crate::Recorder::health) tells.
+/// Why a recorder could not be started. A folder that cannot be written is not among the reasons: that
+/// may change, and [`Recorder::health`](crate::Recorder::health) says so.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StartError {

@@ -28,7 +28,7 @@ pub struct Recording {
     about: Option<About>,
     /// Nanoseconds since 1970 when the times begin.
     start_ns: Option<u64>,
-    channels: HashMap<u16, Channel>,
+    channels: HashMap<u16, ReadChannel>,
     /// What came again and again, and was not given out yet.
     repeats: Box<dyn Iterator<Item = Moment> + Send>,
     last: Option<Duration>,
@@ -43,13 +43,13 @@ pub enum OpenError {
     /// It cannot be opened.
     #[error("cannot read it")]
     Io(#[from] io::Error),
-    /// It is something else.
+    /// It is not an MCAP file.
     #[error("it is no recording: it does not begin as an MCAP file does")]
     NotMcap,
 }
 
 #[derive(Clone, Debug)]
-struct Channel {
+struct ReadChannel {
     topic: Arc<str>,
     is_json: bool,
 }
@@ -137,11 +137,11 @@ impl Recording {
                 "the name of a topic has {name_len} bytes; allowed are {NAME_LEN}"
             ));
         }
-        let told = Channel {
+        let read = ReadChannel {
             topic: channel.topic.into(),
             is_json: channel.message_encoding == "json",
         };
-        self.channels.insert(channel.id, told);
+        self.channels.insert(channel.id, read);
         Ok(())
     }
 
@@ -204,7 +204,7 @@ impl fmt::Debug for Recording {
     }
 }
 
-impl Channel {
+impl ReadChannel {
     /// The packets that a message of bytes from the arm tells, if it is of more than one.
     fn repeats(
         &self,

@@ -8,9 +8,9 @@ use std::time::Duration;
 use jiff::Timestamp;
 use mcap::McapError;
 
-use crate::chapter::Chapter;
-use crate::scribe::{Message, Scribe};
-use crate::{About, Health, Limits, Record, shelf};
+use crate::encoder::{Encoder, Message};
+use crate::file_writer::FileWriter;
+use crate::{About, Health, Limits, Record, folder};
 
 /// Keeps recordings in a folder. It has no clock: time comes with the records.
 #[derive(Debug)]
@@ -19,25 +19,25 @@ pub(crate) struct Rotation {
     limits: Limits,
     start: Timestamp,
     about: About,
-    scribe: Scribe,
-    open: Option<Open>,
-    trouble: Option<Trouble>,
+    encoder: Encoder,
+    open: Option<OpenFile>,
+    trouble: Option<Failure>,
     /// The time of the latest record.
     now: Duration,
     /// Records lost for good.
     lost: u64,
     /// Records lost that no file tells of yet.
-    untold: u64,
-    why_untold: String,
+    unreported: u64,
+    why_unreported: String,
     /// Records that no message tells yet.
     held: u64,
 }
 
 /// The file that is written.
 #[derive(Debug)]
-struct Open {
+struct OpenFile {
     path: PathBuf,
-    chapter: Chapter<BufWriter<File>>,
+    writer: FileWriter<BufWriter<File>>,
     /// The same file, to make it safe from a power cut.
     file: File,
     synced: Duration,
@@ -49,7 +49,7 @@ struct Open {
 
 /// Why nothing can be recorded now.
 #[derive(Debug)]
-struct Trouble {
+struct Failure {
     reason: String,
     retry: Duration,
 }
@@ -61,10 +61,10 @@ impl Rotation {
         limits: Limits,
         start: Timestamp,
         about: About,
-        mut scribe: Scribe,
+        mut encoder: Encoder,
     ) -> Self {
-        scribe.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
-        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Trouble {
+        encoder.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
+        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Failure {
             reason: format!("cannot make the folder {}: {error}", folder.display()),
             retry: Duration::ZERO,
         });
@@ -73,13 +73,13 @@ impl Rotation {
             limits,
             start,
             about,
-            scribe,
+            encoder,
             open: None,
             trouble,
             now: Duration::ZERO,
             lost: 0,
-            untold: 0,
-            why_untold: String::new(),
+            unreported: 0,
+            why_unreported: String::new(),
             held: 0,
         }
     }
@@ -90,13 +90,13 @@ impl Rotation {
         if let Record::About(about) = record {
             self.write_held();
             self.about = (**about).clone();
-            let told = self.tell();
-            self.judge(told);
+            let done = self.write_about();
+            self.note_result(done);
         }
-        let Some(messages) = self.scribe.write(at, record) else {
-            return self.lose(1, "a time lies centuries ahead");
+        let Some(messages) = self.encoder.write(at, record) else {
+            return self.count_lost(1, "a time lies centuries ahead");
         };
-        if !messages.is_empty() || self.scribe.is_holding() {
+        if !messages.is_empty() || self.encoder.is_holding() {
             self.held += 1;
         }
         self.write_down(at, &messages);
@@ -106,7 +106,7 @@ impl Rotation {
     pub(crate) fn handle_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
             self.write_held();
-            self.lose(count, reason);
+            self.count_lost(count, reason);
         }
     }
 
@@ -117,7 +117,7 @@ impl Rotation {
             Some(open) if open.unsafe_records > 0 => open.flush(),
             _ => return,
         };
-        self.judge(flushed);
+        self.note_result(flushed);
     }
 
     /// Ends the file that is written.
@@ -125,7 +125,7 @@ impl Rotation {
         self.write_held();
         if self.open.is_some() {
             let closed = self.close();
-            self.judge(closed);
+            self.note_result(closed);
         }
     }
 
@@ -139,17 +139,17 @@ impl Rotation {
         }
     }
 
-    fn lose(&mut self, count: u64, reason: &str) {
+    fn count_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
             self.lost += count;
-            self.untold += count;
-            reason.clone_into(&mut self.why_untold);
+            self.unreported += count;
+            reason.clone_into(&mut self.why_unreported);
         }
     }
 
     /// Writes the messages that tell what is held back.
     fn write_held(&mut self) {
-        let messages = self.scribe.write_held();
+        let messages = self.encoder.write_held();
         if !messages.is_empty() {
             self.write_down(self.now, &messages);
         }
@@ -160,21 +160,21 @@ impl Rotation {
     fn write_down(&mut self, at: Duration, messages: &[Message<'_>]) {
         if messages.is_empty() {
             if let Err(error) = self.flush_if_due(at) {
-                self.judge(Err(error));
+                self.note_result(Err(error));
             }
             return;
         }
         let count = std::mem::take(&mut self.held);
         if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
             let reason = trouble.reason.clone();
-            return self.lose(count, &reason);
+            return self.count_lost(count, &reason);
         }
         let written = self.write(at, messages, count);
         let failed = written.is_err();
-        self.judge(written);
+        self.note_result(written);
         if failed {
             let reason = self.health().trouble.unwrap_or_default();
-            self.lose(count, &reason);
+            self.count_lost(count, &reason);
         }
     }
 
@@ -186,15 +186,17 @@ impl Rotation {
         count: u64,
     ) -> Result<(), McapError> {
         for message in messages {
-            self.turn_page(at, message)?;
+            self.ensure_room(at, message)?;
             let Some(open) = &mut self.open else { break };
-            if self.untold > 0
-                && let Some(lost) = self.scribe.write_lost(at, self.untold, &self.why_untold)
+            if self.unreported > 0
+                && let Some(lost) =
+                    self.encoder
+                        .write_lost(at, self.unreported, &self.why_unreported)
             {
-                open.chapter.write(&lost)?;
-                self.untold = 0;
+                open.writer.write(&lost)?;
+                self.unreported = 0;
             }
-            open.chapter.write(message)?;
+            open.writer.write(message)?;
         }
         let flushed = self.flush_if_due(at)?;
         if let Some(open) = &mut self.open {
@@ -206,10 +208,10 @@ impl Rotation {
 
     /// Hands what was written to the file, if that is worth it by now; says whether it was.
     fn flush_if_due(&mut self, at: Duration) -> Result<bool, McapError> {
-        let Some((open, now_ns)) = self.open.as_mut().zip(self.scribe.at_ns(at)) else {
+        let Some((open, now_ns)) = self.open.as_mut().zip(self.encoder.at_ns(at)) else {
             return Ok(false);
         };
-        if !open.chapter.wants_flush(now_ns) {
+        if !open.writer.wants_flush(now_ns) {
             return Ok(false);
         }
         open.flush()?;
@@ -221,18 +223,18 @@ impl Rotation {
     }
 
     /// Sees to it that a file is open that has room for a message.
-    fn turn_page(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
+    fn ensure_room(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
         // What was lost may have to be told first.
         let limit = self.limits.file_bytes.saturating_sub(LOST_LEN);
-        let has_room = |open: &Open| {
-            !open.chapter.is_full_for(message, limit) && open.chapter.has_room_for(message.topic)
+        let has_room = |open: &OpenFile| {
+            !open.writer.is_full_for(message, limit) && open.writer.has_room_for(message.topic)
         };
         if self.open.as_ref().is_some_and(has_room) {
             return Ok(());
         }
         self.close()?;
         let limits = self.limits;
-        shelf::make_room(&self.folder, limits.file_bytes, limits.total_bytes)?;
+        folder::make_room(&self.folder, limits.file_bytes, limits.total_bytes)?;
         self.open = Some(self.begin(at, message.since_ns)?);
         Ok(())
     }
@@ -244,17 +246,17 @@ impl Rotation {
         let count = open.unsafe_records;
         open.finish().inspect_err(|error| {
             let reason = self.text(error);
-            self.lose(count, &reason);
+            self.count_lost(count, &reason);
         })
     }
 
-    fn begin(&self, at: Duration, since_ns: u64) -> Result<Open, McapError> {
+    fn begin(&self, at: Duration, since_ns: u64) -> Result<OpenFile, McapError> {
         let begin = Timestamp::from_nanosecond(since_ns.into()).unwrap_or(self.start);
-        let (path, file) = shelf::create(&self.folder, begin)?;
-        let writer = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
-        let chapter = Chapter::begin(writer, &self.about, self.start);
-        Ok(Open {
-            chapter: chapter.inspect_err(|_| discard(&path))?,
+        let (path, file) = folder::create(&self.folder, begin)?;
+        let buffered = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
+        let writer = FileWriter::begin(buffered, &self.about, self.start);
+        Ok(OpenFile {
+            writer: writer.inspect_err(|_| discard(&path))?,
             path,
             file,
             synced: at,
@@ -264,25 +266,25 @@ impl Rotation {
     }
 
     /// Tells the open file what the recording is of from here on.
-    fn tell(&mut self) -> Result<(), McapError> {
+    fn write_about(&mut self) -> Result<(), McapError> {
         let Some(open) = &mut self.open else {
             return Ok(());
         };
         open.flush()?;
-        open.chapter.tell(&self.about, self.start)
+        open.writer.write_about(&self.about, self.start)
     }
 
     /// After a failure the file is given up, with what was not flushed, and another one is tried
     /// later.
-    fn judge(&mut self, done: Result<(), McapError>) {
-        self.trouble = done.err().map(|error| Trouble {
+    fn note_result(&mut self, done: Result<(), McapError>) {
+        self.trouble = done.err().map(|error| Failure {
             reason: self.text(&error),
             retry: self.now + RETRY,
         });
         if let Some(reason) = self.health().trouble
             && let Some(open) = self.open.take()
         {
-            self.lose(open.unsafe_records, &reason);
+            self.count_lost(open.unsafe_records, &reason);
             if !open.holds_records {
                 discard(&open.path);
             }
@@ -298,17 +300,17 @@ impl Rotation {
     }
 }
 
-impl Open {
+impl OpenFile {
     /// Hands all records to the file.
     fn flush(&mut self) -> Result<(), McapError> {
-        self.chapter.flush()?;
+        self.writer.flush()?;
         self.holds_records |= self.unsafe_records > 0;
         self.unsafe_records = 0;
         Ok(())
     }
 
     fn finish(self) -> Result<(), McapError> {
-        self.chapter.finish()?;
+        self.writer.finish()?;
         self.file.sync_all()?;
         Ok(())
     }

@@ -45,7 +45,7 @@ impl Topic {
     ///
     /// # Errors
     ///
-    /// [`TopicError`] for a name that is none or that is the recorder's own, and for a schema of
+    /// [`TopicError`] for a name that is not allowed or is the recorder's own, and for a schema of
     /// anything but an object.
     pub fn new(name: &str, schema_name: &str, schema: &Value) -> Result<Self, TopicError> {
         let found = || name.to_owned();
@@ -106,11 +106,11 @@ impl Topic {
     }
 }
 
-/// Why something is no topic.
+/// Why a topic is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopicError {
-    /// The name is none.
+    /// The name is not allowed.
     #[error(
         "topic is `{found}`; a name begins with / and it and its schema's have 256 bytes at most"
     )]

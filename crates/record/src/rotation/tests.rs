@@ -12,8 +12,8 @@ const LIMITS: Limits = Limits {
 
 fn rotation(folder: &Path) -> Rotation {
     let start = "2026-11-21T12:30:00Z".parse().unwrap();
-    let scribe = Scribe::new(start).unwrap();
-    Rotation::new(folder.to_owned(), LIMITS, start, About::default(), scribe)
+    let encoder = Encoder::new(start).unwrap();
+    Rotation::new(folder.to_owned(), LIMITS, start, About::default(), encoder)
 }
 
 fn s(seconds: u64) -> Duration {
