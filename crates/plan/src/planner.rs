@@ -2,14 +2,14 @@
 
 use dobot_geometry::{Point, Stroke};
 
+use crate::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::joints::JointSpeeds;
 use crate::landing::Landing;
-use crate::lookahead::Run;
-use crate::pace::{LEAST_SHARE, Pace};
-use crate::seen::Ticks;
+use crate::lookahead::ChainVector;
+use crate::seen::TickPositions;
 use crate::speeds::Speeds;
+use crate::tick_fit::OVER;
 use crate::ticker::Ticker;
-use crate::ticks::OVER;
 use crate::vector::length;
 use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 
@@ -17,7 +17,7 @@ use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 pub(super) struct Planner<'a> {
     paper: &'a Paper,
     pub(super) machine: &'a Machine,
-    pub(super) pace: Pace,
+    pub(super) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
     pub(super) ticker: Option<Ticker>,
     /// Where the vectors so far lead, rounding included.
@@ -29,7 +29,7 @@ pub(super) struct Planner<'a> {
     pub(super) stroke: u32,
     pass: u32,
     /// The runs since the last rest; reused.
-    pub(super) chain: Vec<Run>,
+    pub(super) chain: Vec<ChainVector>,
 }
 
 impl<'a> Planner<'a> {
@@ -42,7 +42,7 @@ impl<'a> Planner<'a> {
         Self {
             paper,
             machine,
-            pace: Pace::new(machine),
+            chain_speeds: ChainSpeeds::new(machine),
             ticker: Ticker::of(machine, 0.0),
             here: start,
             landing: Landing::new(machine, tool),
@@ -103,7 +103,7 @@ impl<'a> Planner<'a> {
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
-        self.chain.push(Run::of(way, limit_mm_s));
+        self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
             x_mm,
             y_mm,
@@ -125,7 +125,7 @@ impl<'a> Planner<'a> {
         if let Some(ticker) = self.ticker.take() {
             self.plan_in_ticks(begin, &ticker);
         } else {
-            let speeds = self.pace.plan(&mut self.chain);
+            let speeds = self.chain_speeds.plan(&mut self.chain);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
@@ -147,7 +147,7 @@ impl Planner<'_> {
         for left in (0..=rounds).rev() {
             let attempt = self.attempt(begin, ticker.clone(), &over);
             if left == 0 || attempt.shares.iter().all(|it| *it >= 1.0) {
-                self.pace = attempt.pace;
+                self.chain_speeds = attempt.chain_speeds;
                 self.ticker = Some(attempt.ticker);
                 return;
             }
@@ -156,15 +156,15 @@ impl Planner<'_> {
     }
 
     fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64]) -> Attempt {
-        let mut pace = self.pace.clone();
-        let speeds: Vec<Speeds> = pace.plan(&mut self.chain).collect();
-        let mut ticks = Ticks::default();
+        let mut chain_speeds = self.chain_speeds.clone();
+        let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        let mut ticks = TickPositions::default();
         for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
             let cut = ticker.set(vector, speeds[i], over[i]);
             ticks.push(&self.chain[i], &cut);
         }
         Attempt {
-            pace,
+            chain_speeds,
             ticker,
             speeds,
             shares: ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE),
@@ -187,7 +187,7 @@ impl Planner<'_> {
 
 /// A chain as it comes out in ticks.
 struct Attempt {
-    pace: Pace,
+    chain_speeds: ChainSpeeds,
     ticker: Ticker,
     /// What was wanted of each vector.
     speeds: Vec<Speeds>,

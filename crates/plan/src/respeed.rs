@@ -4,9 +4,9 @@ use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
 use crate::Machine;
+use crate::chain::ChainSpeeds;
 use crate::joints::JointSpeeds;
-use crate::lookahead::Run;
-use crate::pace::Pace;
+use crate::lookahead::ChainVector;
 use crate::planner::round_down;
 use crate::ticker::Ticker;
 use crate::vector::length;
@@ -120,15 +120,18 @@ impl Respeeding<'_> {
     /// The end speed and the largest speed of each vector.
     fn faster(&self, chain: &[WriteVector]) -> Vec<[f64; 2]> {
         let mut here = self.here;
-        let mut runs: Vec<Run> = Vec::with_capacity(chain.len());
+        let mut runs: Vec<ChainVector> = Vec::with_capacity(chain.len());
         for vector in chain {
             let way = way(vector);
             let wanted_mm_s = self.share * f64::from(vector.max_speed_mm_s);
-            runs.push(Run::of(way, self.joints.cap(here, way, wanted_mm_s)));
+            runs.push(ChainVector::of(
+                way,
+                self.joints.cap(here, way, wanted_mm_s),
+            ));
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
-        let mut pace = Pace::new(self.machine);
-        let speeds = pace.plan_from(self.speed_mm_s.into(), &mut runs);
+        let mut chain_speeds = ChainSpeeds::new(self.machine);
+        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs);
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 

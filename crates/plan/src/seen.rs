@@ -2,23 +2,27 @@
 
 use dobot_motion::Cut;
 
-use crate::lookahead::Run;
+use crate::lookahead::ChainVector;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
 use crate::vector::length;
 
 /// A chain of vectors in motion: when the tool is at its corners, and where.
 #[derive(Debug)]
-pub(super) struct Seen<'a> {
-    chain: &'a [Run],
+pub(super) struct SeenMotion<'a> {
+    chain: &'a [ChainVector],
     speeds: &'a [Speeds],
     acceleration_mm_s2: f64,
     /// When each vector begins, in s, and where, in mm; last, where the chain ends.
     begins: Vec<(f64, [f64; 3])>,
 }
 
-impl<'a> Seen<'a> {
-    pub(super) fn new(chain: &'a [Run], speeds: &'a [Speeds], acceleration_mm_s2: f64) -> Self {
+impl<'a> SeenMotion<'a> {
+    pub(super) fn new(
+        chain: &'a [ChainVector],
+        speeds: &'a [Speeds],
+        acceleration_mm_s2: f64,
+    ) -> Self {
         let mut begins = Vec::with_capacity(chain.len() + 1);
         let (mut t_s, mut place) = (0.0, [0.0; 3]);
         begins.push((t_s, place));
@@ -102,14 +106,14 @@ impl<'a> Seen<'a> {
 
 /// A chain of vectors in ticks: where the tool is at each.
 #[derive(Debug)]
-pub(super) struct Ticks {
+pub(super) struct TickPositions {
     /// In mm from where it begins.
     places: Vec<[f64; 3]>,
     /// At which tick each vector ends.
     ends: Vec<usize>,
 }
 
-impl Default for Ticks {
+impl Default for TickPositions {
     fn default() -> Self {
         Self {
             places: vec![[0.0; 3]],
@@ -118,15 +122,15 @@ impl Default for Ticks {
     }
 }
 
-impl Ticks {
+impl TickPositions {
     /// The next vector, as the arm runs it.
-    pub(super) fn push(&mut self, run: &Run, cut: &Cut) {
+    pub(super) fn push(&mut self, run: &ChainVector, cut: &Cut) {
         let begin = self.places[self.places.len() - 1];
         self.places.extend(at_ticks(begin, run.direction, cut));
         self.ends.push(self.places.len() - 1);
     }
 
-    /// As [`Seen::shares`]. The tool stands before the chain and behind it.
+    /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
     pub(super) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.ends.len()];
         let allowed_mm = acceleration_mm_s2 * WINDOW_S * WINDOW_S;
@@ -165,7 +169,7 @@ pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]
     length([0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]))
 }
 
-fn on(place: [f64; 3], run: &Run, way_mm: f64) -> [f64; 3] {
+fn on(place: [f64; 3], run: &ChainVector, way_mm: f64) -> [f64; 3] {
     [0, 1, 2].map(|i| place[i] + way_mm * run.direction[i])
 }
 

@@ -17,7 +17,7 @@ fn count(value: f32) -> i16 {
 
 /// What a vector should be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wish {
+pub(super) struct TickTarget {
     pub length_mm: f32,
     pub speeds: Speeds,
     /// How long it should take, what the vectors before were too long or too short included, in
@@ -34,20 +34,20 @@ pub(super) struct Wish {
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fit {
+pub(super) struct TickFit {
     pub end_mm_s: f32,
     pub max_mm_s: f32,
     pub cut: Cut,
     cost: f64,
 }
 
-impl Wish {
+impl TickTarget {
     /// The speeds that come nearest to the wish, behind a vector that left this speed.
     ///
     /// The controller takes an end speed and a largest one, and finds counts of ticks. So counts
     /// near to those wanted are tried, each with the two speeds that should lead to it; what
     /// really becomes of them is calculated as the controller does.
-    pub(super) fn fit(&self, stored_mm_s: f32) -> Fit {
+    pub(super) fn fit(&self, stored_mm_s: f32) -> TickFit {
         let mut best = None;
         self.try_slower(stored_mm_s, &mut best);
         self.try_faster(stored_mm_s, &mut best);
@@ -55,7 +55,7 @@ impl Wish {
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
-    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
         let about = count(single(wanted));
@@ -74,7 +74,7 @@ impl Wish {
     }
 
     /// Some ticks accelerate, from the speed that is stored.
-    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
         let up = count(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
@@ -97,7 +97,7 @@ impl Wish {
         }
     }
 
-    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<Fit>) {
+    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<TickFit>) {
         let end_mm_s = if self.rests {
             0.0
         } else {
@@ -112,7 +112,7 @@ impl Wish {
         }
         let cost = self.cost(stored_mm_s, &cut);
         if best.is_none_or(|best| cost < best.cost) {
-            *best = Some(Fit {
+            *best = Some(TickFit {
                 end_mm_s,
                 max_mm_s,
                 cut,
@@ -135,8 +135,8 @@ impl Wish {
         late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
-    /// As slow as it has to be, so that it becomes as long as it should: nothing else did.
-    fn crawl(&self, stored_mm_s: f32) -> Fit {
+    /// The fastest even speed with which the vector gets its full length: no other speeds gave that.
+    fn crawl(&self, stored_mm_s: f32) -> TickFit {
         let change = self.acceleration_mm_s2 * TICK_S;
         let mut best = None;
         for ticks in self.least_ticks.max(1)..i16::MAX {
@@ -152,7 +152,7 @@ impl Wish {
             }
         }
         let max_mm_s = single(self.speeds.limit_mm_s);
-        Fit {
+        TickFit {
             end_mm_s: 0.0,
             max_mm_s,
             cut: self.cut(stored_mm_s, 0.0, max_mm_s),
@@ -189,10 +189,10 @@ mod tests {
 
     use super::*;
 
-    fn wish(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> Wish {
+    fn target(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> TickTarget {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, 100.0);
-        Wish {
+        TickTarget {
             length_mm,
             speeds,
             ticks: speeds.duration_s / f64::from(TICK_S),
@@ -213,7 +213,7 @@ mod tests {
             rests: bool,
         ) {
             let max = max.max(stored.into()).max(end);
-            let fit = wish(length_mm, [stored.into(), end, max], rests).fit(stored);
+            let fit = target(length_mm, [stored.into(), end, max], rests).fit(stored);
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
             prop_assert!(fit.max_mm_s > 0.0);

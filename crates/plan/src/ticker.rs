@@ -7,7 +7,7 @@ use crate::commands::write;
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::ticks::{Fit, OVER, Wish};
+use crate::tick_fit::{OVER, TickFit, TickTarget};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -102,9 +102,9 @@ impl Ticker {
     }
 
     /// The next vector, of this length.
-    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> Fit {
+    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> TickFit {
         let ticks = speeds.duration_s / f64::from(TICK_S);
-        let fit = Wish {
+        let fit = TickTarget {
             length_mm,
             speeds,
             ticks: ticks + self.early,
