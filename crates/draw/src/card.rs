@@ -188,7 +188,7 @@ impl Default for Card {
     }
 }
 
-/// A setting that makes no test card.
+/// A setting that a test card cannot have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("the {name} of the test card is {found}; allowed is {allowed}")]
 pub struct CardError {

@@ -36,7 +36,7 @@ pub fn clip_to_reach(strokes: &[Stroke], inside: impl Fn(Point) -> bool) -> Clip
             }
             continue;
         }
-        let mut pieces = Pieces::default();
+        let mut pieces = StrokePieces::default();
         for (a, b) in stroke.segments() {
             pieces.add((a, b), &reached(a, b, &inside));
         }
@@ -52,7 +52,7 @@ pub fn clip_to_reach(strokes: &[Stroke], inside: impl Fn(Point) -> bool) -> Clip
 
 /// What is left of one stroke.
 #[derive(Debug)]
-struct Pieces {
+struct StrokePieces {
     done: Vec<Vec<Point>>,
     /// What goes on into the next segment, if anything.
     current: Vec<Point>,
@@ -62,7 +62,7 @@ struct Pieces {
     cut_mm: f64,
 }
 
-impl Default for Pieces {
+impl Default for StrokePieces {
     fn default() -> Self {
         Self {
             done: Vec::new(),
@@ -74,7 +74,7 @@ impl Default for Pieces {
     }
 }
 
-impl Pieces {
+impl StrokePieces {
     fn add(&mut self, (a, b): (Point, Point), shares: &[(f64, f64)]) {
         let mut inside = 0.0;
         let first = self.done.is_empty() && self.current.is_empty() && self.cut_mm == 0.0;

@@ -58,7 +58,8 @@ pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Asked, Auto, LayerTool, Options, OptionsError, Place, Spacing, Subject, ToolOptions, Way, What,
+    Asked, Auto, ContentOptions, LayerTool, Options, OptionsError, PathOptions, PlaceOptions,
+    Spacing, Subject, ToolOptions,
 };
 pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Colors, Picture, PictureError, View};

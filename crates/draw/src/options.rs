@@ -1,8 +1,8 @@
 //! What a person asks for: the options of `dobot draw`, in JSON under the same names.
 
 mod asked;
+mod check;
 mod error;
-mod fitting;
 
 use std::str::FromStr;
 
@@ -35,23 +35,23 @@ use crate::start::StartFrom;
 pub struct Options {
     /// What is drawn.
     #[command(flatten)]
-    pub what: What,
+    pub what: ContentOptions,
     /// Where it goes.
     #[command(flatten)]
-    pub place: Place,
-    /// With what.
+    pub place: PlaceOptions,
+    /// With what it is drawn.
     #[command(flatten)]
     pub tool: ToolOptions,
-    /// How.
+    /// How it is drawn.
     #[command(flatten)]
-    pub way: Way,
+    pub way: PathOptions,
 }
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[command(next_help_heading = "What to draw")]
 #[serde(default, deny_unknown_fields)]
-pub struct What {
+pub struct ContentOptions {
     /// A text instead of a file; \n begins a new line
     #[arg(long, value_name = "TEXT", conflicts_with = "card")]
     pub text: Option<String>,
@@ -106,7 +106,7 @@ pub struct What {
     pub invert: bool,
 }
 
-impl Default for What {
+impl Default for ContentOptions {
     /// A file, all of it, its areas empty.
     fn default() -> Self {
         Self {
@@ -187,7 +187,7 @@ impl FromStr for Spacing {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[command(next_help_heading = "Where on the paper")]
 #[serde(default, deny_unknown_fields)]
-pub struct Place {
+pub struct PlaceOptions {
     /// As large as the drawing area allows
     #[arg(long, conflicts_with = "scale")]
     pub fit: bool,
@@ -217,7 +217,7 @@ pub struct Place {
     pub offset: f64,
 }
 
-/// With what.
+/// With what it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[command(next_help_heading = "Pen or laser")]
 #[serde(default, deny_unknown_fields)]
@@ -265,11 +265,11 @@ impl Default for ToolOptions {
     }
 }
 
-/// How.
+/// How it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[command(next_help_heading = "How it is drawn")]
 #[serde(default, deny_unknown_fields)]
-pub struct Way {
+pub struct PathOptions {
     /// How far the drawn path may leave the wanted one, in mm
     #[arg(long, value_name = "MM", default_value_t = Self::default().tolerance)]
     pub tolerance: f64,
@@ -292,7 +292,7 @@ pub struct Way {
     pub from: Option<StartFrom>,
 }
 
-impl Default for Way {
+impl Default for PathOptions {
     /// As [`Settings`].
     fn default() -> Self {
         let settings = Settings::default();

@@ -72,7 +72,7 @@ impl From<StartFrom> for String {
     }
 }
 
-/// There is nothing to begin with.
+/// Why a drawing cannot begin there.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StartError {

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::estimate::{Estimate, PassFigures};
-use crate::trace::{Ink, Moment, Trace};
+use crate::trace::{Ink, Trace, TracePoint};
 
 /// A drawing in time, for a page that lets a person go to any moment of it.
 ///
@@ -94,7 +94,7 @@ impl Trace<'_> {
     }
 
     fn bounds_mm(&self) -> [[f64; 2]; 3] {
-        let axes: [fn(&Moment) -> f64; 3] = [
+        let axes: [fn(&TracePoint) -> f64; 3] = [
             |it| it.position.x.0,
             |it| it.position.y.0,
             |it| it.position.z.0,
@@ -129,7 +129,7 @@ impl Trace<'_> {
 }
 
 impl Path {
-    fn of<'a>(moments: impl Iterator<Item = &'a Moment>) -> Self {
+    fn of<'a>(moments: impl Iterator<Item = &'a TracePoint>) -> Self {
         let mut path = Self::default();
         for moment in moments {
             path.t_s.push(rounded(moment.t_s, MILLI));

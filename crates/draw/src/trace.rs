@@ -19,7 +19,7 @@ use crate::ink::{InkLine, point, writes};
 pub struct Trace<'a> {
     pub(crate) plan: &'a Plan,
     began: Duration,
-    pub(crate) moments: Vec<Moment>,
+    pub(crate) moments: Vec<TracePoint>,
     /// For each vector that was carried out, the moment at which it was over.
     pub(crate) ends: Vec<usize>,
 }
@@ -37,7 +37,7 @@ pub struct Sample {
 
 /// A sample of a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Moment {
+pub(crate) struct TracePoint {
     /// Since the beginning.
     pub(crate) t_s: f64,
     pub(crate) position: Position,
@@ -80,7 +80,7 @@ impl<'a> Trace<'a> {
             .map_or(samples.len(), |it| it + 1);
         let samples = &samples[..count];
         let mut near = Near::new(wanted);
-        let moment = |(sample, ink): (&Sample, Ink)| Moment {
+        let moment = |(sample, ink): (&Sample, Ink)| TracePoint {
             t_s: sample.at.saturating_sub(samples[0].at).as_secs_f64(),
             position: sample.position,
             ink,

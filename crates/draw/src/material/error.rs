@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::read::nearest;
 
-/// Why a text is no file of materials.
+/// Why a file of materials cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("line {line}: {reason}")]
 pub struct MaterialError {

@@ -8,8 +8,8 @@ use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Tool};
 use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
-use super::fitting::check;
-use super::{Options, OptionsError, Spacing, ToolOptions, What};
+use super::check::check;
+use super::{ContentOptions, Options, OptionsError, Spacing, ToolOptions};
 use crate::card::Card;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
@@ -46,7 +46,7 @@ enum Drawable {
 impl Subject {
     /// The text or the test card that the options tell; none where a file is to be drawn.
     #[must_use]
-    pub fn of_text(what: &What) -> Option<Self> {
+    pub fn of_text(what: &ContentOptions) -> Option<Self> {
         if what.card.is_some() {
             return Some(Self {
                 title: "test card".to_owned(),
@@ -191,7 +191,10 @@ fn with_options(tool: Tool, options: &ToolOptions) -> Result<Tool, OptionsError>
     }
 }
 
-fn layer_tools(what: &What, materials: &Materials) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
+fn layer_tools(
+    what: &ContentOptions,
+    materials: &Materials,
+) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
     let named = what.layer.iter().map(|it| {
         let material = materials.get(&it.pen)?;
         Ok((it.name.clone(), material.tool))
@@ -235,7 +238,7 @@ fn center(options: &Options) -> Option<Point> {
     }
 }
 
-fn hatch(what: &What, material: &Material) -> Option<Hatch> {
+fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
     let spacing_mm = match what.hatch? {
         Spacing::OfTool(_) => material.spacing_mm,
         Spacing::Millimeters(spacing_mm) => spacing_mm,

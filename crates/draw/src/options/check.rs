@@ -1,11 +1,11 @@
-//! Which options fit which source, and each other: one that would do nothing is refused.
+//! Checks that the options fit the source and each other. An option that would do nothing is refused.
 
 use dobot_source::Source;
 
 use super::{Options, OptionsError};
 
-/// Refuses the first option that would do nothing for this source, of this title; no source is the test
-/// card.
+/// Refuses the first option that would do nothing for this source, which has this title. Without a
+/// source the test card is drawn.
 pub(super) fn check(
     options: &Options,
     source: Option<&Source>,
@@ -13,21 +13,21 @@ pub(super) fn check(
 ) -> Result<(), OptionsError> {
     counts(options)?;
     together(options)?;
-    let kind = Kind::of(source);
+    let kind = SourceKind::of(source);
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, Fit(kinds, _))| *given && !kinds.contains(&kind));
-    let Some((option, _, Fit(_, fits))) = misfit else {
+        .find(|(_, given, Purpose(kinds, _))| *given && !kinds.contains(&kind));
+    let Some((option, _, Purpose(_, fits))) = misfit else {
         return Ok(());
     };
     Err(OptionsError::Misfit {
         option,
         fits,
         is: match kind {
-            Kind::Lines => format!("{title} is a file of lines"),
-            Kind::Picture => format!("{title} is a picture"),
-            Kind::Text => "this is a text".to_owned(),
-            Kind::Card => "this is a test card".to_owned(),
+            SourceKind::Lines => format!("{title} is a file of lines"),
+            SourceKind::Picture => format!("{title} is a picture"),
+            SourceKind::Text => "this is a text".to_owned(),
+            SourceKind::Card => "this is a test card".to_owned(),
         },
     })
 }
@@ -91,7 +91,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
 
 /// What kind of thing is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum SourceKind {
     /// A file of lines and areas.
     Lines,
     Picture,
@@ -99,7 +99,7 @@ enum Kind {
     Card,
 }
 
-impl Kind {
+impl SourceKind {
     const fn of(source: Option<&Source>) -> Self {
         match source {
             None => Self::Card,
@@ -111,23 +111,23 @@ impl Kind {
 }
 
 /// What an option is for: the kinds of sources, and how a person calls them.
-struct Fit(&'static [Kind], &'static str);
+struct Purpose(&'static [SourceKind], &'static str);
 
-const PICTURES: Fit = Fit(&[Kind::Picture], "PNG and JPEG pictures");
-const TEXTS: Fit = Fit(&[Kind::Text], "the letters of --text");
-const CARDS: Fit = Fit(&[Kind::Card], "the test card of --card");
-const AREAS: Fit = Fit(
-    &[Kind::Lines, Kind::Text],
+const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "PNG and JPEG pictures");
+const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
+const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
+const AREAS: Purpose = Purpose(
+    &[SourceKind::Lines, SourceKind::Text],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
-const LAYERS: Fit = Fit(&[Kind::Lines], "the layers of drawings");
-const DRAWINGS: Fit = Fit(
-    &[Kind::Lines, Kind::Picture, Kind::Text],
+const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
+const DRAWINGS: Purpose = Purpose(
+    &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
     "drawings, pictures and texts",
 );
 
-/// Each option, whether it was given, and what it is for. What a material sets is no option.
-fn given(options: &Options) -> [(&'static str, bool, Fit); 16] {
+/// Each option, whether it was given, and what it is for. What a material sets does not count.
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 16] {
     let Options {
         what, place, tool, ..
     } = options;
