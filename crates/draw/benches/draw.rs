@@ -7,7 +7,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
-use dobot_plan::{Cornering, Machine, Paper, Pass, Plan, Run, Tool};
+use dobot_plan::{ChainVector, Cornering, Machine, Paper, Pass, Plan, Tool};
 use dobot_source::{ReadOptions, Source, Text};
 
 fn main() {
@@ -17,10 +17,10 @@ fn main() {
 /// Look-ahead alone: the aim is below 60 ns per vector.
 #[divan::bench]
 fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let chain: Vec<Run> = (0..50_000)
+    let chain: Vec<ChainVector> = (0..50_000)
         .map(|i| {
             let (sin, cos) = (f64::from(i) * 0.37).sin_cos();
-            Run {
+            ChainVector {
                 direction: [cos, sin, 0.0],
                 length_mm: 0.5 + cos.abs(),
                 limit_mm_s: 40.0,

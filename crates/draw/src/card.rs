@@ -1,5 +1,6 @@
 //! The laser's test card: which speed and how many passes does this material want?
 
+use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 use dobot_geometry::{Point, Stroke, Vec2};
@@ -75,10 +76,10 @@ impl Card {
 
     fn check(&self) -> Result<(), CardError> {
         let speeds = &self.speeds_mm_s;
-        counted("number of speeds", speeds.len(), MOST)?;
-        counted("number of passes", self.most_passes as usize, MOST)?;
+        within("number of speeds", speeds.len(), 1..=20, "")?;
+        within("number of passes", self.most_passes, 1..=20, "")?;
         for &speed in speeds {
-            ranged("speed", speed, SPEED, "mm/s")?;
+            within("speed", speed, SPEED, " mm/s")?;
         }
         if let Some([a, b]) = speeds.windows(2).find(|it| it[0] >= it[1]) {
             return Err(CardError {
@@ -87,11 +88,11 @@ impl Card {
                 allowed: "rising speeds".to_owned(),
             });
         }
-        ranged("cell", self.cell_mm, 3.0..=50.0, "mm")?;
-        ranged("gap", self.gap_mm, 1.0..=50.0, "mm")?;
-        ranged("spacing", self.spacing_mm, 0.05..=5.0, "mm")?;
-        ranged("travel speed", self.travel_speed_mm_s, SPEED, "mm/s")?;
-        ranged("label speed", self.label_speed_mm_s, SPEED, "mm/s")
+        within("cell", self.cell_mm, 3.0..=50.0, " mm")?;
+        within("gap", self.gap_mm, 1.0..=50.0, " mm")?;
+        within("spacing", self.spacing_mm, 0.05..=5.0, " mm")?;
+        within("travel speed", self.travel_speed_mm_s, SPEED, " mm/s")?;
+        within("label speed", self.label_speed_mm_s, SPEED, " mm/s")
     }
 
     /// A square of lines back and forth, and the line below it, on the page.
@@ -132,10 +133,8 @@ impl Card {
     fn labels(&self) -> Vec<Stroke> {
         let speeds: Vec<String> = self.speeds_mm_s.iter().map(f64::to_string).collect();
         let room_mm = self.cell_mm + self.gap_mm - 1.0;
-        let widest_mm = speeds
-            .iter()
-            .map(|it| width(it, LABEL_MM))
-            .fold(0.0, f64::max);
+        let widths_mm = speeds.iter().map(|it| width(it, LABEL_MM));
+        let widest_mm = widths_mm.fold(0.0, f64::max);
         let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
         let half = Vec2::splat(self.cell_mm / 2.0);
         let mut words = strokes(
@@ -189,7 +188,7 @@ impl Default for Card {
     }
 }
 
-/// A setting that makes no test card.
+/// A setting that a test card cannot have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("the {name} of the test card is {found}; allowed is {allowed}")]
 pub struct CardError {
@@ -201,21 +200,10 @@ pub struct CardError {
     pub allowed: String,
 }
 
-fn counted(name: &'static str, found: usize, most: usize) -> Result<(), CardError> {
-    if (1..=most).contains(&found) {
-        return Ok(());
-    }
-    Err(CardError {
-        name,
-        found: found.to_string(),
-        allowed: format!("a number from 1 to {most}"),
-    })
-}
-
-fn ranged(
+fn within<T: PartialOrd + Display>(
     name: &'static str,
-    found: f64,
-    allowed: RangeInclusive<f64>,
+    found: T,
+    allowed: RangeInclusive<T>,
     unit: &str,
 ) -> Result<(), CardError> {
     if allowed.contains(&found) {
@@ -224,12 +212,11 @@ fn ranged(
     let (least, most) = allowed.into_inner();
     Err(CardError {
         name,
-        found: format!("{found} {unit}"),
-        allowed: format!("a number from {least} to {most} {unit}"),
+        found: format!("{found}{unit}"),
+        allowed: format!("a number from {least} to {most}{unit}"),
     })
 }
 
-const MOST: usize = 20;
 const SPEED: RangeInclusive<f64> = 0.1..=500.0;
 /// From a square to the line below it.
 const BELOW_MM: f64 = 1.5;

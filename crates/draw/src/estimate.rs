@@ -1,6 +1,6 @@
 //! The figures of a plan as a virtual arm carried it out.
 
-use dobot_plan::{PlannedPass, Tool};
+use dobot_plan::PlannedPass;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -64,10 +64,7 @@ impl Trace<'_> {
     #[must_use]
     pub fn estimate(&self) -> Estimate {
         let mut passes: Vec<PassFigures> = self.plan.passes.iter().map(PassFigures::of).collect();
-        for (vector, _) in self.plan.moves.iter().zip(&self.ends) {
-            passes[vector.pass as usize].vectors += 1;
-        }
-        self.count_strokes(&mut passes);
+        self.count(&mut passes);
         self.measure(&mut passes);
         let sum = |of: fn(&PassFigures) -> f64| passes.iter().map(of).fold(0.0, |a, b| a + b);
         Estimate {
@@ -81,11 +78,12 @@ impl Trace<'_> {
         }
     }
 
-    fn count_strokes(&self, passes: &mut [PassFigures]) {
+    fn count(&self, passes: &mut [PassFigures]) {
         let mut last = None;
         for (vector, _) in self.plan.moves.iter().zip(&self.ends) {
-            let begins = last.replace(vector.stroke) != Some(vector.stroke);
-            passes[vector.pass as usize].strokes += usize::from(begins);
+            let figures = &mut passes[vector.pass as usize];
+            figures.vectors += 1;
+            figures.strokes += usize::from(last.replace(vector.stroke) != Some(vector.stroke));
         }
     }
 
@@ -111,9 +109,10 @@ impl PassFigures {
         Self {
             name: pass.name.clone(),
             color: pass.color,
-            tool: match pass.tool {
-                Tool::Pen(_) => ToolKind::Pen,
-                Tool::Laser(_) => ToolKind::Laser,
+            tool: if pass.tool.burns() {
+                ToolKind::Laser
+            } else {
+                ToolKind::Pen
             },
             strokes: 0,
             vectors: 0,

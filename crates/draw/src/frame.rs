@@ -34,32 +34,23 @@ pub fn frame(
         FrameShape::Rectangle => rectangle(bounds(points)),
         FrameShape::Hull => hull(points),
     };
-    let (pen, above_mm) = in_the_air(passes, tool);
+    let highest_mm = passes
+        .iter()
+        .map(|it| it.tool.lift_mm())
+        .fold(0.0, f64::max);
+    // A pen that is never lowered in the end.
+    let pen = Pen {
+        lift_mm: LIFT_MM,
+        draw_speed_mm_s: tool.travel_speed_mm_s(),
+        touch_mm: 0.0,
+        ..Pen::default()
+    };
     let pass = Pass {
         name: "frame".to_owned(),
         ..Pass::new(Tool::Pen(pen), vec![outline])
     };
-    let plan = Plan::new(&[pass], &paper.raised(above_mm - pen.lift_mm), machine)?;
+    let plan = Plan::new(&[pass], &paper.raised(highest_mm - LIFT_MM), machine)?;
     Ok(without_ink(plan, tool))
-}
-
-/// A pen that is never lowered in the end, and how high it travels.
-fn in_the_air(passes: &[Pass], tool: Tool) -> (Pen, f64) {
-    let highest_mm = |highest: f64, pass: &Pass| match pass.tool {
-        Tool::Pen(pen) => highest.max(pen.lift_mm),
-        Tool::Laser(_) => highest,
-    };
-    let speed_mm_s = match tool {
-        Tool::Pen(pen) => pen.travel_speed_mm_s,
-        Tool::Laser(laser) => laser.travel_speed_mm_s,
-    };
-    let pen = Pen {
-        lift_mm: LIFT_MM,
-        draw_speed_mm_s: speed_mm_s,
-        touch_mm: 0.0,
-        ..Pen::default()
-    };
-    (pen, passes.iter().fold(0.0, highest_mm))
 }
 
 /// The plan without lowering and lifting: all of it is travel, with the tool it is made for.

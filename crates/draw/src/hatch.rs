@@ -63,20 +63,29 @@ pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
 
 impl Hatch {
     fn check(&self, area: &Area) -> Result<(), HatchError> {
-        let spacing_mm = self.spacing_mm;
-        if !(spacing_mm >= LEAST_SPACING_MM && spacing_mm.is_finite()) {
-            return Err(HatchError::Spacing { spacing_mm });
-        }
-        if !self.angle_deg.is_finite() {
-            let angle_deg = self.angle_deg;
-            return Err(HatchError::Angle { angle_deg });
-        }
-        if !(self.inset_mm >= 0.0 && self.inset_mm.is_finite()) {
-            let inset_mm = self.inset_mm;
-            return Err(HatchError::Inset { inset_mm });
+        let settings = [
+            (
+                "spacing",
+                self.spacing_mm,
+                "mm",
+                LEAST_SPACING_MM,
+                "a number from 0.05 mm up",
+            ),
+            ("angle", self.angle_deg, "degrees", f64::MIN, "a number"),
+            ("inset", self.inset_mm, "mm", 0.0, "a number from 0 up"),
+        ];
+        for (name, found, unit, least, allowed) in settings {
+            if !(found >= least && found.is_finite()) {
+                return Err(HatchError::Setting {
+                    name,
+                    found,
+                    unit,
+                    allowed,
+                });
+            }
         }
         let mut corners = area.rings.iter().flatten();
-        match corners.find(|p| !(p.x.is_finite() && p.y.is_finite())) {
+        match corners.find(|p| !p.is_finite()) {
             Some(p) => Err(HatchError::Corner { x: p.x, y: p.y }),
             None => Ok(()),
         }
@@ -87,23 +96,17 @@ impl Hatch {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HatchError {
-    /// Lines this close are no lines.
-    #[error("the spacing of the hatch is {spacing_mm} mm; it must be a number from 0.05 mm up")]
-    Spacing {
+    /// A setting is no number, or less than it may be.
+    #[error("the {name} of the hatch is {found} {unit}; it must be {allowed}")]
+    Setting {
+        /// Which setting.
+        name: &'static str,
         /// What was asked for.
-        spacing_mm: f64,
-    },
-    /// The angle is no number.
-    #[error("the angle of the hatch is {angle_deg} degrees; it must be a number")]
-    Angle {
-        /// What was asked for.
-        angle_deg: f64,
-    },
-    /// The inset is no length.
-    #[error("the inset of the hatch is {inset_mm} mm; it must be a number from 0 up")]
-    Inset {
-        /// What was asked for.
-        inset_mm: f64,
+        found: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What it may be.
+        allowed: &'static str,
     },
     /// A corner of the area lies nowhere.
     #[error("a corner of the area is {x}, {y}; both must be finite numbers")]

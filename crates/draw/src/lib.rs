@@ -44,14 +44,13 @@ mod order;
 mod picture;
 mod place;
 mod prepare;
-mod sample;
 mod simplify;
 mod start;
 mod timeline;
 mod trace;
 
 pub use card::{Card, CardError};
-pub use clip::{Clipped, clip_to_area, clip_to_reach};
+pub use clip::{Clipped, clip_to_reach};
 pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
@@ -59,14 +58,14 @@ pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Asked, Auto, LayerTool, Options, OptionsError, Place, Spacing, Subject, ToolOptions, Way, What,
+    Asked, Auto, ContentOptions, LayerTool, Options, OptionsError, PathOptions, PlaceOptions,
+    Spacing, Subject, ToolOptions,
 };
 pub use order::{Search, Travel, order, travel_mm};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
-pub use sample::Sample;
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use start::{StartError, StartFrom};
 pub use timeline::{Moves, Path, Timeline};
-pub use trace::{NeverBegan, Trace};
+pub use trace::{NeverBegan, Sample, Trace};

@@ -24,9 +24,9 @@ pub fn merge(strokes: Vec<Stroke>, tolerance_mm: f64) -> Vec<Stroke> {
 
 /// One end of a stroke: twice its number for the begin, one more for the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct End(usize);
+struct StrokeEnd(usize);
 
-impl End {
+impl StrokeEnd {
     const fn stroke(self) -> usize {
         self.0 / 2
     }
@@ -44,7 +44,7 @@ impl End {
 #[derive(Debug)]
 struct Chains {
     strokes: Vec<Stroke>,
-    partners: Vec<Option<End>>,
+    partners: Vec<Option<StrokeEnd>>,
     used: Vec<bool>,
 }
 
@@ -54,7 +54,7 @@ impl Chains {
         if self.used[stroke] {
             return None;
         }
-        let first = self.first(End(2 * stroke));
+        let first = self.first(StrokeEnd(2 * stroke));
         let closes = self.partners[first.0];
         let mut chain = std::mem::take(&mut self.strokes[first.stroke()]);
         chain.points = directed(chain.points, first);
@@ -75,7 +75,7 @@ impl Chains {
     }
 
     /// Goes back from the begin of a stroke to that of its chain; in a ring that is the same.
-    fn first(&self, begin: End) -> End {
+    fn first(&self, begin: StrokeEnd) -> StrokeEnd {
         let mut first = begin;
         while let Some(before) = self.partners[first.0] {
             first = before.opposite();
@@ -87,7 +87,7 @@ impl Chains {
     }
 }
 
-fn directed(mut points: Vec<Point>, begin: End) -> Vec<Point> {
+fn directed(mut points: Vec<Point>, begin: StrokeEnd) -> Vec<Point> {
     if !begin.is_begin() {
         points.reverse();
     }
@@ -101,7 +101,7 @@ fn append(points: &mut Vec<Point>, next: Vec<Point>) {
 }
 
 /// For each end the one that it goes together with.
-fn partners(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Option<End>> {
+fn partners(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Option<StrokeEnd>> {
     let mut partners = vec![None; 2 * strokes.len()];
     let mut open = Tip::of_all(strokes, tolerance_mm);
     for _ in 0..ROUNDS {
@@ -126,7 +126,7 @@ fn partners(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Option<End>> {
 /// An end of a stroke, where it lies and how the stroke comes to it.
 #[derive(Clone, Copy, Debug)]
 struct Tip {
-    end: End,
+    end: StrokeEnd,
     at: Point,
     /// Out of the stroke, of length 1.
     way: Vec2,
@@ -143,8 +143,8 @@ impl Tip {
         for (number, stroke) in strokes.iter().enumerate().filter(open) {
             let closes = is_longer(stroke, 2.0 * tolerance_mm);
             let (forth, back) = (stroke.points.iter(), stroke.points.iter().rev());
-            let begin = Self::new(End(2 * number), forth, tolerance_mm);
-            let end = Self::new(End(2 * number + 1), back, tolerance_mm);
+            let begin = Self::new(StrokeEnd(2 * number), forth, tolerance_mm);
+            let end = Self::new(StrokeEnd(2 * number + 1), back, tolerance_mm);
             tips.extend([begin, end].map(|tip| Self { closes, ..tip }));
         }
         tips.sort_unstable_by_key(|tip| (tip.cell, tip.end));
@@ -152,7 +152,7 @@ impl Tip {
     }
 
     fn new<'a>(
-        end: End,
+        end: StrokeEnd,
         points: impl Iterator<Item = &'a Point> + Clone,
         tolerance_mm: f64,
     ) -> Self {
@@ -202,8 +202,8 @@ fn cell(p: Point, tolerance_mm: f64) -> (i64, i64) {
 /// Two ends that could go together.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
-    a: End,
-    b: End,
+    a: StrokeEnd,
+    b: StrokeEnd,
     /// From 0 for straight on to 2 for right back.
     turn: f64,
     distance_mm: f64,

@@ -1,8 +1,8 @@
 //! What a person asks for: the options of `dobot draw`, in JSON under the same names.
 
 mod asked;
+mod check;
 mod error;
-mod fitting;
 
 use std::str::FromStr;
 
@@ -30,98 +30,83 @@ use crate::start::StartFrom;
 /// assert!(prepared.plan.summary().drawn_mm > 40.0); // of letters 10 mm high
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
     /// What is drawn.
-    #[cfg_attr(feature = "clap", command(flatten))]
-    pub what: What,
+    #[command(flatten)]
+    pub what: ContentOptions,
     /// Where it goes.
-    #[cfg_attr(feature = "clap", command(flatten))]
-    pub place: Place,
-    /// With what.
-    #[cfg_attr(feature = "clap", command(flatten))]
+    #[command(flatten)]
+    pub place: PlaceOptions,
+    /// With what it is drawn.
+    #[command(flatten)]
     pub tool: ToolOptions,
-    /// How.
-    #[cfg_attr(feature = "clap", command(flatten))]
-    pub way: Way,
+    /// How it is drawn.
+    #[command(flatten)]
+    pub way: PathOptions,
 }
 
 /// What is drawn.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(feature = "clap", command(next_help_heading = "What to draw"))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "What to draw")]
 #[serde(default, deny_unknown_fields)]
-pub struct What {
+pub struct ContentOptions {
     /// A text instead of a file; \n begins a new line
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "TEXT", conflicts_with = "card")
-    )]
+    #[arg(long, value_name = "TEXT", conflicts_with = "card")]
     pub text: Option<String>,
     /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
     /// (default: sans)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    #[arg(long, value_name = "NAME")]
     pub font: Option<String>,
     /// How tall the capitals of --text are, in mm (default: 10)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM"))]
+    #[arg(long, value_name = "MM")]
     pub height: Option<f64>,
     /// Where the lines of --text meet: left, center or right (default: left)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "SIDE"))]
+    #[arg(long, value_name = "SIDE")]
     pub align: Option<Align>,
     /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')
-    )]
+    #[arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')]
     pub card: Option<Vec<f64>>,
     /// How often the lowest row of the test card is burned (default: 3)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    #[arg(long, value_name = "N")]
     pub card_passes: Option<u32>,
     /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
     /// for itself, and the arm waits for its pen
-    #[cfg_attr(feature = "clap", arg(long, value_name = "BY"))]
+    #[arg(long, value_name = "BY")]
     pub layers: Option<LayersBy>,
     /// Draw a layer with a pen or material of its own
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "NAME=PEN", requires = "layers")
-    )]
+    #[arg(long, value_name = "NAME=PEN", requires = "layers")]
     pub layer: Vec<LayerTool>,
     /// Draw these layers only, by name
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')
-    )]
+    #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
     pub only: Vec<String>,
     /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto")
-    )]
+    #[arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto")]
     pub hatch: Option<Spacing>,
     /// The direction of the hatching, in degrees from left to right counterclockwise
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "DEGREES", default_value_t = Self::default().hatch_angle, requires = "hatch")
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = Self::default().hatch_angle,
+        requires = "hatch"
     )]
     pub hatch_angle: f64,
     /// Hatch crosswise
-    #[cfg_attr(feature = "clap", arg(long, requires = "hatch"))]
+    #[arg(long, requires = "hatch")]
     pub cross: bool,
     /// How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
-    #[cfg_attr(feature = "clap", arg(long, value_name = "STYLE"))]
+    #[arg(long, value_name = "STYLE")]
     pub shade: Option<Style>,
     /// How far the lines or dots of a picture lie apart, in mm on the paper
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM"))]
+    #[arg(long, value_name = "MM")]
     pub spacing: Option<f64>,
     /// Draw the light parts of a picture instead of the dark ones
-    #[cfg_attr(feature = "clap", arg(long))]
+    #[arg(long)]
     pub invert: bool,
 }
 
-impl Default for What {
+impl Default for ContentOptions {
     /// A file, all of it, its areas empty.
     fn default() -> Self {
         Self {
@@ -199,81 +184,69 @@ impl FromStr for Spacing {
 }
 
 /// Where it goes.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(feature = "clap", command(next_help_heading = "Where on the paper"))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "Where on the paper")]
 #[serde(default, deny_unknown_fields)]
-pub struct Place {
+pub struct PlaceOptions {
     /// As large as the drawing area allows
-    #[cfg_attr(feature = "clap", arg(long, conflicts_with = "scale"))]
+    #[arg(long, conflicts_with = "scale")]
     pub fit: bool,
     /// Times the true size
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FACTOR"))]
+    #[arg(long, value_name = "FACTOR")]
     pub scale: Option<f64>,
     /// Where the middle of the drawing goes, in mm (default: the middle of the drawing area)
-    #[cfg_attr(feature = "clap", arg(long, num_args = 2, value_names = ["X", "Y"]))]
+    #[arg(long, num_args = 2, value_names = ["X", "Y"])]
     pub at: Option<Vec<f64>>,
     /// Turn it counterclockwise
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "DEGREES", default_value_t = 0.0)
-    )]
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.0)]
     pub rotate: f64,
     /// Leave so much of the drawing area empty along its edges, in mm
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM", default_value_t = 0.0))]
+    #[arg(long, value_name = "MM", default_value_t = 0.0)]
     pub margin: f64,
     /// Cut off what the arm does not reach, instead of refusing the drawing
-    #[cfg_attr(feature = "clap", arg(long))]
+    #[arg(long)]
     pub clip: bool,
     /// Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "Z", conflicts_with = "paper")
-    )]
+    #[arg(long, value_name = "Z", conflicts_with = "paper")]
     pub pen_down: Option<f64>,
     /// Three points of the paper that the pen has touched, for paper that is not level
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, num_args = 9, value_names = ["X", "Y", "Z", "X", "Y", "Z", "X", "Y", "Z"])
-    )]
+    #[arg(long, num_args = 9, value_names = ["X", "Y", "Z", "X", "Y", "Z", "X", "Y", "Z"])]
     pub paper: Option<Vec<f64>>,
     /// Draw so much higher, in mm; negative presses harder
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM", default_value_t = 0.0))]
+    #[arg(long, value_name = "MM", default_value_t = 0.0)]
     pub offset: f64,
 }
 
-/// With what.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(feature = "clap", command(next_help_heading = "Pen or laser"))]
+/// With what it is drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "Pen or laser")]
 #[serde(default, deny_unknown_fields)]
 pub struct ToolOptions {
     /// Draw with this pen
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "PEN", default_value_t = Self::default().pen, conflicts_with = "laser")
+    #[arg(
+        long,
+        value_name = "PEN",
+        default_value_t = Self::default().pen,
+        conflicts_with = "laser"
     )]
     pub pen: String,
     /// Burn this material with the laser
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MATERIAL"))]
+    #[arg(long, value_name = "MATERIAL")]
     pub laser: Option<String>,
     /// How far the pen is lifted to travel, in mm
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM"))]
+    #[arg(long, value_name = "MM")]
     pub lift: Option<f64>,
     /// Speed while drawing or burning, in mm/s
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM/S"))]
+    #[arg(long, value_name = "MM/S")]
     pub speed: Option<f64>,
     /// Speed between the strokes, in mm/s
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM/S"))]
+    #[arg(long, value_name = "MM/S")]
     pub travel_speed: Option<f64>,
     /// Burn everything so often
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", requires = "laser"))]
+    #[arg(long, value_name = "N", requires = "laser")]
     pub passes: Option<u32>,
     /// Acceleration, in mm/s²
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "MM/S2", default_value_t = Self::default().acceleration)
-    )]
+    #[arg(long, value_name = "MM/S2", default_value_t = Self::default().acceleration)]
     pub acceleration: f64,
 }
 
@@ -292,39 +265,34 @@ impl Default for ToolOptions {
     }
 }
 
-/// How.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(feature = "clap", command(next_help_heading = "How it is drawn"))]
+/// How it is drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "How it is drawn")]
 #[serde(default, deny_unknown_fields)]
-pub struct Way {
+pub struct PathOptions {
     /// How far the drawn path may leave the wanted one, in mm
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "MM", default_value_t = Self::default().tolerance)
-    )]
+    #[arg(long, value_name = "MM", default_value_t = Self::default().tolerance)]
     pub tolerance: f64,
     /// Draw in the order of the file
-    #[cfg_attr(feature = "clap", arg(long))]
+    #[arg(long)]
     pub keep_order: bool,
     /// How long to look for the shortest way with the pen up: so many tries
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "N", default_value_t = Self::default().tries, conflicts_with = "keep_order")
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = Self::default().tries,
+        conflicts_with = "keep_order"
     )]
     pub tries: u32,
     /// Look elsewhere: the same number gives the same order
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "N", default_value_t = Self::default().seed)
-    )]
+    #[arg(long, value_name = "N", default_value_t = Self::default().seed)]
     pub seed: u64,
     /// Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
-    #[cfg_attr(feature = "clap", arg(long, value_name = "WHERE"))]
+    #[arg(long, value_name = "WHERE")]
     pub from: Option<StartFrom>,
 }
 
-impl Default for Way {
+impl Default for PathOptions {
     /// As [`Settings`].
     fn default() -> Self {
         let settings = Settings::default();

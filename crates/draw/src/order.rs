@@ -10,18 +10,18 @@
 //! is turned to the corner that is best between its neighbours.
 
 mod greedy;
-mod near;
+mod neighbours;
 mod nodes;
 mod search;
+mod stops;
 mod tour;
 mod travel;
-mod way;
 
 use self::greedy::greedy;
 use self::nodes::Nodes;
-use self::search::Settling;
+use self::search::LocalSearch;
+use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::{Travel, travel_mm};
-use self::way::{Stop, cost, drawn, given, turn_loops};
 use dobot_geometry::{Point, Stroke};
 use dobot_random::Random;
 
@@ -80,12 +80,12 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
         if rounds > 1 {
             nodes = nodes_of(&way);
         }
-        let mut settling = Settling::new(&nodes, nodes.tour(&way));
-        settling.settle_all();
+        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way));
+        local_search.settle_all();
         for _ in 0..kicks(search, way.len()) / rounds {
-            settling.kick(&mut random);
+            local_search.kick(&mut random);
         }
-        way = nodes.way(settling.tour());
+        way = nodes.way(local_search.tour());
         turn(&mut way);
     }
     way

@@ -235,14 +235,10 @@ fn within_reach<E>(
     settings: &Settings,
     reachable: &impl Fn(Position) -> Result<(), E>,
 ) -> Clipped {
-    let lift_mm = match tool {
-        Tool::Pen(pen) => pen.lift_mm,
-        Tool::Laser(_) => 0.0,
-    };
     let inside = |p: Point| {
         let z_mm = settings.paper.z_at(p);
         let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
-        reaches(z_mm) && reaches(z_mm + lift_mm)
+        reaches(z_mm) && reaches(z_mm + tool.lift_mm())
     };
     clip_to_reach(strokes, inside)
 }

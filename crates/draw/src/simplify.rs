@@ -1,18 +1,18 @@
 //! Fewer, longer vectors: the link carries few, so each has to count.
 
+mod cone;
 mod corner;
+mod corridor;
 mod search;
-mod settle;
-mod sight;
-mod tube;
-mod wedge;
+mod snap;
+mod visibility;
 
 #[cfg(test)]
 mod oracle;
 
+use corridor::Corridor;
 use dobot_geometry::{Point, Stroke};
 use search::fewest;
-use tube::Tube;
 
 /// Draws a stroke with as few vectors as it finds that pass its points in order, each within
 /// `tolerance_mm`, and so stay within the tolerance of the stroke everywhere. The ends of an open
@@ -46,7 +46,7 @@ pub const MIN_VECTOR_MM: f64 = 0.005;
 
 fn simplified(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     if tolerance_mm > MIN_VECTOR_MM
-        && let Some(points) = fewest(&Tube::new(&stroke.points, stroke.closed, tolerance_mm))
+        && let Some(points) = fewest(&Corridor::new(&stroke.points, stroke.closed, tolerance_mm))
     {
         return points;
     }
@@ -55,8 +55,8 @@ fn simplified(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     if tolerance_mm <= 2.0 * MIN_VECTOR_MM || points.len() < 3 {
         return points;
     }
-    let tube = Tube::new(&points, stroke.closed, tolerance_mm - MIN_VECTOR_MM);
-    fewest(&tube).unwrap_or(points)
+    let corridor = Corridor::new(&points, stroke.closed, tolerance_mm - MIN_VECTOR_MM);
+    fewest(&corridor).unwrap_or(points)
 }
 
 /// The points without those that are hardly away from the one before; both ends stay.

@@ -1,6 +1,5 @@
 //! Where to begin: what is left to draw of passes in their order.
 
-use std::fmt;
 use std::str::FromStr;
 
 use dobot_geometry::Stroke;
@@ -73,12 +72,12 @@ impl From<StartFrom> for String {
     }
 }
 
-/// There is nothing to begin with.
+/// Why a drawing cannot begin there.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StartError {
     /// No such pass.
-    #[error("there is no pass '{found}' to start from; there are: {}", Passes(.names))]
+    #[error("there is no pass '{found}' to start from; there are: {}", numbered(.names))]
     Pass {
         /// What was asked for.
         found: String,
@@ -176,16 +175,11 @@ fn rest_of_stroke(stroke: &Stroke, mut drawn_mm: f64) -> Stroke {
     Stroke::open(stroke.last().into_iter().collect())
 }
 
-struct Passes<'a>(&'a [String]);
-
-impl fmt::Display for Passes<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (number, name) in (1..).zip(self.0) {
-            let comma = if number == 1 { "" } else { ", " };
-            write!(f, "{comma}{number} ({name})")?;
-        }
-        Ok(())
-    }
+fn numbered(names: &[String]) -> String {
+    let numbered = (1..)
+        .zip(names)
+        .map(|(number, name)| format!("{number} ({name})"));
+    numbered.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

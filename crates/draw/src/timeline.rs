@@ -3,12 +3,11 @@
 mod thin;
 
 use dobot_arm::TICK_S;
-use dobot_plan::MoveKind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::estimate::{Estimate, PassFigures};
-use crate::trace::{Ink, Moment, Trace};
+use crate::trace::{Ink, Trace, TracePoint};
 
 /// A drawing in time, for a page that lets a person go to any moment of it.
 ///
@@ -95,7 +94,7 @@ impl Trace<'_> {
     }
 
     fn bounds_mm(&self) -> [[f64; 2]; 3] {
-        let axes: [fn(&Moment) -> f64; 3] = [
+        let axes: [fn(&TracePoint) -> f64; 3] = [
             |it| it.position.x.0,
             |it| it.position.y.0,
             |it| it.position.z.0,
@@ -118,7 +117,7 @@ impl Trace<'_> {
         for (vector, &end) in self.plan.moves.iter().zip(&self.ends) {
             let what = (vector.kind, vector.stroke);
             if last.replace(what) != Some(what) {
-                moves.kind.push(number(vector.kind));
+                moves.kind.push(vector.kind as u8);
                 moves.pass.push(vector.pass);
                 moves.stroke.push(vector.stroke);
                 moves.from_s.push(rounded(from_s, MILLI));
@@ -130,7 +129,7 @@ impl Trace<'_> {
 }
 
 impl Path {
-    fn of<'a>(moments: impl Iterator<Item = &'a Moment>) -> Self {
+    fn of<'a>(moments: impl Iterator<Item = &'a TracePoint>) -> Self {
         let mut path = Self::default();
         for moment in moments {
             path.t_s.push(rounded(moment.t_s, MILLI));
@@ -163,19 +162,7 @@ fn rounded(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts + 0.0
 }
 
-const fn number(kind: MoveKind) -> u8 {
-    match kind {
-        MoveKind::Travel => 0,
-        MoveKind::Lower => 1,
-        MoveKind::Draw => 2,
-        MoveKind::Lift => 3,
-        MoveKind::RunUp => 4,
-        MoveKind::Burn => 5,
-        MoveKind::RunOut => 6,
-        MoveKind::Brake => 7,
-    }
-}
-
+/// In the order of [`MoveKind`](dobot_plan::MoveKind).
 const KINDS: [&str; 8] = [
     "travel", "lower", "draw", "lift", "run-up", "burn", "run-out", "brake",
 ];

@@ -10,7 +10,6 @@ use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 
 use crate::ink::{InkLine, point, writes};
-use crate::sample::Sample;
 
 /// A plan as a virtual arm carried it out.
 ///
@@ -20,14 +19,25 @@ use crate::sample::Sample;
 pub struct Trace<'a> {
     pub(crate) plan: &'a Plan,
     began: Duration,
-    pub(crate) moments: Vec<Moment>,
+    pub(crate) moments: Vec<TracePoint>,
     /// For each vector that was carried out, the moment at which it was over.
     pub(crate) ends: Vec<usize>,
 }
 
+/// Where a virtual arm's tool was: once a tick of 20 ms while it moves, and at every corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// When, by the clock of the arm.
+    pub at: Duration,
+    /// Where the tool was.
+    pub position: Position,
+    /// Whether the laser was on, on the way here.
+    pub laser: bool,
+}
+
 /// A sample of a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Moment {
+pub(crate) struct TracePoint {
     /// Since the beginning.
     pub(crate) t_s: f64,
     pub(crate) position: Position,
@@ -70,7 +80,7 @@ impl<'a> Trace<'a> {
             .map_or(samples.len(), |it| it + 1);
         let samples = &samples[..count];
         let mut near = Near::new(wanted);
-        let moment = |(sample, ink): (&Sample, Ink)| Moment {
+        let moment = |(sample, ink): (&Sample, Ink)| TracePoint {
             t_s: sample.at.saturating_sub(samples[0].at).as_secs_f64(),
             position: sample.position,
             ink,

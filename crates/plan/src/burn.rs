@@ -4,10 +4,10 @@ use dobot_geometry::Stroke;
 use dobot_motion::Cut;
 
 use crate::commands::write;
+use crate::laser_path::{LaserPath, SwitchLead};
 use crate::planner::Planner;
 use crate::tick::TICK_S;
 use crate::ticker::Ticker;
-use crate::ways::{Early, Ways};
 use crate::{Laser, MoveKind, PlannedVector};
 
 impl Planner<'_> {
@@ -19,71 +19,71 @@ impl Planner<'_> {
     /// How far the last ticks before the switching go is known only when they are planned: then the
     /// places of switching are moved, and the stroke is planned again.
     pub(super) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
-        let mut early = Early::at_speed(laser, self.machine);
+        let mut lead = SwitchLead::at_speed(laser, self.machine);
         let begin = self.moves.len();
-        let before = (self.here, self.pace.clone(), self.ticker.clone());
-        let mut best = (f64::INFINITY, early);
+        let before = (self.here, self.chain_speeds.clone(), self.ticker.clone());
+        let mut best = (f64::INFINITY, lead);
         for left in (0..BURN_ROUNDS).rev() {
-            self.burn_once(stroke, laser, early);
+            self.burn_once(stroke, laser, lead);
             let Some(ticker) = &before.2 else {
                 break;
             };
-            let found = self.early(begin, ticker.clone());
-            let off_mm = found.distance_mm(early);
+            let found = self.lead(begin, ticker.clone());
+            let off_mm = found.distance_mm(lead);
             if left == 0 || off_mm < NEAR_MM {
                 break;
             }
             if off_mm < best.0 {
-                best = (off_mm, early);
+                best = (off_mm, lead);
             }
             // Counts of ticks jump from one attempt to the next: half the way may lie between.
-            early = if left == 1 {
+            lead = if left == 1 {
                 best.1
             } else {
-                early.half_way(found)
+                lead.half_way(found)
             };
             self.moves.truncate(begin);
-            (self.here, self.pace, self.ticker) = before.clone();
+            (self.here, self.chain_speeds, self.ticker) = before.clone();
         }
         self.stroke += 1;
     }
 
-    fn burn_once(&mut self, stroke: &Stroke, laser: &Laser, early: Early) {
+    fn burn_once(&mut self, stroke: &Stroke, laser: &Laser, lead: SwitchLead) {
         let Laser {
             burn_speed_mm_s: speed,
             travel_speed_mm_s: travel,
             ..
         } = *laser;
-        let ways = Ways::of(stroke, self.here, speed, early, self.machine);
-        self.go(MoveKind::Travel, ways.run_up, 0.0, travel);
+        let path = LaserPath::of(stroke, self.here, speed, lead, self.machine);
+        self.go(MoveKind::Travel, path.run_up, 0.0, travel);
         self.rest();
-        for p in ways.off_to {
+        for p in path.off_to {
             self.go(MoveKind::RunUp, p, 0.0, speed);
         }
-        for p in ways.on_to {
+        for p in path.on_to {
             self.go(MoveKind::Burn, p, 0.0, speed);
         }
-        self.go(MoveKind::RunOut, ways.run_out, 0.0, speed);
-        self.go(MoveKind::Brake, ways.brake, 0.0, speed);
+        self.go(MoveKind::RunOut, path.run_out, 0.0, speed);
+        self.go(MoveKind::Brake, path.brake, 0.0, speed);
         self.rest();
     }
 
     /// How far the ticks go in which the laser is switched, by the vectors from there on.
-    fn early(&self, begin: usize, mut ticker: Ticker) -> Early {
+    fn lead(&self, begin: usize, mut ticker: Ticker) -> SwitchLead {
         let last_mm = |cut: &Cut| cut.speeds_mm_s().last().map_or(0.0, |it| it * TICK_S);
-        let mut early = Early {
+        let mut lead = SwitchLead {
             on_mm: 0.0,
             off_mm: 0.0,
         };
         for vector in &self.moves[begin..] {
             let cut = ticker.run(&write(vector));
             match vector.kind {
-                MoveKind::RunUp => early.on_mm = last_mm(&cut).into(),
-                MoveKind::Burn => early.off_mm = last_mm(&cut).into(),
+                MoveKind::RunUp => lead.on_mm = last_mm(&cut).into(),
+                MoveKind::Burn => lead.off_mm = last_mm(&cut).into(),
                 _ => {}
             }
         }
-        early
+        lead
     }
 
     /// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
@@ -96,8 +96,8 @@ impl Planner<'_> {
         let burned = self.moves[begin..].iter().filter(burns).count();
         let limit_mm_s = self.chain[first].limit_mm_s;
         let mut chain = self.chain.clone();
-        let mut pace = self.pace.clone();
-        let speeds = pace.plan(&mut chain).skip(first).take(burned);
+        let mut chain_speeds = self.chain_speeds.clone();
+        let speeds = chain_speeds.plan(&mut chain).skip(first).take(burned);
         let slowest_mm_s = speeds
             .map(|it| it.start_mm_s.min(it.end_mm_s).min(it.max_mm_s))
             .fold(limit_mm_s, f64::min);

@@ -18,14 +18,15 @@
 
 mod acceleration;
 mod burn;
+mod chain;
 mod commands;
 mod error;
 mod joints;
 mod landing;
+mod laser_path;
 mod link;
 mod lookahead;
 mod machine;
-mod pace;
 mod paper;
 mod pass;
 mod plan;
@@ -35,15 +36,14 @@ mod seen;
 mod speeds;
 mod summary;
 mod tick;
+mod tick_fit;
 mod ticker;
-mod ticks;
 mod tool;
 mod vector;
-mod ways;
 
 pub use acceleration::acceleration;
 pub use error::PlanError;
-pub use lookahead::{Cornering, Joint, Run};
+pub use lookahead::{ChainVector, Cornering, Junction};
 pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};

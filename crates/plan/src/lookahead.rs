@@ -1,8 +1,10 @@
 //! Look-ahead: how fast each vector begins and ends, and how long it should take.
 
+use crate::vector::length;
+
 /// One straight vector, as look-ahead sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Run {
+pub struct ChainVector {
     /// Its direction, of length one.
     pub direction: [f64; 3],
     /// Its length in mm, above 0.
@@ -12,6 +14,19 @@ pub struct Run {
     /// The largest speed at the corner behind it in mm/s: infinite, or less where that corner and
     /// those near to it together turn the tool too fast.
     pub corner_mm_s: f64,
+}
+
+impl ChainVector {
+    /// A vector with these increments in mm, which no corner slows down yet.
+    pub(crate) fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
+        let length_mm = length(increments);
+        Self {
+            direction: increments.map(|it| it / length_mm),
+            length_mm,
+            limit_mm_s,
+            corner_mm_s: f64::INFINITY,
+        }
+    }
 }
 
 /// What corners are measured against.
@@ -39,7 +54,7 @@ pub struct Cornering {
 ///   angle between |   |
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
+pub struct Junction {
     /// The square of the speed in the middle of the arc.
     pub v2: f64,
     /// The largest square of a speed on the arc; infinite where the way goes straight on.
@@ -52,7 +67,7 @@ pub struct Joint {
 }
 
 impl Cornering {
-    /// The speeds at the joints of a chain, from the start of the first vector to the end of the
+    /// The speeds at the junctions of a chain, from the start of the first vector to the end of the
     /// last: the fastest motion along the path with its corners rounded, from the speed
     /// `begin_mm_s` or the largest that can be braked in time, to rest.
     ///
@@ -68,38 +83,42 @@ impl Cornering {
     /// ```
     ///
     /// 1. An arc is passed no faster than its radius allows, nor than either vector's limit.
-    /// 2. Backward: no joint is reached faster than what follows can brake from.
-    /// 3. Forward: no joint is reached faster than what is before can accelerate to.
+    /// 2. Backward: no junction is reached faster than what follows can brake from.
+    /// 3. Forward: no junction is reached faster than what is before can accelerate to.
     /// 4. On an arc only what the turning leaves of the acceleration changes the speed; see
-    ///    `Joint::half_arc`.
-    pub fn speeds(self, begin_mm_s: f64, chain: &[Run], joints: &mut Vec<Joint>) {
-        joints.clear();
+    ///    `Junction::half_arc`.
+    pub fn speeds(self, begin_mm_s: f64, chain: &[ChainVector], junctions: &mut Vec<Junction>) {
+        junctions.clear();
         if chain.is_empty() {
             return;
         }
-        joints.push(Joint {
+        junctions.push(Junction {
             v2: begin_mm_s * begin_mm_s,
-            ..Joint::STRAIGHT_ON
+            ..Junction::STRAIGHT_ON
         });
-        joints.extend(chain.windows(2).map(|pair| self.joint(&pair[0], &pair[1])));
-        joints.push(Joint::REST);
+        junctions.extend(
+            chain
+                .windows(2)
+                .map(|pair| self.junction(&pair[0], &pair[1])),
+        );
+        junctions.push(Junction::REST);
         let mut v2 = 0.0_f64;
         for (i, run) in chain.iter().enumerate().rev() {
-            v2 = self.reached_v2(v2, &joints[i + 1], run, &joints[i]);
-            v2 = v2.min(joints[i].v2);
-            joints[i].v2 = v2;
+            v2 = self.reached_v2(v2, &junctions[i + 1], run, &junctions[i]);
+            v2 = v2.min(junctions[i].v2);
+            junctions[i].v2 = v2;
         }
-        v2 = joints[0].v2;
+        v2 = junctions[0].v2;
         for (i, run) in chain.iter().enumerate() {
-            v2 = self.reached_v2(v2, &joints[i], run, &joints[i + 1]);
-            v2 = v2.min(joints[i + 1].v2);
-            joints[i + 1].v2 = v2;
+            v2 = self.reached_v2(v2, &junctions[i], run, &junctions[i + 1]);
+            v2 = v2.min(junctions[i + 1].v2);
+            junctions[i + 1].v2 = v2;
         }
     }
 
     /// The corner between two vectors, with the largest speed that it allows.
     #[must_use]
-    pub fn joint(self, before: &Run, after: &Run) -> Joint {
+    pub fn junction(self, before: &ChainVector, after: &ChainVector) -> Junction {
         let ([ax, ay, az], [bx, by, bz]) = (before.direction, after.direction);
         let cos = (ax * bx + ay * by + az * bz).clamp(-1.0, 1.0);
         let limit = before.limit_mm_s.min(after.limit_mm_s);
@@ -107,9 +126,9 @@ impl Cornering {
         let sin_half = (0.5 * (1.0 - cos)).sqrt();
         let cos_half = (0.5 * (1.0 + cos)).sqrt();
         if sin_half < STRAIGHT {
-            return Joint {
+            return Junction {
                 v2: limit * limit,
-                ..Joint::STRAIGHT_ON
+                ..Junction::STRAIGHT_ON
             };
         }
         let tan_half = sin_half / cos_half;
@@ -118,9 +137,9 @@ impl Cornering {
         let seen_mm_s = self.acceleration_mm_s2 * self.window_s * (0.5 / sin_half - 0.5);
         let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
         if cap_v2 < LEAST_V2 {
-            return Joint::REST;
+            return Junction::REST;
         }
-        Joint {
+        Junction {
             v2: cap_v2.min(limit * limit),
             cap_v2,
             tangent_mm: cap_v2 / self.acceleration_mm_s2 * tan_half,
@@ -131,7 +150,7 @@ impl Cornering {
 
     /// The largest square of a speed in the middle of the arc at the end of a vector that begins
     /// with `v2` in the middle of the one at its start.
-    fn reached_v2(self, v2: f64, from: &Joint, run: &Run, to: &Joint) -> f64 {
+    fn reached_v2(self, v2: f64, from: &Junction, run: &ChainVector, to: &Junction) -> f64 {
         let limit_v2 = run.limit_mm_s * run.limit_mm_s;
         let straight_mm = run.length_mm - from.tangent_mm - to.tangent_mm;
         let out = from.half_arc(v2).min(limit_v2);
@@ -139,15 +158,15 @@ impl Cornering {
         to.half_arc(into.min(to.cap_v2).min(limit_v2)).min(limit_v2)
     }
 
-    /// How long the vector between two joints takes at the least, in s, in the motion that
+    /// How long the vector between two junctions takes at the least, in s, in the motion that
     /// [`speeds`](Self::speeds) found.
     #[must_use]
-    pub fn duration_s(self, from: &Joint, run: &Run, to: &Joint) -> f64 {
+    pub fn duration_s(self, from: &Junction, run: &ChainVector, to: &Junction) -> f64 {
         let a = self.acceleration_mm_s2;
         let limit_v2 = run.limit_mm_s * run.limit_mm_s;
         let straight_mm = (run.length_mm - from.tangent_mm - to.tangent_mm).max(0.0);
         let gain = 2.0 * a * straight_mm;
-        let [up, down] = [from, to].map(|joint| joint.half_arc(joint.v2).min(limit_v2));
+        let [up, down] = [from, to].map(|junction| junction.half_arc(junction.v2).min(limit_v2));
         let (out, into) = (up.min(down + gain), down.min(up + gain));
         let peak = (0.5 * (out + into + gain)).min(limit_v2).sqrt();
         let (out_mm_s, into_mm_s) = (out.sqrt(), into.sqrt());
@@ -158,7 +177,7 @@ impl Cornering {
     }
 }
 
-impl Joint {
+impl Junction {
     /// A chain begins or ends.
     const REST: Self = Self {
         v2: 0.0,
@@ -231,9 +250,9 @@ mod tests {
         window_s: 0.08,
     };
 
-    fn run(degrees: f64, length_mm: f64, limit_mm_s: f64) -> Run {
+    fn run(degrees: f64, length_mm: f64, limit_mm_s: f64) -> ChainVector {
         let (sin, cos) = degrees.to_radians().sin_cos();
-        Run {
+        ChainVector {
             direction: [cos, sin, 0.0],
             length_mm,
             limit_mm_s,
@@ -241,10 +260,10 @@ mod tests {
         }
     }
 
-    fn speeds(chain: &[Run]) -> Vec<f64> {
-        let mut joints = Vec::new();
-        CORNERING.speeds(0.0, chain, &mut joints);
-        joints.iter().map(Joint::speed_mm_s).collect()
+    fn speeds(chain: &[ChainVector]) -> Vec<f64> {
+        let mut junctions = Vec::new();
+        CORNERING.speeds(0.0, chain, &mut junctions);
+        junctions.iter().map(Junction::speed_mm_s).collect()
     }
 
     #[test]
@@ -253,16 +272,16 @@ mod tests {
         // middle and so have the radius of the inscribed circle.
         let turn = TAU / 72.0;
         let length_mm = 2.0 * 4.0 * (turn / 2.0).sin();
-        let chain: Vec<Run> = (0..720_u32)
+        let chain: Vec<ChainVector> = (0..720_u32)
             .map(|i| run(f64::from(i) * 5.0, length_mm, 90.0))
             .collect();
         let inscribed_mm = 4.0 * (turn / 2.0).cos();
         let found = speeds(&chain)[360];
         let wanted = (100.0 * inscribed_mm).sqrt();
         assert!((found - wanted).abs() < 1e-6, "{found} instead of {wanted}");
-        let mut joints = Vec::new();
-        CORNERING.speeds(0.0, &chain, &mut joints);
-        let took_s = CORNERING.duration_s(&joints[360], &chain[360], &joints[361]);
+        let mut junctions = Vec::new();
+        CORNERING.speeds(0.0, &chain, &mut junctions);
+        let took_s = CORNERING.duration_s(&junctions[360], &chain[360], &junctions[361]);
         let wanted_s = inscribed_mm * turn / wanted;
         assert!((took_s - wanted_s).abs() < 1e-9, "{took_s}, {wanted_s}");
     }
@@ -314,7 +333,7 @@ mod tests {
                 prop_assert!(needed <= CORNERING.acceleration_mm_s2 * (1.0 + 1e-9));
             }
             for (i, pair) in chain.windows(2).enumerate() {
-                let corner = CORNERING.joint(&pair[0], &pair[1]).speed_mm_s();
+                let corner = CORNERING.junction(&pair[0], &pair[1]).speed_mm_s();
                 prop_assert!(speeds[i + 1] <= corner * (1.0 + 1e-9));
             }
         }
@@ -324,7 +343,7 @@ mod tests {
             turn in 0.05..1.6_f64, share in 0.01..0.99_f64, radius_mm in 0.05..50.0_f64,
         ) {
             let a = 100.0;
-            let mut joint = Joint {
+            let mut junction = Junction {
                 v2: share * a * radius_mm,
                 cap_v2: a * radius_mm,
                 tangent_mm: radius_mm * (turn / 2.0).tan(),
@@ -333,20 +352,20 @@ mod tests {
             };
             let steps = 20_000_u32;
             let step_mm = radius_mm * turn / 2.0 / f64::from(steps);
-            let (mut v2, mut took_s) = (joint.v2, 0.0);
+            let (mut v2, mut took_s) = (junction.v2, 0.0);
             for _ in 0..steps {
                 let across = v2 / radius_mm;
                 let along = (a * a - across * across).max(0.0).sqrt();
-                let next = (v2 + 2.0 * along * step_mm).min(joint.cap_v2);
+                let next = (v2 + 2.0 * along * step_mm).min(junction.cap_v2);
                 took_s += 2.0 * step_mm / (v2.sqrt() + next.sqrt());
                 v2 = next;
             }
-            let found = joint.half_arc(joint.v2);
+            let found = junction.half_arc(junction.v2);
             prop_assert!((found / v2 - 1.0).abs() < 2e-3, "{found} instead of {v2}");
-            let found_s = joint.half_arc_s(found.sqrt(), a);
+            let found_s = junction.half_arc_s(found.sqrt(), a);
             prop_assert!((found_s / took_s - 1.0).abs() < 0.04, "{found_s} instead of {took_s}");
-            joint.v2 = found;
-            prop_assert!(joint.half_arc(found) <= joint.cap_v2);
+            junction.v2 = found;
+            prop_assert!(junction.half_arc(found) <= junction.cap_v2);
         }
     }
 }

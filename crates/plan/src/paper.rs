@@ -98,7 +98,7 @@ impl Default for Paper {
     }
 }
 
-/// Why that is no paper to draw on.
+/// Why the paper cannot lie so.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperError {
@@ -110,7 +110,7 @@ pub enum PaperError {
         /// How far the third is from the line through the others.
         width_mm: f64,
     },
-    /// Nobody draws on a wall.
+    /// The plane is too steep.
     #[error(
         "the paper through the touched points slopes by {slope_deg:.1} degrees; at most 10 are allowed: touch them again"
     )]

@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Stroke};
 
 use crate::landing::Landing;
 use crate::planner::Planner;
-use crate::{Break, Machine, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector, Tool};
+use crate::{Break, Machine, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
 
 /// Everything the arm does for a drawing, vector by vector.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,11 +79,8 @@ impl Plan {
     /// How high above the paper the pen travels at most, in mm; 0 for a laser.
     #[must_use]
     pub fn lift_mm(&self) -> f64 {
-        let lift_mm = |pass: &PlannedPass| match pass.tool {
-            Tool::Pen(pen) => pen.lift_mm,
-            Tool::Laser(_) => 0.0,
-        };
-        self.passes.iter().map(lift_mm).fold(0.0, f64::max)
+        let lifts_mm = self.passes.iter().map(|it| it.tool.lift_mm());
+        lifts_mm.fold(0.0, f64::max)
     }
 
     /// What it was planned for.
@@ -95,7 +92,7 @@ impl Plan {
     /// Whether it burns with a laser; otherwise it draws with a pen.
     #[must_use]
     pub fn burns(&self) -> bool {
-        matches!(self.passes[0].tool, Tool::Laser(_))
+        self.passes[0].tool.burns()
     }
 
     /// How long the whole plan takes, in seconds.
@@ -136,31 +133,23 @@ impl Plan {
 /// Where the first stroke begins, pen up or laser off.
 fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
     let mut firsts = passes.iter().flat_map(|pass| {
-        let points = pass
-            .strokes
-            .iter()
-            .filter_map(|stroke| stroke.points.first());
+        let points = pass.strokes.iter().filter_map(|it| it.points.first());
         points.map(|&first| (pass.tool, first))
     });
     let (tool, first) = firsts.next().ok_or(PlanError::NoStrokes)?;
-    let above_mm = match tool {
-        Tool::Pen(pen) => pen.lift_mm,
-        Tool::Laser(_) => 0.0,
-    };
-    Ok([first.x, first.y, paper.z_at(first) + above_mm])
+    Ok([first.x, first.y, paper.z_at(first) + tool.lift_mm()])
 }
 
 fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanError> {
     machine.check()?;
     paper.check()?;
-    let burns = |pass: &Pass| matches!(pass.tool, Tool::Laser(_));
-    for (pass, it) in (1..).zip(passes) {
-        it.tool.check()?;
-        machine.check_keeps(&it.tool)?;
-        if burns(it) && !paper.is_level() {
+    for (pass, Pass { tool, .. }) in (1..).zip(passes) {
+        tool.check()?;
+        machine.check_keeps(tool)?;
+        if tool.burns() && !paper.is_level() {
             return Err(PlanError::SlopingLaser { pass });
         }
-        if burns(it) != burns(&passes[0]) {
+        if tool.burns() != passes[0].tool.burns() {
             return Err(PlanError::MixedTools { pass });
         }
     }
@@ -176,7 +165,7 @@ mod tests {
 
     use super::*;
     use crate::commands::{LASER_OFF, write};
-    use crate::{Laser, LinkRate, Pen};
+    use crate::{Laser, LinkRate, Pen, Tool};
 
     const NO_LINK: LinkRate = LinkRate { period_s: 0.0 };
 

@@ -2,14 +2,14 @@
 
 use dobot_geometry::{Point, Stroke};
 
+use crate::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::joints::JointSpeeds;
 use crate::landing::Landing;
-use crate::lookahead::Run;
-use crate::pace::{LEAST_SHARE, Pace};
-use crate::seen::Ticks;
+use crate::lookahead::ChainVector;
+use crate::seen::TickPositions;
 use crate::speeds::Speeds;
+use crate::tick_fit::OVER;
 use crate::ticker::Ticker;
-use crate::ticks::OVER;
 use crate::vector::length;
 use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 
@@ -17,7 +17,7 @@ use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
 pub(super) struct Planner<'a> {
     paper: &'a Paper,
     pub(super) machine: &'a Machine,
-    pub(super) pace: Pace,
+    pub(super) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
     pub(super) ticker: Option<Ticker>,
     /// Where the vectors so far lead, rounding included.
@@ -29,7 +29,7 @@ pub(super) struct Planner<'a> {
     pub(super) stroke: u32,
     pass: u32,
     /// The runs since the last rest; reused.
-    pub(super) chain: Vec<Run>,
+    pub(super) chain: Vec<ChainVector>,
 }
 
 impl<'a> Planner<'a> {
@@ -42,8 +42,8 @@ impl<'a> Planner<'a> {
         Self {
             paper,
             machine,
-            pace: Pace::new(machine),
-            ticker: machine.has_ticks.then(|| Ticker::new(machine, 0.0)),
+            chain_speeds: ChainSpeeds::new(machine),
+            ticker: Ticker::of(machine, 0.0),
             here: start,
             landing: Landing::new(machine, tool),
             joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
@@ -98,18 +98,12 @@ impl<'a> Planner<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
         let way = [x_mm, y_mm, z_mm].map(f64::from);
-        let length_mm = length(way);
-        if length_mm < LEAST_VECTOR_MM {
+        if length(way) < LEAST_VECTOR_MM {
             return;
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
-        self.chain.push(Run {
-            direction: way.map(|d| d / length_mm),
-            length_mm,
-            limit_mm_s,
-            corner_mm_s: f64::INFINITY,
-        });
+        self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
             x_mm,
             y_mm,
@@ -131,7 +125,7 @@ impl<'a> Planner<'a> {
         if let Some(ticker) = self.ticker.take() {
             self.plan_in_ticks(begin, &ticker);
         } else {
-            let speeds = self.pace.plan(&mut self.chain);
+            let speeds = self.chain_speeds.plan(&mut self.chain);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
@@ -153,7 +147,7 @@ impl Planner<'_> {
         for left in (0..=rounds).rev() {
             let attempt = self.attempt(begin, ticker.clone(), &over);
             if left == 0 || attempt.shares.iter().all(|it| *it >= 1.0) {
-                self.pace = attempt.pace;
+                self.chain_speeds = attempt.chain_speeds;
                 self.ticker = Some(attempt.ticker);
                 return;
             }
@@ -162,21 +156,18 @@ impl Planner<'_> {
     }
 
     fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64]) -> Attempt {
-        let mut pace = self.pace.clone();
-        let speeds: Vec<Speeds> = pace.plan(&mut self.chain).collect();
-        let mut ticks = Ticks::default();
+        let mut chain_speeds = self.chain_speeds.clone();
+        let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        let mut ticks = TickPositions::default();
         for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
             let cut = ticker.set(vector, speeds[i], over[i]);
             ticks.push(&self.chain[i], &cut);
         }
-        let mut shares = vec![1.0_f64; self.chain.len()];
-        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
-        ticks.too_much(self.machine.acceleration_mm_s2, LEAST_SHARE, note);
         Attempt {
-            pace,
+            chain_speeds,
             ticker,
             speeds,
-            shares,
+            shares: ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE),
         }
     }
 
@@ -196,7 +187,7 @@ impl Planner<'_> {
 
 /// A chain as it comes out in ticks.
 struct Attempt {
-    pace: Pace,
+    chain_speeds: ChainSpeeds,
     ticker: Ticker,
     /// What was wanted of each vector.
     speeds: Vec<Speeds>,

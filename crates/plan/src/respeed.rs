@@ -4,9 +4,9 @@ use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
 use crate::Machine;
+use crate::chain::ChainSpeeds;
 use crate::joints::JointSpeeds;
-use crate::lookahead::Run;
-use crate::pace::Pace;
+use crate::lookahead::ChainVector;
 use crate::planner::round_down;
 use crate::ticker::Ticker;
 use crate::vector::length;
@@ -43,18 +43,14 @@ pub fn respeed(
     share: f64,
     machine: &Machine,
 ) -> Vec<WriteVector> {
-    let Begin {
-        speed_mm_s,
-        position,
-        tool,
-    } = *begin;
+    let position = begin.position;
     let mut respeeding = Respeeding {
         machine,
         share,
-        speed_mm_s,
+        speed_mm_s: begin.speed_mm_s,
         here: [position.x.0, position.y.0, position.z.0],
-        joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach().0),
-        ticker: machine.has_ticks.then(|| Ticker::new(machine, speed_mm_s)),
+        joints: JointSpeeds::new(machine.joint_speed_deg_s, begin.tool.reach().0),
+        ticker: Ticker::of(machine, begin.speed_mm_s),
     };
     vectors
         .split_inclusive(|it| it.end_speed_mm_s == 0.0)
@@ -66,11 +62,8 @@ pub fn respeed(
 /// a vector at another speed than it says, and begins the next one with that (note N48).
 #[must_use]
 pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
-    if machine.has_ticks {
-        Ticker::new(machine, begin_speed_mm_s).run(vector).end_mm_s
-    } else {
-        vector.end_speed_mm_s
-    }
+    let ticker = Ticker::of(machine, begin_speed_mm_s);
+    ticker.map_or(vector.end_speed_mm_s, |mut it| it.run(vector).end_mm_s)
 }
 
 struct Respeeding<'a> {
@@ -127,15 +120,18 @@ impl Respeeding<'_> {
     /// The end speed and the largest speed of each vector.
     fn faster(&self, chain: &[WriteVector]) -> Vec<[f64; 2]> {
         let mut here = self.here;
-        let mut runs: Vec<Run> = Vec::with_capacity(chain.len());
+        let mut runs: Vec<ChainVector> = Vec::with_capacity(chain.len());
         for vector in chain {
             let way = way(vector);
             let wanted_mm_s = self.share * f64::from(vector.max_speed_mm_s);
-            runs.push(run(way, self.joints.cap(here, way, wanted_mm_s)));
+            runs.push(ChainVector::of(
+                way,
+                self.joints.cap(here, way, wanted_mm_s),
+            ));
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
-        let mut pace = Pace::new(self.machine);
-        let speeds = pace.plan_from(self.speed_mm_s.into(), &mut runs);
+        let mut chain_speeds = ChainSpeeds::new(self.machine);
+        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs);
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 
@@ -156,16 +152,6 @@ fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
         [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
     };
     chain.iter().map(scaled).collect()
-}
-
-fn run(way: [f64; 3], limit_mm_s: f64) -> Run {
-    let length_mm = length(way);
-    Run {
-        direction: way.map(|part| part / length_mm),
-        length_mm,
-        limit_mm_s,
-        corner_mm_s: f64::INFINITY,
-    }
 }
 
 fn way(vector: &WriteVector) -> [f64; 3] {

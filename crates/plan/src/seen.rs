@@ -2,23 +2,27 @@
 
 use dobot_motion::Cut;
 
-use crate::lookahead::Run;
+use crate::lookahead::ChainVector;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
 use crate::vector::length;
 
 /// A chain of vectors in motion: when the tool is at its corners, and where.
 #[derive(Debug)]
-pub(super) struct Seen<'a> {
-    chain: &'a [Run],
+pub(super) struct SeenMotion<'a> {
+    chain: &'a [ChainVector],
     speeds: &'a [Speeds],
     acceleration_mm_s2: f64,
     /// When each vector begins, in s, and where, in mm; last, where the chain ends.
     begins: Vec<(f64, [f64; 3])>,
 }
 
-impl<'a> Seen<'a> {
-    pub(super) fn new(chain: &'a [Run], speeds: &'a [Speeds], acceleration_mm_s2: f64) -> Self {
+impl<'a> SeenMotion<'a> {
+    pub(super) fn new(
+        chain: &'a [ChainVector],
+        speeds: &'a [Speeds],
+        acceleration_mm_s2: f64,
+    ) -> Self {
         let mut begins = Vec::with_capacity(chain.len() + 1);
         let (mut t_s, mut place) = (0.0, [0.0; 3]);
         begins.push((t_s, place));
@@ -35,21 +39,24 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// Calls `found` with a corner, by the number of the vector before it, and the share of the
-    /// acceleration seen there that is allowed, wherever that share is below `least`.
+    /// For each vector the share that is allowed of the acceleration seen at the corner behind it; 1
+    /// where the share is not below `least`.
     ///
     /// It is looked at each corner, and around it as far as the corner is seen.
-    pub(super) fn too_much(&self, least: f64, mut found: impl FnMut(usize, f64)) {
+    pub(super) fn shares(&self, least: f64) -> Vec<f64> {
+        let mut shares = vec![1.0_f64; self.chain.len()];
         for corner in 1..self.chain.len() {
             let at_s = self.begins[corner].0;
             for share_of_window in AROUND {
                 let t_s = at_s + share_of_window * WINDOW_S;
                 let share = self.acceleration_mm_s2 / self.acceleration(t_s, corner);
                 if share < least {
-                    found(self.nearest(t_s, corner) - 1, share);
+                    let seen = &mut shares[self.nearest(t_s, corner) - 1];
+                    *seen = seen.min(share);
                 }
             }
         }
+        shares
     }
 
     /// The acceleration seen at a moment, in mm/s2.
@@ -99,14 +106,14 @@ impl<'a> Seen<'a> {
 
 /// A chain of vectors in ticks: where the tool is at each.
 #[derive(Debug)]
-pub(super) struct Ticks {
+pub(super) struct TickPositions {
     /// In mm from where it begins.
     places: Vec<[f64; 3]>,
     /// At which tick each vector ends.
     ends: Vec<usize>,
 }
 
-impl Default for Ticks {
+impl Default for TickPositions {
     fn default() -> Self {
         Self {
             places: vec![[0.0; 3]],
@@ -115,21 +122,17 @@ impl Default for Ticks {
     }
 }
 
-impl Ticks {
+impl TickPositions {
     /// The next vector, as the arm runs it.
-    pub(super) fn push(&mut self, run: &Run, cut: &Cut) {
+    pub(super) fn push(&mut self, run: &ChainVector, cut: &Cut) {
         let begin = self.places[self.places.len() - 1];
         self.places.extend(at_ticks(begin, run.direction, cut));
         self.ends.push(self.places.len() - 1);
     }
 
-    /// As [`Seen::too_much`]. The tool stands before the chain and behind it.
-    pub(super) fn too_much(
-        &self,
-        acceleration_mm_s2: f64,
-        least: f64,
-        mut found: impl FnMut(usize, f64),
-    ) {
+    /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
+    pub(super) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
+        let mut shares = vec![1.0_f64; self.ends.len()];
         let allowed_mm = acceleration_mm_s2 * WINDOW_S * WINDOW_S;
         let last = self.places.len() - 1;
         let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
@@ -141,11 +144,12 @@ impl Ticks {
             }
             let before = self.places[tick.saturating_sub(WINDOW_TICKS)];
             let after = self.places[(tick + WINDOW_TICKS).min(last)];
-            let seen_mm = second_difference(before, self.places[tick], after);
-            if allowed_mm / seen_mm < least {
-                found(corner, allowed_mm / seen_mm);
+            let share = allowed_mm / second_difference(before, self.places[tick], after);
+            if share < least {
+                shares[corner] = shares[corner].min(share);
             }
         }
+        shares
     }
 }
 
@@ -165,7 +169,7 @@ pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]
     length([0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]))
 }
 
-fn on(place: [f64; 3], run: &Run, way_mm: f64) -> [f64; 3] {
+fn on(place: [f64; 3], run: &ChainVector, way_mm: f64) -> [f64; 3] {
     [0, 1, 2].map(|i| place[i] + way_mm * run.direction[i])
 }
 

@@ -25,16 +25,11 @@ impl Plan {
     #[must_use]
     pub fn summary(&self) -> Summary {
         let total = |which: fn(MoveKind) -> bool| {
-            let vectors = self.moves.iter().filter(|vector| which(vector.kind));
-            vectors
-                .map(PlannedVector::length_mm)
-                .fold(0.0, |sum, length| sum + length)
+            let vectors = self.moves.iter().filter(|it| which(it.kind));
+            vectors.fold(0.0, |sum, it| sum + it.length_mm())
         };
         Summary {
-            strokes: self
-                .moves
-                .last()
-                .map_or(0, |vector| vector.stroke as usize + 1),
+            strokes: self.moves.last().map_or(0, |it| it.stroke as usize + 1),
             vectors: self.moves.len(),
             drawn_mm: total(MoveKind::marks),
             travelled_mm: total(|kind| matches!(kind, MoveKind::Travel)),

@@ -7,7 +7,7 @@ use crate::commands::write;
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::ticks::{Fit, OVER, Wish};
+use crate::tick_fit::{OVER, TickFit, TickTarget};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -30,6 +30,11 @@ impl Ticker {
             early: 0.0,
             credit: Credit::new(machine.link),
         }
+    }
+
+    /// The ticks of a machine that has some.
+    pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
+        machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
     }
 
     /// Gives a vector the speeds with which a stock arm comes nearest to these, and tells how it runs
@@ -97,9 +102,9 @@ impl Ticker {
     }
 
     /// The next vector, of this length.
-    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> Fit {
+    fn fit(&mut self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> TickFit {
         let ticks = speeds.duration_s / f64::from(TICK_S);
-        let fit = Wish {
+        let fit = TickTarget {
             length_mm,
             speeds,
             ticks: ticks + self.early,

@@ -28,12 +28,42 @@ impl Tool {
         }
     }
 
+    /// Whether it is a laser.
+    #[must_use]
+    pub const fn burns(&self) -> bool {
+        matches!(self, Self::Laser(_))
+    }
+
+    /// How high above the paper it travels, in mm; 0 for a laser.
+    #[must_use]
+    pub const fn lift_mm(&self) -> f64 {
+        match self {
+            Self::Pen(pen) => pen.lift_mm,
+            Self::Laser(_) => 0.0,
+        }
+    }
+
+    /// Largest speed between strokes, in mm/s.
+    #[must_use]
+    pub const fn travel_speed_mm_s(&self) -> f64 {
+        match self {
+            Self::Pen(pen) => pen.travel_speed_mm_s,
+            Self::Laser(laser) => laser.travel_speed_mm_s,
+        }
+    }
+
+    /// What the arm carries for it: the laser is nearer to the arm than the pen.
+    #[must_use]
+    pub const fn end_effector(&self) -> dobot_arm::Tool {
+        match self {
+            Self::Pen(_) => dobot_arm::Tool::SuctionCup,
+            Self::Laser(_) => dobot_arm::Tool::Laser,
+        }
+    }
+
     /// How far it reaches beyond the wrist, in mm.
     pub(super) const fn reach_mm(&self) -> f64 {
-        match self {
-            Self::Pen(_) => dobot_arm::Tool::SuctionCup.reach().0,
-            Self::Laser(_) => dobot_arm::Tool::Laser.reach().0,
-        }
+        self.end_effector().reach().0
     }
 
     /// Its speeds by name, in mm/s.

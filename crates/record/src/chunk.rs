@@ -1,42 +1,48 @@
 //! A chunk: records that were compressed together.
 
-use mcap::records::op;
+use mcap::records::{Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
-
-use crate::fields::Fields;
-use crate::records::{BAD_RECORD, HEADER_LEN, LONGEST};
 
 /// A chunk: records that were compressed together, given out one by one. The checksum of a compressed
 /// one is checked before any of it is.
 pub(crate) struct Chunk {
     /// How long it is in the file, its header included.
     file_bytes: u64,
-    content: Content,
-}
-
-enum Content {
-    /// How much of the record was given out, and the record.
-    Plain(usize, Vec<u8>),
-    Compressed(Box<LinearReader>),
+    reader: Box<LinearReader>,
 }
 
 impl Chunk {
     /// Opens a chunk, given as the body of its record.
-    pub(crate) fn new(body: Vec<u8>) -> Result<Self, String> {
-        let file_bytes = HEADER_LEN + body.len() as u64;
-        let (compression, records) = header(&body).ok_or(BAD_RECORD)?;
-        let content = match compression {
-            "" => Content::Plain(body.len() - records.len(), body),
-            "zstd" => Content::Compressed(Box::new(reader(&body))),
+    pub(crate) fn new(body: &[u8]) -> Result<Self, String> {
+        let Ok(Record::Chunk { header, data }) = mcap::parse_record(op::CHUNK, body) else {
+            return Err(BAD_RECORD.to_owned());
+        };
+        let is_whole = body.len() == NUMBERS_LEN + header.compression.len() + data.len();
+        if !is_whole || header.uncompressed_size > LONGEST {
+            return Err(BAD_RECORD.to_owned());
+        }
+        let is_compressed = match header.compression.as_str() {
+            "" => false,
+            "zstd" => true,
             other => {
                 return Err(format!(
                     "a chunk is compressed with {other:?}; this program knows \"zstd\""
                 ));
             }
         };
+        let mut reader = LinearReader::new_with_options(LinearReaderOptions {
+            skip_start_magic: true,
+            skip_end_magic: true,
+            prevalidate_chunk_crcs: is_compressed,
+            record_length_limit: usize::try_from(LONGEST).ok(),
+            ..LinearReaderOptions::default()
+        });
+        let record = [&[op::CHUNK][..], &(body.len() as u64).to_le_bytes(), body].concat();
+        reader.insert(record.len()).copy_from_slice(&record);
+        reader.notify_read(record.len());
         Ok(Self {
-            file_bytes,
-            content,
+            file_bytes: record.len() as u64,
+            reader: Box::new(reader),
         })
     }
 
@@ -47,58 +53,24 @@ impl Chunk {
 
     /// The next record: its kind and its body.
     pub(crate) fn next(&mut self) -> Option<Result<(u8, Vec<u8>), String>> {
-        match &mut self.content {
-            Content::Plain(begin, chunk) => plain(begin, chunk),
-            Content::Compressed(reader) => compressed(reader),
-        }
-    }
-}
-
-/// How a chunk is compressed, and its records.
-fn header(body: &[u8]) -> Option<(&str, &[u8])> {
-    let mut fields = Fields(body);
-    let (_begin, _end, len, _crc) = (fields.u64()?, fields.u64()?, fields.u64()?, fields.u32()?);
-    let (compression, records_len) = (fields.text()?, fields.u64()?);
-    let is_whole = fields.0.len() as u64 == records_len && len <= LONGEST;
-    is_whole.then_some((compression, fields.0))
-}
-
-/// A reader of nothing but this chunk.
-fn reader(body: &[u8]) -> LinearReader {
-    let options = LinearReaderOptions {
-        skip_start_magic: true,
-        skip_end_magic: true,
-        prevalidate_chunk_crcs: true,
-        record_length_limit: usize::try_from(LONGEST).ok(),
-        ..LinearReaderOptions::default()
-    };
-    let mut reader = LinearReader::new_with_options(options);
-    let record = [&[op::CHUNK][..], &(body.len() as u64).to_le_bytes(), body].concat();
-    reader.insert(record.len()).copy_from_slice(&record);
-    reader.notify_read(record.len());
-    reader
-}
-
-fn plain(begin: &mut usize, chunk: &[u8]) -> Option<Result<(u8, Vec<u8>), String>> {
-    let mut rest = Fields(&chunk[*begin..]);
-    if rest.0.is_empty() {
-        return None;
-    }
-    let record = rest.record().map(|(kind, body)| (kind, body.to_vec()));
-    *begin = chunk.len() - rest.0.len();
-    Some(record.ok_or_else(|| BAD_RECORD.to_owned()))
-}
-
-fn compressed(reader: &mut LinearReader) -> Option<Result<(u8, Vec<u8>), String>> {
-    loop {
-        match reader.next_event()? {
-            Ok(LinearReadEvent::Record { opcode, data }) => {
-                return Some(Ok((opcode, data.to_vec())));
+        loop {
+            match self.reader.next_event()? {
+                Ok(LinearReadEvent::Record { opcode, data }) => {
+                    return Some(Ok((opcode, data.to_vec())));
+                }
+                // There is no more than the chunk.
+                Ok(LinearReadEvent::ReadRequest(_)) => {}
+                Err(error) => return Some(Err(format!("a chunk is damaged: {error}"))),
             }
-            // There is no more than the chunk.
-            Ok(LinearReadEvent::ReadRequest(_)) => {}
-            Err(error) => return Some(Err(format!("a chunk is damaged: {error}"))),
+            self.reader.notify_read(0);
         }
-        reader.notify_read(0);
     }
 }
+
+/// The numbers before the records of a chunk, in bytes.
+const NUMBERS_LEN: usize = 40;
+
+/// The longest record and the longest chunk, in bytes.
+pub(crate) const LONGEST: u64 = 8 << 20;
+
+pub(crate) const BAD_RECORD: &str = "a record does not hold what its kind does";

@@ -27,9 +27,10 @@
 //! ```
 
 mod about;
-mod chapter;
 mod chunk;
-mod fields;
+mod encoder;
+mod file_writer;
+mod folder;
 mod limits;
 mod moment;
 mod playback;
@@ -43,16 +44,14 @@ mod repeats;
 mod replay;
 mod rotation;
 mod schema;
-mod scribe;
-mod shelf;
 mod topic;
 
 pub use about::About;
+pub use folder::{RecordedFile, is_being_written, recordings};
 pub use limits::{Limits, StartError};
 pub use moment::{Damage, Entry, Moment};
 pub use record::Record;
 pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
 pub use replay::{Difference, Replay, Report};
-pub use shelf::{Shelved, is_being_written, recordings};
 pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};

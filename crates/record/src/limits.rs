@@ -22,17 +22,13 @@ impl Limits {
     ///
     /// [`StartError`] where a limit is too low.
     pub(crate) const fn check(self) -> Result<(), StartError> {
-        let Self {
-            file_bytes,
-            total_bytes,
-        } = self;
-        if file_bytes < LEAST_FILE_BYTES {
-            return Err(StartError::File { found: file_bytes });
+        if self.file_bytes < LEAST_FILE_BYTES {
+            return Err(StartError::File(self.file_bytes));
         }
-        if total_bytes / 2 < file_bytes {
+        if self.total_bytes / 2 < self.file_bytes {
             return Err(StartError::Total {
-                found: total_bytes,
-                file_bytes,
+                found: self.total_bytes,
+                file_bytes: self.file_bytes,
             });
         }
         Ok(())
@@ -45,17 +41,14 @@ impl Default for Limits {
     }
 }
 
-/// Why a recorder could not be started. A folder that cannot be written is none of the reasons: that
-/// may change, and [`Recorder::health`](crate::Recorder::health) tells.
+/// Why a recorder could not be started. A folder that cannot be written is not among the reasons: that
+/// may change, and [`Recorder::health`](crate::Recorder::health) says so.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StartError {
     /// The limit of a file is too low.
-    #[error("file_bytes is {found}; the least that is allowed is {LEAST_FILE_BYTES}")]
-    File {
-        /// The limit.
-        found: u64,
-    },
+    #[error("file_bytes is {0}; the least that is allowed is {LEAST_FILE_BYTES}")]
+    File(u64),
     /// The limit of all files is too low.
     #[error(
         "total_bytes is {found}; the least that is allowed is twice file_bytes, which is {file_bytes}"
@@ -67,11 +60,8 @@ pub enum StartError {
         file_bytes: u64,
     },
     /// The clock is wrong.
-    #[error("the clock says {found}; recordings have numbers for 1970 to 2490 only: set it right")]
-    Clock {
-        /// What it says.
-        found: jiff::Timestamp,
-    },
+    #[error("the clock says {0}; recordings have numbers for 1970 to 2490 only: set it right")]
+    Clock(jiff::Timestamp),
     /// There is no thread for it.
     #[error("there is no thread for the recorder")]
     Thread(#[source] std::io::Error),

@@ -9,8 +9,8 @@ use serde_json::Value;
 /// Something that was recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// When it happened, since the recorder was started; in files of others, since their first
-    /// message.
+    /// When it happened, since the recorder was started; in files of other programs, since their
+    /// first message.
     pub at: Duration,
     /// What it is called, as in `/events`.
     pub topic: Arc<str>,
@@ -40,8 +40,8 @@ pub struct Damage {
     pub last: Option<Duration>,
     /// Why no more could be read.
     pub reason: String,
-    /// All that is there is good: the file merely ends too early, as one does that is being written or
-    /// whose program was killed.
+    /// All bytes of the file are good, but it ends too early: it is still being written, or its program
+    /// was killed.
     pub breaks_off: bool,
 }
 

@@ -9,18 +9,18 @@ use std::time::Duration;
 
 use jiff::Timestamp;
 
+use crate::encoder::Encoder;
 use crate::repairs::Repairs;
 use crate::rotation::Rotation;
-use crate::scribe::Scribe;
 use crate::{About, Limits, Record, StartError};
 
 /// Records what it is given, in a thread of its own: its caller never waits, and never fails.
 ///
-/// About once a second what was recorded is handed to the file, and every five seconds to the disk;
-/// that is what a program that is killed and a power cut cost, and of statuses that say the same
-/// again, ten seconds. What such an end left in the folder is repaired at the next start. When a file cannot be written, as on
-/// a full disk, [`Recorder::health`] says why, and another one is tried ten seconds later. What was
-/// lost is counted, and the next file tells of it.
+/// Records are handed to the file about once a second, and to the disk every five seconds: so much is
+/// lost when the program is killed or the power fails, and up to ten seconds of a status that repeats.
+/// A file that was left unfinished is repaired at the next start. When a file cannot be written, as on
+/// a full disk, [`Recorder::health`] says why, and another one is tried ten seconds later. Lost records
+/// are counted, and the next file says how many they were.
 ///
 /// Dropped, it ends its file in order.
 #[derive(Debug)]
@@ -73,12 +73,12 @@ impl Recorder {
         start: Timestamp,
     ) -> Result<Self, StartError> {
         limits.check()?;
-        let scribe = Scribe::new(start).ok_or(StartError::Clock { found: start })?;
+        let encoder = Encoder::new(start).ok_or(StartError::Clock(start))?;
         let folder = folder.into();
         let repairs = Repairs::new(folder.clone(), limits);
-        let rotation = Rotation::new(folder, limits, start, about, scribe);
+        let rotation = Rotation::new(folder, limits, start, about, encoder);
         let shared = Arc::new(Shared::default());
-        shared.tell(rotation.health());
+        shared.set_health(rotation.health());
         let (queue, records) = sync_channel(QUEUE_LEN);
         let (end, ended) = channel();
         let worker = Worker {
@@ -100,8 +100,8 @@ impl Recorder {
         })
     }
 
-    /// Records something that happened so long after the start; never waits. What finds no room in
-    /// the queue, or is longer than 128 KiB, is counted as lost.
+    /// Records something that happened so long after the start; never waits. A record that finds no
+    /// room in the queue, or is longer than 128 KiB, is counted as lost.
     pub fn record(&self, at: Duration, record: Record) {
         let size = record.size(LONGEST);
         let waiting = self.shared.waiting.fetch_add(size, Ordering::Relaxed);
@@ -142,7 +142,7 @@ impl Drop for Recorder {
 }
 
 impl Shared {
-    fn tell(&self, health: Health) {
+    fn set_health(&self, health: Health) {
         *self.health.lock().unwrap_or_else(PoisonError::into_inner) = health;
     }
 }
@@ -183,7 +183,7 @@ impl Worker {
             if is_over {
                 self.rotation.finish();
             }
-            self.shared.tell(Health {
+            self.shared.set_health(Health {
                 repaired: self.repairs.repaired(),
                 left: self.repairs.left(),
                 ..self.rotation.health()

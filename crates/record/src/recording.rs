@@ -1,6 +1,6 @@
 //! Reads a recording, damaged or not.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -9,11 +9,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use data_encoding::HEXLOWER_PERMISSIVE;
-use mcap::records::op;
+use mcap::records::{self, MessageHeader, Record, op};
 use serde_json::Value;
 
-use crate::fields::Fields;
-use crate::records::{BAD_RECORD, Flaw, Records};
+use crate::chunk::BAD_RECORD;
+use crate::records::{Flaw, Records};
 use crate::topic::{FROM_ARM, NAME_LEN, TO_ARM};
 use crate::{About, Damage, Entry, Moment};
 
@@ -28,9 +28,9 @@ pub struct Recording {
     about: Option<About>,
     /// Nanoseconds since 1970 when the times begin.
     start_ns: Option<u64>,
-    channels: HashMap<u16, Channel>,
+    channels: HashMap<u16, ReadChannel>,
     /// What came again and again, and was not given out yet.
-    repeats: Option<Repeats>,
+    repeats: Box<dyn Iterator<Item = Moment> + Send>,
     last: Option<Duration>,
     over: bool,
     damage: Option<Damage>,
@@ -43,24 +43,15 @@ pub enum OpenError {
     /// It cannot be opened.
     #[error("cannot read it")]
     Io(#[from] io::Error),
-    /// It is something else.
+    /// It is not an MCAP file.
     #[error("it is no recording: it does not begin as an MCAP file does")]
     NotMcap,
 }
 
 #[derive(Clone, Debug)]
-struct Channel {
+struct ReadChannel {
     topic: Arc<str>,
     is_json: bool,
-}
-
-/// A packet that came again and again.
-struct Repeats {
-    topic: Arc<str>,
-    packet: Vec<u8>,
-    /// When it comes next, in nanoseconds since 1970.
-    next_ns: Option<u64>,
-    gaps_ns: std::vec::IntoIter<u64>,
 }
 
 impl Recording {
@@ -84,7 +75,7 @@ impl Recording {
             about: None,
             start_ns: None,
             channels: HashMap::new(),
-            repeats: None,
+            repeats: Box::new(std::iter::empty()),
             last: None,
             over: false,
             damage: None,
@@ -122,49 +113,40 @@ impl Recording {
 
     /// Takes a record that is not a chunk.
     fn take(&mut self, kind: u8, body: &[u8]) -> Result<Option<Moment>, String> {
-        let mut fields = Fields(body);
-        match kind {
-            op::CHANNEL => self.channel(&mut fields).map(|()| None),
-            op::METADATA => {
-                let metadata = metadata(&mut fields).ok_or(BAD_RECORD)?;
+        if !matches!(kind, op::CHANNEL | op::METADATA | op::MESSAGE) {
+            return Ok(None);
+        }
+        match mcap::parse_record(kind, body).map_err(|_| BAD_RECORD)? {
+            Record::Channel(channel) => self.channel(channel)?,
+            Record::Metadata(metadata) => {
                 if let Some((about, start)) = About::of_metadata(&metadata) {
                     self.about = Some(about);
                     self.start_ns = u64::try_from(start.as_nanosecond()).ok();
                 }
-                Ok(None)
             }
-            op::MESSAGE => self.message(&mut fields),
-            _ => Ok(None),
+            Record::Message { header, data } => return self.message(&header, &data),
+            _ => {}
         }
+        Ok(None)
     }
 
-    fn channel(&mut self, fields: &mut Fields<'_>) -> Result<(), String> {
-        let mut read = || {
-            let (id, _schema) = (fields.u16()?, fields.u16()?);
-            Some((id, fields.text()?, fields.text()?))
-        };
-        let (id, topic, encoding) = read().ok_or(BAD_RECORD)?;
-        if topic.len() > NAME_LEN {
+    fn channel(&mut self, channel: records::Channel) -> Result<(), String> {
+        let name_len = channel.topic.len();
+        if name_len > NAME_LEN {
             return Err(format!(
-                "the name of a topic has {} bytes; allowed are {NAME_LEN}",
-                topic.len()
+                "the name of a topic has {name_len} bytes; allowed are {NAME_LEN}"
             ));
         }
-        let channel = Channel {
-            topic: topic.into(),
-            is_json: encoding == "json",
+        let read = ReadChannel {
+            topic: channel.topic.into(),
+            is_json: channel.message_encoding == "json",
         };
-        self.channels.insert(id, channel);
+        self.channels.insert(channel.id, read);
         Ok(())
     }
 
-    fn message(&mut self, fields: &mut Fields<'_>) -> Result<Option<Moment>, String> {
-        let mut read = || {
-            let (id, _sequence) = (fields.u16()?, fields.u32()?);
-            let (logged_ns, _published) = (fields.u64()?, fields.u64()?);
-            Some((id, logged_ns))
-        };
-        let (id, logged_ns) = read().ok_or(BAD_RECORD)?;
+    fn message(&mut self, header: &MessageHeader, data: &[u8]) -> Result<Option<Moment>, String> {
+        let (id, logged_ns) = (header.channel_id, header.log_time);
         let channel = self
             .channels
             .get(&id)
@@ -172,28 +154,15 @@ impl Recording {
         let start_ns = *self.start_ns.get_or_insert(logged_ns);
         let at = Duration::from_nanos(logged_ns.saturating_sub(start_ns));
         self.last = Some(at);
-        if let Some(repeats) = channel.repeats(logged_ns, fields.0) {
-            self.repeats = Some(repeats);
+        if let Some(repeats) = channel.repeats(start_ns, logged_ns, data) {
+            self.repeats = Box::new(repeats);
             return Ok(None);
         }
         Ok(Some(Moment {
             at,
             topic: Arc::clone(&channel.topic),
-            entry: channel.entry(fields.0),
+            entry: channel.entry(data),
         }))
-    }
-
-    /// The next of what came again and again.
-    fn repeat(&mut self) -> Option<Moment> {
-        let repeats = self.repeats.as_mut()?;
-        let start_ns = self.start_ns.unwrap_or_default();
-        let moment = repeats.next().map(|(at_ns, bytes)| Moment {
-            at: Duration::from_nanos(at_ns.saturating_sub(start_ns)),
-            topic: Arc::clone(&repeats.topic),
-            entry: Entry::FromArm(bytes),
-        });
-        self.repeats.take_if(|_| moment.is_none());
-        moment
     }
 }
 
@@ -202,7 +171,7 @@ impl Iterator for Recording {
 
     fn next(&mut self) -> Option<Moment> {
         loop {
-            if let Some(moment) = self.repeat() {
+            if let Some(moment) = self.repeats.next() {
                 return Some(moment);
             }
             if self.over {
@@ -235,34 +204,34 @@ impl fmt::Debug for Recording {
     }
 }
 
-impl Iterator for Repeats {
-    type Item = (u64, Vec<u8>);
-
-    fn next(&mut self) -> Option<(u64, Vec<u8>)> {
-        let at_ns = self.next_ns?;
-        self.next_ns = self.gaps_ns.next().map(|gap_ns| at_ns + gap_ns);
-        Some((at_ns, self.packet.clone()))
-    }
-}
-
-impl Channel {
+impl ReadChannel {
     /// The packets that a message of bytes from the arm tells, if it is of more than one.
-    fn repeats(&self, last_ns: u64, data: &[u8]) -> Option<Repeats> {
+    fn repeats(
+        &self,
+        start_ns: u64,
+        last_ns: u64,
+        data: &[u8],
+    ) -> Option<impl Iterator<Item = Moment> + Send + use<>> {
         if &*self.topic != FROM_ARM || !self.is_json {
             return None;
         }
-        let message: Repeated = serde_json::from_slice(data).ok()?;
-        let packet = bytes_of(&message.bytes).filter(|it| !it.is_empty())?;
-        let times_ns = message
-            .gaps_ns
-            .iter()
-            .try_fold(0, |sum: u64, it| sum.checked_add(*it));
-        Some(Repeats {
-            topic: Arc::clone(&self.topic),
-            packet,
-            next_ns: Some(last_ns.checked_sub(times_ns?)?),
-            gaps_ns: message.gaps_ns.into_iter(),
-        })
+        let Repeated { bytes, gaps_ns } = serde_json::from_slice(data).ok()?;
+        let packet = bytes_of(&bytes).filter(|it| !it.is_empty())?;
+        let mut gaps = gaps_ns.iter();
+        let lasted_ns = gaps.try_fold(0, |sum: u64, gap_ns| sum.checked_add(*gap_ns))?;
+        let first_ns = last_ns.checked_sub(lasted_ns)?;
+        let topic = Arc::clone(&self.topic);
+        let times_ns = std::iter::once(0)
+            .chain(gaps_ns)
+            .scan(first_ns, |at_ns, gap_ns| {
+                *at_ns += gap_ns;
+                Some(*at_ns)
+            });
+        Some(times_ns.map(move |at_ns| Moment {
+            at: Duration::from_nanos(at_ns.saturating_sub(start_ns)),
+            topic: Arc::clone(&topic),
+            entry: Entry::FromArm(packet.clone()),
+        }))
     }
 
     fn entry(&self, data: &[u8]) -> Entry {
@@ -288,16 +257,6 @@ impl Channel {
 struct Repeated {
     bytes: String,
     gaps_ns: Vec<u64>,
-}
-
-fn metadata(fields: &mut Fields<'_>) -> Option<mcap::records::Metadata> {
-    let name = fields.text()?.to_owned();
-    let mut rest = fields.fields()?;
-    let mut metadata = BTreeMap::new();
-    while !rest.0.is_empty() {
-        metadata.insert(rest.text()?.to_owned(), rest.text()?.to_owned());
-    }
-    Some(mcap::records::Metadata { name, metadata })
 }
 
 /// The bytes of hex digits; `None` where there is anything else.

@@ -6,8 +6,7 @@ use mcap::MAGIC;
 use mcap::records::op;
 
 use crate::OpenError;
-use crate::chunk::Chunk;
-use crate::fields::Fields;
+use crate::chunk::{Chunk, LONGEST};
 
 /// The records of an MCAP file up to its end or to where it cannot be read on. It takes a few
 /// megabytes of memory at the most, whatever the file says about itself.
@@ -58,10 +57,8 @@ impl Records {
     pub(crate) fn next(&mut self) -> Option<Result<(u8, Vec<u8>), Flaw>> {
         self.good_bytes += std::mem::take(&mut self.given_bytes);
         while !self.over {
-            match self.step() {
-                Ok(None) => {}
-                Ok(Some(record)) => return Some(Ok(record)),
-                Err(flaw) => return Some(Err(flaw)),
+            if let Some(record) = self.step().transpose() {
+                return Some(record);
             }
         }
         None
@@ -78,7 +75,7 @@ impl Records {
             return self.part();
         };
         match chunk.next() {
-            Some(Ok(record)) => Ok(Some(record)),
+            Some(Ok(record)) => Ok(GIVEN.contains(&record.0).then_some(record)),
             Some(Err(reason)) => {
                 self.chunk = None;
                 Err(Flaw::within(reason))
@@ -99,26 +96,26 @@ impl Records {
             // The power may have been cut before.
             return Err(Flaw::end("the file ends before it begins"));
         }
-        let header = self.read(HEADER_LEN)?;
+        let header = self.read(HEADER_LEN as u64)?;
         if header.is_empty() {
             return Err(Flaw::end("the file ends without its end mark"));
         }
-        let mut fields = Fields(&header);
-        let (Some(kind), Some(len)) = (fields.u8(), fields.u64()) else {
+        let Ok([kind, len @ ..]) = <[u8; HEADER_LEN]>::try_from(header) else {
             return Err(Flaw::end(CUT));
         };
+        let len = u64::from_le_bytes(len);
         match kind {
             op::FOOTER => self.skip(len).and_then(|()| self.end()).map(|()| None),
             op::CHUNK => {
                 let body = self.body(len)?;
                 self.over = false;
-                self.chunk = Some(Chunk::new(body).map_err(Flaw::within)?);
+                self.chunk = Some(Chunk::new(&body).map_err(Flaw::within)?);
                 Ok(None)
             }
-            op::HEADER | op::SCHEMA | op::CHANNEL | op::MESSAGE | op::METADATA => {
+            _ if GIVEN.contains(&kind) => {
                 let body = self.body(len)?;
                 self.over = false;
-                self.given_bytes = HEADER_LEN + len;
+                self.given_bytes = HEADER_LEN as u64 + len;
                 Ok(Some((kind, body)))
             }
             _ => {
@@ -155,7 +152,7 @@ impl Records {
         if skipped.map_err(|error| Flaw::io(&error))? < len {
             return Err(Flaw::end(CUT));
         }
-        self.good_bytes += HEADER_LEN + len;
+        self.good_bytes += HEADER_LEN as u64 + len;
         Ok(())
     }
 
@@ -191,12 +188,16 @@ impl Flaw {
     }
 }
 
-/// The kind of a record and its length.
-pub(crate) const HEADER_LEN: u64 = 9;
+/// The kinds of records that are given out; the others say nothing new.
+const GIVEN: [u8; 5] = [
+    op::HEADER,
+    op::SCHEMA,
+    op::CHANNEL,
+    op::MESSAGE,
+    op::METADATA,
+];
 
-/// The longest record and the longest chunk, in bytes.
-pub(crate) const LONGEST: u64 = 8 << 20;
-
-pub(crate) const BAD_RECORD: &str = "a record does not hold what its kind does";
+/// The kind of a record and its length, in bytes.
+const HEADER_LEN: usize = 9;
 
 const CUT: &str = "the file ends in the middle of a record";

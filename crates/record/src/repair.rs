@@ -1,6 +1,5 @@
 //! A recording that broke off is written anew, as far as it can be read.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufWriter, Seek, Write};
@@ -14,20 +13,20 @@ use serde_json::json;
 
 use crate::records::{Flaw, Records};
 use crate::topic::RECORDER;
-use crate::{About, OpenError, chapter, schema, shelf};
+use crate::{About, OpenError, file_writer, folder, schema};
 
 /// A recording that broke off, while it is written anew beside itself. Until the new file is whole
 /// and safe on the disk nothing happens to the old one.
 pub(crate) struct Repair {
     old: PathBuf,
     old_bytes: u64,
-    new: New,
+    new: NewFile,
     /// The new file may have so many bytes.
     most: u64,
     records: Records,
     /// Begun with what the old file begins with.
     writer: Option<Writer<NoSeek<BufWriter<File>>>>,
-    /// Why the old file cannot be read on or through, whatever came first.
+    /// The first reason why not all of the old file can be read.
     flaw: Option<Flaw>,
     /// Something was read that is worth a file.
     holds_something: bool,
@@ -37,7 +36,7 @@ pub(crate) struct Repair {
     recorder: Option<u16>,
 }
 
-/// What came of it.
+/// How a repair ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// The file is whole now.
@@ -47,7 +46,7 @@ pub(crate) enum Outcome {
 }
 
 /// The new file: deleted unless it takes the old one's place.
-struct New {
+struct NewFile {
     path: PathBuf,
     file: File,
 }
@@ -55,10 +54,10 @@ struct New {
 impl Repair {
     /// Begins to repair a file; `None` while somebody else does, and where there is nothing to read.
     pub(crate) fn begin(path: &Path, most: u64) -> Result<Option<Self>, OpenError> {
-        let Some((new, file)) = shelf::beside(path)? else {
+        let Some((new, file)) = folder::beside(path)? else {
             return Ok(None);
         };
-        let new = New { path: new, file };
+        let new = NewFile { path: new, file };
         let old = File::open(path)?;
         let old_bytes = old.metadata()?.len();
         Ok(Some(Self {
@@ -104,7 +103,7 @@ impl Repair {
         if let Record::Header(header) = &record
             && self.writer.is_none()
         {
-            let options = chapter::options()
+            let options = file_writer::options()
                 .profile(&header.profile)
                 .library(&header.library);
             let file = self.new.file.try_clone()?;
@@ -158,27 +157,25 @@ impl Repair {
         let Some(mut writer) = self.writer.take().filter(|_| self.holds_something) else {
             return Ok(false);
         };
-        self.tell(&mut writer)?;
+        self.write_loss(&mut writer)?;
         writer.finish()?;
         writer.into_inner().into_inner().flush()?;
         self.new.file.sync_all()?;
         // Meanwhile the old one may have had to make room.
         let is_wanted = self.old.exists() && self.new.file.metadata()?.len() <= self.most;
         if is_wanted {
-            shelf::replace(&self.new.path, &self.old)?;
+            folder::replace(&self.new.path, &self.old)?;
         }
         Ok(is_wanted)
     }
 
     /// Writes what is missing, as the last message.
-    fn tell(&self, writer: &mut Writer<impl Write + Seek>) -> McapResult<()> {
+    fn write_loss(&self, writer: &mut Writer<impl Write + Seek>) -> McapResult<()> {
         let topic = schema::own(RECORDER).expect("it is one of the recorder's own topics");
         let channel_id = if let Some(id) = self.recorder {
             id
         } else {
-            let schema = topic.schema().as_bytes();
-            let schema_id = writer.add_schema(topic.schema_name(), "jsonschema", schema)?;
-            writer.add_channel(schema_id, RECORDER, "json", &BTreeMap::new())?
+            topic.add_to(writer)?
         };
         let start_ns = self.start_ns.unwrap_or_default();
         let at_ns = self.last_ns.max(start_ns);
@@ -206,7 +203,7 @@ impl fmt::Debug for Repair {
     }
 }
 
-impl Drop for New {
+impl Drop for NewFile {
     fn drop(&mut self) {
         // After it took the old one's place there is none of this name; what cannot be deleted is at
         // the next start.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 
 use crate::repair::{Outcome, Repair};
-use crate::{Limits, Shelved, is_being_written, recordings, shelf};
+use crate::{Limits, RecordedFile, folder, is_being_written, recordings};
 
 /// Repairs the recordings of a folder that broke off, in small steps, once each.
 #[derive(Debug)]
@@ -12,7 +12,7 @@ pub(crate) struct Repairs {
     folder: PathBuf,
     limits: Limits,
     /// What is to be looked at; `None` before the first step.
-    waiting: Option<VecDeque<Shelved>>,
+    waiting: Option<VecDeque<RecordedFile>>,
     current: Option<Repair>,
     repaired: u64,
     left: u64,
@@ -59,14 +59,14 @@ impl Repairs {
         let folder = &self.folder;
         let waiting = self.waiting.get_or_insert_with(|| {
             // What cannot be deleted or listed is in nobody's way.
-            let _ = shelf::tidy(folder);
+            let _ = folder::tidy(folder);
             recordings(folder).unwrap_or_default().into()
         });
         // The latest first: it is the one that somebody asks for.
         let Some(file) = waiting.pop_back() else {
             return false;
         };
-        let is_whole = shelf::has_end_mark(&file.path).unwrap_or(true);
+        let is_whole = folder::has_end_mark(&file.path).unwrap_or(true);
         if is_whole || is_being_written(&file.path) {
             return true;
         }
@@ -76,17 +76,14 @@ impl Repairs {
     }
 
     /// Begins to repair a file; there is room for the new one beside it, and for one that is recorded.
-    fn begin(&self, file: &Shelved) -> Option<Repair> {
-        let Limits {
-            file_bytes,
-            total_bytes,
-        } = self.limits;
-        let most = (2 * file.bytes + LEAST_BYTES).min(file_bytes.max(file.bytes));
-        let room = file_bytes + most;
-        if room + file.bytes > total_bytes {
+    fn begin(&self, file: &RecordedFile) -> Option<Repair> {
+        let limits = self.limits;
+        let most = (2 * file.bytes + LEAST_BYTES).min(limits.file_bytes.max(file.bytes));
+        let room = limits.file_bytes + most;
+        if room + file.bytes > limits.total_bytes {
             return None;
         }
-        shelf::make_room(&self.folder, room, total_bytes).ok()?;
+        folder::make_room(&self.folder, room, limits.total_bytes).ok()?;
         Repair::begin(&file.path, most).ok()?
     }
 }

@@ -2,10 +2,10 @@
 
 use dobot_wire::Status;
 
-/// A status, and the times at which it came again: they are held back, to be told together.
+/// A status, and the times at which it came again: they are held back, to be written together.
 ///
-/// What comes may be cut anywhere. A packet that came whole counts as having come when its last byte did;
-/// of one that has not, each piece is kept as it came.
+/// Bytes may come in pieces of any length. A whole packet counts as received at its last byte; the
+/// pieces of an unfinished packet are kept as they came.
 #[derive(Debug)]
 pub(crate) struct Repeats {
     packet: [u8; LEN],
@@ -27,7 +27,7 @@ pub(crate) struct Piece {
 
 /// A packet that came again and again, and the begin of one more.
 #[derive(Debug)]
-pub(crate) struct Told {
+pub(crate) struct HeldBack {
     pub(crate) packet: [u8; LEN],
     pub(crate) status: Status,
     /// When each of them came, in nanoseconds since 1970.
@@ -87,8 +87,8 @@ impl Repeats {
     }
 
     /// All that is held back.
-    pub(crate) fn tell(&mut self) -> Told {
-        Told {
+    pub(crate) fn take_held(&mut self) -> HeldBack {
+        HeldBack {
             packet: self.packet,
             status: self.status,
             ends_ns: std::mem::take(&mut self.ends_ns),

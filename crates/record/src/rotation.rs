@@ -8,9 +8,9 @@ use std::time::Duration;
 use jiff::Timestamp;
 use mcap::McapError;
 
-use crate::chapter::Chapter;
-use crate::scribe::{Message, Scribe};
-use crate::{About, Health, Limits, Record, shelf};
+use crate::encoder::{Encoder, Message};
+use crate::file_writer::FileWriter;
+use crate::{About, Health, Limits, Record, folder};
 
 /// Keeps recordings in a folder. It has no clock: time comes with the records.
 #[derive(Debug)]
@@ -19,25 +19,25 @@ pub(crate) struct Rotation {
     limits: Limits,
     start: Timestamp,
     about: About,
-    scribe: Scribe,
-    open: Option<Open>,
-    trouble: Option<Trouble>,
+    encoder: Encoder,
+    open: Option<OpenFile>,
+    trouble: Option<Failure>,
     /// The time of the latest record.
     now: Duration,
     /// Records lost for good.
     lost: u64,
     /// Records lost that no file tells of yet.
-    untold: u64,
-    why_untold: String,
+    unreported: u64,
+    why_unreported: String,
     /// Records that no message tells yet.
     held: u64,
 }
 
 /// The file that is written.
 #[derive(Debug)]
-struct Open {
+struct OpenFile {
     path: PathBuf,
-    chapter: Chapter<BufWriter<File>>,
+    writer: FileWriter<BufWriter<File>>,
     /// The same file, to make it safe from a power cut.
     file: File,
     synced: Duration,
@@ -49,7 +49,7 @@ struct Open {
 
 /// Why nothing can be recorded now.
 #[derive(Debug)]
-struct Trouble {
+struct Failure {
     reason: String,
     retry: Duration,
 }
@@ -61,10 +61,10 @@ impl Rotation {
         limits: Limits,
         start: Timestamp,
         about: About,
-        mut scribe: Scribe,
+        mut encoder: Encoder,
     ) -> Self {
-        scribe.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
-        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Trouble {
+        encoder.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
+        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Failure {
             reason: format!("cannot make the folder {}: {error}", folder.display()),
             retry: Duration::ZERO,
         });
@@ -73,13 +73,13 @@ impl Rotation {
             limits,
             start,
             about,
-            scribe,
+            encoder,
             open: None,
             trouble,
             now: Duration::ZERO,
             lost: 0,
-            untold: 0,
-            why_untold: String::new(),
+            unreported: 0,
+            why_unreported: String::new(),
             held: 0,
         }
     }
@@ -90,13 +90,13 @@ impl Rotation {
         if let Record::About(about) = record {
             self.write_held();
             self.about = (**about).clone();
-            let told = self.tell();
-            self.judge(told);
+            let done = self.write_about();
+            self.note_result(done);
         }
-        let Some(messages) = self.scribe.write(at, record) else {
-            return self.lose(1, "a time lies centuries ahead");
+        let Some(messages) = self.encoder.write(at, record) else {
+            return self.count_lost(1, "a time lies centuries ahead");
         };
-        if !messages.is_empty() || self.scribe.is_holding() {
+        if !messages.is_empty() || self.encoder.is_holding() {
             self.held += 1;
         }
         self.write_down(at, &messages);
@@ -106,7 +106,7 @@ impl Rotation {
     pub(crate) fn handle_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
             self.write_held();
-            self.lose(count, reason);
+            self.count_lost(count, reason);
         }
     }
 
@@ -117,7 +117,7 @@ impl Rotation {
             Some(open) if open.unsafe_records > 0 => open.flush(),
             _ => return,
         };
-        self.judge(flushed);
+        self.note_result(flushed);
     }
 
     /// Ends the file that is written.
@@ -125,7 +125,7 @@ impl Rotation {
         self.write_held();
         if self.open.is_some() {
             let closed = self.close();
-            self.judge(closed);
+            self.note_result(closed);
         }
     }
 
@@ -139,17 +139,17 @@ impl Rotation {
         }
     }
 
-    fn lose(&mut self, count: u64, reason: &str) {
+    fn count_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
             self.lost += count;
-            self.untold += count;
-            reason.clone_into(&mut self.why_untold);
+            self.unreported += count;
+            reason.clone_into(&mut self.why_unreported);
         }
     }
 
     /// Writes the messages that tell what is held back.
     fn write_held(&mut self) {
-        let messages = self.scribe.write_held();
+        let messages = self.encoder.write_held();
         if !messages.is_empty() {
             self.write_down(self.now, &messages);
         }
@@ -160,21 +160,21 @@ impl Rotation {
     fn write_down(&mut self, at: Duration, messages: &[Message<'_>]) {
         if messages.is_empty() {
             if let Err(error) = self.flush_if_due(at) {
-                self.judge(Err(error));
+                self.note_result(Err(error));
             }
             return;
         }
         let count = std::mem::take(&mut self.held);
         if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
             let reason = trouble.reason.clone();
-            return self.lose(count, &reason);
+            return self.count_lost(count, &reason);
         }
         let written = self.write(at, messages, count);
         let failed = written.is_err();
-        self.judge(written);
+        self.note_result(written);
         if failed {
             let reason = self.health().trouble.unwrap_or_default();
-            self.lose(count, &reason);
+            self.count_lost(count, &reason);
         }
     }
 
@@ -186,15 +186,17 @@ impl Rotation {
         count: u64,
     ) -> Result<(), McapError> {
         for message in messages {
-            self.turn_page(at, message)?;
+            self.ensure_room(at, message)?;
             let Some(open) = &mut self.open else { break };
-            if self.untold > 0
-                && let Some(lost) = self.scribe.write_lost(at, self.untold, &self.why_untold)
+            if self.unreported > 0
+                && let Some(lost) =
+                    self.encoder
+                        .write_lost(at, self.unreported, &self.why_unreported)
             {
-                open.chapter.write(&lost)?;
-                self.untold = 0;
+                open.writer.write(&lost)?;
+                self.unreported = 0;
             }
-            open.chapter.write(message)?;
+            open.writer.write(message)?;
         }
         let flushed = self.flush_if_due(at)?;
         if let Some(open) = &mut self.open {
@@ -206,10 +208,10 @@ impl Rotation {
 
     /// Hands what was written to the file, if that is worth it by now; says whether it was.
     fn flush_if_due(&mut self, at: Duration) -> Result<bool, McapError> {
-        let Some((open, now_ns)) = self.open.as_mut().zip(self.scribe.at_ns(at)) else {
+        let Some((open, now_ns)) = self.open.as_mut().zip(self.encoder.at_ns(at)) else {
             return Ok(false);
         };
-        if !open.chapter.wants_flush(now_ns) {
+        if !open.writer.wants_flush(now_ns) {
             return Ok(false);
         }
         open.flush()?;
@@ -221,21 +223,18 @@ impl Rotation {
     }
 
     /// Sees to it that a file is open that has room for a message.
-    fn turn_page(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
+    fn ensure_room(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
         // What was lost may have to be told first.
         let limit = self.limits.file_bytes.saturating_sub(LOST_LEN);
-        let has_room = |open: &Open| {
-            !open.chapter.is_full_for(message, limit) && open.chapter.has_room_for(message.topic)
+        let has_room = |open: &OpenFile| {
+            !open.writer.is_full_for(message, limit) && open.writer.has_room_for(message.topic)
         };
         if self.open.as_ref().is_some_and(has_room) {
             return Ok(());
         }
         self.close()?;
-        let Limits {
-            file_bytes,
-            total_bytes,
-        } = self.limits;
-        shelf::make_room(&self.folder, file_bytes, total_bytes)?;
+        let limits = self.limits;
+        folder::make_room(&self.folder, limits.file_bytes, limits.total_bytes)?;
         self.open = Some(self.begin(at, message.since_ns)?);
         Ok(())
     }
@@ -247,17 +246,17 @@ impl Rotation {
         let count = open.unsafe_records;
         open.finish().inspect_err(|error| {
             let reason = self.text(error);
-            self.lose(count, &reason);
+            self.count_lost(count, &reason);
         })
     }
 
-    fn begin(&self, at: Duration, since_ns: u64) -> Result<Open, McapError> {
+    fn begin(&self, at: Duration, since_ns: u64) -> Result<OpenFile, McapError> {
         let begin = Timestamp::from_nanosecond(since_ns.into()).unwrap_or(self.start);
-        let (path, file) = shelf::create(&self.folder, begin)?;
-        let writer = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
-        let chapter = Chapter::begin(writer, &self.about, self.start);
-        Ok(Open {
-            chapter: chapter.inspect_err(|_| discard(&path))?,
+        let (path, file) = folder::create(&self.folder, begin)?;
+        let buffered = BufWriter::with_capacity(BUFFER_LEN, file.try_clone()?);
+        let writer = FileWriter::begin(buffered, &self.about, self.start);
+        Ok(OpenFile {
+            writer: writer.inspect_err(|_| discard(&path))?,
             path,
             file,
             synced: at,
@@ -267,25 +266,25 @@ impl Rotation {
     }
 
     /// Tells the open file what the recording is of from here on.
-    fn tell(&mut self) -> Result<(), McapError> {
+    fn write_about(&mut self) -> Result<(), McapError> {
         let Some(open) = &mut self.open else {
             return Ok(());
         };
         open.flush()?;
-        open.chapter.tell(&self.about, self.start)
+        open.writer.write_about(&self.about, self.start)
     }
 
     /// After a failure the file is given up, with what was not flushed, and another one is tried
     /// later.
-    fn judge(&mut self, done: Result<(), McapError>) {
-        self.trouble = done.err().map(|error| Trouble {
+    fn note_result(&mut self, done: Result<(), McapError>) {
+        self.trouble = done.err().map(|error| Failure {
             reason: self.text(&error),
             retry: self.now + RETRY,
         });
         if let Some(reason) = self.health().trouble
             && let Some(open) = self.open.take()
         {
-            self.lose(open.unsafe_records, &reason);
+            self.count_lost(open.unsafe_records, &reason);
             if !open.holds_records {
                 discard(&open.path);
             }
@@ -301,17 +300,17 @@ impl Rotation {
     }
 }
 
-impl Open {
+impl OpenFile {
     /// Hands all records to the file.
     fn flush(&mut self) -> Result<(), McapError> {
-        self.chapter.flush()?;
+        self.writer.flush()?;
         self.holds_records |= self.unsafe_records > 0;
         self.unsafe_records = 0;
         Ok(())
     }
 
     fn finish(self) -> Result<(), McapError> {
-        self.chapter.finish()?;
+        self.writer.finish()?;
         self.file.sync_all()?;
         Ok(())
     }
@@ -336,325 +335,4 @@ const BUFFER_LEN: usize = 64 << 10;
 const LOST_LEN: u64 = 8 << 10;
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
-mod tests {
-    use jiff::SignedDuration;
-
-    use super::*;
-    use crate::{Entry, RECORDER, Recording, recordings};
-
-    const LIMITS: Limits = Limits {
-        file_bytes: 1 << 20,
-        total_bytes: 3 << 20,
-    };
-
-    fn rotation(folder: &Path) -> Rotation {
-        let start = "2026-11-21T12:30:00Z".parse().unwrap();
-        let scribe = Scribe::new(start).unwrap();
-        Rotation::new(folder.to_owned(), LIMITS, start, About::default(), scribe)
-    }
-
-    fn s(seconds: u64) -> Duration {
-        Duration::from_secs(seconds)
-    }
-
-    /// Bytes that cannot be compressed much.
-    fn noise(len: usize, seed: u64) -> Record {
-        let mut state = seed;
-        let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            state.to_be_bytes()[0]
-        };
-        Record::ToArm((0..len).map(|_| random()).collect())
-    }
-
-    /// The bytes to the arm and the reasons for losses in a file.
-    fn read(path: &Path) -> (usize, Vec<(u64, String)>) {
-        let (mut bytes, mut lost) = (0, Vec::new());
-        for moment in Recording::open(path).unwrap() {
-            match moment.entry {
-                Entry::ToArm(piece) => bytes += piece.len(),
-                Entry::Json(value) if &*moment.topic == RECORDER => {
-                    let count = value["lost"].as_u64().unwrap();
-                    lost.push((count, value["reason"].as_str().unwrap().to_owned()));
-                }
-                _ => {}
-            }
-        }
-        (bytes, lost)
-    }
-
-    #[test]
-    fn a_program_that_is_killed_loses_a_second_at_the_most() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        for n in 0..100_u32 {
-            rotation.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
-            if let Some(path) = rotation.health().file {
-                // As a killed program leaves it: nothing more is written.
-                let (bytes, _) = read(&path);
-                let lost = usize::try_from(n).unwrap() + 1 - bytes;
-                assert!(lost <= 10, "{lost} of {n} records, 10 a second");
-            }
-        }
-    }
-
-    #[test]
-    fn after_a_while_of_silence_nothing_is_unsafe() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        rotation.handle_record(s(0), &Record::ToArm(vec![0xA5]));
-        let path = rotation.health().file.unwrap();
-        assert_eq!(read(&path).0, 0);
-        rotation.handle_idle();
-        assert_eq!(read(&path).0, 1);
-    }
-
-    #[test]
-    fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        for n in 0..600 {
-            rotation.handle_record(s(n), &noise(10_000, n));
-            let files = recordings(folder.path()).unwrap();
-            let total: u64 = files.iter().map(|it| it.bytes).sum();
-            assert!(total <= LIMITS.total_bytes, "{total}");
-            assert!(files.iter().all(|it| it.bytes <= LIMITS.file_bytes));
-        }
-        rotation.finish();
-        assert_eq!(rotation.health().lost, 0);
-        let files = recordings(folder.path()).unwrap();
-        assert!(files.len() >= 3, "{files:?}");
-        let last = Recording::open(&files.last().unwrap().path).unwrap();
-        assert_eq!(last.last().unwrap().at, s(599));
-        for file in &files[..files.len() - 1] {
-            let mut recording = Recording::open(&file.path).unwrap();
-            let first = recording.next().unwrap().at;
-            let begin = rotation.start + SignedDuration::try_from(first).unwrap();
-            assert_eq!(file.begin, begin, "its name is its first moment");
-            recording.by_ref().for_each(drop);
-            assert_eq!(recording.damage(), None);
-        }
-    }
-
-    #[test]
-    fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
-        let place = tempfile::tempdir().unwrap();
-        let folder = place.path().join("recordings");
-        std::fs::write(&folder, "something is in the way").unwrap();
-        let mut rotation = rotation(&folder);
-        let trouble = rotation.health().trouble.unwrap();
-        assert!(trouble.contains("recordings"), "{trouble}");
-        for n in 0..5 {
-            rotation.handle_record(s(n), &Record::ToArm(vec![1]));
-        }
-        assert_eq!(rotation.health().lost, 5);
-        std::fs::remove_file(&folder).unwrap();
-        // Not yet: nobody hammers on a full disk.
-        rotation.handle_record(s(9), &Record::ToArm(vec![1]));
-        assert_eq!(rotation.health().lost, 6);
-        rotation.handle_record(s(10), &Record::ToArm(vec![1]));
-        let health = rotation.health();
-        assert_eq!((health.lost, health.trouble), (6, None));
-        rotation.finish();
-        let (bytes, lost) = read(&health.file.unwrap());
-        assert_eq!(bytes, 1);
-        assert_eq!(lost.len(), 1);
-        assert_eq!(lost[0].0, 6);
-        assert!(lost[0].1.contains("cannot"), "{lost:?}");
-    }
-
-    #[test]
-    fn a_new_arm_is_told_in_the_middle_of_a_file_and_in_the_next() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        rotation.handle_record(s(0), &Record::ToArm(vec![1]));
-        let about = About {
-            address: "tcp:arm:5555".to_owned(),
-            ..About::default()
-        };
-        rotation.handle_record(s(1), &Record::About(Box::new(about)));
-        for n in 0..100 {
-            rotation.handle_record(s(2 + n), &noise(10_000, n));
-        }
-        rotation.finish();
-        let files = recordings(folder.path()).unwrap();
-        assert!(files.len() > 1);
-        let mut first = Recording::open(&files[0].path).unwrap();
-        first.next().unwrap();
-        assert_eq!(first.about().unwrap().address, "");
-        for file in files {
-            let mut recording = Recording::open(file.path).unwrap();
-            recording.by_ref().for_each(drop);
-            assert_eq!(recording.about().unwrap().address, "tcp:arm:5555");
-        }
-    }
-
-    #[test]
-    fn more_topics_than_a_file_has_room_for_get_another_file() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        let schema = serde_json::json!({ "type": "object" });
-        for n in 0..100 {
-            let topic = crate::Topic::new(&format!("/{n}"), "x.X", &schema).unwrap();
-            let value = serde_json::json!({ "n": n });
-            let topic = topic.into();
-            rotation.handle_record(s(n), &Record::Json { topic, value });
-        }
-        rotation.finish();
-        assert_eq!(rotation.health().lost, 0);
-        let files = recordings(folder.path()).unwrap();
-        assert_eq!(files.len(), 2);
-        let moments = files
-            .iter()
-            .map(|it| Recording::open(&it.path).unwrap().count());
-        assert_eq!(moments.sum::<usize>(), 100);
-    }
-
-    /// Rear arm upright, forearm level, turned that far.
-    fn status(base_deg: f32) -> Vec<u8> {
-        let radius_mm = 215.07;
-        let status = dobot_wire::Status {
-            x_mm: radius_mm * base_deg.to_radians().cos(),
-            y_mm: radius_mm * base_deg.to_radians().sin(),
-            rotation_deg: base_deg,
-            base_deg,
-            ..dobot_wire::Status::AT_ZERO
-        };
-        status.emit().to_bytes().to_vec()
-    }
-
-    /// A number from 0 to 1.
-    fn random(state: &mut u64) -> f64 {
-        *state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(*state >> 32).unwrap()) / f64::from(u32::MAX)
-    }
-
-    /// What the station tells while nothing happens, as long as it is.
-    fn state(at: Duration, seed: &mut u64) -> Record {
-        let schema = serde_json::json!({ "type": "object", "description": "x".repeat(20_000) });
-        let topic = crate::Topic::new("/station/state", "dobot.State", &schema).unwrap();
-        let value = serde_json::json!({
-            "at_s": at.as_secs_f64(),
-            "link": {
-                "address": "serial:/dev/ttyUSB0", "phase": "up", "problem": null, "bluetooth": false,
-                "statuses_per_s": 12.5 + random(seed) / 10.0, "lost_statuses": 0,
-                "damaged_bytes": 0, "latency_ms": 93.0 + random(seed),
-            },
-            "arm": {
-                "x_mm": 215.07, "y_mm": 0.0, "z_mm": 135.0, "rotation_deg": 0.0, "base_deg": 0.0,
-                "rear_deg": 0.0, "fore_deg": 0.0, "servo_deg": 0.0, "suction": false,
-                "gripper_deg": 0.0, "moving": false,
-            },
-            "dialect": "firmware-1.1",
-            "trust": { "trusted": false, "reason": "nobody has confirmed the pose yet" },
-            "queue": { "waiting": 0, "under_way": 0, "ahead_s": 0.0 },
-            "lease": null, "stop": null, "laser": { "armed_for_s": 0.0, "on": false },
-            "job": null, "clients": 1,
-        });
-        Record::Json {
-            topic: topic.into(),
-            value,
-        }
-    }
-
-    /// An hour at rest: a status every 80 ms, half a millisecond early or late, in so many pieces as
-    /// a serial port gives. How many bytes it takes.
-    fn idle_hour(cuts: &[usize]) -> u64 {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        let (mut seed, mut told) = (7, 0);
-        for n in 0..45_000_u64 {
-            let late = |seed: &mut u64| Duration::from_secs_f64(0.001 * random(seed));
-            let mut at = Duration::from_millis(80 * n);
-            let status = status(0.0);
-            let ends = cuts.iter().copied().chain([status.len()]);
-            let mut begin = 0;
-            for end in ends {
-                at += late(&mut seed);
-                rotation.handle_record(at, &Record::FromArm(status[begin..end].to_vec()));
-                begin = end;
-            }
-            if n % 125 == 0 {
-                rotation.handle_record(at, &state(at, &mut seed));
-            }
-        }
-        rotation.finish();
-        assert_eq!(rotation.health().lost, 0);
-        let files = recordings(folder.path()).unwrap();
-        for file in &files {
-            let mut recording = Recording::open(&file.path).unwrap();
-            told += recording
-                .by_ref()
-                .filter_map(|it| match it.entry {
-                    Entry::FromArm(bytes) => Some(bytes.len()),
-                    _ => None,
-                })
-                .sum::<usize>();
-            assert_eq!(recording.damage(), None);
-        }
-        assert_eq!(told, 45_000 * 42, "nothing is missing");
-        files.iter().map(|it| it.bytes).sum()
-    }
-
-    #[test]
-    fn an_hour_at_rest_takes_less_than_a_megabyte() {
-        for cuts in [&[][..], &[16], &[4, 8, 12, 16, 20, 24, 28, 32, 36, 40]] {
-            let bytes = idle_hour(cuts);
-            assert!(
-                bytes < 1_000_000,
-                "{bytes} bytes, {} pieces",
-                cuts.len() + 1
-            );
-        }
-    }
-
-    #[test]
-    fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_second() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        let mut news = Duration::ZERO;
-        for n in 0..1000_u32 {
-            let at = Duration::from_millis(80) * n;
-            // It moves for a moment now and then.
-            let is_new = n % 300 == 0;
-            news = if is_new { at } else { news };
-            let base_deg = if is_new { 30.0 } else { 0.0 };
-            rotation.handle_record(at, &Record::FromArm(status(base_deg)));
-            let Some(path) = rotation.health().file else {
-                continue;
-            };
-            let last = Recording::open(&path).unwrap().last();
-            let last = last.map(|it| it.at).unwrap_or_default();
-            let repeats = Duration::from_millis(11_200);
-            assert!(at <= last + repeats, "at {at:?}, last {last:?}");
-            let is_told = last >= news || at <= news + Duration::from_millis(1_080);
-            assert!(is_told, "at {at:?}, last {last:?}, new at {news:?}");
-        }
-    }
-
-    #[test]
-    fn records_that_were_lost_are_told_behind_what_came_before_them() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut rotation = rotation(folder.path());
-        for n in 0..5 {
-            rotation.handle_record(s(n), &Record::FromArm(status(0.0)));
-        }
-        rotation.handle_lost(3, "a test");
-        rotation.handle_record(s(6), &Record::FromArm(status(0.0)));
-        rotation.finish();
-        let path = &recordings(folder.path()).unwrap()[0].path;
-        let moments = Recording::open(path).unwrap();
-        let told: Vec<_> = moments
-            .filter(|it| [RECORDER, crate::FROM_ARM].contains(&&*it.topic))
-            .map(|it| (it.at, &*it.topic == RECORDER))
-            .collect();
-        let statuses = (0..5).map(|n| (s(n), false));
-        let expected: Vec<_> = statuses.chain([(s(6), true), (s(6), false)]).collect();
-        assert_eq!(told, expected);
-    }
-}
+mod tests;

@@ -1,8 +1,10 @@
 //! Topics: what messages of one kind are called, and what they look like.
 
-use serde_json::Value;
+use std::collections::BTreeMap;
+use std::io::{Seek, Write};
 
-use crate::schema;
+use mcap::{McapResult, Writer};
+use serde_json::Value;
 
 /// Where bytes to the arm are recorded.
 pub const TO_ARM: &str = "/wire/to_arm";
@@ -23,6 +25,9 @@ pub const TRANSFORM: &str = "/tf";
 /// What the recorder has to say about itself: records that it lost, and why.
 pub const RECORDER: &str = "/recorder";
 
+/// The topics that the recorder writes itself.
+pub(crate) const OWN: [&str; 6] = [TO_ARM, FROM_ARM, POSE, JOINTS, TRANSFORM, RECORDER];
+
 /// A topic: messages of one kind, JSON objects with a JSON Schema.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topic {
@@ -40,14 +45,14 @@ impl Topic {
     ///
     /// # Errors
     ///
-    /// [`TopicError`] for a name that is none or that is the recorder's own, and for a schema of
+    /// [`TopicError`] for a name that is not allowed or is the recorder's own, and for a schema of
     /// anything but an object.
     pub fn new(name: &str, schema_name: &str, schema: &Value) -> Result<Self, TopicError> {
         let found = || name.to_owned();
         if !name.starts_with('/') || name.len() > NAME_LEN || schema_name.len() > NAME_LEN {
             return Err(TopicError::Name { found: found() });
         }
-        if schema::own(name).is_some() {
+        if OWN.contains(&name) {
             return Err(TopicError::Taken { found: found() });
         }
         if schema.get("type").and_then(Value::as_str) != Some("object") {
@@ -84,6 +89,13 @@ impl Topic {
         self.schema.as_str()
     }
 
+    /// Adds its schema and a channel for it to a file; gives the channel's number.
+    pub(crate) fn add_to<W: Write + Seek>(&self, writer: &mut Writer<W>) -> McapResult<u16> {
+        let schema = self.schema.as_bytes();
+        let schema_id = writer.add_schema(&self.schema_name, "jsonschema", schema)?;
+        writer.add_channel(schema_id, &self.name, "json", &BTreeMap::new())
+    }
+
     /// One of the recorder's own.
     pub(crate) fn own(name: &str, schema_name: &str, schema: &Value) -> Self {
         Self {
@@ -94,11 +106,11 @@ impl Topic {
     }
 }
 
-/// Why something is no topic.
+/// Why a topic is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopicError {
-    /// The name is none.
+    /// The name is not allowed.
     #[error(
         "topic is `{found}`; a name begins with / and it and its schema's have 256 bytes at most"
     )]

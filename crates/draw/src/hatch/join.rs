@@ -12,12 +12,12 @@ pub(super) struct Joined<'a> {
     longest_mm: f64,
     strokes: Vec<Stroke>,
     /// The strokes that end on the last line.
-    open: Vec<End>,
+    open: Vec<OpenEnd>,
 }
 
 /// Where a stroke may go on.
 #[derive(Clone, Copy, Debug)]
-struct End {
+struct OpenEnd {
     stroke: usize,
     /// It ends at the right end of its line.
     right: bool,
@@ -62,13 +62,13 @@ impl<'a> Joined<'a> {
             drawn[next] = true;
             let points = &mut self.strokes[end.stroke].points;
             points.extend(ends(line[next], end.right));
-            open.push(End {
+            open.push(OpenEnd {
                 right: !end.right,
                 ..end
             });
         }
         for (span, _) in line.iter().zip(drawn).filter(|(_, drawn)| !drawn) {
-            open.push(End {
+            open.push(OpenEnd {
                 stroke: self.strokes.len(),
                 right: true,
             });
@@ -79,7 +79,7 @@ impl<'a> Joined<'a> {
 
     /// The part of the line that the end of a stroke can go on with: the one with the nearest end
     /// on the same side, if the way there is short and inside.
-    fn next(&self, end: End, line: &[Span], between: &[Span], drawn: &[bool]) -> Option<usize> {
+    fn next(&self, end: OpenEnd, line: &[Span], between: &[Span], drawn: &[bool]) -> Option<usize> {
         let here = self.strokes[end.stroke].last()?;
         let side = |span: &Span| if end.right { span.to } else { span.from };
         let first = line.partition_point(|span| side(span) < here.x - self.longest_mm);

@@ -10,11 +10,16 @@ use super::{Material, MaterialError};
 
 /// The materials of a file.
 pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, MaterialError> {
-    let document = DeTable::parse(text).map_err(|error| MaterialError::Toml {
+    let document = DeTable::parse(text).map_err(|error| MaterialError {
         line: line_at(text, error.span().map_or(0, |span| span.start)),
         reason: error.message().trim().replace('\n', ", "),
     })?;
-    let root = Table::new(text, String::new(), document.get_ref(), 0);
+    let root = Table {
+        text,
+        name: String::new(),
+        keys: document.get_ref(),
+        line: 0,
+    };
     root.knows(&["materials"])?;
     let Some(all) = root.table("materials")? else {
         return Ok(BTreeMap::new());
@@ -95,38 +100,32 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    const fn new(text: &'a str, name: String, keys: &'a DeTable<'a>, line: usize) -> Self {
-        Self {
-            text,
-            name,
-            keys,
-            line,
-        }
-    }
-
     /// Refuses a key that is not one of these.
     fn knows(&self, allowed: &[&'static str]) -> Result<(), MaterialError> {
         let known = |key: &str| allowed.contains(&key);
-        let unknown = self.keys.keys().find(|key| !known(key.get_ref()));
-        unknown.map_or(Ok(()), |key| {
-            Err(MaterialError::UnknownKey {
-                line: line_at(self.text, key.span().start),
-                key: self.path(key.get_ref()),
-                allowed: allowed.to_vec(),
-            })
+        let Some(unknown) = self.keys.keys().find(|key| !known(key.get_ref())) else {
+            return Ok(());
+        };
+        let key = unknown.get_ref();
+        let meant = nearest(key, allowed.iter().copied());
+        let meant = meant.map_or_else(String::new, |it| format!("did you mean {it}? "));
+        let (path, allowed) = (self.path(key), allowed.join(", "));
+        Err(MaterialError {
+            line: line_at(self.text, unknown.span().start),
+            reason: format!("{path} is unknown; {meant}allowed are: {allowed}"),
         })
     }
 
     fn table(&self, key: &str) -> Result<Option<Self>, MaterialError> {
-        let Some(value) = self.value(key) else {
-            return Ok(None);
-        };
-        match value.get_ref() {
-            DeValue::Table(keys) => {
-                let line = self.line_of(key);
-                Ok(Some(Self::new(self.text, self.path(key), keys, line)))
-            }
-            _ => Err(self.kind(key, "a table")),
+        match self.value(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::Table(keys)) => Ok(Some(Self {
+                text: self.text,
+                name: self.path(key),
+                keys,
+                line: self.line_of(key),
+            })),
+            Some(_) => Err(self.kind(key, "a table")),
         }
     }
 
@@ -159,18 +158,15 @@ impl<'a> Table<'a> {
     }
 
     fn passes(&self) -> Result<Option<u32>, MaterialError> {
-        let allowed = || format!("a whole number from 1 to {MOST_PASSES}");
-        let Some(value) = self.value("passes") else {
-            return Ok(None);
+        let passes = match self.value("passes").map(Spanned::get_ref) {
+            None => return Ok(None),
+            Some(DeValue::Integer(it)) => u32::from_str_radix(it.as_str(), it.radix()).ok(),
+            Some(_) => None,
         };
-        match value.get_ref() {
-            DeValue::Integer(it) => u32::from_str_radix(it.as_str(), it.radix())
-                .ok()
-                .filter(|passes| (1..=MOST_PASSES).contains(passes))
-                .map(Some),
-            _ => None,
+        match passes {
+            Some(1..=MOST_PASSES) => Ok(passes),
+            _ => Err(self.kind("passes", &format!("a whole number from 1 to {MOST_PASSES}"))),
         }
-        .ok_or_else(|| self.kind("passes", &allowed()))
     }
 
     fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
@@ -198,19 +194,16 @@ impl<'a> Table<'a> {
     }
 
     fn wrong(&self, key: &str, found: &str, allowed: &str) -> MaterialError {
-        MaterialError::Value {
+        MaterialError {
             line: self.line_of(key),
-            key: self.path(key),
-            found: found.to_owned(),
-            allowed: allowed.to_owned(),
+            reason: format!("{} is {found}; allowed is {allowed}", self.path(key)),
         }
     }
 
     fn missing(&self, key: &str, allowed: &str) -> MaterialError {
-        MaterialError::Missing {
+        MaterialError {
             line: self.line,
-            key: self.path(key),
-            allowed: allowed.to_owned(),
+            reason: format!("{} is missing; allowed is {allowed}", self.path(key)),
         }
     }
 }

@@ -8,8 +8,8 @@ use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Tool};
 use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
-use super::fitting::check;
-use super::{Options, OptionsError, Spacing, ToolOptions, What};
+use super::check::check;
+use super::{ContentOptions, Options, OptionsError, Spacing, ToolOptions};
 use crate::card::Card;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
@@ -46,7 +46,7 @@ enum Drawable {
 impl Subject {
     /// The text or the test card that the options tell; none where a file is to be drawn.
     #[must_use]
-    pub fn of_text(what: &What) -> Option<Self> {
+    pub fn of_text(what: &ContentOptions) -> Option<Self> {
         if what.card.is_some() {
             return Some(Self {
                 title: "test card".to_owned(),
@@ -135,7 +135,7 @@ impl Asked {
             },
             ..self.settings.clone()
         };
-        let tool = end_effector(settings.tool);
+        let tool = settings.tool.end_effector();
         let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
             Drawable::Source(source) => prepare(source, &settings, reachable),
@@ -161,10 +161,8 @@ impl Asked {
 fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
     let burns = options.laser.is_some();
     let name = options.laser.as_ref().unwrap_or(&options.pen);
-    let is_of_kind = |name: &String| {
-        let material = materials.get(name);
-        material.is_ok_and(|it| matches!(it.tool, Tool::Laser(_)) == burns)
-    };
+    let burns_too = |it: &Material| it.tool.burns() == burns;
+    let is_of_kind = |name: &String| materials.get(name).is_ok_and(burns_too);
     materials.get(name).copied().map_err(|mut unknown| {
         unknown.known.retain(is_of_kind);
         unknown
@@ -193,7 +191,10 @@ fn with_options(tool: Tool, options: &ToolOptions) -> Result<Tool, OptionsError>
     }
 }
 
-fn layer_tools(what: &What, materials: &Materials) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
+fn layer_tools(
+    what: &ContentOptions,
+    materials: &Materials,
+) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
     let named = what.layer.iter().map(|it| {
         let material = materials.get(&it.pen)?;
         Ok((it.name.clone(), material.tool))
@@ -237,7 +238,7 @@ fn center(options: &Options) -> Option<Point> {
     }
 }
 
-fn hatch(what: &What, material: &Material) -> Option<Hatch> {
+fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
     let spacing_mm = match what.hatch? {
         Spacing::OfTool(_) => material.spacing_mm,
         Spacing::Millimeters(spacing_mm) => spacing_mm,
@@ -259,14 +260,6 @@ fn shading(options: &Options) -> Shading {
         invert: what.invert,
         seed: options.way.seed,
         ..shading
-    }
-}
-
-/// What the arm carries: the laser is nearer to it than the pen.
-const fn end_effector(tool: Tool) -> dobot_arm::Tool {
-    match tool {
-        Tool::Pen(_) => dobot_arm::Tool::SuctionCup,
-        Tool::Laser(_) => dobot_arm::Tool::Laser,
     }
 }
 

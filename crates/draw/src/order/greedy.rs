@@ -5,13 +5,13 @@ use dobot_geometry::SegmentIndex;
 use super::nodes::Nodes;
 
 /// Joins nodes with the shortest ways between neighbours, as long as no node gets more than two and
-/// no ring closes, and then the pieces, each time the nearest.
+/// no ring closes, and then the fragments, each time the nearest.
 pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
-    let mut pieces = Pieces::new(nodes);
+    let mut fragments = Fragments::new(nodes);
     for (a, b) in shortest_first(nodes) {
-        pieces.join(a, b);
+        fragments.join(a, b);
     }
-    pieces.in_a_row(nodes)
+    fragments.in_a_row(nodes)
 }
 
 fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
@@ -31,29 +31,29 @@ fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
     ways.into_iter().map(|(_, a, b)| (a, b)).collect()
 }
 
-/// Pieces of a tour.
-struct Pieces {
+/// Fragments of a tour.
+struct Fragments {
     /// The up to two neighbours of each node.
     joined: Vec<[u32; 2]>,
-    /// For the end of a piece its other end.
+    /// For the end of a fragment its other end.
     other_end: Vec<u32>,
 }
 
-impl Pieces {
-    /// Every stroke is a piece; the way to the start is taken already.
+impl Fragments {
+    /// Every stroke is a fragment; the way to the start is taken already.
     fn new(nodes: &Nodes) -> Self {
-        let mut pieces = Self {
+        let mut fragments = Self {
             joined: vec![[NONE; 2]; nodes.len() as usize],
             other_end: (0..nodes.len()).collect(),
         };
         for node in 0..nodes.len() {
             let mate = nodes.mate(node);
             if mate != node {
-                pieces.joined[node as usize][0] = mate;
-                pieces.other_end[node as usize] = mate;
+                fragments.joined[node as usize][0] = mate;
+                fragments.other_end[node as usize] = mate;
             }
         }
-        pieces
+        fragments
     }
 
     fn has_room(&self, node: u32) -> bool {
@@ -73,7 +73,7 @@ impl Pieces {
         self.other_end[far_b as usize] = far_a;
     }
 
-    /// From the start through all pieces.
+    /// From the start through all fragments.
     fn in_a_row(&self, nodes: &Nodes) -> Vec<u32> {
         let ends: Vec<u32> = (0..nodes.end())
             .filter(|&node| self.has_room(node) && node != nodes.start())
@@ -97,7 +97,7 @@ impl Pieces {
         tour
     }
 
-    /// Follows a piece to its other end.
+    /// Follows a fragment to its other end.
     fn walk(&self, begin: u32, tour: &mut Vec<u32>) -> u32 {
         let (mut here, mut before) = (begin, tour[tour.len() - 1]);
         loop {

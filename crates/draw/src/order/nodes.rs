@@ -2,9 +2,9 @@
 
 use dobot_geometry::{BoxTree, Point, Stroke};
 
-use super::near::{NEAR, near};
+use super::neighbours::{NEAR, near};
+use super::stops::Stop;
 use super::travel::Travel;
-use super::way::Stop;
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
 /// one for where the pen comes from, and one that ends the tour.

@@ -10,7 +10,7 @@ use super::tour::{MOST, Tour};
 /// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
 /// two loose ends leaves a gain.
 #[derive(Debug)]
-pub(super) struct Settling<'a> {
+pub(super) struct LocalSearch<'a> {
     nodes: &'a Nodes,
     tour: Tour,
     /// The nodes around which something has changed, each once.
@@ -20,7 +20,7 @@ pub(super) struct Settling<'a> {
     ends: [u32; 2 * MOST],
 }
 
-impl<'a> Settling<'a> {
+impl<'a> LocalSearch<'a> {
     pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>) -> Self {
         let size = tour.len();
         Self {

@@ -10,13 +10,13 @@ use super::{PrepareError, Settings};
 /// Layers of different speeds stay apart: the file says how each is to be drawn.
 pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Layer>, PrepareError> {
     let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
-    let names = || layers.iter().map(|it| it.name.clone()).collect::<Vec<_>>();
     let tools = settings.tools.iter().map(|(name, _)| name);
     for name in settings.only.iter().chain(tools) {
         if !layers.iter().any(|it| it.name == *name) {
+            let names: Vec<_> = layers.iter().map(|it| it.name.as_str()).collect();
             return Err(PrepareError::NoSuchLayer {
                 name: name.clone(),
-                layers: names().join(", "),
+                layers: names.join(", "),
             });
         }
     }
@@ -45,19 +45,17 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
 /// What draws a layer: its own tool, or the one of all; at the file's speed, where it says one.
 pub(super) fn tool(layer: &Layer, settings: &Settings) -> Tool {
     let own = settings.tools.iter().find(|(name, _)| *name == layer.name);
-    let Some((_, tool)) = own else {
-        return match layer.speed_mm_s {
-            Some(speed_mm_s) => settings.tool.at_speed(speed_mm_s),
-            None => settings.tool,
-        };
-    };
-    *tool
+    match (own, layer.speed_mm_s) {
+        (Some((_, tool)), _) => *tool,
+        (None, Some(speed_mm_s)) => settings.tool.at_speed(speed_mm_s),
+        (None, None) => settings.tool,
+    }
 }
 
 /// What a person has to do before a layer: between layers that are drawn each for itself, the pen
 /// is changed. A laser needs nobody.
 pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
-    let changes = settings.layers.is_some() && matches!(settings.tool, Tool::Pen(_));
+    let changes = settings.layers.is_some() && !settings.tool.burns();
     let before = before.filter(|it| changes && it.name != layer.name)?;
     Some(format!(
         "put in the pen for {}; that of {} is done",

@@ -65,13 +65,9 @@ impl Settings {
 
     /// How to look for a good order of the strokes that this tool draws.
     pub(super) fn search(&self, tool: Tool) -> Option<Search> {
-        let speed_mm_s = match tool {
-            Tool::Pen(pen) => pen.travel_speed_mm_s,
-            Tool::Laser(laser) => laser.travel_speed_mm_s,
-        };
         Some(Search {
             travel: Travel::Time {
-                speed_mm_s,
+                speed_mm_s: tool.travel_speed_mm_s(),
                 acceleration_mm_s2: self.machine.acceleration_mm_s2,
                 least_s: self.machine.link.period_s,
             },

@@ -11,31 +11,31 @@
 use dobot_geometry::Point;
 
 use super::corner::Corner;
-use super::settle::put_on_the_stroke;
-use super::sight::Sight;
-use super::tube::Tube;
+use super::corridor::Corridor;
+use super::snap::snap_to_points;
+use super::visibility::Visibility;
 
 /// The corners of the path with the fewest vectors; `None` if there is none without vectors
 /// that are too short.
-pub(super) fn fewest(tube: &Tube<'_>) -> Option<Vec<Point>> {
-    if tube.points.len() < 2 {
+pub(super) fn fewest(corridor: &Corridor<'_>) -> Option<Vec<Point>> {
+    if corridor.points.len() < 2 {
         return None;
     }
-    let mut best = Search::new(tube, tube.points[0]).run();
+    let mut best = Search::new(corridor, corridor.points[0]).run();
     let length = |path: &Option<Vec<Corner>>| path.as_ref().map_or(usize::MAX, Vec::len);
-    if tube.closed && length(&best) <= WORTH_ANOTHER_BEGIN {
-        for begin in tube.beside(0) {
-            let other = Search::new(tube, begin).run();
+    if corridor.closed && length(&best) <= WORTH_ANOTHER_BEGIN {
+        for begin in corridor.beside(0) {
+            let other = Search::new(corridor, begin).run();
             if length(&other) < length(&best) {
                 best = other;
             }
         }
     }
-    best.map(|path| put_on_the_stroke(tube, &path))
+    best.map(|path| snap_to_points(corridor, &path))
 }
 
 struct Search<'a> {
-    tube: &'a Tube<'a>,
+    corridor: &'a Corridor<'a>,
     /// Where the path has to end.
     end: Point,
     /// The corners that were gone on from.
@@ -51,22 +51,22 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(tube: &'a Tube<'a>, begin: Point) -> Self {
+    fn new(corridor: &'a Corridor<'a>, begin: Point) -> Self {
         let begin = Corner {
             at: begin,
             passed: 0,
             before: 0,
         };
         Self {
-            tube,
-            end: if tube.closed {
+            corridor,
+            end: if corridor.closed {
                 begin.at
             } else {
-                tube.points[tube.points.len() - 1]
+                corridor.points[corridor.points.len() - 1]
             },
             done: Vec::new(),
             next: vec![begin],
-            reached: vec![0; tube.points.len()],
+            reached: vec![0; corridor.points.len()],
             gap: 1,
             work: 0,
         }
@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
                 if enough && (self.work > lean + EXACT_WORK || self.is_useless(corner.passed)) {
                     break;
                 }
-                if enough && corner.at != self.tube.points[corner.passed] {
+                if enough && corner.at != self.corridor.points[corner.passed] {
                     continue;
                 }
                 self.done.push(corner);
@@ -104,59 +104,59 @@ impl<'a> Search<'a> {
             self.gap += 1;
         }
         let corner = Corner {
-            at: self.tube.points[i],
+            at: self.corridor.points[i],
             passed: i,
             before: 0,
         };
-        let mut sight = Sight::from(self.tube, corner, 2.0 * self.tube.radius);
-        let out_of_sight = (i + 1..=self.gap).any(|next| !sight.pass(next));
-        self.work += sight.work;
+        let mut visibility = Visibility::from(self.corridor, corner, 2.0 * self.corridor.radius);
+        let out_of_sight = (i + 1..=self.gap).any(|next| !visibility.pass(next));
+        self.work += visibility.work;
         out_of_sight
     }
 
     /// Notes all corners that one vector from here reaches; true if the end is among them.
     fn go_on(&mut self, from: Corner) -> bool {
-        let last = self.tube.points.len() - 1;
-        let mut sight = Sight::from(self.tube, from, self.tube.radius);
+        let last = self.corridor.points.len() - 1;
+        let mut visibility = Visibility::from(self.corridor, from, self.corridor.radius);
         for i in from.passed + 1..=last {
-            if !sight.pass(i) {
+            if !visibility.pass(i) {
                 break;
             }
             if i == last {
-                if sight.reaches(self.end, i) {
+                if visibility.reaches(self.end, i) {
                     return true;
                 }
-            } else if sight.stops(i) {
-                self.note_corners(&mut sight, i);
-                sight.set_next_stop(i);
+            } else if visibility.stops(i) {
+                self.note_corners(&mut visibility, i);
+                visibility.set_next_stop(i);
             }
         }
-        self.note_exits(&mut sight);
-        self.work += sight.work;
+        self.note_exits(&mut visibility);
+        self.work += visibility.work;
         false
     }
 
-    fn note_corners(&mut self, sight: &mut Sight<'_>, i: usize) {
-        let here = self.tube.points[i];
-        let [left, right] = self.tube.beside(i);
+    fn note_corners(&mut self, visibility: &mut Visibility<'_>, i: usize) {
+        let here = self.corridor.points[i];
+        let [left, right] = self.corridor.beside(i);
         let places = [(1, here), (2, left), (4, right)];
         // Far off, where each has to be looked at, the point itself has to do.
-        let count = if sight.is_tedious(i) { 1 } else { 3 };
+        let count = if visibility.is_tedious(i) { 1 } else { 3 };
         for (bit, at) in places.into_iter().take(count) {
-            if self.reached[i] & bit == 0 && sight.reaches(at, i) {
+            if self.reached[i] & bit == 0 && visibility.reaches(at, i) {
                 self.note(at, i, bit);
             }
         }
     }
 
-    fn note_exits(&mut self, sight: &mut Sight<'_>) {
-        let (i, Some(wedge)) = (sight.passed, sight.wedge) else {
+    fn note_exits(&mut self, visibility: &mut Visibility<'_>) {
+        let (i, Some(cone)) = (visibility.passed, visibility.cone) else {
             return;
         };
-        for (bit, along) in [(8, wedge.right), (16, wedge.left)] {
+        for (bit, along) in [(8, cone.right), (16, cone.left)] {
             if self.reached[i] & bit == 0
-                && let Some(at) = self.tube.exit(sight.from.at, along, i)
-                && sight.reaches_exit(at, i)
+                && let Some(at) = self.corridor.exit(visibility.from.at, along, i)
+                && visibility.reaches_exit(at, i)
             {
                 self.note(at, i, bit);
             }
@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
     fn path(&self) -> Vec<Corner> {
         let end = Corner {
             at: self.end,
-            passed: self.tube.points.len() - 1,
+            passed: self.corridor.points.len() - 1,
             before: self.done.len() - 1,
         };
         let mut path = vec![end];

@@ -1,11 +1,11 @@
 //! Which moments are needed so that what lies between them can be told.
 
-use crate::trace::{Ink, Moment};
+use crate::trace::{Ink, TracePoint};
 
 /// The moments between which the tool goes straight and evenly: what is left out is never farther
 /// than 0.05 mm from where it would be at that time, and its error no more than 0.02 mm from what
 /// it would be. Where ink begins and ends is told exactly.
-pub(super) fn thin(moments: &[Moment]) -> impl Iterator<Item = &Moment> {
+pub(super) fn thin(moments: &[TracePoint]) -> impl Iterator<Item = &TracePoint> {
     let mut next = Some(0);
     std::iter::from_fn(move || {
         let here = next?;
@@ -15,7 +15,7 @@ pub(super) fn thin(moments: &[Moment]) -> impl Iterator<Item = &Moment> {
 }
 
 /// The farthest moment to which the way from `here` may be told as straight.
-fn last_before_a_bend(moments: &[Moment], here: usize) -> usize {
+fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
     let most = (moments.len() - 1).min(here + MOST);
     let mut last = here + 1;
     while last < most
@@ -28,11 +28,11 @@ fn last_before_a_bend(moments: &[Moment], here: usize) -> usize {
 }
 
 /// Whether nothing begins or ends here.
-fn goes_on(here: &Moment, next: &Moment) -> bool {
+fn goes_on(here: &TracePoint, next: &TracePoint) -> bool {
     here.ink == next.ink && here.ink != Ink::Begin
 }
 
-fn is_straight(way: &[Moment]) -> bool {
+fn is_straight(way: &[TracePoint]) -> bool {
     let (from, to) = (&way[0], &way[way.len() - 1]);
     // A line begins with the error of its first point, whatever the way there was.
     let errs = from.ink != Ink::None && to.ink != Ink::None;

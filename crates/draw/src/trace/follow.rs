@@ -3,8 +3,7 @@
 use dobot_arm::Position;
 use dobot_plan::{Plan, PlannedVector};
 
-use super::NeverBegan;
-use crate::sample::Sample;
+use super::{NeverBegan, Sample};
 
 /// The last sample before the arm leaves the plan's start for the first time.
 pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, NeverBegan> {

@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Vec2};
 
 /// A stroke, and how far from its points a vector may pass.
 #[derive(Debug)]
-pub(super) struct Tube<'a> {
+pub(super) struct Corridor<'a> {
     /// The points, in the order in which they are passed.
     pub(super) points: &'a [Point],
     /// Ends where it began.
@@ -15,7 +15,7 @@ pub(super) struct Tube<'a> {
     across: Vec<Vec2>,
 }
 
-impl<'a> Tube<'a> {
+impl<'a> Corridor<'a> {
     pub(super) fn new(points: &'a [Point], closed: bool, radius: f64) -> Self {
         let closed = closed && points.len() > 2 && points.first() == points.last();
         let last = points.len().saturating_sub(1);

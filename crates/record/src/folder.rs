@@ -8,7 +8,7 @@ use jiff::Timestamp;
 
 /// A recording in a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shelved {
+pub struct RecordedFile {
     /// The file.
     pub path: PathBuf,
     /// How long it is, in bytes.
@@ -19,13 +19,13 @@ pub struct Shelved {
     number: u32,
 }
 
-/// The recordings in a folder, oldest first; files with other names are none. A folder that does not
-/// exist holds none.
+/// The recordings in a folder, oldest first. A file with another name is not a recording. A folder that
+/// does not exist holds none.
 ///
 /// # Errors
 ///
 /// What the operating system says.
-pub fn recordings(folder: &Path) -> io::Result<Vec<Shelved>> {
+pub fn recordings(folder: &Path) -> io::Result<Vec<RecordedFile>> {
     let files = match folder.read_dir() {
         Ok(files) => files,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -39,7 +39,7 @@ pub fn recordings(folder: &Path) -> io::Result<Vec<Shelved>> {
             continue;
         };
         match file.metadata() {
-            Ok(metadata) if metadata.is_file() => entries.push(Shelved {
+            Ok(metadata) if metadata.is_file() => entries.push(RecordedFile {
                 path: file.path(),
                 bytes: metadata.len(),
                 begin,

@@ -1,34 +1,31 @@
-//! Corners that cost nothing go back to where the stroke has them.
+//! Moves corners back to points of the stroke where that costs no vector.
 
 use dobot_geometry::Point;
 
 use super::MIN_VECTOR_MM;
 use super::corner::Corner;
-use super::tube::Tube;
+use super::corridor::Corridor;
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without
 /// another vector. Both ends stay.
-pub(super) fn put_on_the_stroke(tube: &Tube<'_>, path: &[Corner]) -> Vec<Point> {
+pub(super) fn snap_to_points(corridor: &Corridor<'_>, path: &[Corner]) -> Vec<Point> {
     let begin = Choice {
         corner: path[0],
         off: 0,
         before: 0,
         moved: false,
     };
-    let mut layers: Vec<Layer> = Vec::with_capacity(path.len());
+    let mut layers: Vec<[Option<Choice>; 3]> = Vec::with_capacity(path.len());
     layers.push([Some(begin), None, None]);
     for (i, &corner) in path.iter().enumerate().skip(1) {
         let before = layers[i - 1];
-        let places = places(tube, corner, i + 1 == path.len());
-        layers.push(places.map(|place| place?.after(tube, &before)));
+        let places = places(corridor, corner, i + 1 == path.len());
+        layers.push(places.map(|place| place?.after(corridor, &before)));
     }
     best_of_each(&layers)
 }
 
-/// The places of one corner: where the search put it, and the two points it lies between.
-type Layer = [Option<Choice>; 3];
-
-/// A place for a corner.
+/// A place for a corner. A corner has three: where the search put it, and the two points it lies between.
 #[derive(Clone, Copy, Debug)]
 struct Choice {
     corner: Corner,
@@ -42,10 +39,10 @@ struct Choice {
 
 impl Choice {
     /// This place after the best of those before; `None` if no vector joins them.
-    fn after(self, tube: &Tube<'_>, layer: &Layer) -> Option<Self> {
+    fn after(self, corridor: &Corridor<'_>, layer: &[Option<Choice>; 3]) -> Option<Self> {
         let mut order = [0, 1, 2];
         order.sort_by_key(|&i| layer[i].map_or(usize::MAX, |before| before.off));
-        let joins = |&i: &usize| layer[i].is_some_and(|before| before.joins(tube, self));
+        let joins = |&i: &usize| layer[i].is_some_and(|before| before.joins(corridor, self));
         let before = order.into_iter().find(joins)?;
         Some(Self {
             off: layer[before]?.off + usize::from(!self.moved),
@@ -54,17 +51,17 @@ impl Choice {
         })
     }
 
-    fn joins(self, tube: &Tube<'_>, next: Self) -> bool {
+    fn joins(self, corridor: &Corridor<'_>, next: Self) -> bool {
         let (from, to) = (self.corner, next.corner);
         let found = !self.moved && !next.moved;
         found
             || from.passed < to.passed
                 && from.at.distance(to.at) >= MIN_VECTOR_MM
-                && tube.passes(from.at, to.at, from.passed + 1, to.passed)
+                && corridor.passes(from.at, to.at, from.passed + 1, to.passed)
     }
 }
 
-fn places(tube: &Tube<'_>, found: Corner, ends: bool) -> Layer {
+fn places(corridor: &Corridor<'_>, found: Corner, ends: bool) -> [Option<Choice>; 3] {
     let choice = |moved, passed, at| Choice {
         corner: Corner {
             at,
@@ -76,14 +73,14 @@ fn places(tube: &Tube<'_>, found: Corner, ends: bool) -> Layer {
         moved,
     };
     let point = |passed: usize| {
-        let at = tube.points.get(passed).filter(|_| !ends);
+        let at = corridor.points.get(passed).filter(|_| !ends);
         at.map(|&at| choice(true, passed, at))
     };
     let here = choice(false, found.passed, found.at);
     [Some(here), point(found.passed), point(found.passed + 1)]
 }
 
-fn best_of_each(layers: &[Layer]) -> Vec<Point> {
+fn best_of_each(layers: &[[Option<Choice>; 3]]) -> Vec<Point> {
     let mut choice = 0;
     let mut points: Vec<Point> = Vec::with_capacity(layers.len());
     for layer in layers.iter().rev() {

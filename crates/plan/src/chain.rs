@@ -3,25 +3,25 @@
 
 use crate::Machine;
 use crate::link::Credit;
-use crate::lookahead::{Cornering, Joint, Run};
-use crate::seen::{Seen, WINDOW_S};
+use crate::lookahead::{ChainVector, Cornering, Junction};
+use crate::seen::{SeenMotion, WINDOW_S};
 use crate::speeds::Speeds;
 
 /// Speeds for a chain: reused from chain to chain.
 #[derive(Clone, Debug)]
-pub(super) struct Pace {
+pub(super) struct ChainSpeeds {
     cornering: Cornering,
     begin_mm_s: f64,
     /// Seconds from packet to packet.
     period_s: f64,
     /// Vectors that the arm has in hand.
     credit: Credit,
-    joints: Vec<Joint>,
+    junctions: Vec<Junction>,
     /// How long each vector is to take, in s.
     wanted_s: Vec<f64>,
 }
 
-impl Pace {
+impl ChainSpeeds {
     pub(super) fn new(machine: &Machine) -> Self {
         Self {
             cornering: Cornering {
@@ -33,7 +33,7 @@ impl Pace {
             begin_mm_s: 0.0,
             period_s: machine.link.period_s,
             credit: Credit::new(machine.link),
-            joints: Vec::new(),
+            junctions: Vec::new(),
             wanted_s: Vec::new(),
         }
     }
@@ -42,7 +42,7 @@ impl Pace {
     /// needs that.
     pub(super) fn plan<'a>(
         &'a mut self,
-        chain: &'a mut [Run],
+        chain: &'a mut [ChainVector],
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.plan_from(0.0, chain)
     }
@@ -52,21 +52,17 @@ impl Pace {
     pub(super) fn plan_from<'a>(
         &'a mut self,
         begin_mm_s: f64,
-        chain: &'a mut [Run],
+        chain: &'a mut [ChainVector],
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        if self.period_s > 0.0 {
-            self.lower_to_link(chain);
-            self.plan_with_link(chain);
-        } else {
-            self.plan_without_link(chain);
-        }
+        self.lower_to_link(chain);
+        self.plan_with_link(chain);
         (0..chain.len()).map(|i| self.speeds(chain, i))
     }
 
     /// Evens the limits out: a short vector between long ones may be fast, because others come
     /// meanwhile.
-    fn lower_to_link(&self, chain: &mut [Run]) {
+    fn lower_to_link(&self, chain: &mut [ChainVector]) {
         let lengths: Vec<f64> = chain.iter().map(|run| run.length_mm).collect();
         for (i, run) in chain.iter_mut().enumerate() {
             let near = &lengths[i.saturating_sub(REACH)..lengths.len().min(i + REACH + 1)];
@@ -78,7 +74,8 @@ impl Pace {
         }
     }
 
-    fn plan_with_link(&mut self, chain: &mut [Run]) {
+    /// Without a link every vector is there in no time, and nothing has to wait.
+    fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
         for _ in 0..ROUNDS {
             self.plan_motion(chain);
             let credit = self.credit;
@@ -96,48 +93,35 @@ impl Pace {
         self.wait_for_link(chain);
     }
 
-    fn plan_without_link(&mut self, chain: &mut [Run]) {
-        for _ in 0..ROUNDS {
-            self.plan_motion(chain);
-            if !self.ease_corners(chain) {
-                return;
-            }
-        }
-        self.plan_motion(chain);
-    }
-
     /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
     /// may: several corners may lie within the time over which that is measured. Whether any had
     /// to be eased.
-    fn ease_corners(&self, chain: &mut [Run]) -> bool {
+    fn ease_corners(&self, chain: &mut [ChainVector]) -> bool {
         if chain.len() < 2 {
             return false;
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
-        let mut shares = vec![1.0_f64; chain.len()];
-        let note = |corner: usize, share: f64| shares[corner] = shares[corner].min(share);
-        Seen::new(chain, &speeds, a).too_much(LEAST_SHARE, note);
-        let mut eased = false;
-        for (corner, share) in shares.into_iter().enumerate().filter(|it| it.1 < 1.0) {
+        let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE);
+        for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share;
-            eased = true;
         }
-        eased
+        shares.iter().any(|it| *it < 1.0)
     }
 
-    fn plan_motion(&mut self, chain: &[Run]) {
+    fn plan_motion(&mut self, chain: &[ChainVector]) {
         self.cornering
-            .speeds(self.begin_mm_s, chain, &mut self.joints);
-        let joints = self.joints.windows(2).zip(chain);
+            .speeds(self.begin_mm_s, chain, &mut self.junctions);
+        let junctions = self.junctions.windows(2).zip(chain);
         self.wanted_s.clear();
-        self.wanted_s
-            .extend(joints.map(|(pair, run)| self.cornering.duration_s(&pair[0], run, &pair[1])));
+        self.wanted_s.extend(
+            junctions.map(|(pair, run)| self.cornering.duration_s(&pair[0], run, &pair[1])),
+        );
     }
 
     /// Gives vectors the time that the link needs; where a vector cannot be as slow between the
     /// speeds of its ends, its limit is lowered. Whether none had to be.
-    fn wait_for_link(&mut self, chain: &mut [Run]) -> bool {
+    fn wait_for_link(&mut self, chain: &mut [ChainVector]) -> bool {
         let (mut credit, mut done) = (self.credit, true);
         for i in 0..chain.len() {
             let least_s = credit.least_s();
@@ -160,9 +144,9 @@ impl Pace {
 
     /// The largest speed in between is chosen so that the vector takes the time wanted, as nearly
     /// as can be.
-    fn speeds(&self, chain: &[Run], i: usize) -> Speeds {
+    fn speeds(&self, chain: &[ChainVector], i: usize) -> Speeds {
         let (run, a) = (&chain[i], self.cornering.acceleration_mm_s2);
-        let [start, end] = [i, i + 1].map(|at| self.joints[at].speed_mm_s());
+        let [start, end] = [i, i + 1].map(|at| self.junctions[at].speed_mm_s());
         let wanted_s = self.wanted_s[i];
         // Accelerate to the speed v, keep it, brake:
         // wanted = (2 v - start - end) / a + (length - (2 v2 - start2 - end2) / 2 a) / v

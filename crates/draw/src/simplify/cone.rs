@@ -4,14 +4,14 @@ use dobot_geometry::Vec2;
 
 /// What lies between two edges that are less than half a turn apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wedge {
+pub(super) struct Cone {
     /// The clockwise edge, of any length.
     pub(super) right: Vec2,
     /// The counterclockwise edge.
     pub(super) left: Vec2,
 }
 
-impl Wedge {
+impl Cone {
     /// The directions that hit a disc of `radius` a `way` off; `None` where that is all of them.
     pub(super) fn to_disc(way: Vec2, radius: f64) -> Option<Self> {
         let tangent2 = way.hypot2() - radius * radius;

@@ -1,4 +1,4 @@
-//! From what happened to the messages that tell it.
+//! Makes messages of what happened.
 
 use std::time::Duration;
 
@@ -8,17 +8,17 @@ use jiff::Timestamp;
 use serde::Serialize;
 use serde_json::json;
 
-use crate::repeats::{Repeats, Told};
+use crate::repeats::{HeldBack, Repeats};
 use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
 use crate::{Record, Topic, schema};
 
-/// Writes down what happened: an engine, records in, messages out.
+/// Makes messages of records: an engine, records in, messages out.
 ///
 /// It follows the bytes of each direction, so that a message holds one packet at most, however the
 /// bytes came in pieces, and tells what the packet means. A status that comes again and again is
-/// held back until anything else happens, or for ten seconds, and then told with all its times.
+/// held back until anything else happens, or for ten seconds, and then written once with all its times.
 #[derive(Debug)]
-pub(crate) struct Scribe {
+pub(crate) struct Encoder {
     /// Nanoseconds since 1970 when the times of the records begin.
     start_ns: u64,
     dialect: Option<Dialect>,
@@ -43,13 +43,13 @@ pub(crate) struct Message<'t> {
 
 /// When something happened, in each of the ways in which messages tell it.
 #[derive(Clone, Copy)]
-struct When {
+struct MessageTime {
     at_s: f64,
     at_ns: u64,
 }
 
-impl Scribe {
-    /// A scribe for records whose times count from `start`; `None` before 1970 or after 2500, which
+impl Encoder {
+    /// An encoder for records whose times count from `start`; `None` before 1970 or after 2500, which
     /// recordings have no numbers for.
     pub(crate) fn new(start: Timestamp) -> Option<Self> {
         let start_ns = u64::try_from(start.as_nanosecond()).ok()?;
@@ -70,26 +70,26 @@ impl Scribe {
         at: Duration,
         record: &'t Record,
     ) -> Option<Vec<Message<'t>>> {
-        let when = self.when(at)?;
+        let time = self.time(at)?;
         if let Record::FromArm(bytes) = record {
-            return Some(self.tell_from_arm(when, bytes));
+            return Some(self.from_arm_messages(time, bytes));
         }
         let mut messages = self.write_held();
         match record {
             Record::About(about) => self.dialect = about.dialect,
-            Record::ToArm(bytes) => messages.extend(self.tell_to_arm(when, bytes)),
+            Record::ToArm(bytes) => messages.extend(self.to_arm_messages(time, bytes)),
             Record::FromArm(_) => {}
-            Record::Json { topic, value } => messages.push(when.message(topic, value)),
+            Record::Json { topic, value } => messages.push(time.message(topic, value)),
         }
         Some(messages)
     }
 
     /// The messages that tell what was held back.
     pub(crate) fn write_held<'t>(&mut self) -> Vec<Message<'t>> {
-        let told = self.repeats.as_mut().map(Repeats::tell);
-        // What is told begins with a packet: the rest of this one is not held back.
+        let held = self.repeats.as_mut().map(Repeats::take_held);
+        // What is held back begins with a packet: the rest of this one is not held back.
         self.repeats.take_if(|it| !it.is_between_packets());
-        told.map(|told| self.tell_repeats(&told))
+        held.map(|held| self.repeat_messages(&held))
             .unwrap_or_default()
     }
 
@@ -105,33 +105,33 @@ impl Scribe {
         lost: u64,
         reason: &str,
     ) -> Option<Message<'static>> {
-        let when = self.when(at)?;
-        let value = json!({ "at_s": when.at_s, "lost": lost, "reason": reason });
-        Some(when.own(RECORDER, &value))
+        let time = self.time(at)?;
+        let value = json!({ "at_s": time.at_s, "lost": lost, "reason": reason });
+        Some(time.own(RECORDER, &value))
     }
 
     /// A time in nanoseconds since 1970; `None` where it lies centuries ahead.
     pub(crate) fn at_ns(&self, at: Duration) -> Option<u64> {
-        self.when(at).map(|it| it.at_ns)
+        self.time(at).map(|it| it.at_ns)
     }
 
-    fn when(&self, at: Duration) -> Option<When> {
+    fn time(&self, at: Duration) -> Option<MessageTime> {
         let nanos = u64::try_from(at.as_nanos()).ok()?;
         let at_ns = self
             .start_ns
             .checked_add(nanos)
             .filter(|it| *it < LATEST_NS)?;
-        Some(When {
+        Some(MessageTime {
             at_s: at.as_secs_f64(),
             at_ns,
         })
     }
 
-    fn tell_to_arm(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'static>> {
+    fn to_arm_messages(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'static>> {
         let mut messages = Vec::new();
         for (piece, packet) in pieces(&mut self.commands, bytes) {
             let mut message = ToArm {
-                at_s: when.at_s,
+                at_s: time.at_s,
                 bytes: HEXLOWER.encode(piece),
                 ..ToArm::default()
             };
@@ -140,15 +140,15 @@ impl Scribe {
                 Some(Err(error)) => message.error = Some(error),
                 None => {}
             }
-            messages.push(when.own(TO_ARM, &message));
+            messages.push(time.own(TO_ARM, &message));
         }
         messages
     }
 
-    fn tell_from_arm<'t>(&mut self, when: When, bytes: &[u8]) -> Vec<Message<'t>> {
+    fn from_arm_messages<'t>(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'t>> {
         let mut messages = Vec::new();
         for (piece, frame) in pieces(&mut self.statuses, bytes) {
-            let (at_ns, is_end) = (when.at_ns, frame.is_some());
+            let (at_ns, is_end) = (time.at_ns, frame.is_some());
             let repeats = self.repeats.as_mut();
             if repeats.is_some_and(|it| it.take(at_ns, piece, is_end)) {
                 if self.repeats.as_ref().is_some_and(Repeats::is_due) {
@@ -158,11 +158,11 @@ impl Scribe {
             }
             messages.extend(self.write_held());
             let status = frame.and_then(|frame| Status::parse(&frame).ok());
-            messages.push(when.own(FROM_ARM, &FromArm::new(when.at_s, piece, status)));
+            messages.push(time.own(FROM_ARM, &FromArm::new(time.at_s, piece, status)));
             if let Some(status) = status
                 && self.shown.replace(status) != Some(status)
             {
-                messages.extend(when.views(&status));
+                messages.extend(time.views(&status));
             }
             let packet = frame.map(|frame| frame.to_bytes());
             self.repeats = packet
@@ -172,47 +172,47 @@ impl Scribe {
         messages
     }
 
-    fn tell_repeats<'t>(&self, told: &Told) -> Vec<Message<'t>> {
-        let mut messages = match told.ends_ns[..] {
+    fn repeat_messages<'t>(&self, held: &HeldBack) -> Vec<Message<'t>> {
+        let mut messages = match held.ends_ns[..] {
             [] => Vec::new(),
-            // One is told as if it had not been held back.
+            // One is written as if it had not been held back.
             [at_ns] => {
-                let when = self.at(at_ns);
-                let message = FromArm::new(when.at_s, &told.packet, Some(told.status));
-                vec![when.own(FROM_ARM, &message)]
+                let time = self.time_at(at_ns);
+                let message = FromArm::new(time.at_s, &held.packet, Some(held.status));
+                vec![time.own(FROM_ARM, &message)]
             }
             [first_ns, .., last_ns] => {
-                let when = self.at(last_ns);
-                let gaps_ns = told.ends_ns.windows(2).map(|it| it[1] - it[0]);
+                let time = self.time_at(last_ns);
+                let gaps_ns = held.ends_ns.windows(2).map(|it| it[1] - it[0]);
                 let message = FromArm {
                     gaps_ns: Some(gaps_ns.collect()),
-                    ..FromArm::new(when.at_s, &told.packet, Some(told.status))
+                    ..FromArm::new(time.at_s, &held.packet, Some(held.status))
                 };
                 let message = Message {
                     since_ns: first_ns,
-                    ..when.own(FROM_ARM, &message)
+                    ..time.own(FROM_ARM, &message)
                 };
-                let views = when.views(&told.status);
+                let views = time.views(&held.status);
                 std::iter::once(message).chain(views).collect()
             }
         };
-        messages.extend(told.pieces.iter().map(|piece| {
-            let when = self.at(piece.at_ns);
-            when.own(FROM_ARM, &FromArm::new(when.at_s, &piece.bytes, None))
+        messages.extend(held.pieces.iter().map(|piece| {
+            let time = self.time_at(piece.at_ns);
+            time.own(FROM_ARM, &FromArm::new(time.at_s, &piece.bytes, None))
         }));
         messages
     }
 
-    fn at(&self, at_ns: u64) -> When {
+    fn time_at(&self, at_ns: u64) -> MessageTime {
         let at = Duration::from_nanos(at_ns.saturating_sub(self.start_ns));
-        When {
+        MessageTime {
             at_s: at.as_secs_f64(),
             at_ns,
         }
     }
 }
 
-impl When {
+impl MessageTime {
     fn own<'t>(self, topic: &str, value: &impl Serialize) -> Message<'t> {
         let topic = schema::own(topic).expect("it is one of the recorder's own topics");
         self.message(topic, value)
@@ -372,8 +372,8 @@ mod tests {
     use super::*;
     use crate::About;
 
-    fn scribe() -> Scribe {
-        Scribe::new("2026-11-21T12:30:00Z".parse().unwrap()).unwrap()
+    fn encoder() -> Encoder {
+        Encoder::new("2026-11-21T12:30:00Z".parse().unwrap()).unwrap()
     }
 
     fn value(message: &Message<'_>) -> Value {
@@ -399,52 +399,52 @@ mod tests {
 
     #[test]
     fn a_message_holds_one_packet_however_the_bytes_came() {
-        let mut scribe = scribe();
+        let mut encoder = encoder();
         let two = [target(MovingMode::Jump), target(MovingMode::Jump)].concat();
         let first = Record::ToArm(two[..50].to_vec());
-        let messages = scribe.write(Duration::ZERO, &first).unwrap();
+        let messages = encoder.write(Duration::ZERO, &first).unwrap();
         assert_eq!(messages.len(), 2);
         assert_eq!(value(&messages[0])["command"]["x_mm"], 200.0);
         assert_eq!(value(&messages[1]).get("command"), None);
         let second = Record::ToArm(two[50..].to_vec());
-        let messages = scribe.write(Duration::ZERO, &second).unwrap();
+        let messages = encoder.write(Duration::ZERO, &second).unwrap();
         assert_eq!(messages.len(), 1);
         assert_eq!(value(&messages[0])["command"]["type"], "move_to");
     }
 
     #[test]
     fn what_the_dialects_read_differently_is_told_only_when_the_dialect_is_known() {
-        let mut scribe = scribe();
+        let mut encoder = encoder();
         let record = Record::ToArm(target(MovingMode::MovL).to_vec());
-        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        let messages = encoder.write(Duration::ZERO, &record).unwrap();
         assert_eq!(value(&messages[0]).get("command"), None);
         let about = About {
             dialect: Some(Dialect::FIRMWARE_1_1),
             ..About::default()
         };
-        scribe
+        encoder
             .write(Duration::ZERO, &Record::About(Box::new(about)))
             .unwrap();
-        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        let messages = encoder.write(Duration::ZERO, &record).unwrap();
         assert_eq!(value(&messages[0])["command"]["mode"], "movj");
     }
 
     #[test]
     fn a_packet_that_is_no_command_says_why() {
-        let mut scribe = scribe();
+        let mut encoder = encoder();
         let mut packet = target(MovingMode::Jump);
         packet[29..33].copy_from_slice(&7.0_f32.to_le_bytes());
         let record = Record::ToArm(packet.to_vec());
-        let messages = scribe.write(Duration::ZERO, &record).unwrap();
+        let messages = encoder.write(Duration::ZERO, &record).unwrap();
         let error = value(&messages[0])["error"].as_str().unwrap().to_owned();
         assert!(error.contains("float 8"), "{error}");
     }
 
     #[test]
     fn a_status_shows_in_foxglove_in_metres_turned_about_the_vertical() {
-        let mut scribe = scribe();
+        let mut encoder = encoder();
         let record = Record::FromArm(status().emit().to_bytes().to_vec());
-        let messages = scribe.write(Duration::from_millis(1500), &record).unwrap();
+        let messages = encoder.write(Duration::from_millis(1500), &record).unwrap();
         let topics: Vec<_> = messages.iter().map(|it| it.topic.name()).collect();
         assert_eq!(topics, [FROM_ARM, POSE, TRANSFORM, JOINTS]);
         let pose = value(&messages[1]);
@@ -462,13 +462,13 @@ mod tests {
 
     #[test]
     fn times_count_from_the_start() {
-        let mut scribe = scribe();
+        let mut encoder = encoder();
         let topic = Topic::new("/events", "dobot.Event", &json!({ "type": "object" })).unwrap();
         let record = Record::Json {
             topic: Arc::new(topic),
             value: json!({ "type": "stopped" }),
         };
-        let messages = scribe.write(Duration::from_mins(1), &record).unwrap();
+        let messages = encoder.write(Duration::from_mins(1), &record).unwrap();
         let expected: Timestamp = "2026-11-21T12:31:00Z".parse().unwrap();
         assert_eq!(i128::from(messages[0].at_ns), expected.as_nanosecond());
         assert_eq!(value(&messages[0])["type"], "stopped");
@@ -476,10 +476,10 @@ mod tests {
 
     #[test]
     fn times_that_have_no_number_are_refused() {
-        assert!(Scribe::new("1969-07-20T20:17:00Z".parse().unwrap()).is_none());
-        assert!(Scribe::new("9000-01-01T00:00:00Z".parse().unwrap()).is_none());
+        assert!(Encoder::new("1969-07-20T20:17:00Z".parse().unwrap()).is_none());
+        assert!(Encoder::new("9000-01-01T00:00:00Z".parse().unwrap()).is_none());
         assert!(
-            scribe()
+            encoder()
                 .write(Duration::MAX, &Record::ToArm(vec![1]))
                 .is_none()
         );

@@ -3,18 +3,18 @@
 use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
+use super::cone::Cone;
 use super::corner::Corner;
-use super::tube::Tube;
-use super::wedge::Wedge;
+use super::corridor::Corridor;
 
 /// What is seen from a corner on the way along the stroke.
-pub(super) struct Sight<'a> {
-    tube: &'a Tube<'a>,
+pub(super) struct Visibility<'a> {
+    corridor: &'a Corridor<'a>,
     pub(super) from: Corner,
     /// How far off a disc counts as hit.
     radius: f64,
     /// The directions that hit all discs so far; `None` while every direction does.
-    pub(super) wedge: Option<Wedge>,
+    pub(super) cone: Option<Cone>,
     /// The last point that was passed.
     pub(super) passed: usize,
     /// The squared distance of the farthest point so far.
@@ -30,13 +30,13 @@ pub(super) struct Sight<'a> {
     pub(super) work: usize,
 }
 
-impl<'a> Sight<'a> {
-    pub(super) const fn from(tube: &'a Tube<'a>, from: Corner, radius: f64) -> Self {
+impl<'a> Visibility<'a> {
+    pub(super) const fn from(corridor: &'a Corridor<'a>, from: Corner, radius: f64) -> Self {
         Self {
-            tube,
+            corridor,
             from,
             radius,
-            wedge: None,
+            cone: None,
             passed: from.passed,
             reach2: 0.0,
             wavering: false,
@@ -51,7 +51,7 @@ impl<'a> Sight<'a> {
     pub(super) fn pass(&mut self, i: usize) -> bool {
         self.work += 1;
         let radius = self.radius;
-        let way = self.tube.points[i] - self.from.at;
+        let way = self.corridor.points[i] - self.from.at;
         let distance2 = way.hypot2();
         if distance2 >= self.reach2 {
             self.reach2 = distance2;
@@ -64,12 +64,12 @@ impl<'a> Sight<'a> {
         if self.misses > LOOK_PAST {
             return false;
         }
-        if let Some(disc) = Wedge::to_disc(way, radius) {
-            let both = self.wedge.map_or(Some(disc), |wedge| wedge.and(disc));
+        if let Some(disc) = Cone::to_disc(way, radius) {
+            let both = self.cone.map_or(Some(disc), |cone| cone.and(disc));
             if both.is_none() {
                 return false;
             }
-            self.wedge = both;
+            self.cone = both;
         }
         self.passed = i;
         true
@@ -82,11 +82,11 @@ impl<'a> Sight<'a> {
         if length2.is_nan() || length2 < MIN_VECTOR_MM * MIN_VECTOR_MM {
             return false;
         }
-        if self.wedge.is_some_and(|wedge| !wedge.holds(way)) {
+        if self.cone.is_some_and(|cone| !cone.holds(way)) {
             return false;
         }
         // Discs ever farther out are hit in order, and no later than their tangents are long.
-        let radius = self.tube.radius;
+        let radius = self.corridor.radius;
         if !self.wavering && length2 >= self.reach2 - radius * radius {
             return true;
         }
@@ -101,7 +101,7 @@ impl<'a> Sight<'a> {
     fn in_order(&mut self, at: Point, i: usize) -> bool {
         let first = self.from.passed + 1;
         self.work += (i - first) / 2;
-        let fine = self.tube.passes(self.from.at, at, first, i);
+        let fine = self.corridor.passes(self.from.at, at, first, i);
         self.looked = true;
         self.misses = if fine { 0 } else { self.misses + 1 };
         fine
@@ -132,10 +132,10 @@ impl<'a> Sight<'a> {
 
     /// Counts whether the order holds in the middle of the view, as there may be no corner to tell.
     fn look_ahead(&mut self, i: usize) {
-        if let Some(wedge) = self.wedge {
+        if let Some(cone) = self.cone {
             let unit = |way: Vec2| way * (1.0 / way.length());
-            let middle = unit(unit(wedge.left) + unit(wedge.right));
-            let far = (self.tube.points[i] - self.from.at).dot(middle);
+            let middle = unit(unit(cone.left) + unit(cone.right));
+            let far = (self.corridor.points[i] - self.from.at).dot(middle);
             self.in_order(self.from.at + middle * far, i);
         }
     }

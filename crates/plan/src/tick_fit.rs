@@ -17,7 +17,7 @@ fn count(value: f32) -> i16 {
 
 /// What a vector should be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wish {
+pub(super) struct TickTarget {
     pub length_mm: f32,
     pub speeds: Speeds,
     /// How long it should take, what the vectors before were too long or too short included, in
@@ -34,29 +34,28 @@ pub(super) struct Wish {
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fit {
+pub(super) struct TickFit {
     pub end_mm_s: f32,
     pub max_mm_s: f32,
     pub cut: Cut,
     cost: f64,
 }
 
-impl Wish {
+impl TickTarget {
     /// The speeds that come nearest to the wish, behind a vector that left this speed.
     ///
     /// The controller takes an end speed and a largest one, and finds counts of ticks. So counts
     /// near to those wanted are tried, each with the two speeds that should lead to it; what
     /// really becomes of them is calculated as the controller does.
-    pub(super) fn fit(&self, stored_mm_s: f32) -> Fit {
+    pub(super) fn fit(&self, stored_mm_s: f32) -> TickFit {
         let mut best = None;
         self.try_slower(stored_mm_s, &mut best);
         self.try_faster(stored_mm_s, &mut best);
-        let slow = || self.crawl(stored_mm_s);
-        best.unwrap_or_else(slow)
+        best.unwrap_or_else(|| self.crawl(stored_mm_s))
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
-    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
         let about = count(single(wanted));
@@ -75,7 +74,7 @@ impl Wish {
     }
 
     /// Some ticks accelerate, from the speed that is stored.
-    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<Fit>) {
+    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
         let up = count(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
@@ -91,40 +90,29 @@ impl Wish {
             for down in downs.clone() {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
-                    self.consider(
-                        stored_mm_s,
-                        max - (f32::from(down) - NEAR) * change,
-                        max,
-                        best,
-                    );
+                    let end = max - (f32::from(down) - NEAR) * change;
+                    self.consider(stored_mm_s, end, max, best);
                 }
             }
         }
     }
 
-    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<Fit>) {
-        let least = if self.rests { 0.0 } else { LEAST_END_MM_S };
+    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<TickFit>) {
         let end_mm_s = if self.rests {
             0.0
         } else {
-            end_mm_s.min(max_mm_s).max(least)
+            end_mm_s.min(max_mm_s).max(LEAST_END_MM_S)
         };
         if max_mm_s < LEAST_END_MM_S {
             return;
         }
-        let cut = Cut::of(
-            self.length_mm,
-            stored_mm_s,
-            end_mm_s,
-            max_mm_s,
-            self.acceleration_mm_s2,
-        );
+        let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
         if !cut.is_true() || cut.ticks() < self.least_ticks {
             return;
         }
         let cost = self.cost(stored_mm_s, &cut);
         if best.is_none_or(|best| cost < best.cost) {
-            *best = Some(Fit {
+            *best = Some(TickFit {
                 end_mm_s,
                 max_mm_s,
                 cut,
@@ -138,11 +126,8 @@ impl Wish {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let late = f64::from(cut.ticks()) - self.ticks;
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
-        let first = if cut.counts[0] == 0 && cut.counts[1] == 0 {
-            cut.first_mm_s - cut.change_mm_s
-        } else {
-            cut.first_mm_s
-        };
+        let brakes = cut.counts[0] == 0 && cut.counts[1] == 0;
+        let first = cut.first_mm_s - if brakes { cut.change_mm_s } else { 0.0 };
         let jump = steps(f64::from(first - stored_mm_s)).abs();
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
@@ -150,8 +135,8 @@ impl Wish {
         late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
-    /// As slow as it has to be, so that it becomes as long as it should: nothing else did.
-    fn crawl(&self, stored_mm_s: f32) -> Fit {
+    /// The fastest even speed with which the vector gets its full length: no other speeds gave that.
+    fn crawl(&self, stored_mm_s: f32) -> TickFit {
         let change = self.acceleration_mm_s2 * TICK_S;
         let mut best = None;
         for ticks in self.least_ticks.max(1)..i16::MAX {
@@ -167,19 +152,24 @@ impl Wish {
             }
         }
         let max_mm_s = single(self.speeds.limit_mm_s);
-        let cut = Cut::of(
-            self.length_mm,
-            stored_mm_s,
-            0.0,
-            max_mm_s,
-            self.acceleration_mm_s2,
-        );
-        Fit {
+        TickFit {
             end_mm_s: 0.0,
             max_mm_s,
-            cut,
+            cut: self.cut(stored_mm_s, 0.0, max_mm_s),
             cost: f64::INFINITY,
         }
+    }
+
+    /// What becomes of the vector with these speeds.
+    fn cut(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32) -> Cut {
+        let (length_mm, acceleration_mm_s2) = (self.length_mm, self.acceleration_mm_s2);
+        Cut::of(
+            length_mm,
+            stored_mm_s,
+            end_mm_s,
+            max_mm_s,
+            acceleration_mm_s2,
+        )
     }
 }
 
@@ -199,10 +189,10 @@ mod tests {
 
     use super::*;
 
-    fn wish(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> Wish {
+    fn target(length_mm: f32, [start, end, max]: [f64; 3], rests: bool) -> TickTarget {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, 100.0);
-        Wish {
+        TickTarget {
             length_mm,
             speeds,
             ticks: speeds.duration_s / f64::from(TICK_S),
@@ -223,7 +213,7 @@ mod tests {
             rests: bool,
         ) {
             let max = max.max(stored.into()).max(end);
-            let fit = wish(length_mm, [stored.into(), end, max], rests).fit(stored);
+            let fit = target(length_mm, [stored.into(), end, max], rests).fit(stored);
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
             prop_assert!(fit.max_mm_s > 0.0);

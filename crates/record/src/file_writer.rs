@@ -1,6 +1,7 @@
 //! One MCAP file while it is written.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,37 +11,37 @@ use mcap::records::MessageHeader;
 use mcap::write::NoSeek;
 use mcap::{Compression, McapResult, WriteOptions, Writer};
 
-use crate::scribe::Message;
+use crate::encoder::Message;
 use crate::{About, Topic};
 
 /// One MCAP file while it is written: small chunks, each written as a whole, so that what was
 /// flushed can be read whatever happens next.
-pub(crate) struct Chapter<W: Write> {
+pub(crate) struct FileWriter<W: Write> {
     writer: Writer<NoSeek<Counted<W>>>,
     /// Bytes that the file has been given.
     written: Arc<AtomicU64>,
-    channels: HashMap<String, Channel>,
+    channels: HashMap<String, WrittenChannel>,
     /// How long the index at the end of the file will be, in bytes, at the most.
     index_len: u64,
-    chunk: Option<Chunk>,
+    chunk: Option<OpenChunk>,
 }
 
 /// A topic in the file.
 #[derive(Clone, Copy)]
-struct Channel {
+struct WrittenChannel {
     id: u16,
     messages: u32,
 }
 
 /// The chunk that is not flushed yet.
 #[derive(Clone, Copy)]
-struct Chunk {
+struct OpenChunk {
     begin_ns: u64,
     /// How long it will be in the file, in bytes, at the most.
     len: u64,
 }
 
-impl<W: Write> Chapter<W> {
+impl<W: Write> FileWriter<W> {
     /// Begins a file.
     pub(crate) fn begin(file: W, about: &About, start: Timestamp) -> McapResult<Self> {
         let written = Arc::new(AtomicU64::new(0));
@@ -48,36 +49,38 @@ impl<W: Write> Chapter<W> {
             inner: file,
             count: Arc::clone(&written),
         };
-        let mut chapter = Self {
+        let mut file_writer = Self {
             writer: options().create(NoSeek::new(counted))?,
             written,
             channels: HashMap::new(),
             index_len: FRAME_LEN,
             chunk: None,
         };
-        chapter.tell(about, start)?;
-        Ok(chapter)
+        file_writer.write_about(about, start)?;
+        Ok(file_writer)
     }
 
     /// Writes what the recording is of.
-    pub(crate) fn tell(&mut self, about: &About, start: Timestamp) -> McapResult<()> {
+    pub(crate) fn write_about(&mut self, about: &About, start: Timestamp) -> McapResult<()> {
         self.flush()?;
         self.index_len += RECORD_LEN;
         self.writer.write_metadata(&about.metadata(start))?;
         self.writer.flush()
     }
 
-    /// Writes a message; it is safe from the next [`Chapter::flush`] on.
+    /// Writes a message; it is safe from the next [`FileWriter::flush`] on.
     pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
         let (cost, index_len) = (self.cost(message), self.index_len);
+        let channel = self.channel(message.topic)?;
+        channel.messages = channel.messages.wrapping_add(1);
         let header = MessageHeader {
-            channel_id: self.channel(message.topic)?,
-            sequence: self.count(message.topic),
+            channel_id: channel.id,
+            sequence: channel.messages,
             log_time: message.at_ns,
             publish_time: message.at_ns,
         };
         self.writer.write_to_known_channel(&header, &message.json)?;
-        let chunk = self.chunk.get_or_insert(Chunk {
+        let chunk = self.chunk.get_or_insert(OpenChunk {
             begin_ns: message.at_ns,
             len: 0,
         });
@@ -142,36 +145,21 @@ impl<W: Write> Chapter<W> {
         (own + channel) / 64 + own + channel + chunk
     }
 
-    fn channel(&mut self, topic: &Topic) -> McapResult<u16> {
-        if let Some(channel) = self.channels.get(topic.name()) {
-            return Ok(channel.id);
+    fn channel(&mut self, topic: &Topic) -> McapResult<&mut WrittenChannel> {
+        match self.channels.entry(topic.name().to_owned()) {
+            Entry::Occupied(known) => Ok(known.into_mut()),
+            Entry::Vacant(new) => {
+                let id = topic.add_to(&mut self.writer)?;
+                self.index_len += description_len(topic);
+                Ok(new.insert(WrittenChannel { id, messages: 0 }))
+            }
         }
-        let schema = topic.schema().as_bytes();
-        let schema_id = self
-            .writer
-            .add_schema(topic.schema_name(), "jsonschema", schema)?;
-        let id = self
-            .writer
-            .add_channel(schema_id, topic.name(), "json", &BTreeMap::new())?;
-        let channel = Channel { id, messages: 0 };
-        self.channels.insert(topic.name().to_owned(), channel);
-        self.index_len += description_len(topic);
-        Ok(id)
-    }
-
-    /// The number of the next message of a topic.
-    fn count(&mut self, topic: &Topic) -> u32 {
-        let Some(channel) = self.channels.get_mut(topic.name()) else {
-            return 0;
-        };
-        channel.messages = channel.messages.wrapping_add(1);
-        channel.messages
     }
 }
 
-impl<W: Write> std::fmt::Debug for Chapter<W> {
+impl<W: Write> std::fmt::Debug for FileWriter<W> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Chapter")
+        f.debug_struct("FileWriter")
             .field("len_when_finished", &self.len_when_finished())
             .finish_non_exhaustive()
     }
@@ -267,7 +255,7 @@ mod tests {
         for room in 0..2000 {
             let written = || -> McapResult<()> {
                 let (about, start) = (About::default(), Timestamp::UNIX_EPOCH);
-                let mut chapter = Chapter::begin(Disk(room), &about, start)?;
+                let mut file_writer = FileWriter::begin(Disk(room), &about, start)?;
                 for at_ns in 0..100 {
                     let json = at_ns.to_string().into_bytes();
                     let topic = &topic;
@@ -277,10 +265,10 @@ mod tests {
                         since_ns: at_ns,
                         json,
                     };
-                    chapter.write(&message)?;
-                    chapter.flush()?;
+                    file_writer.write(&message)?;
+                    file_writer.flush()?;
                 }
-                chapter.finish().map(drop)
+                file_writer.finish().map(drop)
             };
             assert!(written().is_err(), "{room} bytes are not enough");
         }
@@ -293,7 +281,7 @@ mod tests {
         ) {
             let topics: Vec<_> = (0..20).map(topic).collect();
             let (about, start) = (About::default(), Timestamp::UNIX_EPOCH);
-            let mut chapter = Chapter::begin(Vec::new(), &about, start).unwrap();
+            let mut file_writer = FileWriter::begin(Vec::new(), &about, start).unwrap();
             let mut noise = 1_u64;
             for (number, len, flush) in messages {
                 let mut random = || {
@@ -302,17 +290,17 @@ mod tests {
                 };
                 let json = (0..len).map(|_| random()).collect();
                 let message = Message { topic: &topics[number], at_ns: 0, since_ns: 0, json };
-                let foreseen = chapter.len_when_finished() + chapter.cost(&message);
-                chapter.write(&message).unwrap();
-                prop_assert!(chapter.len_when_finished() <= foreseen);
+                let foreseen = file_writer.len_when_finished() + file_writer.cost(&message);
+                file_writer.write(&message).unwrap();
+                prop_assert!(file_writer.len_when_finished() <= foreseen);
                 if flush {
-                    let foreseen = chapter.len_when_finished();
-                    chapter.flush().unwrap();
-                    prop_assert!(chapter.len_when_finished() <= foreseen);
+                    let foreseen = file_writer.len_when_finished();
+                    file_writer.flush().unwrap();
+                    prop_assert!(file_writer.len_when_finished() <= foreseen);
                 }
             }
-            let foreseen = chapter.len_when_finished();
-            let file = chapter.finish().unwrap();
+            let foreseen = file_writer.len_when_finished();
+            let file = file_writer.finish().unwrap();
             prop_assert!(file.len() as u64 <= foreseen, "{} > {foreseen}", file.len());
         }
     }

@@ -7,7 +7,7 @@ use crate::tick::TICK_S;
 use crate::{Laser, Machine};
 
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.
-pub(super) struct Ways {
+pub(super) struct LaserPath {
     pub run_up: Point,
     /// Along the stroke up to where it is switched on.
     pub off_to: Vec<Point>,
@@ -20,12 +20,12 @@ pub(super) struct Ways {
 /// How far before the end of a vector the laser is switched with the vector behind it, in mm: a stock
 /// arm does that a tick before its motors begin that vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Early {
+pub(super) struct SwitchLead {
     pub on_mm: f64,
     pub off_mm: f64,
 }
 
-impl Early {
+impl SwitchLead {
     /// As long as the laser's speed is kept.
     pub(super) fn at_speed(laser: &Laser, machine: &Machine) -> Self {
         let mm = if machine.has_ticks {
@@ -52,12 +52,12 @@ impl Early {
     }
 }
 
-impl Ways {
+impl LaserPath {
     pub(super) fn of(
         stroke: &Stroke,
         here: [f64; 3],
         speed_mm_s: f64,
-        early: Early,
+        lead: SwitchLead,
         machine: &Machine,
     ) -> Self {
         let points = &stroke.points;
@@ -78,10 +78,10 @@ impl Ways {
         } else {
             last
         };
-        let off = end + out * early.off_mm;
+        let off = end + out * lead.off_mm;
         let mut path = points[..points.len().max(2) - 1].to_vec();
         path.push(off);
-        let (off_to, on_to) = split(&path, early.on_mm);
+        let (off_to, on_to) = split(&path, lead.on_mm);
         let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
         let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
         let gain_mm = gain_mm.max(packet_mm);

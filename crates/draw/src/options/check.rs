@@ -1,0 +1,199 @@
+//! Checks that the options fit the source and each other. An option that would do nothing is refused.
+
+use dobot_source::Source;
+
+use super::{Options, OptionsError};
+
+/// Refuses the first option that would do nothing for this source, which has this title. Without a
+/// source the test card is drawn.
+pub(super) fn check(
+    options: &Options,
+    source: Option<&Source>,
+    title: &str,
+) -> Result<(), OptionsError> {
+    counts(options)?;
+    together(options)?;
+    let kind = SourceKind::of(source);
+    let misfit = given(options)
+        .into_iter()
+        .find(|(_, given, Purpose(kinds, _))| *given && !kinds.contains(&kind));
+    let Some((option, _, Purpose(_, fits))) = misfit else {
+        return Ok(());
+    };
+    Err(OptionsError::Misfit {
+        option,
+        fits,
+        is: match kind {
+            SourceKind::Lines => format!("{title} is a file of lines"),
+            SourceKind::Picture => format!("{title} is a picture"),
+            SourceKind::Text => "this is a text".to_owned(),
+            SourceKind::Card => "this is a test card".to_owned(),
+        },
+    })
+}
+
+/// Places have as many numbers as they need.
+fn counts(options: &Options) -> Result<(), OptionsError> {
+    let places = [
+        ("--at", &options.place.at, 2),
+        ("--paper", &options.place.paper, 9),
+    ];
+    for (option, numbers, allowed) in places {
+        let found = numbers.as_ref().map_or(allowed, Vec::len);
+        if found != allowed {
+            return Err(OptionsError::Count {
+                option,
+                found,
+                allowed,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Options that exclude each other, and those that need another one.
+fn together(options: &Options) -> Result<(), OptionsError> {
+    let Options {
+        what,
+        place,
+        tool,
+        way,
+    } = options;
+    let defaults = Options::default();
+    let by_pen = tool.pen != defaults.tool.pen;
+    let by_laser = tool.laser.is_some();
+    let tries = way.tries != defaults.way.tries;
+    let touched = place.paper.is_some();
+    let exclusive = [
+        ("--text", what.text.is_some(), "--card", what.card.is_some()),
+        ("--fit", place.fit, "--scale", place.scale.is_some()),
+        ("--pen-down", place.pen_down.is_some(), "--paper", touched),
+        ("--pen", by_pen, "--laser", by_laser),
+        ("--keep-order", way.keep_order, "--tries", tries),
+    ];
+    if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
+        return Err(OptionsError::Both { option, other });
+    }
+    let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
+    let dependent = [
+        ("--layer", !what.layer.is_empty(), "--layers", layered),
+        ("--only", !what.only.is_empty(), "--layers", layered),
+        ("--hatch-angle", turned, "--hatch", hatched),
+        ("--cross", what.cross, "--hatch", hatched),
+        ("--passes", tool.passes.is_some(), "--laser", by_laser),
+    ];
+    match dependent.into_iter().find(|it| it.1 && !it.3) {
+        Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
+        None => Ok(()),
+    }
+}
+
+/// What kind of thing is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SourceKind {
+    /// A file of lines and areas.
+    Lines,
+    Picture,
+    Text,
+    Card,
+}
+
+impl SourceKind {
+    const fn of(source: Option<&Source>) -> Self {
+        match source {
+            None => Self::Card,
+            Some(Source::Text(_)) => Self::Text,
+            Some(Source::Picture(_)) => Self::Picture,
+            Some(_) => Self::Lines,
+        }
+    }
+}
+
+/// What an option is for: the kinds of sources, and how a person calls them.
+struct Purpose(&'static [SourceKind], &'static str);
+
+const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "PNG and JPEG pictures");
+const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
+const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
+const AREAS: Purpose = Purpose(
+    &[SourceKind::Lines, SourceKind::Text],
+    "the areas of drawings and texts (`--shade hatch` is for pictures)",
+);
+const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
+const DRAWINGS: Purpose = Purpose(
+    &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
+    "drawings, pictures and texts",
+);
+
+/// Each option, whether it was given, and what it is for. What a material sets does not count.
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 16] {
+    let Options {
+        what, place, tool, ..
+    } = options;
+    [
+        ("--shade", what.shade.is_some(), PICTURES),
+        ("--spacing", what.spacing.is_some(), PICTURES),
+        ("--invert", what.invert, PICTURES),
+        ("--font", what.font.is_some(), TEXTS),
+        ("--height", what.height.is_some(), TEXTS),
+        ("--align", what.align.is_some(), TEXTS),
+        ("--card-passes", what.card_passes.is_some(), CARDS),
+        ("--hatch", what.hatch.is_some(), AREAS),
+        ("--layers", what.layers.is_some(), LAYERS),
+        ("--fit", place.fit, DRAWINGS),
+        ("--scale", place.scale.is_some(), DRAWINGS),
+        ("--rotate", place.rotate != 0.0, DRAWINGS),
+        ("--margin", place.margin != 0.0, DRAWINGS),
+        ("--clip", place.clip, DRAWINGS),
+        ("--speed", tool.speed.is_some(), DRAWINGS),
+        ("--passes", tool.passes.is_some(), DRAWINGS),
+    ]
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn refusal(json: &str) -> String {
+        let options: Options = serde_json::from_str(json).unwrap();
+        let file = Source::from("<svg/>");
+        let refused = check(&options, Some(&file), "a.svg");
+        refused.unwrap_err().to_string()
+    }
+
+    #[test]
+    fn an_option_that_would_do_nothing_is_refused_from_json_too() {
+        for (json, told) in [
+            (
+                r#"{"what": {"shade": "lines"}}"#,
+                "--shade is for PNG and JPEG pictures, and a.svg is a file of lines",
+            ),
+            (
+                r#"{"place": {"fit": true, "scale": 2}}"#,
+                "--fit and --scale exclude each other: give one of them",
+            ),
+            (
+                r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
+                "--pen and --laser exclude each other: give one of them",
+            ),
+            (
+                r#"{"what": {"cross": true}}"#,
+                "--cross does nothing without --hatch",
+            ),
+            (
+                r#"{"place": {"at": [200]}}"#,
+                "--at has 1 numbers; it takes 2",
+            ),
+        ] {
+            assert_eq!(refusal(json), told);
+        }
+    }
+
+    #[test]
+    fn a_word_that_no_option_knows_is_named() {
+        let unknown = serde_json::from_str::<Options>(r#"{"place": {"turn": 90}}"#);
+        assert!(unknown.unwrap_err().to_string().contains("`turn`"));
+    }
+}
