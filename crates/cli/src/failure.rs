@@ -7,6 +7,8 @@ use dobot_client::{LinkError, OpenError, SendError};
 use dobot_draw::OptionsError;
 use dobot_rules::OpenArmError;
 
+use crate::logging::LogFormat;
+
 /// What went wrong.
 #[derive(Debug)]
 pub(crate) struct Failure {
@@ -25,7 +27,7 @@ impl Failure {
 
     /// Tells the person, and gives the exit code. Output that nobody wants to read any more, as
     /// with `dobot decode FILE | head`, is no failure.
-    pub(crate) fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self, log: LogFormat) -> ExitCode {
         let causes = || self.error.chain();
         let unread = |cause: &(dyn std::error::Error + 'static)| {
             let io = cause.downcast_ref::<std::io::Error>();
@@ -34,9 +36,13 @@ impl Failure {
         if causes().any(unread) {
             return ExitCode::SUCCESS;
         }
-        eprintln!("error: {:#}", self.error);
-        if let Some(hint) = self.hint.clone().or_else(|| causes().find_map(known_hint)) {
-            eprintln!("hint: {hint}");
+        let hint = self.hint.clone().or_else(|| causes().find_map(known_hint));
+        match log {
+            LogFormat::Text => {
+                eprintln!("error: {:#}", self.error);
+                hint.inspect(|it| eprintln!("hint: {it}"));
+            }
+            LogFormat::Json => tracing::error!(hint, "{:#}", self.error),
         }
         ExitCode::FAILURE
     }

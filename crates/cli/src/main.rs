@@ -18,6 +18,7 @@ mod jobs;
 mod jog;
 mod lease;
 mod log;
+mod logging;
 mod man;
 mod materials;
 mod output;
@@ -42,6 +43,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::failure::Failure;
+use crate::logging::LogFormat;
 
 /// Everything that a person needs to use the original Dobot Arm (V1.0, 2016), with or without it.
 #[derive(Debug, Parser)]
@@ -87,15 +89,20 @@ enum Verb {
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    match run(cli) {
+    let verb = Cli::parse().verb.unwrap_or_else(default_verb);
+    let log = match &verb {
+        Verb::Up(args) => args.log_format,
+        _ => LogFormat::Text,
+    };
+    log.start();
+    match run(verb) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => failure.report(log),
     }
 }
 
-fn run(cli: Cli) -> Result<(), Failure> {
-    match cli.verb.unwrap_or_else(default_verb) {
+fn run(verb: Verb) -> Result<(), Failure> {
+    match verb {
         Verb::Up(args) => wait_for(up::run(args)),
         Verb::Draw(args) => wait_for(draw::run(*args)),
         Verb::Materials(args) => materials::run(&args),

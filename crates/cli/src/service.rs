@@ -83,6 +83,7 @@ pub(crate) fn run(args: Args) -> Result<(), Failure> {
 }
 
 fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), Failure> {
+    let up = with_log(up);
     check_up(&up)?;
     let file = file(scope)?;
     let unit = Unit {
@@ -101,6 +102,14 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
         output::line("it ends when you log out, unless `loginctl enable-linger` says otherwise")?;
     }
     Ok(())
+}
+
+/// The log of a service is for programs, unless it is wanted otherwise.
+fn with_log(mut up: Vec<String>) -> Vec<String> {
+    if !up.iter().any(|it| it.starts_with("--log-format")) {
+        up.splice(0..0, ["--log-format", "json"].map(str::to_owned));
+    }
+    up
 }
 
 /// What `dobot up` would not understand would only show when the service does not start.

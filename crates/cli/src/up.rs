@@ -24,6 +24,7 @@ use tokio::sync::broadcast::error::RecvError;
 use self::welcome::Welcome;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
+use crate::logging::LogFormat;
 use crate::output::{self, clock};
 use crate::reach::{client_name, folders, running};
 
@@ -87,27 +88,34 @@ pub(crate) struct Args {
     /// Ask for a token on this machine, too
     #[arg(long)]
     token_required: bool,
+    /// How the log on standard error is written; the environment variable `RUST_LOG` tells how much
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t)]
+    pub(crate) log_format: LogFormat,
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
+    let log = args.log_format;
     let config = args.config()?;
     let data = config.folders.data().display().to_string();
     let station = tokio::select! {
-        station = start(config) => station?,
+        station = start(config, log) => station?,
         () = &mut interrupt => return Ok(()),
     };
     let notices = station.handle().notices();
     let welcome = welcome(&station, args.personality, data);
-    output::line(&welcome.text(std::io::stdout().is_terminal()))?;
+    match log {
+        LogFormat::Text => output::line(&welcome.text(std::io::stdout().is_terminal()))?,
+        LogFormat::Json => welcome.log(),
+    }
     let service_manager = ServiceManager::of_environment();
     service_manager.tell(Notification::Ready);
     tokio::select! {
-        () = tell(notices) => {}
+        () = tell(notices, log) => {}
         () = &mut interrupt => {}
     }
     service_manager.tell(Notification::Stopping);
-    eprintln!("ending: the laser goes off, and the arm comes to rest");
+    log.tell("ending: the laser goes off, and the arm comes to rest");
     tokio::select! {
         ended = station.end() => Ok(ended?),
         () = crate::interrupt::interrupt() => Ok(()),
@@ -116,14 +124,14 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 
 /// Starts the station, if there is no other one. A station that lives answers at once; the arm waits
 /// no longer than that for its laser to be switched off.
-async fn start(config: Config) -> Result<Station, Failure> {
+async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
     let folders = config.folders.clone();
     let mut alone = std::pin::pin!(check_alone(&folders));
     let known = tokio::time::timeout(AT_ONCE, &mut alone).await;
     let is_known = known.is_ok();
     known.unwrap_or(Ok(()))?;
     if config.arm.is_none() {
-        eprintln!("looking for an arm");
+        log.tell("looking for an arm");
     }
     let approach = config.approach().await.map_err(no_start)?;
     if !is_known {
@@ -201,11 +209,13 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
 }
 
 /// Tells what happens, until the station ends by itself.
-async fn tell(mut notices: Receiver<Arc<Notice>>) {
+async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
+    let shown = log.shows_notices();
     loop {
         match notices.recv().await {
-            Ok(notice) if matches!(notice.news, News::CommandDone { .. }) => {}
+            Ok(notice) if !shown || matches!(notice.news, News::CommandDone { .. }) => {}
             Ok(notice) => eprintln!("{:>10}  {}", clock(notice.at_s), notice.text),
+            Err(RecvError::Lagged(_)) if !shown => {}
             Err(RecvError::Lagged(missed)) => eprintln!("{missed} notices were not shown"),
             Err(RecvError::Closed) => return,
         }

@@ -62,11 +62,16 @@ impl Link {
     ///
     /// Outside of a tokio runtime.
     pub async fn open(address: &Address) -> Result<Self, OpenError> {
-        match address {
+        let opened = match address {
             Address::Virtual => Err(OpenError::Virtual),
             Address::Serial { path, baud } => Self::over_serial(path, *baud),
             Address::Tcp { host, port } => Self::over_tcp(host, *port).await,
+        };
+        match &opened {
+            Ok(_) => tracing::debug!(%address, "the link is open"),
+            Err(error) => tracing::debug!(%address, %error, "the link cannot be opened"),
         }
+        opened
     }
 
     #[cfg(unix)]

@@ -1,5 +1,7 @@
 //! The task that owns the arm's port: the supervisor, its clock, its link, its journal, its recording.
 
+mod log;
+
 use std::collections::HashMap;
 use std::time::Duration;
 
@@ -11,6 +13,7 @@ use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::Instant;
 
+use self::log::log;
 use crate::Found;
 use crate::Refusal;
 use crate::arms::Arms;
@@ -245,6 +248,7 @@ impl Driver {
             }
         }
         while let Some(notice) = self.supervisor.poll_notice() {
+            log(&notice);
             self.recording.notice(self.now(), &notice);
             self.remember(&notice);
             self.ends.announce(notice);
@@ -296,11 +300,13 @@ impl Driver {
         match message {
             Message::Came { name, role, reply } => {
                 let client = self.supervisor.handle_client(now, &name, role);
+                tracing::debug!(client = client.0, name, ?role, "a client came");
                 if reply.send(client).is_err() {
                     self.supervisor.handle_left(now, client);
                 }
             }
             Message::Left(client) => {
+                tracing::debug!(client = client.0, "a client left");
                 self.waiting.remove(&client);
                 self.supervisor.handle_left(now, client);
             }
@@ -336,6 +342,7 @@ impl Driver {
 
     /// Something that the arm depends on is no more: the station ends.
     fn fail(&mut self, text: String) {
+        tracing::error!("the station ends: {text}");
         self.connecting = None;
         self.failure = Some(text);
         self.end();
@@ -455,6 +462,7 @@ impl Driver {
         self.recording
             .link(now, &found.address, self.supervisor.dialect());
         let address = found.address.to_string();
+        tracing::info!(address, "the link to the arm is open");
         self.connecting = None;
         self.heart.take_up(&found.link);
         self.link = Some(found.link);

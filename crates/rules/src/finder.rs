@@ -151,6 +151,7 @@ impl Finder {
                 why: why.to_owned(),
             });
         }
+        tracing::debug!(address = %candidate.address, device = candidate.device, "listening for an arm");
         tell(FinderNews::Listening {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
@@ -159,6 +160,7 @@ impl Finder {
             Ok(found) => return Ok(found),
             Err(missed) => missed,
         };
+        tracing::debug!(address = %candidate.address, why = %missed, "no arm is heard there");
         self.in_vain
             .note(candidate, &missed, self.started.elapsed());
         tell(FinderNews::Missed {

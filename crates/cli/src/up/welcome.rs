@@ -55,6 +55,31 @@ impl Welcome {
         lines.join("\n")
     }
 
+    /// The same for a log.
+    pub(crate) fn log(&self) {
+        let Self {
+            page,
+            fingerprint,
+            arm,
+            raw,
+            pty,
+            data,
+            notes,
+        } = self;
+        tracing::info!(
+            page,
+            fingerprint,
+            arm,
+            raw,
+            pty,
+            data,
+            "the station has started"
+        );
+        for note in notes {
+            tracing::warn!("{note}");
+        }
+    }
+
     fn facts(&self) -> Vec<(&'static str, String, &'static str)> {
         let fact =
             |name, text: &Option<String>, remark| text.clone().map(|text| (name, text, remark));

@@ -1,0 +1,128 @@
+//! The log: what the rooms tell through `tracing`, on standard error.
+
+use std::env::VarError;
+
+use tracing::Level;
+use tracing_subscriber::Layer;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
+
+/// How the log is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum LogFormat {
+    /// Lines for people
+    #[default]
+    Text,
+    /// One JSON object a line, for services; level info and above unless `RUST_LOG` says otherwise
+    Json,
+}
+
+impl LogFormat {
+    /// Starts the log with what the environment variable `RUST_LOG` asks for. A value that cannot be
+    /// read is told, and counts as none.
+    pub(crate) fn start(self) {
+        let (targets, problem) = match self.targets(std::env::var("RUST_LOG")) {
+            Ok(targets) => (targets, None),
+            Err(problem) => (self.default_targets(), Some(problem)),
+        };
+        let lines = tracing_subscriber::fmt::layer().with_writer(std::io::stderr);
+        let lines = match self {
+            Self::Text => lines.with_ansi(false).boxed(),
+            Self::Json => lines.json().flatten_event(true).boxed(),
+        };
+        tracing_subscriber::registry()
+            .with(lines.with_filter(targets))
+            .init();
+        if let Some(problem) = problem {
+            match self {
+                Self::Text => eprintln!("{problem}"),
+                Self::Json => tracing::warn!("{problem}"),
+            }
+        }
+    }
+
+    /// Tells a person what the program does; in a log for programs it is an event.
+    pub(crate) fn tell(self, text: &str) {
+        match self {
+            Self::Text => eprintln!("{text}"),
+            Self::Json => tracing::info!("{text}"),
+        }
+    }
+
+    /// Whether a person sees a station's notices here: not where the log holds them already.
+    pub(crate) fn shows_notices(self) -> bool {
+        self == Self::Text && !tracing::enabled!(target: "dobot_rules", Level::INFO)
+    }
+
+    fn targets(self, wanted: Result<String, VarError>) -> Result<Targets, String> {
+        match wanted {
+            Ok(wanted) => wanted
+                .parse()
+                .map_err(|error| not_understood(&wanted, &error)),
+            Err(VarError::NotPresent) => Ok(self.default_targets()),
+            Err(error) => Err(not_understood("", &error)),
+        }
+    }
+
+    fn default_targets(self) -> Targets {
+        Targets::new().with_default(match self {
+            Self::Text => LevelFilter::OFF,
+            Self::Json => LevelFilter::INFO,
+        })
+    }
+}
+
+fn not_understood(wanted: &str, error: &dyn std::error::Error) -> String {
+    format!(
+        "RUST_LOG is \"{}\", which cannot be read ({error}), and is passed over; it may be a level (off, error, warn, info, \
+         debug, trace), or levels of rooms, as in dobot_rules=debug,dobot_station=info",
+        wanted.escape_debug()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wants(format: LogFormat, wanted: &str, target: &str, level: Level) -> bool {
+        let targets = format.targets(Ok(wanted.to_owned())).unwrap();
+        targets.would_enable(target, &level)
+    }
+
+    #[test]
+    fn the_log_for_people_is_quiet_unless_it_is_asked_for() {
+        let quiet = LogFormat::Text.targets(Err(VarError::NotPresent)).unwrap();
+        assert!(!quiet.would_enable("dobot_rules", &Level::ERROR));
+        assert!(wants(LogFormat::Text, "info", "dobot_rules", Level::INFO));
+        assert!(!wants(LogFormat::Text, "info", "dobot_rules", Level::DEBUG));
+    }
+
+    #[test]
+    fn the_log_of_a_service_begins_at_info() {
+        let service = LogFormat::Json.targets(Err(VarError::NotPresent)).unwrap();
+        assert!(service.would_enable("dobot_station::http", &Level::INFO));
+        assert!(!service.would_enable("dobot_station::http", &Level::DEBUG));
+        assert!(!wants(LogFormat::Json, "warn", "dobot_rules", Level::INFO));
+    }
+
+    #[test]
+    fn each_room_may_have_a_level_of_its_own() {
+        let wanted = "warn,dobot_rules=debug";
+        let (rules, station) = ("dobot_rules::driver", "dobot_station::http");
+        assert!(wants(LogFormat::Text, wanted, rules, Level::DEBUG));
+        assert!(!wants(LogFormat::Text, wanted, station, Level::INFO));
+        assert!(wants(LogFormat::Text, wanted, station, Level::WARN));
+    }
+
+    #[test]
+    fn a_level_that_there_is_not_is_told_with_those_that_there_are() {
+        let problem = LogFormat::Text
+            .targets(Ok("dobot_rules=loud".into()))
+            .unwrap_err();
+        assert!(
+            problem.contains("\"dobot_rules=loud\"") && problem.contains("debug"),
+            "{problem}"
+        );
+    }
+}
