@@ -11,6 +11,8 @@ mod guarding;
 mod killing;
 #[cfg(unix)]
 mod links;
+#[cfg(unix)]
+mod logging;
 mod policy;
 mod program;
 mod recordings;

@@ -55,6 +55,7 @@ pub(crate) fn command_at(data: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_dobot"));
     command.args(arguments).env("DOBOT_DATA", data);
     command
+        .env_remove("RUST_LOG")
         .env_remove("DOBOT_STATION")
         .env_remove("DOBOT_TOKEN");
     command

@@ -30,7 +30,7 @@ fn a_service_is_installed_told_of_and_removed() {
     assert!(installed.stdout.contains("dobot.service"), "{installed:?}");
     let text = std::fs::read_to_string(&file).expect("it is there");
     for line in [
-        "up --arm serial:/dev/ttyUSB0",
+        "up --log-format json --arm serial:/dev/ttyUSB0",
         "Restart=always",
         "WatchdogSec=",
         "DOBOT_DATA=",

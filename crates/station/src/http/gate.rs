@@ -2,11 +2,12 @@
 
 use std::net::IpAddr;
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::extract::{MatchedPath, Request, State};
 use axum::http::header::{AUTHORIZATION, HOST, ORIGIN, SEC_WEBSOCKET_PROTOCOL};
 use axum::http::uri::Authority;
-use axum::http::{HeaderMap, HeaderName, Method};
+use axum::http::{HeaderMap, HeaderName, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED};
@@ -27,12 +28,29 @@ pub(super) async fn pass(
 ) -> Response {
     let peer = request.extensions().get::<Peer>().cloned();
     let peer = peer.expect("every connection comes with its ends");
-    match look(&app, &peer, &request) {
+    let began = app.now();
+    let (method, path) = (request.method().clone(), request.uri().path().to_owned());
+    let answer = match look(&app, &peer, &request) {
         Ok(visitor) => {
             request.extensions_mut().insert(visitor);
-            answer::guarded(next.run(request).await)
+            next.run(request).await
         }
-        Err(response) => answer::guarded(response),
+        Err(response) => response,
+    };
+    let took = app.now().saturating_sub(began);
+    log(&peer, &method, &path, answer.status(), took);
+    answer::guarded(answer)
+}
+
+/// Logs a request: an error of ours as a warning, one that was not let in for all, the rest for those who
+/// look closely. What it said, and its token, are not logged.
+fn log(peer: &Peer, method: &Method, path: &str, status: StatusCode, took: Duration) {
+    let (from, status) = (peer.from, status.as_u16());
+    let took_ms = took.as_secs_f64() * 1e3;
+    match status {
+        500.. => tracing::warn!(%from, %method, path, status, took_ms, "request"),
+        401 | 403 => tracing::info!(%from, %method, path, status, took_ms, "request"),
+        _ => tracing::debug!(%from, %method, path, status, took_ms, "request"),
     }
 }
 

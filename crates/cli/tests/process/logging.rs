@@ -1,0 +1,103 @@
+//! The log of a station, for people and for programs.
+
+use std::io::Read;
+use std::process::Command;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::going::{Going, line_with};
+use crate::program::{command, command_at, run};
+
+/// A station with a virtual arm, and its data.
+fn up(arguments: &[&str]) -> (Command, TempDir) {
+    let folder = tempfile::tempdir().expect("there is room");
+    let ports = ["--http", "127.0.0.1:0", "--raw", "off"];
+    let arguments = [&["up", "--virtual"], &ports[..], arguments].concat();
+    (command_at(folder.path(), &arguments), folder)
+}
+
+/// Stops the arm, ends the station, and tells what it logged from then on.
+fn stopped_and_ended(station: Going, folder: &TempDir, mut errors: impl Read) -> String {
+    run(&mut command_at(folder.path(), &["stop"]), b"").succeeds();
+    assert_eq!(station.interrupt(), Some(0));
+    let mut log = String::new();
+    errors.read_to_string(&mut log).expect("it is text");
+    log
+}
+
+fn events(log: &str) -> Vec<Value> {
+    let event = |line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{line}: {error}"));
+    log.lines().map(event).collect()
+}
+
+#[test]
+fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
+    let (up, folder) = up(&["--log-format", "json"]);
+    let (station, mut errors) = Going::with_errors(up);
+    let started = line_with("the station has started", &mut errors);
+    let [started] = &events(&started)[..] else {
+        panic!("{started} is not one line");
+    };
+    assert_eq!(started["level"], "INFO");
+    let page = started["page"].as_str().expect("it says where the page is");
+    assert!(page.starts_with("http://127.0.0.1:"), "{started}");
+
+    let log = stopped_and_ended(station, &folder, errors);
+    let events = events(&log);
+    let stop = events.iter().find(|it| it["news"] == "Stopped");
+    let stop = stop.unwrap_or_else(|| panic!("no stop is told: {log}"));
+    assert_eq!(
+        (&stop["level"], &stop["target"]),
+        (&"WARN".into(), &"dobot_rules::driver::log".into())
+    );
+    assert!(events.iter().all(|it| it["level"] != "DEBUG"), "{log}");
+}
+
+#[test]
+fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice() {
+    let (mut up, folder) = up(&[]);
+    up.env("RUST_LOG", "warn,dobot_rules=info,dobot_station=debug");
+    let (mut station, errors) = Going::with_errors(up);
+    station.reads("Ctrl-C");
+    let log = stopped_and_ended(station, &folder, errors);
+    assert!(log.contains("DEBUG dobot_station::http"), "{log}");
+    assert_eq!(log.matches("Stopped").count(), 1, "{log}");
+    let token = std::fs::read_to_string(folder.path().join("tokens.toml")).unwrap_or_default();
+    assert!(token.lines().all(|it| !log.contains(it)), "{log}");
+}
+
+#[test]
+fn a_station_tells_a_person_what_happens_and_logs_nothing_unless_it_is_asked() {
+    let (up, folder) = up(&[]);
+    let (mut station, errors) = Going::with_errors(up);
+    station.reads("Ctrl-C");
+    let log = stopped_and_ended(station, &folder, errors);
+    assert!(log.contains("ending: the laser goes off"), "{log}");
+    for level in ["INFO", "WARN", "DEBUG"] {
+        assert!(!log.contains(level), "{log}");
+    }
+}
+
+#[test]
+fn a_service_that_cannot_start_logs_why_and_what_to_do() {
+    let (mut up, _folder) = up(&["--log-format", "json", "--policy", "nowhere.toml"]);
+    let outcome = run(&mut up, b"");
+    assert_eq!(outcome.code, Some(1), "{outcome:?}");
+    let events = events(&outcome.stderr);
+    let last = events.last().expect("it says why");
+    assert_eq!(last["level"], "ERROR");
+    let told = |field: &str| last[field].as_str().unwrap_or_default().to_owned();
+    assert!(told("message").contains("nowhere.toml"), "{last}");
+    assert!(told("hint").contains("dobot policy check"), "{last}");
+}
+
+#[test]
+fn a_level_that_there_is_not_is_told_and_keeps_nothing_from_being_done() {
+    let mut policy = command(&["policy"]);
+    let outcome = run(policy.env("RUST_LOG", "dobot_rules=loud"), b"").succeeds();
+    assert!(
+        outcome.stderr.contains("RUST_LOG is \"dobot_rules=loud\""),
+        "{outcome:?}"
+    );
+}
