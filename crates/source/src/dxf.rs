@@ -41,5 +41,3 @@ pub(crate) fn read(
 
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod text_tests;

@@ -33,6 +33,4 @@ pub(crate) fn read(
 }
 
 #[cfg(test)]
-mod label_tests;
-#[cfg(test)]
 mod tests;

@@ -219,6 +219,4 @@ fn nothing_to_draw(warnings: &[Unshown]) -> SourceError {
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 const MAX_NODES: u32 = 2_000_000;
 #[cfg(test)]
-mod layer_tests;
-#[cfg(test)]
 mod tests;

@@ -126,11 +126,8 @@ impl Origin {
     ///
     /// The pen stands there on the label.
     pub(super) fn of(number: f64) -> Option<Self> {
-        let (base, gap) = if number > 10.0 {
-            (number - 10.0, 0.5)
-        } else {
-            (number, 0.0)
-        };
+        let gap = if number > 10.0 { 0.5 } else { 0.0 };
+        let base = number - 20.0 * gap;
         let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
         let share = Vec2::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
         Some(Self { share, gap })

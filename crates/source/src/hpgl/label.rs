@@ -82,12 +82,12 @@ impl Plotter<'_> {
             [] if is_relative => Size::Relative(DEFAULT_PERCENT),
             [] => Size::Default,
             [width, height] if width != 0.0 && height != 0.0 => {
-                let size = Vec2::new(width, height);
-                if is_relative {
-                    Size::Relative(size)
+                let size = if is_relative {
+                    Size::Relative
                 } else {
-                    Size::Absolute(size)
-                }
+                    Size::Absolute
+                };
+                size(Vec2::new(width, height))
             }
             _ => return Err(self.refused(it, "a width and a height, none of them 0")),
         };

@@ -95,7 +95,7 @@ impl<'a> Plotter<'a> {
                 self.go(it)
             }
             b"PE" => self.go_encoded(it),
-            b"SP" => self.take_pen(it),
+            b"SP" => self.take_pen(it, it.number(0)),
             b"VS" => self.set_speed(it),
             b"IP" => self.set_corners(it),
             b"SC" => self.set_scale(it),
@@ -184,15 +184,20 @@ impl<'a> Plotter<'a> {
             return Err(self.refused(it, "pairs of coordinates x,y"));
         }
         for pair in it.numbers.chunks_exact(2) {
-            let from = if self.is_relative {
-                self.at
-            } else {
-                Point::default()
-            };
+            let from = self.base(self.is_relative);
             self.go_to(it, from + Vec2::new(pair[0], pair[1]))?;
             self.mark(it)?;
         }
         Ok(())
+    }
+
+    /// What coordinates are counted from.
+    pub(super) fn base(&self, is_relative: bool) -> Point {
+        if is_relative {
+            self.at
+        } else {
+            Point::default()
+        }
     }
 
     pub(super) fn go_to(&mut self, it: &Command<'_>, to: Point) -> Result<(), SourceError> {
@@ -278,9 +283,9 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    fn take_pen(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    fn take_pen(&mut self, it: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
         self.lift(it)?;
-        self.pen = match it.number(0) {
+        self.pen = match number {
             None | Some(0.0) => Pen::None,
             Some(number) => Pen::Number(number),
         };
@@ -344,13 +349,7 @@ impl<'a> Plotter<'a> {
             };
             match item.map_err(found)? {
                 Item::Pen(number) => {
-                    self.lift(it)?;
-                    self.pen = if number == 0.0 {
-                        Pen::None
-                    } else {
-                        Pen::Number(number)
-                    };
-                    self.is_selected = false;
+                    self.take_pen(it, Some(number))?;
                 }
                 Item::Go {
                     x,
@@ -363,11 +362,7 @@ impl<'a> Plotter<'a> {
                     } else {
                         self.lower();
                     }
-                    let from = if is_absolute {
-                        Point::default()
-                    } else {
-                        self.at
-                    };
+                    let from = self.base(!is_absolute);
                     self.go_to(it, from + Vec2::new(x, y))?;
                     self.mark(it)?;
                 }

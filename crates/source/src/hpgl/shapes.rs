@@ -27,11 +27,7 @@ impl Plotter<'_> {
         let (&[x, y, sweep_deg] | &[x, y, sweep_deg, _]) = it.numbers.as_slice() else {
             return Err(self.refused(it, "x,y of the center, and an angle"));
         };
-        let from = if &it.name == b"AR" {
-            self.at
-        } else {
-            Point::default()
-        };
+        let from = self.base(&it.name == b"AR");
         let sweep_rad = self.angle_rad(it, sweep_deg)?;
         self.sweep(it, from + Vec2::new(x, y), sweep_rad)
     }
@@ -41,11 +37,7 @@ impl Plotter<'_> {
         let (&[x1, y1, x2, y2] | &[x1, y1, x2, y2, _]) = it.numbers.as_slice() else {
             return Err(self.refused(it, "x,y of a point between, and of the end"));
         };
-        let from = if &it.name == b"RT" {
-            self.at
-        } else {
-            Point::default()
-        };
+        let from = self.base(&it.name == b"RT");
         let (middle, end) = (from + Vec2::new(x1, y1), from + Vec2::new(x2, y2));
         match circle_through(self.at, middle, end) {
             Some((center, sweep_rad)) => self.sweep(it, center, sweep_rad),
@@ -60,11 +52,7 @@ impl Plotter<'_> {
             return Err(self.refused(it, "six numbers for each curve"));
         }
         for curve in numbers {
-            let from = if &it.name == b"BR" {
-                self.at
-            } else {
-                Point::default()
-            };
+            let from = self.base(&it.name == b"BR");
             let point = |i: usize| from + Vec2::new(curve[i], curve[i + 1]);
             let [b, c, end] = [0, 2, 4].map(point);
             let [a, b, c, d] = [self.at, b, c, end].map(|p| self.frame.point(p));
@@ -81,12 +69,7 @@ impl Plotter<'_> {
             return Err(self.refused(it, "x,y of the opposite corner"));
         };
         let is_relative = it.name[1] == b'R';
-        let a = self.at;
-        let b = if is_relative {
-            a + Vec2::new(x, y)
-        } else {
-            Point::new(x, y)
-        };
+        let (a, b) = (self.at, self.base(is_relative) + Vec2::new(x, y));
         let corners = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y), a];
         self.shape(it, corners.map(|p| self.frame.point(p)).to_vec())
     }

@@ -38,11 +38,8 @@ impl Plotter<'_> {
     pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
         if scale.is_some() && !self.knows_corners {
-            self.warn(
-                it,
-                "cornerless scale",
-                "taken for that of a sheet of A4 (SC without IP)",
-            );
+            let instead = "taken for that of a sheet of A4 (SC without IP)";
+            self.warn(it, "cornerless scale", instead);
         }
         self.use_frame(Frame {
             scale,

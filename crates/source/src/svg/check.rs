@@ -9,8 +9,8 @@ use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER};
 
 /// Reads every path, point list, length, transform and viewBox of the document, and tells how many
-/// line segments and curves each element describes.
-pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments, SvgError> {
+/// line segments and curves each node describes, by its number in the document.
+pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
     // As many as there are nodes, each at the place that its number tells.
     let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
@@ -28,9 +28,6 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments,
     Ok(segments)
 }
 
-/// How many line segments and curves each node describes, by its number in the document.
-pub(crate) type Segments = Vec<u64>;
-
 struct Problem {
     /// Where in the value, in bytes.
     at: usize,
@@ -38,13 +35,7 @@ struct Problem {
 }
 
 fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Problem> {
-    let whole = |ok: bool, expected| {
-        if ok {
-            Ok(0)
-        } else {
-            Err(Problem { at: 0, expected })
-        }
-    };
+    let whole = |ok: bool, expected| ok.then_some(0).ok_or(Problem { at: 0, expected });
     match name {
         "d" if node.tag_name().name() == "path" => check_path(value),
         "points" => check_points(value),
@@ -98,11 +89,10 @@ fn check_points(value: &str) -> Result<usize, Problem> {
         count += 1;
     }
     let expected = "an even count of numbers: x and y of each point";
-    if count % 2 == 0 {
-        Ok(count / 2)
-    } else {
-        Err(Problem { at: 0, expected })
-    }
+    let is_even = count % 2 == 0;
+    is_even
+        .then_some(count / 2)
+        .ok_or(Problem { at: 0, expected })
 }
 
 fn numbers(segment: PathSegment) -> [f64; 6] {
@@ -157,11 +147,8 @@ fn position(error: &svgtypes::Error, value: &str) -> usize {
     else {
         return value.len();
     };
-    let characters = at.saturating_sub(1);
-    value
-        .char_indices()
-        .nth(characters)
-        .map_or(value.len(), |(byte, _)| byte)
+    let character = value.char_indices().nth(at.saturating_sub(1));
+    character.map_or(value.len(), |(byte, _)| byte)
 }
 
 fn bad_value(

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod layers;
+
 use std::fmt::Write as _;
 
 use dobot_geometry::{Point, Stroke, bounds_of_strokes};
