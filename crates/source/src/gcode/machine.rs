@@ -19,7 +19,7 @@ pub(super) struct Move {
     pub(super) to: Point,
     /// The height at its end, where it is known.
     pub(super) z_mm: Option<f64>,
-    pub(super) tool: Tool,
+    pub(super) tool: ToolState,
 }
 
 /// How the machine gets there.
@@ -37,7 +37,7 @@ pub(super) enum MoveKind {
 
 /// What is in the machine's hand, and how it is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Tool {
+pub(super) struct ToolState {
     /// Its number.
     pub(super) number: Option<f64>,
     /// The S in force where M3, M4 or M106 hold and it is above 0.
@@ -72,7 +72,7 @@ pub(super) struct Machine<'a, 'w> {
     system: Option<u32>,
     is_on: bool,
     power: f64,
-    tool: Tool,
+    tool: ToolState,
     has_ended: bool,
 }
 
@@ -93,7 +93,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             system: None,
             is_on: false,
             power: 0.0,
-            tool: Tool::default(),
+            tool: ToolState::default(),
             has_ended: false,
         }
     }
