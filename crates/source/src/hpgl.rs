@@ -3,12 +3,12 @@
 mod characters;
 mod command;
 mod encoded;
-mod frame;
 mod label;
 mod names;
 mod plotter;
 mod polygon;
 mod shapes;
+mod transform;
 mod units;
 
 use self::command::commands;

@@ -11,7 +11,7 @@ pub(super) struct Content {
 
 /// What TEXT and the like say: one line, with codes of two percent signs.
 pub(super) fn line(value: &str) -> Content {
-    let mut reader = Reader::new(value);
+    let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
         match character {
             '%' if reader.rest.starts_with('%') => reader.percent(),
@@ -24,7 +24,7 @@ pub(super) fn line(value: &str) -> Content {
 
 /// What MTEXT says: several lines, with codes of a backslash too.
 pub(super) fn lines(value: &str) -> Content {
-    let mut reader = Reader::new(value);
+    let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
         match character {
             '%' if reader.rest.starts_with('%') => reader.percent(),
@@ -38,12 +38,12 @@ pub(super) fn lines(value: &str) -> Content {
     reader.content
 }
 
-struct Reader<'a> {
+struct CodeReader<'a> {
     rest: &'a str,
     content: Content,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> CodeReader<'a> {
     fn new(rest: &'a str) -> Self {
         Self {
             rest,

@@ -5,13 +5,13 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 use super::entity::Entity;
 use super::frame::way;
 use super::pairs::Pair;
+use super::renderer::EntityRenderer;
 use super::shapes::{Corner, span_rad};
-use super::walk::Walk;
 use crate::arc::Arc;
 use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 
-impl Walk<'_, '_> {
+impl EntityRenderer<'_, '_> {
     /// Its boundaries as rings of an area, whatever pattern fills it; those with ellipses or splines
     /// are told and left out.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {

@@ -208,7 +208,7 @@ impl Plotter<'_> {
         at: Point,
     ) -> Result<(), SourceError> {
         let lettering = &mut self.labels.lettering;
-        let ink = lettering.room(character).unwrap_or_default().ink;
+        let ink = lettering.extent(character).unwrap_or_default().ink;
         let pose = cell.pose(at, ink);
         lettering.write(&mut self.sketch, it.at, character, &pose)
     }
@@ -220,7 +220,7 @@ impl Plotter<'_> {
         };
         let cell = self.cell(it);
         if self.select(it)? {
-            let at = self.frame.point(self.at) - (cell.across + cell.up) * 0.5;
+            let at = self.transform.point(self.at) - (cell.across + cell.up) * 0.5;
             self.letter(it, symbol, &cell, at)?;
         }
         Ok(())
@@ -236,18 +236,20 @@ impl Plotter<'_> {
             let instead = "written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
             self.warn(it, "sizeless text", instead);
         }
-        characters.cell(&self.frame)
+        characters.cell(&self.transform)
     }
 
     fn cursor(&self) -> Cursor {
-        let at = self.frame.point(self.at);
+        let at = self.transform.point(self.at);
         let margin = self.labels.margin_mm.unwrap_or(at);
         Cursor { at, margin }
     }
 
     fn put_pen(&mut self, it: &Command<'_>, cursor: Cursor) -> Result<(), SourceError> {
         self.sketch.check(it.at, cursor.margin)?;
-        self.at = self.frame.point_at(self.sketch.check(it.at, cursor.at)?);
+        self.at = self
+            .transform
+            .point_at(self.sketch.check(it.at, cursor.at)?);
         self.labels.margin_mm = Some(cursor.margin);
         self.sketch.lift();
         self.is_dot = false;
