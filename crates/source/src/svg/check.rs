@@ -28,14 +28,14 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>,
     Ok(segments)
 }
 
-struct Problem {
+struct ValueProblem {
     /// Where in the value, in bytes.
     at: usize,
     expected: &'static str,
 }
 
-fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Problem> {
-    let whole = |ok: bool, expected| ok.then_some(0).ok_or(Problem { at: 0, expected });
+fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, ValueProblem> {
+    let whole = |ok: bool, expected| ok.then_some(0).ok_or(ValueProblem { at: 0, expected });
     match name {
         "d" if node.tag_name().name() == "path" => check_path(value),
         "points" => check_points(value),
@@ -55,36 +55,36 @@ fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Pro
     }
 }
 
-fn check_path(value: &str) -> Result<usize, Problem> {
+fn check_path(value: &str) -> Result<usize, ValueProblem> {
     let expected = "path data: commands MLHVCSQTAZ and finite numbers";
     if value.trim() == "none" {
         return Ok(0);
     }
     let mut count = 0;
     for segment in PathParser::from(value) {
-        let segment = segment.map_err(|error| Problem {
+        let segment = segment.map_err(|error| ValueProblem {
             at: position(&error, value),
             expected,
         })?;
         if !numbers(segment).into_iter().all(is_small) {
             let expected = "coordinates of at most 1e9";
-            return Err(Problem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected });
         }
         count += 1;
     }
     Ok(count)
 }
 
-fn check_points(value: &str) -> Result<usize, Problem> {
+fn check_points(value: &str) -> Result<usize, ValueProblem> {
     let mut count = 0;
     for number in NumberListParser::from(value) {
-        let number = number.map_err(|error| Problem {
+        let number = number.map_err(|error| ValueProblem {
             at: position(&error, value),
             expected: "a list of finite numbers",
         })?;
         if !is_small(number) {
             let expected = "coordinates of at most 1e9";
-            return Err(Problem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected });
         }
         count += 1;
     }
@@ -92,7 +92,7 @@ fn check_points(value: &str) -> Result<usize, Problem> {
     let is_even = count % 2 == 0;
     is_even
         .then_some(count / 2)
-        .ok_or(Problem { at: 0, expected })
+        .ok_or(ValueProblem { at: 0, expected })
 }
 
 fn numbers(segment: PathSegment) -> [f64; 6] {
@@ -155,7 +155,7 @@ fn bad_value(
     doc: &Document<'_>,
     node: Node<'_, '_>,
     attribute: &Attribute<'_, '_>,
-    problem: &Problem,
+    problem: &ValueProblem,
 ) -> SvgError {
     let value = attribute.value();
     let range = attribute.range_value();

@@ -4,15 +4,15 @@ use crate::warning::Warning;
 
 /// What a pen does not show as a browser does, counted by kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Unshown {
+pub(crate) struct WarningCount {
     /// What it is.
     pub(crate) kind: WarningKind,
     /// How many of it.
     pub(crate) count: usize,
 }
 
-impl From<Unshown> for Warning {
-    fn from(Unshown { kind, count }: Unshown) -> Self {
+impl From<WarningCount> for Warning {
+    fn from(WarningCount { kind, count }: WarningCount) -> Self {
         let (what, instead) = kind.words();
         Self::new(what, instead, count)
     }
