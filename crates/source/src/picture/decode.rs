@@ -92,9 +92,7 @@ impl Format {
     }
 }
 
-type PngReader<'a> = png::Reader<Cursor<&'a [u8]>>;
-
-fn png(bytes: &[u8]) -> Result<(PngReader<'_>, Header), ImageError> {
+fn png(bytes: &[u8]) -> Result<(png::Reader<Cursor<&[u8]>>, Header), ImageError> {
     let limits = Limits { bytes: PNG_BYTES };
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
@@ -161,9 +159,7 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
     }
 }
 
-type Jpeg<'a> = JpegDecoder<ZCursor<&'a [u8]>>;
-
-fn jpeg(bytes: &[u8]) -> Result<(Jpeg<'_>, Header), ImageError> {
+fn jpeg(bytes: &[u8]) -> Result<(JpegDecoder<ZCursor<&[u8]>>, Header), ImageError> {
     let options = DecoderOptions::default()
         .set_strict_mode(true)
         .set_max_width(usize::from(u16::MAX))

@@ -187,23 +187,23 @@ struct JsonPoint(Point);
 
 #[derive(Deserialize)]
 #[serde(expecting = "two numbers [x, y]")]
-struct Pair(Millimetres, Millimetres);
+struct NumberPair(Millimetres, Millimetres);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Named {
+struct NamedPoint {
     x: Millimetres,
     y: Millimetres,
 }
 
-impl From<Pair> for JsonPoint {
-    fn from(Pair(x, y): Pair) -> Self {
+impl From<NumberPair> for JsonPoint {
+    fn from(NumberPair(x, y): NumberPair) -> Self {
         Self(Point::new(x.0, y.0))
     }
 }
 
-impl From<Named> for JsonPoint {
-    fn from(Named { x, y }: Named) -> Self {
+impl From<NamedPoint> for JsonPoint {
+    fn from(NamedPoint { x, y }: NamedPoint) -> Self {
         Self(Point::new(x.0, y.0))
     }
 }
@@ -211,7 +211,7 @@ impl From<Named> for JsonPoint {
 impl<'de> Deserialize<'de> for JsonPoint {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expected = r#"a point: [x, y] or {"x": .., "y": ..}"#;
-        deserializer.deserialize_any(ListOr::<Self, Pair, Named>::new(expected))
+        deserializer.deserialize_any(ListOr::<Self, NumberPair, NamedPoint>::new(expected))
     }
 }
 
