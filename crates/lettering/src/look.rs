@@ -52,7 +52,7 @@ impl<'a> Look<'a> {
         }
     }
 
-    /// How much hides what lies below, from 0 to 1.
+    /// The opacity, from 0 (invisible) to 1.
     #[must_use]
     pub const fn faded(self, opacity: f64) -> Self {
         Self {
@@ -80,7 +80,7 @@ impl fmt::Display for Look<'_> {
     }
 }
 
-/// How words look: capitals so tall, in that colour.
+/// The height of capitals, the colour and the weight of words.
 #[derive(Clone, Copy, Debug)]
 pub struct Type<'a> {
     pub(crate) height: f64,
@@ -109,7 +109,7 @@ impl<'a> Type<'a> {
         }
     }
 
-    /// What to write below the same words, so that they stand out from what lies there.
+    /// The same words as a wide border. Written below them, it sets them off from the picture.
     #[must_use]
     pub const fn halo(self, color: &'a str) -> Self {
         Self {

@@ -122,14 +122,14 @@ impl Sheet {
         self.add("</g>");
     }
 
-    /// What some points enclose.
+    /// The area between some points.
     pub fn area(&mut self, corners: &[[f64; 2]], look: &Look<'_>) {
         let mut path = String::new();
         outline(&mut path, corners.iter().copied());
         self.path(&(path + "Z"), look);
     }
 
-    /// The path of these SVG path data; what lies in it twice is outside of it.
+    /// A path of SVG path data, filled by the even-odd rule.
     pub fn path(&mut self, data: &str, look: &Look<'_>) {
         if !data.is_empty() {
             self.add(format_args!(
@@ -179,14 +179,14 @@ impl Sheet {
         self.add("</g>");
     }
 
-    /// What is drawn by `draw`, moved, turned or scaled by an SVG transform.
+    /// Draws by `draw`, moved, turned or scaled by an SVG transform.
     pub fn within(&mut self, transform: &str, draw: impl FnOnce(&mut Self)) {
         self.add(format_args!(r#"<g transform="{transform}">"#));
         draw(self);
         self.add("</g>");
     }
 
-    /// What is drawn by `draw`, cut off at the edges of a frame whose corners are round.
+    /// Draws by `draw`; a frame with round corners cuts it off.
     pub fn clipped(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
         let (clip, frame) = (self.clips, frame.attributes(radius));
         self.clips += 1;

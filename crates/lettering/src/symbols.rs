@@ -19,7 +19,7 @@ pub(crate) enum Recipe {
     Own { strokes: &'static str, advance: f64 },
 }
 
-/// What stands above, below or across a letter.
+/// A mark above, below or across a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     Acute,
@@ -83,7 +83,7 @@ impl Mark {
         }
     }
 
-    /// Where its place is on a letter.
+    /// The point of a letter around which it is drawn.
     pub(crate) fn place(self, letter: Rect, top_middle: f64) -> Point {
         let (middle, height) = (letter.center(), letter.height());
         match self {
@@ -200,7 +200,8 @@ const RECIPES: &[(char, Recipe)] = &[
     ('¡', Recipe::Turned('!')),
 ];
 
-/// Characters with strokes of their own: each with its advance and what [`read`] takes.
+/// Characters with strokes of their own, one a line: the character, its advance, and its strokes as
+/// [`read`] takes them.
 const OWN: &str = "\
 ß 16 3,0 3,-15 3.5,-18 5,-20.3 7.5,-21 10,-20.5 11.5,-18.5 11.5,-16 10.5,-13.8 8,-12 10.5,-11 12.5,-9 13.2,-6 12.5,-3 10.5,-0.7 8,0 6,-0.3
 ẞ 17 3,0 3,-15 4,-19 7,-21 13,-21 9,-13 11.5,-12 13.5,-9.5 14,-6 13,-2.5 10.5,-0.4 8,0 6,-0.5

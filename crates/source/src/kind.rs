@@ -1,9 +1,9 @@
-//! What kind of source some bytes are, told from how they begin.
+//! Recognises the kind of a source by its first bytes.
 
 use crate::Source;
 use crate::error::SourceError;
 
-/// The kinds of text that are told apart.
+/// The kinds of text files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TextKind {
     Svg,
@@ -15,8 +15,8 @@ pub(super) enum TextKind {
 }
 
 impl TextKind {
-    /// The kind of a text that begins like this; nothing at all is taken for an SVG file, of which
-    /// people know best what is missing.
+    /// The kind of a text that begins like this. An empty file counts as SVG, for which the error is
+    /// the clearest.
     pub(super) fn of_start(bytes: &[u8]) -> Option<Self> {
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
         let start = start.trim_start_matches('\u{FEFF}').trim_start();

@@ -1,4 +1,4 @@
-//! What can be drawn, not yet read.
+//! Files, pictures and texts that can be drawn, before they are read.
 
 use dobot_geometry::Point;
 

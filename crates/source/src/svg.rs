@@ -72,7 +72,7 @@ fn draw(
     Ok((artwork, warnings))
 }
 
-/// What never reaches the tree: counted while it is being built.
+/// Counts what is lost while the tree is built.
 struct TreeWarnings<'a> {
     images: AtomicUsize,
     fontless: AtomicUsize,

@@ -1,4 +1,4 @@
-//! What a text says, without the codes that tell how it looks.
+//! The words of a text, without its format codes.
 
 /// A text as it is to be written.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub(super) struct Content {
     pub(super) is_plainer: bool,
 }
 
-/// What TEXT and the like say: one line, with codes of two percent signs.
+/// Reads the value of TEXT and the like: one line, with codes of two percent signs.
 pub(super) fn line(value: &str) -> Content {
     let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
@@ -22,7 +22,7 @@ pub(super) fn line(value: &str) -> Content {
     reader.content
 }
 
-/// What MTEXT says: several lines, with codes of a backslash too.
+/// Reads the value of MTEXT: several lines, with codes of a backslash too.
 pub(super) fn lines(value: &str) -> Content {
     let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {

@@ -19,7 +19,7 @@ pub(super) struct File<'a> {
     pub(super) entities: Vec<Span<'a>>,
 }
 
-/// What the table of layers says of one.
+/// A layer in the table of layers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LayerInfo {
     /// `AutoCAD`'s number; below 0 for a layer that is off.

@@ -12,8 +12,8 @@ use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 
 impl EntityRenderer<'_, '_> {
-    /// Its boundaries as rings of an area, whatever pattern fills it; those with ellipses or splines
-    /// are told and left out.
+    /// Its boundaries as rings of an area, whatever pattern fills it. A hatch with ellipses or splines
+    /// is left out with a warning.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let pairs = it.pairs.iter().enumerate();
         let starts = pairs.filter(|(_, pair)| pair.code == 92);

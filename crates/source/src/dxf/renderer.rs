@@ -234,6 +234,6 @@ fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceErr
 }
 
 const MOST_COPIED: usize = 200_000_000;
-/// What a copy counts at least, were its block empty.
+/// A copy of an empty block counts as so many bytes.
 const LEAST_COPY: usize = 100;
 const MOST_DEPTH: u32 = 32;

@@ -5,6 +5,7 @@ use dobot_geometry::{Affine, Vec2};
 use super::content::{Content, line, lines};
 use super::entity::Entity;
 use super::frame::way;
+use super::pairs::Pair;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 use crate::text::{CAPITAL, Lettering, Pose};
@@ -287,7 +288,7 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
 fn whole_text(it: &Entity<'_>) -> String {
     let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
     let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
-    pieces.map(|pair| pair.whole_text()).collect()
+    pieces.map(Pair::whole_text).collect()
 }
 
 fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {

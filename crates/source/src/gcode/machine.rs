@@ -9,7 +9,7 @@ use crate::error::SourceError;
 use crate::sketch::checked;
 use crate::warning::Warnings;
 
-/// What a line lets the machine do.
+/// A move of the machine, from one line of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Move {
     /// Where it stands in the text.
@@ -35,7 +35,7 @@ pub(super) enum MoveKind {
     Dwell,
 }
 
-/// What is in the machine's hand, and how it is used.
+/// The tool of the machine, and how it is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ToolState {
     /// Its number.
@@ -366,7 +366,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.moved(block, MoveKind::Rapid, to)
     }
 
-    /// G53: in the machine's own coordinates, of which the file does not tell.
+    /// G53: in the machine's own coordinates, which the file does not define.
     fn machine_move(&mut self, block: &Block) -> Result<Move, SourceError> {
         self.warn(block.at, "G53 move", "taken for a travel with the pen up");
         let value = |letter, here| block.value(letter).map_or(here, |it| it * self.unit_mm);

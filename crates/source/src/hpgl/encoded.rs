@@ -1,10 +1,10 @@
-//! PE: lines of which the numbers are packed into letters.
+//! PE: lines whose numbers are packed into letters.
 //!
 //! A number is doubled, one added where it is below 0, and written in base 64, smallest digit
 //! first: from `?` (63) on, the last digit from 191 on. With 7 bits the base is 32 and the last
 //! digit is from 95 on.
 
-/// What PE asks for.
+/// A step that PE asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum EncodedItem {
     /// A pen to take.

@@ -18,7 +18,7 @@ pub(super) struct Labels {
     symbol: Option<char>,
     /// What BL keeps for PB.
     kept: String,
-    /// What is not written as the file says, where it writes at all: place, what, instead.
+    /// Warnings that only count once the file writes a text: place, what, instead.
     unlike: Vec<(usize, &'static str, &'static str)>,
     lettering: Lettering,
 }
@@ -44,7 +44,7 @@ impl Plotter<'_> {
         }
     }
 
-    /// What concerns texts and nothing else.
+    /// Commands that only change how texts look.
     fn set_style(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let numbers = it.numbers.as_slice();
         let first = it.number(0).unwrap_or_default();
@@ -256,7 +256,7 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// IN and DF: as if nothing had been said.
+    /// IN and DF: all settings of texts as at the start.
     pub(super) fn reset_labels(&mut self) {
         let lettering = std::mem::take(&mut self.labels.lettering);
         self.labels = Labels {

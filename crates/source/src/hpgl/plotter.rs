@@ -32,7 +32,7 @@ pub(super) struct Plotter<'a> {
     pub(super) has_drawn: bool,
     /// PG came since.
     is_new_page: bool,
-    /// P1 and P2 are told by the file (IP).
+    /// The file has set P1 and P2 (IP).
     pub(super) knows_corners: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
@@ -192,7 +192,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// What coordinates are counted from.
+    /// The origin of coordinates: the pen for relative ones.
     pub(super) fn base(&self, is_relative: bool) -> Point {
         if is_relative {
             self.at
@@ -307,7 +307,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// How lines and fills look and where they end, of which nothing is shown.
+    /// Line types, fill patterns and clip windows: nothing of them is drawn.
     fn style(&mut self, it: &Command<'_>) {
         match (&it.name, it.number(0)) {
             (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),

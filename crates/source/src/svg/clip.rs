@@ -11,7 +11,7 @@ use super::polygon::Polygons;
 use crate::error::SvgError;
 use crate::limits::Budget;
 
-/// What a clip path shows: the union of some areas.
+/// The visible part of a clip path: the union of some areas.
 #[derive(Debug, Default)]
 pub(crate) struct Region {
     areas: Vec<ClipArea>,
@@ -27,7 +27,7 @@ impl Region {
         }
     }
 
-    /// What shows, as polygons; `None` where they are too entangled.
+    /// The visible part as polygons; `None` where they are too entangled.
     pub(crate) fn polygons(&self) -> Option<&Polygons> {
         let all = || {
             let mut areas = self.areas.iter().map(ClipArea::polygons);
@@ -36,7 +36,7 @@ impl Region {
         self.polygons.get_or_init(all).as_ref()
     }
 
-    /// The parts of a stroke that show. What runs along an edge shows, as half of its ink does in
+    /// The parts of a stroke that show. A line along an edge shows, as half of its ink does in
     /// a browser.
     pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);

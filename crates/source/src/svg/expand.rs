@@ -68,7 +68,7 @@ enum CostState {
 }
 
 impl<'a> Counter<'a> {
-    /// What an element costs with all that it holds and names. Never deeper than the limit.
+    /// The cost of an element with all that it holds and names. Stops at the largest depth.
     fn cost(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
         let cost = match self.known[node.id().get_usize()] {
             CostState::Yes(cost) => cost,

@@ -1,4 +1,4 @@
-//! What a shape leaves on paper: a line, a filled area, or nothing.
+//! The ink of a shape: a line, a filled area, or nothing.
 
 use dobot_geometry::FillRule;
 
@@ -20,7 +20,7 @@ impl Ink {
         line.or_else(|| self.area().map(|fill| fill.color))
     }
 
-    /// What is to be hatched.
+    /// The fill to be hatched.
     pub(crate) fn area(&self) -> Option<FillPaint> {
         self.fill.filter(|fill| fill.color.0 != Some(PAPER))
     }

@@ -1,8 +1,8 @@
-//! What a pen does not show as a browser does.
+//! Warnings of the SVG reader.
 
 use crate::warning::Warning;
 
-/// What a pen does not show as a browser does, counted by kind.
+/// How often there is something of a kind that a pen does not show as a browser does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct WarningCount {
     /// What it is.
@@ -18,7 +18,7 @@ impl From<WarningCount> for Warning {
     }
 }
 
-/// What a pen cannot draw, or not yet.
+/// Things that a pen cannot draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum WarningKind {
     /// A bitmap or another file.
