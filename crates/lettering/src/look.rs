@@ -68,13 +68,13 @@ impl fmt::Display for Look<'_> {
             write!(f, r#" fill="{color}""#)?;
         }
         if let Some((color, width)) = self.line {
-            write!(f, r#" stroke="{color}" stroke-width="{}""#, Short(width))?;
+            write!(f, r#" stroke="{color}" stroke-width="{}""#, Rounded(width))?;
         }
         if let Some(dash) = self.dash {
             write!(f, r#" stroke-dasharray="{dash}""#)?;
         }
         if let Some(opacity) = self.opacity {
-            write!(f, r#" opacity="{}""#, Short(opacity))?;
+            write!(f, r#" opacity="{}""#, Rounded(opacity))?;
         }
         Ok(())
     }
@@ -127,9 +127,9 @@ impl<'a> Type<'a> {
 }
 
 /// A number to a hundredth, without the zeros at its end.
-pub(crate) struct Short(pub(crate) f64);
+pub(crate) struct Rounded(pub(crate) f64);
 
-impl fmt::Display for Short {
+impl fmt::Display for Rounded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
     }

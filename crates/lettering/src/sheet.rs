@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use crate::look::{Look, Short, Type};
+use crate::look::{Look, Rounded, Type};
 use crate::words::{Anchor, letter_of, placed};
 use crate::{CAPITAL, width};
 
@@ -56,8 +56,9 @@ impl Frame {
 
     /// The attributes of an element.
     fn attributes(&self, radius: f64) -> String {
-        let [left, top, width, height] = [self.left, self.top, self.width, self.height].map(Short);
-        let radius = Short(radius);
+        let [left, top, width, height] =
+            [self.left, self.top, self.width, self.height].map(Rounded);
+        let radius = Rounded(radius);
         format!(r#"x="{left}" y="{top}" width="{width}" height="{height}" rx="{radius}""#)
     }
 }
@@ -66,7 +67,8 @@ impl Sheet {
     /// An empty sheet of that page, in a unit of length as SVG names it: `mm`, or `px` for pixels.
     #[must_use]
     pub fn new(page: Frame, unit: &str) -> Self {
-        let [left, top, width, height] = [page.left, page.top, page.width, page.height].map(Short);
+        let [left, top, width, height] =
+            [page.left, page.top, page.width, page.height].map(Rounded);
         let svg = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}{unit}" height="{height}{unit}" viewBox="{left} {top} {width} {height}" fill="none" stroke-linecap="round" stroke-linejoin="round">
 "#
@@ -145,7 +147,7 @@ impl Sheet {
 
     /// A circle around a point.
     pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, look: &Look<'_>) {
-        let [x, y, radius] = [x, y, radius].map(Short);
+        let [x, y, radius] = [x, y, radius].map(Rounded);
         self.add(format_args!(
             r#"<circle cx="{x}" cy="{y}" r="{radius}"{look}/>"#
         ));
@@ -161,10 +163,10 @@ impl Sheet {
         let left = anchor.left(x, width(words, height));
         self.add(format_args!(
             r#"<g transform="translate({} {})scale({:.4})" stroke="{color}" stroke-width="{}" aria-label="{}">"#,
-            Short(left),
-            Short(y),
+            Rounded(left),
+            Rounded(y),
             height / CAPITAL,
-            Short(weight * CAPITAL),
+            Rounded(weight * CAPITAL),
             escaped(words)
         ));
         for (x, letter) in placed(words).filter(|it| !it.1.is_whitespace()) {
@@ -173,7 +175,7 @@ impl Sheet {
                 self.svg,
                 r##"<use href="#{}" x="{}"/>"##,
                 id(letter),
-                Short(x)
+                Rounded(x)
             );
         }
         self.add("</g>");
@@ -212,7 +214,7 @@ fn outline(path: &mut String, points: impl IntoIterator<Item = [f64; 2]>) -> usi
     let mut count = 0;
     for [x, y] in points {
         let to = if count == 0 { 'M' } else { 'L' };
-        write!(path, "{to}{} {}", Short(x), Short(y)).expect("writing to a string works");
+        write!(path, "{to}{} {}", Rounded(x), Rounded(y)).expect("writing to a string works");
         count += 1;
     }
     if count == 1 {
