@@ -7,16 +7,16 @@ use kurbo::Point;
 pub struct Area {
     /// Closed polygons; the last point of each is joined with its first.
     pub rings: Vec<Vec<Point>>,
-    /// What counts as inside.
+    /// The rule that says which points are inside.
     pub rule: FillRule,
 }
 
-/// What counts as the inside of overlapping rings.
+/// The rule that says which points are inside overlapping rings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FillRule {
-    /// What the rings go around more often one way than the other.
+    /// Points around which the rings go more often one way than the other.
     #[default]
     NonZero,
-    /// What is inside an odd number of rings.
+    /// Points inside an odd number of rings.
     EvenOdd,
 }

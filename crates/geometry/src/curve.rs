@@ -12,7 +12,7 @@ use kurbo::{CubicBez, ParamCurve, Point};
 ///   |B''| <= 6 max(|p0 - 2 p1 + p2|, |p1 - 2 p2 + p3|)     n = ceil(sqrt(|B''| / (8 tolerance)))
 /// ```
 ///
-/// kurbo flattens with fewer chords, but within an estimate, and cannot be told when to give up.
+/// kurbo flattens with fewer chords, but its tolerance is an estimate and it has no upper limit.
 #[must_use]
 pub fn chords(curve: CubicBez, tolerance: f64) -> f64 {
     let CubicBez { p0, p1, p2, p3 } = curve;

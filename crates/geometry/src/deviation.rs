@@ -61,8 +61,8 @@ impl Near {
         }
     }
 
-    /// The distance in mm; infinite where there is no path. Less than a ten-thousandth of a
-    /// millimetre is not told apart.
+    /// The distance in mm; infinite where there is no path. Distances below a ten-thousandth of
+    /// a millimetre all count as the same.
     pub fn distance_mm(&mut self, p: Point) -> f64 {
         self.distance_from_mm(p, NEGLIGIBLE_MM)
     }
@@ -141,7 +141,7 @@ const STEP_MM: f64 = 0.5;
 /// No arm and no eye tells such distances apart.
 const NEGLIGIBLE_MM: f64 = 1e-4;
 const SHORT_MM: f64 = 1.0;
-/// About so many pieces become of cut segments at most.
+/// Segments are cut into about so many pieces at most.
 const MOST_PIECES: f64 = 500_000.0;
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub use direction::direction;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 
-/// What all rooms count with, in millimetres and radians. On the sheet x points right and y down, as
+/// The types that all rooms calculate with, in millimetres and radians. On the sheet x points right and y down, as
 /// in an SVG file; in the base frame x points forward and y to the left (Figure 3.1).
 pub use kurbo::{Affine, Point, Rect, Vec2};
 /// A straight piece, how to ask for its nearest point, and curves.

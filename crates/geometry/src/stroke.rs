@@ -2,7 +2,7 @@
 
 use kurbo::Point;
 
-/// What the pen draws between touching the paper and leaving it: one point is a dot.
+/// A line that the pen draws from touching the paper to leaving it; one point is a dot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stroke {
     /// The corners of the line, at least one.

@@ -1,5 +1,5 @@
-//! What pictures of the arm's table have in common: paper on a desk, in millimetres, with words that
-//! grow with the page by a `unit`.
+//! The parts that all pictures of the arm's table share: paper on a desk, in millimetres. Words are as
+//! large as a `unit` says, which grows with the page.
 
 use crate::{Anchor, Frame, Look, Sheet, Type};
 
@@ -19,8 +19,8 @@ impl Sheet {
         self.rect(frame, radius, &Look::line("#c9c3b4", 0.3));
     }
 
-    /// What the arm reaches around its axis: how near and how far, and how many units below each arc
-    /// that is said.
+    /// The reach of the arm around its axis: the smallest and the largest radius. Each is written so many
+    /// units below its arc.
     pub fn reach(&mut self, [near, far]: [f64; 2], labels: [f64; 2], unit: f64) {
         let arcs = |r: f64| format!("M{r} 0A{r} {r} 0 1 0 -{r} 0A{r} {r} 0 1 0 {r} 0");
         let look = Look::area("#e9f0f3").edged("#9fb3c2", 0.4);
@@ -59,11 +59,11 @@ impl Sheet {
     }
 }
 
-/// What paper lies on.
+/// The colour of the desk.
 const DESK: &str = "#f4f1e9";
-/// Paper.
+/// The colour of paper.
 pub const PAPER: &str = "#fffefb";
-/// Words that matter, and ink.
+/// The colour of ink and of words that matter.
 pub const INK: &str = "#1b2a41";
-/// Words that explain.
+/// The colour of words that explain.
 pub const MUTED: &str = "#75838d";

@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Rect, Vec2, bounds};
 
 use crate::hershey::{CAPITAL, Letter, StrokeFont};
 use crate::smooth::smooth;
-use crate::symbols::{self, Mark, Recipe};
+use crate::symbols::{self, Composition, Mark};
 
 impl Letter {
     /// The letter for a character; `None` where the font has none and it cannot be made.
@@ -13,13 +13,17 @@ impl Letter {
         if let Some(glyph) = font.glyph(character) {
             return Some(glyph);
         }
-        match symbols::recipe(character)? {
-            Recipe::Text(text) => Self::sequence(font, text, 0.0),
-            Recipe::Ligature(text) => Self::sequence(font, text, LIGATURE),
-            Recipe::Raised(base) => Some(Self::of(font, base)?.raised()),
-            Recipe::Turned(base) => Some(Self::of(font, base)?.turned()),
-            Recipe::Own { strokes, advance } => Some(Self::drawn(strokes, advance, font.slant())),
-            Recipe::Marked(base, mark) => Some(Self::of(font, base)?.marked(mark, font.slant())),
+        match symbols::composition(character)? {
+            Composition::Text(text) => Self::sequence(font, text, 0.0),
+            Composition::Ligature(text) => Self::sequence(font, text, LIGATURE),
+            Composition::Raised(base) => Some(Self::of(font, base)?.raised()),
+            Composition::Turned(base) => Some(Self::of(font, base)?.turned()),
+            Composition::Own { strokes, advance } => {
+                Some(Self::drawn(strokes, advance, font.slant()))
+            }
+            Composition::Marked(base, mark) => {
+                Some(Self::of(font, base)?.marked(mark, font.slant()))
+            }
         }
     }
 

@@ -52,7 +52,7 @@ impl<'a> Look<'a> {
         }
     }
 
-    /// How much hides what lies below, from 0 to 1.
+    /// The opacity, from 0 (invisible) to 1.
     #[must_use]
     pub const fn faded(self, opacity: f64) -> Self {
         Self {
@@ -68,19 +68,19 @@ impl fmt::Display for Look<'_> {
             write!(f, r#" fill="{color}""#)?;
         }
         if let Some((color, width)) = self.line {
-            write!(f, r#" stroke="{color}" stroke-width="{}""#, Short(width))?;
+            write!(f, r#" stroke="{color}" stroke-width="{}""#, Rounded(width))?;
         }
         if let Some(dash) = self.dash {
             write!(f, r#" stroke-dasharray="{dash}""#)?;
         }
         if let Some(opacity) = self.opacity {
-            write!(f, r#" opacity="{}""#, Short(opacity))?;
+            write!(f, r#" opacity="{}""#, Rounded(opacity))?;
         }
         Ok(())
     }
 }
 
-/// How words look: capitals so tall, in that colour.
+/// The height of capitals, the colour and the weight of words.
 #[derive(Clone, Copy, Debug)]
 pub struct Type<'a> {
     pub(crate) height: f64,
@@ -109,7 +109,7 @@ impl<'a> Type<'a> {
         }
     }
 
-    /// What to write below the same words, so that they stand out from what lies there.
+    /// The same words as a wide border. Written below them, it sets them off from the picture.
     #[must_use]
     pub const fn halo(self, color: &'a str) -> Self {
         Self {
@@ -127,9 +127,9 @@ impl<'a> Type<'a> {
 }
 
 /// A number to a hundredth, without the zeros at its end.
-pub(crate) struct Short(pub(crate) f64);
+pub(crate) struct Rounded(pub(crate) f64);
 
-impl fmt::Display for Short {
+impl fmt::Display for Rounded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use crate::look::{Look, Short, Type};
+use crate::look::{Look, Rounded, Type};
 use crate::words::{Anchor, letter_of, placed};
 use crate::{CAPITAL, width};
 
@@ -56,8 +56,9 @@ impl Frame {
 
     /// The attributes of an element.
     fn attributes(&self, radius: f64) -> String {
-        let [left, top, width, height] = [self.left, self.top, self.width, self.height].map(Short);
-        let radius = Short(radius);
+        let [left, top, width, height] =
+            [self.left, self.top, self.width, self.height].map(Rounded);
+        let radius = Rounded(radius);
         format!(r#"x="{left}" y="{top}" width="{width}" height="{height}" rx="{radius}""#)
     }
 }
@@ -66,7 +67,8 @@ impl Sheet {
     /// An empty sheet of that page, in a unit of length as SVG names it: `mm`, or `px` for pixels.
     #[must_use]
     pub fn new(page: Frame, unit: &str) -> Self {
-        let [left, top, width, height] = [page.left, page.top, page.width, page.height].map(Short);
+        let [left, top, width, height] =
+            [page.left, page.top, page.width, page.height].map(Rounded);
         let svg = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}{unit}" height="{height}{unit}" viewBox="{left} {top} {width} {height}" fill="none" stroke-linecap="round" stroke-linejoin="round">
 "#
@@ -122,14 +124,14 @@ impl Sheet {
         self.add("</g>");
     }
 
-    /// What some points enclose.
+    /// The area between some points.
     pub fn area(&mut self, corners: &[[f64; 2]], look: &Look<'_>) {
         let mut path = String::new();
         outline(&mut path, corners.iter().copied());
         self.path(&(path + "Z"), look);
     }
 
-    /// The path of these SVG path data; what lies in it twice is outside of it.
+    /// A path of SVG path data, filled by the even-odd rule.
     pub fn path(&mut self, data: &str, look: &Look<'_>) {
         if !data.is_empty() {
             self.add(format_args!(
@@ -145,7 +147,7 @@ impl Sheet {
 
     /// A circle around a point.
     pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, look: &Look<'_>) {
-        let [x, y, radius] = [x, y, radius].map(Short);
+        let [x, y, radius] = [x, y, radius].map(Rounded);
         self.add(format_args!(
             r#"<circle cx="{x}" cy="{y}" r="{radius}"{look}/>"#
         ));
@@ -161,10 +163,10 @@ impl Sheet {
         let left = anchor.left(x, width(words, height));
         self.add(format_args!(
             r#"<g transform="translate({} {})scale({:.4})" stroke="{color}" stroke-width="{}" aria-label="{}">"#,
-            Short(left),
-            Short(y),
+            Rounded(left),
+            Rounded(y),
             height / CAPITAL,
-            Short(weight * CAPITAL),
+            Rounded(weight * CAPITAL),
             escaped(words)
         ));
         for (x, letter) in placed(words).filter(|it| !it.1.is_whitespace()) {
@@ -173,20 +175,20 @@ impl Sheet {
                 self.svg,
                 r##"<use href="#{}" x="{}"/>"##,
                 id(letter),
-                Short(x)
+                Rounded(x)
             );
         }
         self.add("</g>");
     }
 
-    /// What is drawn by `draw`, moved, turned or scaled by an SVG transform.
+    /// Draws by `draw`, moved, turned or scaled by an SVG transform.
     pub fn within(&mut self, transform: &str, draw: impl FnOnce(&mut Self)) {
         self.add(format_args!(r#"<g transform="{transform}">"#));
         draw(self);
         self.add("</g>");
     }
 
-    /// What is drawn by `draw`, cut off at the edges of a frame whose corners are round.
+    /// Draws by `draw`; a frame with round corners cuts it off.
     pub fn clipped(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
         let (clip, frame) = (self.clips, frame.attributes(radius));
         self.clips += 1;
@@ -212,7 +214,7 @@ fn outline(path: &mut String, points: impl IntoIterator<Item = [f64; 2]>) -> usi
     let mut count = 0;
     for [x, y] in points {
         let to = if count == 0 { 'M' } else { 'L' };
-        write!(path, "{to}{} {}", Short(x), Short(y)).expect("writing to a string works");
+        write!(path, "{to}{} {}", Rounded(x), Rounded(y)).expect("writing to a string works");
         count += 1;
     }
     if count == 1 {

@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Rect};
 
 /// How a character is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Recipe {
+pub(crate) enum Composition {
     /// Other characters in its place.
     Text(&'static str),
     /// Two letters that lie over each other.
@@ -19,7 +19,7 @@ pub(crate) enum Recipe {
     Own { strokes: &'static str, advance: f64 },
 }
 
-/// What stands above, below or across a letter.
+/// A mark above, below or across a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     Acute,
@@ -83,7 +83,7 @@ impl Mark {
         }
     }
 
-    /// Where its place is on a letter.
+    /// The point of a letter around which it is drawn.
     pub(crate) fn place(self, letter: Rect, top_middle: f64) -> Point {
         let (middle, height) = (letter.center(), letter.height());
         match self {
@@ -101,25 +101,25 @@ impl Mark {
 }
 
 /// How a character beyond ASCII is made; `None` where it cannot be.
-pub(crate) fn recipe(character: char) -> Option<Recipe> {
-    let fixed = RECIPES.iter().find(|(it, _)| *it == character);
-    let fixed = fixed.map(|(_, recipe)| *recipe);
+pub(crate) fn composition(character: char) -> Option<Composition> {
+    let fixed = COMPOSITIONS.iter().find(|(it, _)| *it == character);
+    let fixed = fixed.map(|(_, composition)| *composition);
     fixed
         .or_else(|| own(character))
         .or_else(|| marked(character))
 }
 
-fn own(character: char) -> Option<Recipe> {
+fn own(character: char) -> Option<Composition> {
     let line = OWN.lines().find_map(|it| it.strip_prefix(character))?;
     let (advance, strokes) = line.trim_start().split_once(' ')?;
     let advance = advance.parse().ok()?;
-    Some(Recipe::Own { strokes, advance })
+    Some(Composition::Own { strokes, advance })
 }
 
-fn marked(character: char) -> Option<Recipe> {
+fn marked(character: char) -> Option<Composition> {
     MARKED.iter().find_map(|(mark, letters, bases)| {
         let at = letters.chars().position(|it| it == character)?;
-        Some(Recipe::Marked(bases.chars().nth(at)?, *mark))
+        Some(Composition::Marked(bases.chars().nth(at)?, *mark))
     })
 }
 
@@ -167,40 +167,41 @@ const MARKED: &[(Mark, &str, &str)] = &[
     (Mark::Nick, "Łł", "Ll"),
 ];
 
-const RECIPES: &[(char, Recipe)] = &[
-    ('\u{a0}', Recipe::Text(" ")),
-    ('\u{202f}', Recipe::Text(" ")),
-    ('\u{2009}', Recipe::Text(" ")),
-    ('\t', Recipe::Text("    ")),
-    ('‘', Recipe::Text("'")),
-    ('’', Recipe::Text("'")),
-    ('‚', Recipe::Text(",")),
-    ('“', Recipe::Text("\"")),
-    ('”', Recipe::Text("\"")),
-    ('„', Recipe::Text(",,")),
-    ('…', Recipe::Text("...")),
-    ('‐', Recipe::Text("-")),
-    ('‑', Recipe::Text("-")),
-    ('−', Recipe::Text("-")),
-    ('⌀', Recipe::Text("Ø")),
-    ('∅', Recipe::Text("Ø")),
-    ('ď', Recipe::Text("d'")),
-    ('ľ', Recipe::Text("l'")),
-    ('Ľ', Recipe::Text("L'")),
-    ('ť', Recipe::Text("t'")),
-    ('ģ', Recipe::Marked('g', Mark::Acute)),
-    ('æ', Recipe::Ligature("ae")),
-    ('Æ', Recipe::Ligature("AE")),
-    ('œ', Recipe::Ligature("oe")),
-    ('Œ', Recipe::Ligature("OE")),
-    ('¹', Recipe::Raised('1')),
-    ('²', Recipe::Raised('2')),
-    ('³', Recipe::Raised('3')),
-    ('¿', Recipe::Turned('?')),
-    ('¡', Recipe::Turned('!')),
+const COMPOSITIONS: &[(char, Composition)] = &[
+    ('\u{a0}', Composition::Text(" ")),
+    ('\u{202f}', Composition::Text(" ")),
+    ('\u{2009}', Composition::Text(" ")),
+    ('\t', Composition::Text("    ")),
+    ('‘', Composition::Text("'")),
+    ('’', Composition::Text("'")),
+    ('‚', Composition::Text(",")),
+    ('“', Composition::Text("\"")),
+    ('”', Composition::Text("\"")),
+    ('„', Composition::Text(",,")),
+    ('…', Composition::Text("...")),
+    ('‐', Composition::Text("-")),
+    ('‑', Composition::Text("-")),
+    ('−', Composition::Text("-")),
+    ('⌀', Composition::Text("Ø")),
+    ('∅', Composition::Text("Ø")),
+    ('ď', Composition::Text("d'")),
+    ('ľ', Composition::Text("l'")),
+    ('Ľ', Composition::Text("L'")),
+    ('ť', Composition::Text("t'")),
+    ('ģ', Composition::Marked('g', Mark::Acute)),
+    ('æ', Composition::Ligature("ae")),
+    ('Æ', Composition::Ligature("AE")),
+    ('œ', Composition::Ligature("oe")),
+    ('Œ', Composition::Ligature("OE")),
+    ('¹', Composition::Raised('1')),
+    ('²', Composition::Raised('2')),
+    ('³', Composition::Raised('3')),
+    ('¿', Composition::Turned('?')),
+    ('¡', Composition::Turned('!')),
 ];
 
-/// Characters with strokes of their own: each with its advance and what [`read`] takes.
+/// Characters with strokes of their own, one a line: the character, its advance, and its strokes as
+/// [`read`] takes them.
 const OWN: &str = "\
 ß 16 3,0 3,-15 3.5,-18 5,-20.3 7.5,-21 10,-20.5 11.5,-18.5 11.5,-16 10.5,-13.8 8,-12 10.5,-11 12.5,-9 13.2,-6 12.5,-3 10.5,-0.7 8,0 6,-0.3
 ẞ 17 3,0 3,-15 4,-19 7,-21 13,-21 9,-13 11.5,-12 13.5,-9.5 14,-6 13,-2.5 10.5,-0.4 8,0 6,-0.5
@@ -239,12 +240,13 @@ mod tests {
 
     #[test]
     fn all_strokes_read() {
-        let own = OWN.lines().map(
-            |line| match recipe(line.chars().next().unwrap_or_default()) {
-                Some(Recipe::Own { strokes, .. }) => strokes,
-                other => panic!("{line} is {other:?}"),
-            },
-        );
+        let own =
+            OWN.lines().map(
+                |line| match composition(line.chars().next().unwrap_or_default()) {
+                    Some(Composition::Own { strokes, .. }) => strokes,
+                    other => panic!("{line} is {other:?}"),
+                },
+            );
         for strokes in own {
             let points: usize = read(strokes).iter().map(Vec::len).sum();
             assert_eq!(points, strokes.matches(',').count(), "{strokes}");

@@ -6,7 +6,7 @@ use dobot_geometry::{Point, Vec2};
 
 use crate::{CAPITAL, Letter, StrokeFont};
 
-/// Where a text is held.
+/// Which point of a text lies at the place given.
 #[derive(Clone, Copy, Debug)]
 pub enum Anchor {
     /// At its left end.
@@ -18,7 +18,7 @@ pub enum Anchor {
 }
 
 impl Anchor {
-    /// Where a text begins that is so wide and held there.
+    /// The left end of a text of this width.
     pub(crate) fn left(self, at: f64, width: f64) -> f64 {
         match self {
             Self::Left => at,
@@ -28,14 +28,14 @@ impl Anchor {
     }
 }
 
-/// How wide a line of text is whose capitals are so tall.
+/// The width of a line of text, by the height of its capitals.
 #[must_use]
 pub fn width(text: &str, height: f64) -> f64 {
     let advance: f64 = text.chars().map(advance).sum();
     (advance - 2.0 * BEARING).max(0.0) * height / CAPITAL
 }
 
-/// The lines of a text that is held at a place, on its base line; y grows downwards.
+/// The lines of a text. Its anchor lies at the place given, on the base line; y grows downwards.
 #[must_use]
 pub fn strokes(text: &str, anchor: Anchor, at: Point, height: f64) -> Vec<Vec<Point>> {
     let scale = height / CAPITAL;

@@ -81,5 +81,5 @@ impl Arc {
     }
 }
 
-/// What sums of rounded ways may leave between two points that are the same.
+/// Points that are nearer than this are the same: sums of rounded numbers differ by less.
 pub(crate) const SAME_MM: f64 = 1e-6;

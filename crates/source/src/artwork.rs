@@ -20,7 +20,7 @@ impl Artwork {
     }
 }
 
-/// What is drawn with one pen, or burned with one speed.
+/// The lines and areas that are drawn with one pen, or burned with one speed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
     /// What a person calls it: the label of a group, the name of a colour, a pen's number.
@@ -31,7 +31,7 @@ pub struct Layer {
     pub speed_mm_s: Option<f64>,
     /// The lines to draw.
     pub strokes: Vec<Stroke>,
-    /// What is filled; hatching makes lines of it.
+    /// The areas to fill; hatching makes lines of them.
     pub areas: Vec<Area>,
 }
 

@@ -8,13 +8,13 @@ mod file;
 mod frame;
 mod hatch;
 mod pairs;
+mod renderer;
 mod shapes;
 mod spline;
 mod text;
-mod walk;
 
 use self::file::File;
-use self::walk::Walk;
+use self::renderer::EntityRenderer;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::options::ReadOptions;
@@ -34,12 +34,10 @@ pub(crate) fn read(
         sketch.warn(None, "file without a unit ($INSUNITS)", instead);
         1.0
     });
-    let mut walk = Walk::new(&mut sketch, &file);
-    walk.all(unit_mm)?;
+    let mut renderer = EntityRenderer::new(&mut sketch, &file);
+    renderer.all(unit_mm)?;
     sketch.finish(Y::Up, "no lines in the file")
 }
 
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod text_tests;

@@ -1,17 +1,17 @@
 //! Reading G-code: what laser programs, plotter posts and mills write, as lines.
 //!
-//! G-code moves a machine and does not say what leaves ink. It is told from the whole file, see
-//! [`census::Style`].
+//! G-code moves a machine and does not say which moves leave ink. The reader finds the rule from the
+//! whole file: see [`ink_rule::InkRule`].
 
 mod arc;
 mod block;
-mod census;
 mod codes;
 mod ink;
+mod ink_rule;
 mod machine;
 
-use self::census::Census;
 use self::ink::Inker;
+use self::ink_rule::MoveStatistics;
 use self::machine::{Machine, Move};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -29,19 +29,19 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
-    let mut census = Census::default();
+    let mut statistics = MoveStatistics::default();
     run(text, sketch.warnings(), |it| {
-        census.count(it);
+        statistics.count(it);
         Ok(())
     })?;
-    let style = census.style();
-    if let Some((what, instead)) = style.assumed() {
+    let rule = statistics.rule();
+    if let Some((what, instead)) = rule.assumed() {
         sketch.warn(None, what, &instead);
     }
-    let mut inker = Inker::new(&mut sketch, style);
+    let mut inker = Inker::new(&mut sketch, rule);
     run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
     inker.finish()?;
-    sketch.finish(Y::Up, style.nothing())
+    sketch.finish(Y::Up, rule.nothing())
 }
 
 /// Runs the program and hands on all of its moves.

@@ -3,12 +3,12 @@
 mod characters;
 mod command;
 mod encoded;
-mod frame;
 mod label;
 mod names;
 mod plotter;
 mod polygon;
 mod shapes;
+mod transform;
 mod units;
 
 use self::command::commands;
@@ -32,7 +32,5 @@ pub(crate) fn read(
         .finish(Y::Up, "no command draws with a pen down")
 }
 
-#[cfg(test)]
-mod label_tests;
 #[cfg(test)]
 mod tests;

@@ -1,11 +1,11 @@
-//! What kind of source some bytes are, told from how they begin.
+//! Recognises the kind of a source by its first bytes.
 
 use crate::Source;
 use crate::error::SourceError;
 
-/// The kinds of text that are told apart.
+/// The kinds of text files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum TextKind {
     Svg,
     Json,
     Dxf,
@@ -14,9 +14,9 @@ pub(super) enum Kind {
     Gcode,
 }
 
-impl Kind {
-    /// The kind of a text that begins like this; nothing at all is taken for an SVG file, of which
-    /// people know best what is missing.
+impl TextKind {
+    /// The kind of a text that begins like this. An empty file counts as SVG, for which the error is
+    /// the clearest.
     pub(super) fn of_start(bytes: &[u8]) -> Option<Self> {
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
         let start = start.trim_start_matches('\u{FEFF}').trim_start();
@@ -104,35 +104,35 @@ mod tests {
     #[test]
     fn each_kind_is_told_from_how_it_begins() {
         for (start, kind) in [
-            ("", Some(Kind::Svg)),
-            ("\u{FEFF}<?xml version=\"1.0\"?>", Some(Kind::Svg)),
-            ("<!-- made by hand --><svg/>", Some(Kind::Svg)),
-            (" [[[0,0]]]", Some(Kind::Json)),
-            ("{\"strokes\": []}", Some(Kind::Json)),
-            ("  0\r\nSECTION\r\n", Some(Kind::Dxf)),
-            ("999\nmade by hand\n0\nSECTION", Some(Kind::Dxf)),
-            ("AutoCAD Binary DXF\r\n\u{1a}", Some(Kind::Dxf)),
-            ("0,0\n1,1", Some(Kind::Csv)),
-            ("-1.5;2e3\n", Some(Kind::Csv)),
-            ("pen\tX\tY\n", Some(Kind::Csv)),
-            ("IN;SP1;PU0,0", Some(Kind::Hpgl)),
-            ("in;pu;", Some(Kind::Hpgl)),
-            ("PUPA0,0", Some(Kind::Hpgl)),
-            ("\u{1b}.(;IN;", Some(Kind::Hpgl)),
-            ("\u{1b}%-12345X@PJL", Some(Kind::Hpgl)),
-            ("G21\nG90", Some(Kind::Gcode)),
-            ("g0x1", Some(Kind::Gcode)),
-            ("; made by hand\nG0 X1", Some(Kind::Gcode)),
-            ("%\n(drawing)\n", Some(Kind::Gcode)),
-            ("N10 G1 X1", Some(Kind::Gcode)),
-            ("$H\nG0", Some(Kind::Gcode)),
-            ("M3 S100", Some(Kind::Gcode)),
+            ("", Some(TextKind::Svg)),
+            ("\u{FEFF}<?xml version=\"1.0\"?>", Some(TextKind::Svg)),
+            ("<!-- made by hand --><svg/>", Some(TextKind::Svg)),
+            (" [[[0,0]]]", Some(TextKind::Json)),
+            ("{\"strokes\": []}", Some(TextKind::Json)),
+            ("  0\r\nSECTION\r\n", Some(TextKind::Dxf)),
+            ("999\nmade by hand\n0\nSECTION", Some(TextKind::Dxf)),
+            ("AutoCAD Binary DXF\r\n\u{1a}", Some(TextKind::Dxf)),
+            ("0,0\n1,1", Some(TextKind::Csv)),
+            ("-1.5;2e3\n", Some(TextKind::Csv)),
+            ("pen\tX\tY\n", Some(TextKind::Csv)),
+            ("IN;SP1;PU0,0", Some(TextKind::Hpgl)),
+            ("in;pu;", Some(TextKind::Hpgl)),
+            ("PUPA0,0", Some(TextKind::Hpgl)),
+            ("\u{1b}.(;IN;", Some(TextKind::Hpgl)),
+            ("\u{1b}%-12345X@PJL", Some(TextKind::Hpgl)),
+            ("G21\nG90", Some(TextKind::Gcode)),
+            ("g0x1", Some(TextKind::Gcode)),
+            ("; made by hand\nG0 X1", Some(TextKind::Gcode)),
+            ("%\n(drawing)\n", Some(TextKind::Gcode)),
+            ("N10 G1 X1", Some(TextKind::Gcode)),
+            ("$H\nG0", Some(TextKind::Gcode)),
+            ("M3 S100", Some(TextKind::Gcode)),
             ("Dear reader", None),
             ("Input of the day", None),
             ("Green", None),
             ("\u{89}PNG", None),
         ] {
-            assert_eq!(Kind::of_start(start.as_bytes()), kind, "{start:?}");
+            assert_eq!(TextKind::of_start(start.as_bytes()), kind, "{start:?}");
         }
     }
 }

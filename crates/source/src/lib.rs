@@ -1,7 +1,8 @@
 //! Files, pictures and texts as lines and areas to draw.
 //!
-//! Each reader gives the same: layers of strokes and areas in millimetres of a page. What it cannot read
-//! it refuses with the place, what was found and what is allowed; what a pen cannot show is a warning.
+//! Each reader gives the same: layers of strokes and areas in millimetres of a page. A file that cannot
+//! be read is an error, which says where it goes wrong, what was found and what is allowed. A thing that
+//! a pen cannot show is a warning.
 //!
 //! ```
 //! use dobot_source::{ReadOptions, Source};

@@ -21,13 +21,13 @@ impl Budget {
         Ok(())
     }
 
-    /// What is left of it.
+    /// How many segments may still come.
     pub(crate) const fn left(&self) -> usize {
         self.left
     }
 }
 
-/// More segments than that were wanted.
+/// A drawing has more segments than its budget.
 #[derive(Debug)]
 pub(crate) struct OverBudget {
     limit: usize,

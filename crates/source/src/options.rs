@@ -15,8 +15,8 @@ pub struct ReadOptions {
     /// How far a line may leave the curve that it stands for, in millimetres on the page; from
     /// 1e-6 up.
     pub tolerance_mm: f64,
-    /// How many millimetres on the paper become of one on the page: what is to be so far apart on
-    /// the paper (the lines of a shaded picture) is that much nearer on the page.
+    /// How many millimetres on the paper one millimetre of the page becomes. Distances that hold on
+    /// the paper (between the lines of a shaded picture) are divided by it on the page.
     pub scale: f64,
     /// What makes a layer of an SVG file.
     pub layers: LayersBy,

@@ -53,7 +53,7 @@ pub(crate) fn beginning(text: &[u8]) -> usize {
     }
 }
 
-/// What stands in a text from there on, shortened, in quotes; its end where there is no more.
+/// The text from an offset on, shortened, in quotes; "the end of the file" where there is no more.
 pub(crate) fn excerpt(text: &[u8], at: usize) -> String {
     let rest = text.get(at..).unwrap_or_default();
     let line = rest.split(|byte| b"\r\n".contains(byte)).next();

@@ -1,4 +1,4 @@
-//! What a reader has found so far: ink in layers, and what is drawn otherwise than the file says.
+//! The drawing that a reader builds up: ink in layers, and warnings.
 
 use std::collections::{HashMap, HashSet};
 
@@ -44,7 +44,7 @@ impl<'a> Sketch<'a> {
         })
     }
 
-    /// What follows belongs to the layer of that name, which begins as `layer` where it is new.
+    /// All that comes next belongs to the layer of that name; a new one begins as `layer`.
     pub(super) fn use_layer(&mut self, layer: Layer) -> Result<(), SourceError> {
         self.goes_on = false;
         if let Some(&number) = self.numbers.get(&layer.name) {
@@ -281,7 +281,8 @@ fn closed(mut ring: Vec<Point>) -> Vec<Point> {
     ring
 }
 
-/// What two rings share that are the same, wherever they begin and whichever way they go.
+/// The corners of a ring in an order of their own: rings that are the same have the same, wherever they
+/// begin and whichever way they go.
 fn corners(points: &[Point]) -> Vec<[i64; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "no farther than LIMIT_MM")]
     let rounded = |mm: f64| (mm / SAME_MM).round() as i64;

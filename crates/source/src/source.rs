@@ -1,4 +1,4 @@
-//! What can be drawn, not yet read.
+//! Files, pictures and texts that can be drawn, before they are read.
 
 use dobot_geometry::Point;
 
@@ -71,7 +71,7 @@ impl Source {
         if picture::is_picture(&bytes) {
             return Ok(Self::Picture(bytes));
         }
-        match kind::Kind::of_start(&bytes) {
+        match kind::TextKind::of_start(&bytes) {
             Some(kind) => kind.source(bytes),
             None => Err(SourceError::UnknownKind {
                 name: name.to_owned(),

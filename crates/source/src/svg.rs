@@ -10,11 +10,11 @@ mod flatten;
 mod groups;
 mod ink;
 mod layers;
+mod page;
 mod polygon;
-mod sheet;
+mod renderer;
 mod substitutes;
-mod unshown;
-mod walk;
+mod warning_count;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -26,10 +26,10 @@ use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
 use self::groups::Groups;
-use self::sheet::Sheet;
+use self::page::SvgPage;
+use self::renderer::TreeRenderer;
 use self::substitutes::Substitutes;
-use self::unshown::{Unshown, WarningKind};
-use self::walk::Walk;
+use self::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::error::{SourceError, SvgError};
 use crate::limits::{Budget, MAX_SEGMENTS, checked_tolerance_mm};
@@ -48,8 +48,8 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let substitutes = Substitutes::default();
-    let (artwork, unshown) = draw(text, options, &substitutes)?;
-    let mut warnings: Vec<Warning> = unshown.into_iter().map(Warning::from).collect();
+    let (artwork, counts) = draw(text, options, &substitutes)?;
+    let mut warnings: Vec<Warning> = counts.into_iter().map(Warning::from).collect();
     warnings.extend(substitutes.warnings());
     Ok((artwork, warnings))
 }
@@ -58,29 +58,29 @@ fn draw(
     text: &str,
     options: &ReadOptions,
     substitutes: &Substitutes,
-) -> Result<(Artwork, Vec<Unshown>), SourceError> {
+) -> Result<(Artwork, Vec<WarningCount>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
-    let unseen = Unseen::new(substitutes);
-    let (tree, groups) = parse(text, options, &unseen)?;
-    let mut sheet = Sheet::new(walk::page_mm(&tree), options.layers);
-    Walk::new(&mut sheet, tolerance_mm, &groups).tree(&tree)?;
-    let (artwork, mut warnings) = sheet.finish();
-    unseen.warn(&mut warnings);
+    let tree_warnings = TreeWarnings::new(substitutes);
+    let (tree, groups) = parse(text, options, &tree_warnings)?;
+    let mut page = SvgPage::new(renderer::page_mm(&tree), options.layers);
+    TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
+    let (artwork, mut warnings) = page.finish();
+    tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings));
     }
     Ok((artwork, warnings))
 }
 
-/// What never reaches the tree: counted while it is being built.
-struct Unseen<'a> {
+/// Counts what is lost while the tree is built.
+struct TreeWarnings<'a> {
     images: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     substitutes: &'a Substitutes,
 }
 
-impl<'a> Unseen<'a> {
+impl<'a> TreeWarnings<'a> {
     const fn new(substitutes: &'a Substitutes) -> Self {
         Self {
             images: AtomicUsize::new(0),
@@ -117,13 +117,13 @@ impl<'a> Unseen<'a> {
         }
     }
 
-    fn warn(&self, warnings: &mut Vec<Unshown>) {
+    fn warn(&self, warnings: &mut Vec<WarningCount>) {
         let counts = [
             (WarningKind::Image, &self.images),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
-        let found = counts.map(|(kind, count)| Unshown {
+        let found = counts.map(|(kind, count)| WarningCount {
             kind,
             count: count.load(Ordering::Relaxed),
         });
@@ -140,7 +140,7 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
 fn parse(
     text: &str,
     options: &ReadOptions,
-    unseen: &Unseen<'_>,
+    tree_warnings: &TreeWarnings<'_>,
 ) -> Result<(Tree, HashMap<String, String>), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
@@ -158,8 +158,8 @@ fn parse(
     let usvg_options = usvg::Options {
         font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),
-        font_resolver: unseen.font_resolver(),
-        image_href_resolver: unseen.image_resolver(),
+        font_resolver: tree_warnings.font_resolver(),
+        image_href_resolver: tree_warnings.image_resolver(),
         ..usvg::Options::default()
     };
     if options.layers != LayersBy::Group {
@@ -204,11 +204,11 @@ fn unreadable(error: &usvg::Error) -> SourceError {
     }
 }
 
-fn nothing_to_draw(warnings: &[Unshown]) -> SourceError {
+fn nothing_to_draw(warnings: &[WarningCount]) -> SourceError {
     if warnings.is_empty() {
         return SourceError::nothing_to_draw(["no visible shape or text on the page".to_owned()]);
     }
-    let only_text = |warning: &Unshown| warning.kind == WarningKind::TextWithoutFont;
+    let only_text = |warning: &WarningCount| warning.kind == WarningKind::TextWithoutFont;
     if warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
@@ -218,7 +218,5 @@ fn nothing_to_draw(warnings: &[Unshown]) -> SourceError {
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 const MAX_NODES: u32 = 2_000_000;
-#[cfg(test)]
-mod layer_tests;
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! What is drawn otherwise than a source says.
+//! Warnings: things that are not drawn as a source says.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -19,7 +19,7 @@ pub struct Warning {
 }
 
 impl Warning {
-    /// One of which no place is known.
+    /// A warning without a place.
     pub(crate) fn new(what: &str, instead: &str, count: usize) -> Self {
         Self {
             place: None,
@@ -46,7 +46,7 @@ impl fmt::Display for Warning {
     }
 }
 
-/// What is drawn otherwise than the file says, each kind once.
+/// The warnings of a file, each kind once.
 #[derive(Debug)]
 pub(crate) struct Warnings<'a> {
     text: &'a [u8],

@@ -1,4 +1,4 @@
-//! What a text says, without the codes that tell how it looks.
+//! The words of a text, without its format codes.
 
 /// A text as it is to be written.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -9,9 +9,9 @@ pub(super) struct Content {
     pub(super) is_plainer: bool,
 }
 
-/// What TEXT and the like say: one line, with codes of two percent signs.
+/// Reads the value of TEXT and the like: one line, with codes of two percent signs.
 pub(super) fn line(value: &str) -> Content {
-    let mut reader = Reader::new(value);
+    let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
         match character {
             '%' if reader.rest.starts_with('%') => reader.percent(),
@@ -22,9 +22,9 @@ pub(super) fn line(value: &str) -> Content {
     reader.content
 }
 
-/// What MTEXT says: several lines, with codes of a backslash too.
+/// Reads the value of MTEXT: several lines, with codes of a backslash too.
 pub(super) fn lines(value: &str) -> Content {
-    let mut reader = Reader::new(value);
+    let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
         match character {
             '%' if reader.rest.starts_with('%') => reader.percent(),
@@ -38,12 +38,12 @@ pub(super) fn lines(value: &str) -> Content {
     reader.content
 }
 
-struct Reader<'a> {
+struct CodeReader<'a> {
     rest: &'a str,
     content: Content,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> CodeReader<'a> {
     fn new(rest: &'a str) -> Self {
         Self {
             rest,

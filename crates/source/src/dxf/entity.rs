@@ -1,4 +1,4 @@
-//! What an entity says of itself.
+//! The groups of an entity.
 
 use dobot_geometry::Point;
 
@@ -41,7 +41,7 @@ impl<'a> Entity<'a> {
     }
 
     pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, SourceError> {
-        self.find(code).map_or(Ok(default), |it| it.number())
+        self.find(code).map_or(Ok(default), Pair::number)
     }
 
     /// -1 for what is seen from behind, else 1.
@@ -68,7 +68,7 @@ impl<'a> Entity<'a> {
     /// All values of a group.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
         let pairs = self.pairs.iter().filter(|it| it.code == code);
-        pairs.map(|it| it.number()).collect()
+        pairs.map(Pair::number).collect()
     }
 
     /// All points whose x has that code.

@@ -19,7 +19,7 @@ pub(super) struct File<'a> {
     pub(super) entities: Vec<Span<'a>>,
 }
 
-/// What the table of layers says of one.
+/// A layer in the table of layers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LayerInfo {
     /// `AutoCAD`'s number; below 0 for a layer that is off.
@@ -74,7 +74,7 @@ pub(super) struct Span<'a> {
 impl<'a> File<'a> {
     pub(super) fn read(text: &'a [u8]) -> Result<Self, SourceError> {
         refuse_binary(text)?;
-        let mut reader = Reader::new(text);
+        let mut reader = SectionReader::new(text);
         for pair in pairs(text, beginning(text)) {
             let pair = pair?;
             if pair.is(0, b"EOF") {
@@ -99,7 +99,7 @@ fn refuse_binary(text: &[u8]) -> Result<(), SourceError> {
     Ok(())
 }
 
-struct Reader<'a> {
+struct SectionReader<'a> {
     file: File<'a>,
     section: &'a [u8],
     /// The name of the last variable of the header.
@@ -112,7 +112,7 @@ struct Reader<'a> {
     layer: Option<(String, LayerInfo)>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> SectionReader<'a> {
     fn new(text: &'a [u8]) -> Self {
         Self {
             file: File {

@@ -5,15 +5,15 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 use super::entity::Entity;
 use super::frame::way;
 use super::pairs::Pair;
+use super::renderer::EntityRenderer;
 use super::shapes::{Corner, span_rad};
-use super::walk::Walk;
 use crate::arc::Arc;
 use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 
-impl Walk<'_, '_> {
-    /// Its boundaries as rings of an area, whatever pattern fills it; those with ellipses or splines
-    /// are told and left out.
+impl EntityRenderer<'_, '_> {
+    /// Its boundaries as rings of an area, whatever pattern fills it. A hatch with ellipses or splines
+    /// is left out with a warning.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let pairs = it.pairs.iter().enumerate();
         let starts = pairs.filter(|(_, pair)| pair.code == 92);

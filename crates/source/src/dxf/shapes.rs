@@ -8,8 +8,8 @@ use super::entity::Entity;
 use super::file::Span;
 use super::frame::way;
 use super::pairs::Pair;
+use super::renderer::EntityRenderer;
 use super::spline::Spline;
-use super::walk::Walk;
 use crate::arc::Arc;
 use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
@@ -40,7 +40,7 @@ impl Corner {
     }
 }
 
-impl Walk<'_, '_> {
+impl EntityRenderer<'_, '_> {
     pub(super) fn straight(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let [a, b] = [10, 11].map(|code| self.place(it, frame, it.point(code)?));
         self.sketch.line(a?, b?)

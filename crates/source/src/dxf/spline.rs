@@ -112,8 +112,8 @@ impl Spline {
     }
 }
 
-/// Each span between two knots begins as so many, so that no wave hides between the probes.
+/// Each span between two knots is cut into so many pieces first, so that no wave lies between the probes.
 const PIECES: u32 = 6;
 const MOST_DEGREE: usize = 15;
-/// A piece becomes at most so many doublings of chords.
+/// How often a piece is halved at most.
 const DEPTH: u32 = 12;

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod text;
+
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -9,7 +11,7 @@ use proptest::prelude::*;
 use super::*;
 
 /// A file from pairs written in a line: `0 LINE 10 1.5`, in millimetres.
-pub(super) fn file(tables: &str, blocks: &str, entities: &str) -> String {
+fn file(tables: &str, blocks: &str, entities: &str) -> String {
     let section = |name: &str, pairs: &str| format!("0 SECTION 2 {name} {pairs} 0 ENDSEC ");
     let header = section("HEADER", "9 $INSUNITS 70 4");
     let all = header + &section("TABLES", tables) + &section("BLOCKS", blocks);
@@ -19,12 +21,12 @@ pub(super) fn file(tables: &str, blocks: &str, entities: &str) -> String {
         .collect()
 }
 
-pub(super) fn draw_text(text: &str) -> (Artwork, Vec<String>) {
+fn draw_text(text: &str) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-pub(super) fn draw(entities: &str) -> (Artwork, Vec<String>) {
+fn draw(entities: &str) -> (Artwork, Vec<String>) {
     draw_text(&file("", "", entities))
 }
 

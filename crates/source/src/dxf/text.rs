@@ -5,13 +5,14 @@ use dobot_geometry::{Affine, Vec2};
 use super::content::{Content, line, lines};
 use super::entity::Entity;
 use super::frame::way;
-use super::walk::Walk;
+use super::pairs::Pair;
+use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 use crate::text::{CAPITAL, Lettering, Pose};
 
 /// A line of text in units of the letters' grid.
 #[derive(Clone, Copy, Debug, Default)]
-struct Extent {
+struct LineExtent {
     /// Where the ink of its first letter begins.
     begin: f64,
     /// Where that of its last ends.
@@ -20,10 +21,10 @@ struct Extent {
     advance: f64,
 }
 
-impl Extent {
+impl LineExtent {
     fn of(text: &str, lettering: &mut Lettering) -> Self {
         let mut extent = Self::default();
-        let rooms = text.chars().filter_map(|it| lettering.room(it));
+        let rooms = text.chars().filter_map(|it| lettering.extent(it));
         for (i, room) in rooms.enumerate() {
             if i == 0 {
                 extent.begin = room.ink[0];
@@ -48,7 +49,7 @@ impl Extent {
     }
 }
 
-impl Walk<'_, '_> {
+impl EntityRenderer<'_, '_> {
     /// TEXT, ATTRIB and ATTDEF: a line.
     pub(super) fn text(
         &mut self,
@@ -65,7 +66,7 @@ impl Walk<'_, '_> {
         if content.text.trim().is_empty() {
             return Ok(());
         }
-        let extent = Extent::of(&content.text, &mut self.lettering);
+        let extent = LineExtent::of(&content.text, &mut self.lettering);
         let pose = text_pose(it, extent)?;
         if !has_size(it, &pose)? {
             self.left_out(it, "left out, for its letters have no size");
@@ -96,7 +97,7 @@ impl Walk<'_, '_> {
         let below = spacing * (lines.len() - 1) as f64;
         let mut y = (CAPITAL + below) * row - CAPITAL;
         for line in lines {
-            let extent = Extent::of(&line, &mut self.lettering);
+            let extent = LineExtent::of(&line, &mut self.lettering);
             let x = -extent.width() * column - extent.begin;
             let at = pose.at + pose.across * x + pose.up * y;
             self.write(it, world, &line, Pose { at, ..pose })?;
@@ -108,13 +109,13 @@ impl Walk<'_, '_> {
     /// The lines of a text, at least one, broken between words where they are wider than `room`,
     /// in units of the grid; 0 for as wide as they are.
     fn wrapped(&mut self, text: &str, room: f64) -> Vec<String> {
-        let space = Extent::of(" ", &mut self.lettering);
+        let space = LineExtent::of(" ", &mut self.lettering);
         let mut lines = Vec::new();
         for paragraph in text.split('\n') {
             let mut line = String::new();
-            let mut extent = Extent::default();
+            let mut extent = LineExtent::default();
             for (i, word) in paragraph.split(' ').enumerate() {
-                let own = Extent::of(word, &mut self.lettering);
+                let own = LineExtent::of(word, &mut self.lettering);
                 let longer = extent.and(space).and(own);
                 if i > 0 && (room <= 0.0 || longer.width() <= room) {
                     line.extend([" ", word]);
@@ -147,7 +148,7 @@ impl Walk<'_, '_> {
             };
             self.lettering
                 .write(self.sketch, it.at, character, &letter)?;
-            let advance = self.lettering.room(character).unwrap_or_default().advance;
+            let advance = self.lettering.extent(character).unwrap_or_default().advance;
             pose.at += pose.across * advance;
         }
         Ok(())
@@ -174,7 +175,7 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
 }
 
 /// How the letters of a line lie about its points.
-fn text_pose(it: &Entity<'_>, extent: Extent) -> Result<Pose, SourceError> {
+fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
     let (column, row) = justification(it)?;
     let pose = match column {
         ALIGNED | FIT => spanning_pose(it, extent, column)?,
@@ -202,7 +203,7 @@ fn text_pose(it: &Entity<'_>, extent: Extent) -> Result<Pose, SourceError> {
 }
 
 /// From one point to another: as tall as that makes it, or as said.
-fn spanning_pose(it: &Entity<'_>, extent: Extent, column: u32) -> Result<Pose, SourceError> {
+fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pose, SourceError> {
     let at = it.point(10)?;
     let way = it.point(11)? - at;
     // A single I has no width.
@@ -287,7 +288,7 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
 fn whole_text(it: &Entity<'_>) -> String {
     let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
     let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
-    pieces.map(|pair| pair.whole_text()).collect()
+    pieces.map(Pair::whole_text).collect()
 }
 
 fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {

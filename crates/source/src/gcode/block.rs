@@ -105,16 +105,16 @@ impl Codes {
 /// The lines that hold words.
 pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Result<Block, SourceError>> {
     let at = beginning(text);
-    let mut lines = Lexer { text, at };
+    let mut lines = BlockLexer { text, at };
     std::iter::from_fn(move || lines.next_block())
 }
 
-struct Lexer<'a> {
+struct BlockLexer<'a> {
     text: &'a [u8],
     at: usize,
 }
 
-impl Lexer<'_> {
+impl BlockLexer<'_> {
     fn next_block(&mut self) -> Option<Result<Block, SourceError>> {
         while self.at < self.text.len() {
             match self.line() {

@@ -1,4 +1,4 @@
-//! What the G and M codes are to a drawing.
+//! What G and M codes mean for a drawing.
 
 /// What to do about a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub(super) fn name(letter: char, code: u32) -> String {
     }
 }
 
-/// G codes in tenths that are carried out or make no difference; beside them there are G53 to G59.9.
+/// G codes in tenths that are carried out or make no difference. G53 to G59.9 are plain too.
 const PLAIN_G: &[u32] = &[
     0, 10, 20, 30, 40, 150, 170, 200, 210, 280, 300, 400, 430, 431, 432, 490, 500, 610, 611, 640,
     690, 800, 900, 901, 910, 911, 920, 921, 922, 940, 970, 980, 990,

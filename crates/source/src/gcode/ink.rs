@@ -1,7 +1,7 @@
 //! The ink that moves leave.
 
-use super::census::Style;
-use super::machine::{Move, MoveKind, Tool};
+use super::ink_rule::InkRule;
+use super::machine::{Move, MoveKind, ToolState};
 use crate::arc::Arc;
 use crate::artwork::Layer;
 use crate::error::SourceError;
@@ -11,9 +11,9 @@ use crate::sketch::Sketch;
 #[derive(Debug)]
 pub(super) struct Inker<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
-    style: Style,
+    rule: InkRule,
     /// What the last ink was drawn with.
-    tool: Option<Tool>,
+    tool: Option<ToolState>,
     /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
     /// Where layers below full power begin.
@@ -21,10 +21,10 @@ pub(super) struct Inker<'s, 'a> {
 }
 
 impl<'s, 'a> Inker<'s, 'a> {
-    pub(super) const fn new(sketch: &'s mut Sketch<'a>, style: Style) -> Self {
+    pub(super) const fn new(sketch: &'s mut Sketch<'a>, rule: InkRule) -> Self {
         Self {
             sketch,
-            style,
+            rule,
             tool: None,
             lowered: None,
             dim: Vec::new(),
@@ -65,19 +65,19 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     fn inks(&self, it: &Move) -> bool {
-        match self.style {
-            Style::Laser { .. } => it.kind != MoveKind::Rapid && it.tool.power.is_some(),
-            Style::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
-            Style::Servo { up } => it.tool.servo.is_some_and(|angle| angle != up),
-            Style::Plain => it.kind != MoveKind::Rapid,
+        match self.rule {
+            InkRule::Laser { .. } => it.kind != MoveKind::Rapid && it.tool.power.is_some(),
+            InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
+            InkRule::Servo { up } => it.tool.servo.is_some_and(|angle| angle != up),
+            InkRule::Plain => it.kind != MoveKind::Rapid,
         }
     }
 
     /// The pen touches the paper, or the laser burns, where it is.
     fn stand(&mut self, it: &Move) {
-        let laser = matches!(self.style, Style::Laser { .. });
+        let laser = matches!(self.rule, InkRule::Laser { .. });
         let waits = it.kind == MoveKind::Dwell;
-        let is_nothing = self.style == Style::Plain || (laser && !waits);
+        let is_nothing = self.rule == InkRule::Plain || (laser && !waits);
         if !is_nothing && !self.sketch.ends_at(it.to) {
             // A stroke from here may follow: then the wait is only for the pen to come down.
             self.lowered = Some(*it);
@@ -85,7 +85,7 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {
-        if !matches!(self.style, Style::Laser { .. }) {
+        if !matches!(self.rule, InkRule::Laser { .. }) {
             // That of going down is not the speed of lines.
             (it.tool.feed, it.tool.speed_mm_s) = (None, None);
         }
@@ -112,7 +112,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             return Ok(());
         }
         let before = self.tool.replace(tool);
-        let Style::Laser { full } = self.style else {
+        let InkRule::Laser { full } = self.rule else {
             return self.take_pen(it, before);
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];
@@ -122,7 +122,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         Ok(())
     }
 
-    fn take_pen(&mut self, it: &Move, before: Option<Tool>) -> Result<(), SourceError> {
+    fn take_pen(&mut self, it: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
         let tool = it.tool;
         if before.is_none_or(|before| before.number != tool.number) {
             self.use_layer(&[("T", tool.number)], tool)?;
@@ -138,7 +138,11 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     /// Whether that layer is new.
-    fn use_layer(&mut self, name: &[(&str, Option<f64>)], tool: Tool) -> Result<bool, SourceError> {
+    fn use_layer(
+        &mut self,
+        name: &[(&str, Option<f64>)],
+        tool: ToolState,
+    ) -> Result<bool, SourceError> {
         let words = name
             .iter()
             .filter_map(|(letter, value)| Some(format!("{letter}{}", (*value)?)));

@@ -9,7 +9,7 @@ use crate::error::SourceError;
 use crate::sketch::checked;
 use crate::warning::Warnings;
 
-/// What a line lets the machine do.
+/// A move of the machine, from one line of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Move {
     /// Where it stands in the text.
@@ -19,7 +19,7 @@ pub(super) struct Move {
     pub(super) to: Point,
     /// The height at its end, where it is known.
     pub(super) z_mm: Option<f64>,
-    pub(super) tool: Tool,
+    pub(super) tool: ToolState,
 }
 
 /// How the machine gets there.
@@ -35,9 +35,9 @@ pub(super) enum MoveKind {
     Dwell,
 }
 
-/// What is in the machine's hand, and how it is used.
+/// The tool of the machine, and how it is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Tool {
+pub(super) struct ToolState {
     /// Its number.
     pub(super) number: Option<f64>,
     /// The S in force where M3, M4 or M106 hold and it is above 0.
@@ -72,18 +72,18 @@ pub(super) struct Machine<'a, 'w> {
     system: Option<u32>,
     is_on: bool,
     power: f64,
-    tool: Tool,
+    tool: ToolState,
     has_ended: bool,
 }
 
 impl<'a, 'w> Machine<'a, 'w> {
-    pub(super) const fn new(text: &'a [u8], warnings: &'w mut Warnings<'a>) -> Self {
+    pub(super) fn new(text: &'a [u8], warnings: &'w mut Warnings<'a>) -> Self {
         Self {
             text,
             warnings,
-            at: Point::new(0.0, 0.0),
+            at: Point::ORIGIN,
             z_mm: None,
-            origin: Point::new(0.0, 0.0),
+            origin: Point::ORIGIN,
             origin_z_mm: 0.0,
             motion: 0,
             unit_mm: 1.0,
@@ -93,13 +93,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             system: None,
             is_on: false,
             power: 0.0,
-            tool: Tool {
-                number: None,
-                power: None,
-                servo: None,
-                feed: None,
-                speed_mm_s: None,
-            },
+            tool: ToolState::default(),
             has_ended: false,
         }
     }
@@ -107,11 +101,8 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// Takes a line; what comes back is the move that it asks for.
     pub(super) fn handle(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
         if self.has_ended {
-            self.warn(
-                block.at,
-                "unreached line",
-                "left out, after the end (M2 or M30)",
-            );
+            let instead = "left out, after the end (M2 or M30)";
+            self.warn(block.at, "unreached line", instead);
             return Ok(None);
         }
         if block.is_setting {
@@ -133,6 +124,10 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.warnings.add(at, what, instead);
     }
 
+    fn found(&self, at: usize, found: impl Into<String>, expected: &str) -> SourceError {
+        SourceError::found(self.text, at, found, expected)
+    }
+
     fn check_codes(&mut self, block: &Block) -> Result<(), SourceError> {
         for &(at, code) in &block.g.0 {
             // Compensation by a tool without a number, or number 0, is none.
@@ -143,23 +138,14 @@ impl<'a, 'w> Machine<'a, 'w> {
         for &(at, code) in &block.m.0 {
             self.check_code(at, 'M', code, codes::m(code))?;
         }
-        if block.has_any(OTHER_AXES) {
-            self.check_axes(block);
-        }
-        Ok(())
-    }
-
-    fn check_axes(&mut self, block: &Block) {
         for &letter in OTHER_AXES {
             if block.value(letter).is_some() {
                 let what = format!("{} word", char::from(letter));
-                self.warn(
-                    block.place(letter),
-                    &what,
-                    "left out, for only X and Y are drawn",
-                );
+                let instead = "left out, for only X and Y are drawn";
+                self.warn(block.place(letter), &what, instead);
             }
         }
+        Ok(())
     }
 
     fn check_code(
@@ -175,7 +161,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             Meaning::LeftOut(instead) => self.warn(at, &format!("{} code", name()), instead),
             Meaning::Refused(why) => {
                 let expected = format!("moves by G0 to G3: {why}");
-                return Err(SourceError::found(self.text, at, name(), &expected));
+                return Err(self.found(at, name(), &expected));
             }
         }
         Ok(())
@@ -202,12 +188,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         match motions.nth(1) {
             Some(&(at, code)) => {
                 let expected = "one of G0 to G3 in a line";
-                Err(SourceError::found(
-                    self.text,
-                    at,
-                    codes::name('G', code),
-                    expected,
-                ))
+                Err(self.found(at, codes::name('G', code), expected))
             }
             None => Ok(()),
         }
@@ -283,13 +264,11 @@ impl<'a, 'w> Machine<'a, 'w> {
             let places = b"IJR".iter().filter(|it| block.value(**it).is_some());
             let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
             let expected = "I, J and R with G2 or G3 only";
-            let name = codes::name('G', self.motion);
-            return Err(SourceError::found(
-                self.text,
-                at,
-                format!("the center of an arc with {name}"),
-                expected,
-            ));
+            let found = format!(
+                "the center of an arc with {}",
+                codes::name('G', self.motion)
+            );
+            return Err(self.found(at, found, expected));
         }
         Ok(Some(self.moved(block, kind, to)))
     }
@@ -313,29 +292,21 @@ impl<'a, 'w> Machine<'a, 'w> {
     }
 
     fn target_point(&self, block: &Block) -> Result<Point, SourceError> {
-        let x = self
-            .target(block, b'X', self.at.x, self.origin.x)
-            .unwrap_or(self.at.x);
-        let y = self
-            .target(block, b'Y', self.at.y, self.origin.y)
-            .unwrap_or(self.at.y);
+        let (here, origin) = (self.at, self.origin);
+        let x = self.target(block, b'X', here.x, origin.x).unwrap_or(here.x);
+        let y = self.target(block, b'Y', here.y, origin.y).unwrap_or(here.y);
         checked(self.text, block.at, Point::new(x, y))
     }
 
     fn arc(&self, block: &Block, to: Point) -> Result<MoveKind, SourceError> {
         let clockwise = self.motion == 20;
         let center = self.center(block, to, clockwise)?;
-        let found = |found| SourceError::found(self.text, block.at, found, "ends that fit the arc");
+        let found = |found| self.found(block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, self.at, to, clockwise).map_err(found)?;
         checked(self.text, block.at, center)?;
         if let Some(turns) = block.value(b'P').filter(|&it| it != 1.0) {
             let turns = format!("an arc of {turns} turns (P)");
-            return Err(SourceError::found(
-                self.text,
-                block.place(b'P'),
-                turns,
-                "at most one turn",
-            ));
+            return Err(self.found(block.place(b'P'), turns, "at most one turn"));
         }
         Ok(MoveKind::Arc { center, sweep_rad })
     }
@@ -344,18 +315,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         if let Some(radius) = block.value(b'R') {
             let center = center_by_radius(self.at, to, radius * self.unit_mm, clockwise);
             let expected = "a radius of at least half their distance";
-            return center.map_err(|found| {
-                SourceError::found(self.text, block.place(b'R'), found, expected)
-            });
+            return center.map_err(|found| self.found(block.place(b'R'), found, expected));
         }
         if !block.has_any(b"IJ") {
             let found = format!("{} without a center", codes::name('G', self.motion));
-            return Err(SourceError::found(
-                self.text,
-                block.at,
-                found,
-                "I and J, or R",
-            ));
+            return Err(self.found(block.at, found, "I and J, or R"));
         }
         let [i, j] = [b'I', b'J'].map(|it| block.value(it).map(|it| it * self.unit_mm));
         Ok(if self.centers_are_absolute {
@@ -369,16 +333,11 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// G92: the place where the machine stands gets other numbers; G92.1 takes them back.
     fn set_origin(&mut self, block: &Block) -> Result<(), SourceError> {
         if !block.g.has(920) {
-            (self.origin, self.origin_z_mm) = (Point::new(0.0, 0.0), 0.0);
+            (self.origin, self.origin_z_mm) = (Point::ORIGIN, 0.0);
             return Ok(());
         }
         if !block.has_any(b"XYZE") {
-            return Err(SourceError::found(
-                self.text,
-                block.at,
-                "G92 alone",
-                "X, Y or Z with it",
-            ));
+            return Err(self.found(block.at, "G92 alone", "X, Y or Z with it"));
         }
         let value = |letter| block.value(letter).map(|it| it * self.unit_mm);
         let [x, y, z] = [b'X', b'Y', b'Z'].map(value);
@@ -398,21 +357,16 @@ impl<'a, 'w> Machine<'a, 'w> {
     fn home(&mut self, block: &Block, at: usize) -> Move {
         self.warn(at, "G28 or G30 homing", "taken for a travel to X 0, Y 0");
         let is_all = !block.has_any(b"XYZ");
-        let axis = |letter, here| {
-            if is_all || block.value(letter).is_some() {
-                0.0
-            } else {
-                here
-            }
-        };
+        let homes = |letter| is_all || block.value(letter).is_some();
+        let axis = |letter, here| if homes(letter) { 0.0 } else { here };
         let to = Point::new(axis(b'X', self.at.x), axis(b'Y', self.at.y));
-        if is_all || block.value(b'Z').is_some() {
+        if homes(b'Z') {
             self.z_mm = None;
         }
         self.moved(block, MoveKind::Rapid, to)
     }
 
-    /// G53: in the machine's own coordinates, of which the file does not tell.
+    /// G53: in the machine's own coordinates, which the file does not define.
     fn machine_move(&mut self, block: &Block) -> Result<Move, SourceError> {
         self.warn(block.at, "G53 move", "taken for a travel with the pen up");
         let value = |letter, here| block.value(letter).map_or(here, |it| it * self.unit_mm);

@@ -12,7 +12,7 @@
 
 use dobot_geometry::{Point, Vec2};
 
-use super::frame::{Frame, UNIT_MM};
+use super::transform::{PlotTransform, UNIT_MM};
 use crate::text::{CAPITAL, Pose};
 
 /// What the file has said of characters.
@@ -84,8 +84,8 @@ impl Default for Characters {
 }
 
 impl Characters {
-    pub(super) fn cell(&self, frame: &Frame) -> Cell {
-        let [p1, p2] = frame.corners;
+    pub(super) fn cell(&self, transform: &PlotTransform) -> Cell {
+        let [p1, p2] = transform.corners;
         let percent = |it: Vec2| Vec2::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
         let size_mm = match self.size {
             Size::Default => DEFAULT_CM * MM_PER_CM,
@@ -96,7 +96,7 @@ impl Characters {
             Direction::Absolute(way) => way,
             Direction::Relative(it) => percent(it),
         };
-        let right = frame.turned(way * (1.0 / way.length()));
+        let right = transform.turned(way * (1.0 / way.length()));
         let units = [right, right.turn_90()];
         let (across, up) = (units[0] * size_mm.x, units[1] * size_mm.y);
         Cell {
@@ -126,11 +126,8 @@ impl Origin {
     ///
     /// The pen stands there on the label.
     pub(super) fn of(number: f64) -> Option<Self> {
-        let (base, gap) = if number > 10.0 {
-            (number - 10.0, 0.5)
-        } else {
-            (number, 0.0)
-        };
+        let gap = if number > 10.0 { 0.5 } else { 0.0 };
+        let base = number - 20.0 * gap;
         let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
         let share = Vec2::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
         Some(Self { share, gap })

@@ -35,7 +35,7 @@ impl Command<'_> {
 
 /// The commands of a file, in their order.
 pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, SourceError>> {
-    let mut lexer = Lexer {
+    let mut lexer = CommandLexer {
         text,
         at: 0,
         label_end: ETX,
@@ -50,7 +50,7 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
     })
 }
 
-struct Lexer<'a> {
+struct CommandLexer<'a> {
     text: &'a [u8],
     at: usize,
     /// What ends a label (DT).
@@ -59,7 +59,7 @@ struct Lexer<'a> {
     writes_end: bool,
 }
 
-impl<'a> Lexer<'a> {
+impl<'a> CommandLexer<'a> {
     fn next_command(&mut self) -> Result<Option<Command<'a>>, SourceError> {
         self.skip_between()?;
         let at = self.at;

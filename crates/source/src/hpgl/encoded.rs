@@ -1,12 +1,12 @@
-//! PE: lines of which the numbers are packed into letters.
+//! PE: lines whose numbers are packed into letters.
 //!
 //! A number is doubled, one added where it is below 0, and written in base 64, smallest digit
 //! first: from `?` (63) on, the last digit from 191 on. With 7 bits the base is 32 and the last
 //! digit is from 95 on.
 
-/// What PE asks for.
+/// A step that PE asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Item {
+pub(super) enum EncodedItem {
     /// A pen to take.
     Pen(f64),
     /// The pen goes somewhere.
@@ -20,7 +20,9 @@ pub(super) enum Item {
 }
 
 /// Unpacks the letters of PE. An error says what is wrong, and at which byte.
-pub(super) fn items(encoded: &[u8]) -> impl Iterator<Item = Result<Item, (usize, &'static str)>> {
+pub(super) fn items(
+    encoded: &[u8],
+) -> impl Iterator<Item = Result<EncodedItem, (usize, &'static str)>> {
     let mut decoder = Decoder {
         bytes: encoded,
         at: 0,
@@ -39,7 +41,7 @@ struct Decoder<'a> {
 }
 
 impl Decoder<'_> {
-    fn item(&mut self) -> Result<Option<Item>, (usize, &'static str)> {
+    fn item(&mut self) -> Result<Option<EncodedItem>, (usize, &'static str)> {
         let (mut is_absolute, mut is_up) = (false, false);
         while let Some(byte) = self.peek() {
             self.at += 1;
@@ -48,11 +50,11 @@ impl Decoder<'_> {
                 b'=' => is_absolute = true,
                 b'7' => self.has_7_bits = true,
                 b'>' => self.fraction()?,
-                b':' => return Ok(Some(Item::Pen(self.number()? / self.unit))),
+                b':' => return Ok(Some(EncodedItem::Pen(self.number()? / self.unit))),
                 _ => {
                     self.at -= 1;
                     let (x, y) = (self.number()?, self.number()?);
-                    return Ok(Some(Item::Go {
+                    return Ok(Some(EncodedItem::Go {
                         x,
                         y,
                         is_absolute,

@@ -18,7 +18,7 @@ pub(super) struct Labels {
     symbol: Option<char>,
     /// What BL keeps for PB.
     kept: String,
-    /// What is not written as the file says, where it writes at all: place, what, instead.
+    /// Warnings that only count once the file writes a text: place, what, instead.
     unlike: Vec<(usize, &'static str, &'static str)>,
     lettering: Lettering,
 }
@@ -44,7 +44,7 @@ impl Plotter<'_> {
         }
     }
 
-    /// What concerns texts and nothing else.
+    /// Commands that only change how texts look.
     fn set_style(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let numbers = it.numbers.as_slice();
         let first = it.number(0).unwrap_or_default();
@@ -82,12 +82,12 @@ impl Plotter<'_> {
             [] if is_relative => Size::Relative(DEFAULT_PERCENT),
             [] => Size::Default,
             [width, height] if width != 0.0 && height != 0.0 => {
-                let size = Vec2::new(width, height);
-                if is_relative {
-                    Size::Relative(size)
+                let size = if is_relative {
+                    Size::Relative
                 } else {
-                    Size::Absolute(size)
-                }
+                    Size::Absolute
+                };
+                size(Vec2::new(width, height))
             }
             _ => return Err(self.refused(it, "a width and a height, none of them 0")),
         };
@@ -208,7 +208,7 @@ impl Plotter<'_> {
         at: Point,
     ) -> Result<(), SourceError> {
         let lettering = &mut self.labels.lettering;
-        let ink = lettering.room(character).unwrap_or_default().ink;
+        let ink = lettering.extent(character).unwrap_or_default().ink;
         let pose = cell.pose(at, ink);
         lettering.write(&mut self.sketch, it.at, character, &pose)
     }
@@ -220,7 +220,7 @@ impl Plotter<'_> {
         };
         let cell = self.cell(it);
         if self.select(it)? {
-            let at = self.frame.point(self.at) - (cell.across + cell.up) * 0.5;
+            let at = self.transform.point(self.at) - (cell.across + cell.up) * 0.5;
             self.letter(it, symbol, &cell, at)?;
         }
         Ok(())
@@ -236,25 +236,27 @@ impl Plotter<'_> {
             let instead = "written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
             self.warn(it, "sizeless text", instead);
         }
-        characters.cell(&self.frame)
+        characters.cell(&self.transform)
     }
 
     fn cursor(&self) -> Cursor {
-        let at = self.frame.point(self.at);
+        let at = self.transform.point(self.at);
         let margin = self.labels.margin_mm.unwrap_or(at);
         Cursor { at, margin }
     }
 
     fn put_pen(&mut self, it: &Command<'_>, cursor: Cursor) -> Result<(), SourceError> {
         self.sketch.check(it.at, cursor.margin)?;
-        self.at = self.frame.point_at(self.sketch.check(it.at, cursor.at)?);
+        self.at = self
+            .transform
+            .point_at(self.sketch.check(it.at, cursor.at)?);
         self.labels.margin_mm = Some(cursor.margin);
         self.sketch.lift();
         self.is_dot = false;
         Ok(())
     }
 
-    /// IN and DF: as if nothing had been said.
+    /// IN and DF: all settings of texts as at the start.
     pub(super) fn reset_labels(&mut self) {
         let lettering = std::mem::take(&mut self.labels.lettering);
         self.labels = Labels {

@@ -1,6 +1,6 @@
-//! What the commands that draw nothing are to a drawing.
+//! Commands that draw nothing.
 
-/// Why a command is left out, where that has to be told; `None` where it makes no difference.
+/// The warning for a command that is left out; `None` where it makes no difference.
 pub(super) const fn left_out(name: [u8; 2]) -> Option<&'static str> {
     match &name {
         // Of the sheet, the pens, the speed of lifting, the fonts, questions to the plotter.

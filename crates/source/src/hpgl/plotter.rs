@@ -3,11 +3,11 @@
 use dobot_geometry::{Area, FillRule, Point, Vec2};
 
 use super::command::Command;
-use super::encoded::{Item, items};
-use super::frame::Frame;
+use super::encoded::{EncodedItem, items};
 use super::label::Labels;
 use super::names::left_out;
 use super::polygon::Polygon;
+use super::transform::PlotTransform;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::place::excerpt;
@@ -18,12 +18,12 @@ use crate::sketch::Sketch;
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 pub(super) struct Plotter<'a> {
     pub(super) sketch: Sketch<'a>,
-    pub(super) frame: Frame,
+    pub(super) transform: PlotTransform,
     /// Where the pen is, in the user's units.
     pub(super) at: Point,
     pub(super) is_down: bool,
     is_relative: bool,
-    pen: Pen,
+    pen: PenChoice,
     speed_mm_s: Option<f64>,
     /// The pen was lowered and has drawn nothing yet.
     pub(super) is_dot: bool,
@@ -32,7 +32,7 @@ pub(super) struct Plotter<'a> {
     pub(super) has_drawn: bool,
     /// PG came since.
     is_new_page: bool,
-    /// P1 and P2 are told by the file (IP).
+    /// The file has set P1 and P2 (IP).
     pub(super) knows_corners: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
@@ -40,7 +40,7 @@ pub(super) struct Plotter<'a> {
 
 /// What the plotter holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Pen {
+enum PenChoice {
     /// The file has not chosen.
     Any,
     /// SP 0: nothing.
@@ -52,11 +52,11 @@ impl<'a> Plotter<'a> {
     pub(super) fn new(sketch: Sketch<'a>) -> Self {
         Self {
             sketch,
-            frame: Frame::DEFAULT,
+            transform: PlotTransform::DEFAULT,
             at: Point::default(),
             is_down: false,
             is_relative: false,
-            pen: Pen::Any,
+            pen: PenChoice::Any,
             speed_mm_s: None,
             is_dot: false,
             is_selected: false,
@@ -95,7 +95,7 @@ impl<'a> Plotter<'a> {
                 self.go(it)
             }
             b"PE" => self.go_encoded(it),
-            b"SP" => self.take_pen(it),
+            b"SP" => self.take_pen(it, it.number(0)),
             b"VS" => self.set_speed(it),
             b"IP" => self.set_corners(it),
             b"SC" => self.set_scale(it),
@@ -142,30 +142,31 @@ impl<'a> Plotter<'a> {
         self.is_relative = false;
         self.polygon = Polygon::default();
         self.reset_labels();
-        let mut frame = Frame::DEFAULT;
+        let mut transform = PlotTransform::DEFAULT;
         if &it.name == b"IN" {
             (self.speed_mm_s, self.is_selected) = (None, false);
             self.knows_corners = false;
         } else {
-            (frame.corners, frame.quarters) = (self.frame.corners, self.frame.quarters);
+            (transform.corners, transform.quarters) =
+                (self.transform.corners, self.transform.quarters);
         }
-        self.use_frame(frame);
+        self.use_transform(transform);
         Ok(())
     }
 
     /// The pen stays where it is on the paper.
-    pub(super) fn use_frame(&mut self, frame: Frame) {
-        if self.frame != frame {
-            self.at = frame.point_at(self.frame.point(self.at));
-            self.frame = frame;
+    pub(super) fn use_transform(&mut self, transform: PlotTransform) {
+        if self.transform != transform {
+            self.at = transform.point_at(self.transform.point(self.at));
+            self.transform = transform;
         }
     }
 
     /// A pen that only touched the paper leaves a dot.
     fn lift(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let is_dot = std::mem::take(&mut self.is_dot) && !self.polygon.is_open;
-        if is_dot && self.pen != Pen::None && self.select(it)? {
-            let at = self.frame.point(self.at);
+        if is_dot && self.pen != PenChoice::None && self.select(it)? {
+            let at = self.transform.point(self.at);
             self.sketch.check(it.at, at)?;
             self.sketch.dot(at)?;
         }
@@ -184,20 +185,25 @@ impl<'a> Plotter<'a> {
             return Err(self.refused(it, "pairs of coordinates x,y"));
         }
         for pair in it.numbers.chunks_exact(2) {
-            let from = if self.is_relative {
-                self.at
-            } else {
-                Point::default()
-            };
+            let from = self.base(self.is_relative);
             self.go_to(it, from + Vec2::new(pair[0], pair[1]))?;
             self.mark(it)?;
         }
         Ok(())
     }
 
+    /// The origin of coordinates: the pen for relative ones.
+    pub(super) fn base(&self, is_relative: bool) -> Point {
+        if is_relative {
+            self.at
+        } else {
+            Point::default()
+        }
+    }
+
     pub(super) fn go_to(&mut self, it: &Command<'_>, to: Point) -> Result<(), SourceError> {
-        let from_mm = self.sketch.check(it.at, self.frame.point(self.at))?;
-        let to_mm = self.sketch.check(it.at, self.frame.point(to))?;
+        let from_mm = self.sketch.check(it.at, self.transform.point(self.at))?;
+        let to_mm = self.sketch.check(it.at, self.transform.point(to))?;
         self.at = to;
         self.labels.margin_mm = None;
         if self.polygon.is_open {
@@ -244,7 +250,7 @@ impl<'a> Plotter<'a> {
 
     /// Uses the pen's layer; whether there is a pen.
     pub(super) fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
-        if self.pen == Pen::None {
+        if self.pen == PenChoice::None {
             self.warn(it, "penless line", "left out (SP 0)");
             return Ok(false);
         }
@@ -260,8 +266,8 @@ impl<'a> Plotter<'a> {
     fn select_layer(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         (self.is_selected, self.has_drawn) = (true, true);
         let name = match self.pen {
-            Pen::Number(number) => format!("pen {number}"),
-            Pen::Any | Pen::None => String::new(),
+            PenChoice::Number(number) => format!("pen {number}"),
+            PenChoice::Any | PenChoice::None => String::new(),
         };
         self.sketch.use_layer(Layer {
             name,
@@ -278,11 +284,11 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    fn take_pen(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    fn take_pen(&mut self, it: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
         self.lift(it)?;
-        self.pen = match it.number(0) {
-            None | Some(0.0) => Pen::None,
-            Some(number) => Pen::Number(number),
+        self.pen = match number {
+            None | Some(0.0) => PenChoice::None,
+            Some(number) => PenChoice::Number(number),
         };
         self.is_selected = false;
         Ok(())
@@ -301,7 +307,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// How lines and fills look and where they end, of which nothing is shown.
+    /// Line types, fill patterns and clip windows: nothing of them is drawn.
     fn style(&mut self, it: &Command<'_>) {
         match (&it.name, it.number(0)) {
             (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),
@@ -315,7 +321,7 @@ impl<'a> Plotter<'a> {
 
     fn polygon_mode(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         match it.number(0) {
-            None | Some(0.0) => self.polygon.begin(self.frame.point(self.at)),
+            None | Some(0.0) => self.polygon.begin(self.transform.point(self.at)),
             Some(1.0) => self.polygon.close_ring(),
             Some(2.0) => self.polygon.end(),
             _ => return Err(self.refused(it, "PM 0, PM 1 or PM 2")),
@@ -343,16 +349,10 @@ impl<'a> Plotter<'a> {
                 self.sketch.found(it.at + 2 + at, text, expected)
             };
             match item.map_err(found)? {
-                Item::Pen(number) => {
-                    self.lift(it)?;
-                    self.pen = if number == 0.0 {
-                        Pen::None
-                    } else {
-                        Pen::Number(number)
-                    };
-                    self.is_selected = false;
+                EncodedItem::Pen(number) => {
+                    self.take_pen(it, Some(number))?;
                 }
-                Item::Go {
+                EncodedItem::Go {
                     x,
                     y,
                     is_absolute,
@@ -363,11 +363,7 @@ impl<'a> Plotter<'a> {
                     } else {
                         self.lower();
                     }
-                    let from = if is_absolute {
-                        Point::default()
-                    } else {
-                        self.at
-                    };
+                    let from = self.base(!is_absolute);
                     self.go_to(it, from + Vec2::new(x, y))?;
                     self.mark(it)?;
                 }

@@ -27,11 +27,7 @@ impl Plotter<'_> {
         let (&[x, y, sweep_deg] | &[x, y, sweep_deg, _]) = it.numbers.as_slice() else {
             return Err(self.refused(it, "x,y of the center, and an angle"));
         };
-        let from = if &it.name == b"AR" {
-            self.at
-        } else {
-            Point::default()
-        };
+        let from = self.base(&it.name == b"AR");
         let sweep_rad = self.angle_rad(it, sweep_deg)?;
         self.sweep(it, from + Vec2::new(x, y), sweep_rad)
     }
@@ -41,11 +37,7 @@ impl Plotter<'_> {
         let (&[x1, y1, x2, y2] | &[x1, y1, x2, y2, _]) = it.numbers.as_slice() else {
             return Err(self.refused(it, "x,y of a point between, and of the end"));
         };
-        let from = if &it.name == b"RT" {
-            self.at
-        } else {
-            Point::default()
-        };
+        let from = self.base(&it.name == b"RT");
         let (middle, end) = (from + Vec2::new(x1, y1), from + Vec2::new(x2, y2));
         match circle_through(self.at, middle, end) {
             Some((center, sweep_rad)) => self.sweep(it, center, sweep_rad),
@@ -60,14 +52,10 @@ impl Plotter<'_> {
             return Err(self.refused(it, "six numbers for each curve"));
         }
         for curve in numbers {
-            let from = if &it.name == b"BR" {
-                self.at
-            } else {
-                Point::default()
-            };
+            let from = self.base(&it.name == b"BR");
             let point = |i: usize| from + Vec2::new(curve[i], curve[i + 1]);
             let [b, c, end] = [0, 2, 4].map(point);
-            let [a, b, c, d] = [self.at, b, c, end].map(|p| self.frame.point(p));
+            let [a, b, c, d] = [self.at, b, c, end].map(|p| self.transform.point(p));
             let curve = CubicBez::new(a, b, c, d);
             let points = self.sketch.cubic_points(it.at, curve)?;
             self.follow(it, points, end)?;
@@ -81,14 +69,9 @@ impl Plotter<'_> {
             return Err(self.refused(it, "x,y of the opposite corner"));
         };
         let is_relative = it.name[1] == b'R';
-        let a = self.at;
-        let b = if is_relative {
-            a + Vec2::new(x, y)
-        } else {
-            Point::new(x, y)
-        };
+        let (a, b) = (self.at, self.base(is_relative) + Vec2::new(x, y));
         let corners = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y), a];
-        self.shape(it, corners.map(|p| self.frame.point(p)).to_vec())
+        self.shape(it, corners.map(|p| self.transform.point(p)).to_vec())
     }
 
     /// EW, WG: a piece of cake about the pen.
@@ -100,7 +83,7 @@ impl Plotter<'_> {
         };
         let sweep_rad = self.angle_rad(it, sweep_deg)?;
         let arc = self.round(it, self.at, radius, from_deg.to_radians(), sweep_rad)?;
-        let center = self.frame.point(self.at);
+        let center = self.transform.point(self.at);
         let is_whole = sweep_rad.abs() >= TAU;
         let tip = (!is_whole).then_some(center);
         self.shape(it, tip.into_iter().chain(arc).chain(tip).collect())
@@ -136,7 +119,7 @@ impl Plotter<'_> {
             center + Vec2::new(cos, sin) * out.length()
         };
         if let [first, .., last] = points.as_mut_slice() {
-            (*first, *last) = (self.frame.point(self.at), self.frame.point(end));
+            (*first, *last) = (self.transform.point(self.at), self.transform.point(end));
         }
         self.follow(it, points, end)
     }
@@ -172,9 +155,9 @@ impl Plotter<'_> {
         from_rad: f64,
         sweep_rad: f64,
     ) -> Result<Vec<Point>, SourceError> {
-        let across = self.frame.way(Vec2::new(radius, 0.0));
-        let along = self.frame.way(Vec2::new(0.0, radius));
-        let center = self.frame.point(center);
+        let across = self.transform.way(Vec2::new(radius, 0.0));
+        let along = self.transform.way(Vec2::new(0.0, radius));
+        let center = self.transform.point(center);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
         self.sketch.arc_points(it.at, &arc)
     }

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod labels;
+
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -9,17 +11,17 @@ use proptest::prelude::*;
 use super::*;
 use crate::artwork::Layer;
 
-pub(super) fn draw(text: &str) -> (Artwork, Vec<String>) {
+fn draw(text: &str) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-pub(super) fn strokes(text: &str) -> Vec<Stroke> {
+fn strokes(text: &str) -> Vec<Stroke> {
     let layers = draw(text).0.layers;
     layers.into_iter().flat_map(|it| it.strokes).collect()
 }
 
-pub(super) fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
+fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
     let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
     strokes(text).iter().map(corners).collect()

@@ -3,17 +3,17 @@
 use dobot_geometry::Point;
 
 use super::command::Command;
-use super::frame::{Frame, Scale, ScaleKind};
 use super::plotter::Plotter;
+use super::transform::{PlotTransform, Scale, ScaleKind};
 use crate::error::SourceError;
 
 impl Plotter<'_> {
     pub(super) fn set_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let [p1, p2] = Frame::DEFAULT.corners;
+        let [p1, p2] = PlotTransform::DEFAULT.corners;
         let corners = match it.numbers.as_slice() {
             [] => [p1, p2],
             &[x, y] => {
-                let [old1, old2] = self.frame.corners;
+                let [old1, old2] = self.transform.corners;
                 let p1 = Point::new(x, y);
                 [p1, p1 + (old2 - old1)]
             }
@@ -21,9 +21,9 @@ impl Plotter<'_> {
             _ => return Err(self.refused(it, "x,y of P1 and of P2, which differ in both")),
         };
         self.knows_corners = !it.numbers.is_empty();
-        self.use_frame(Frame {
+        self.use_transform(PlotTransform {
             corners,
-            ..self.frame
+            ..self.transform
         });
         Ok(())
     }
@@ -38,15 +38,12 @@ impl Plotter<'_> {
     pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
         if scale.is_some() && !self.knows_corners {
-            self.warn(
-                it,
-                "cornerless scale",
-                "taken for that of a sheet of A4 (SC without IP)",
-            );
+            let instead = "taken for that of a sheet of A4 (SC without IP)";
+            self.warn(it, "cornerless scale", instead);
         }
-        self.use_frame(Frame {
+        self.use_transform(PlotTransform {
             scale,
-            ..self.frame
+            ..self.transform
         });
         Ok(())
     }
@@ -59,14 +56,14 @@ impl Plotter<'_> {
             Some(270.0) => 3,
             _ => return Err(self.refused(it, "a turn of 0, 90, 180 or 270 degrees")),
         };
-        if self.has_drawn && quarters != self.frame.quarters {
+        if self.has_drawn && quarters != self.transform.quarters {
             let instead = "turned about the origin, not on its sheet, whose size is not known (RO)";
             self.warn(it, "late turn", instead);
         }
         self.labels.margin_mm = None;
-        self.use_frame(Frame {
+        self.use_transform(PlotTransform {
             quarters,
-            ..self.frame
+            ..self.transform
         });
         Ok(())
     }

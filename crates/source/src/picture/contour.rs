@@ -19,7 +19,7 @@ pub(super) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
     if tone.width < 2 || tone.height < 2 {
         return Vec::new();
     }
-    let mut map = Map {
+    let mut map = EdgeMap {
         tone,
         threshold,
         next: vec![NONE; 2 * tone.ink.len()],
@@ -31,7 +31,7 @@ pub(super) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
 
 /// Which edge follows which. Edge `2 * i` leads from the middle of cell `i` to the right, edge
 /// `2 * i + 1` down.
-struct Map<'a> {
+struct EdgeMap<'a> {
     tone: &'a Tone,
     threshold: f64,
     next: Vec<usize>,
@@ -39,7 +39,7 @@ struct Map<'a> {
     entered: Vec<bool>,
 }
 
-impl Map<'_> {
+impl EdgeMap<'_> {
     fn cross_all(&mut self) {
         let width = self.tone.width;
         for y in 0..self.tone.height - 1 {

@@ -12,7 +12,7 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 use super::exif::Orientation;
 use crate::error::ImageError;
 
-/// What a file says about its picture before the pixels.
+/// The header of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Header {
     pub(super) width: usize,
@@ -61,8 +61,8 @@ pub(crate) fn is_picture(bytes: &[u8]) -> bool {
 /// Reads the header alone.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     match Format::of(bytes)? {
-        Format::Png => png(bytes).map(|(_, header)| header),
-        Format::Jpeg => jpeg(bytes).map(|(_, header)| header),
+        Format::Png => png(bytes).map(|it| it.header),
+        Format::Jpeg => jpeg(bytes).map(|it| it.header),
     }
 }
 
@@ -92,9 +92,13 @@ impl Format {
     }
 }
 
-type PngReader<'a> = png::Reader<Cursor<&'a [u8]>>;
+/// A PNG file whose header is read.
+struct PngFile<'a> {
+    reader: png::Reader<Cursor<&'a [u8]>>,
+    header: Header,
+}
 
-fn png(bytes: &[u8]) -> Result<(PngReader<'_>, Header), ImageError> {
+fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
     let limits = Limits { bytes: PNG_BYTES };
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
@@ -121,11 +125,11 @@ fn png(bytes: &[u8]) -> Result<(PngReader<'_>, Header), ImageError> {
     {
         header.pixel = Point::new(1000.0 / f64::from(dims.xppu), 1000.0 / f64::from(dims.yppu));
     }
-    Ok((reader, header))
+    Ok(PngFile { reader, header })
 }
 
 fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
-    let (mut reader, header) = png(bytes)?;
+    let PngFile { mut reader, header } = png(bytes)?;
     let color = reader.output_color_type().0;
     let mut grey = Vec::with_capacity(header.width * header.height);
     if reader.info().interlaced {
@@ -161,9 +165,13 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
     }
 }
 
-type Jpeg<'a> = JpegDecoder<ZCursor<&'a [u8]>>;
+/// A JPEG file whose header is read.
+struct JpegFile<'a> {
+    decoder: JpegDecoder<ZCursor<&'a [u8]>>,
+    header: Header,
+}
 
-fn jpeg(bytes: &[u8]) -> Result<(Jpeg<'_>, Header), ImageError> {
+fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
     let options = DecoderOptions::default()
         .set_strict_mode(true)
         .set_max_width(usize::from(u16::MAX))
@@ -181,11 +189,15 @@ fn jpeg(bytes: &[u8]) -> Result<(Jpeg<'_>, Header), ImageError> {
         orientation: Orientation::of_exif(exif),
         animated: false,
     };
-    Ok((decoder, header.check()?))
+    let header = header.check()?;
+    Ok(JpegFile { decoder, header })
 }
 
 fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
-    let (mut decoder, header) = jpeg(bytes)?;
+    let JpegFile {
+        mut decoder,
+        header,
+    } = jpeg(bytes)?;
     // Of the usual colours the first is the grey; others are converted.
     let grey = matches!(
         decoder.input_colorspace(),
@@ -238,7 +250,7 @@ fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
 /// 96 to the inch, as browsers take pixels.
 const PIXEL_MM: f64 = 25.4 / 96.0;
 const MOST_PIXELS: usize = 100_000_000;
-/// What else the PNG decoder may allocate: a few rows, colour profiles, texts.
+/// The PNG decoder may allocate so much beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 const JPEG: &[u8] = b"\xff\xd8\xff";

@@ -1,6 +1,6 @@
 //! Which way a camera was held, from the Exif block of a picture.
 
-/// What is to be done with the pixels, in this order.
+/// Changes to the pixels, in this order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Orientation {
     /// Rows become columns.

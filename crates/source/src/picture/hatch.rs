@@ -7,7 +7,7 @@ use super::shading::Shading;
 use super::smooth::smoothed;
 use super::tone::{Tone, count};
 
-/// Hatches a page: from each level on one more direction, of which first every other line is drawn.
+/// Hatches a page. Each level adds a direction; at first only every other line of it is drawn.
 ///
 /// The lines of a direction lie on one grid for the whole page, so that levels fit to each other.
 /// `spacing_mm` is on the page. Pieces and gaps shorter than about a spacing are not drawn.
@@ -89,7 +89,7 @@ fn cleaned(runs: Vec<(f64, f64)>, spacing_mm: f64) -> Vec<(f64, f64)> {
     whole
 }
 
-/// How far tones are mixed before they are told apart, in spacings.
+/// How far tones are mixed before they are compared, in spacings.
 const SOFTNESS: f64 = 0.2;
 /// How far it may be from one piece to the next for the pen to stay down, in spacings.
 const REACH: f64 = 1.6;

@@ -28,12 +28,12 @@ pub(super) fn resample(grey: &[u8], stored: [usize; 2], grid: [usize; 2], page: 
 }
 
 /// How much each pixel of a row counts for a cell.
-struct Share {
+struct CellWeights {
     first: usize,
     parts: Vec<f32>,
 }
 
-impl Share {
+impl CellWeights {
     fn of(&self, row: &[u8]) -> f32 {
         let parts = self.parts.iter().zip(&row[self.first..]);
         parts.map(|(part, &grey)| part * f32::from(grey)).sum()
@@ -51,7 +51,7 @@ impl Share {
     }
 }
 
-fn shares(pixels: usize, cells: usize) -> Vec<Share> {
+fn shares(pixels: usize, cells: usize) -> Vec<CellWeights> {
     let size = count(pixels) / count(cells);
     let of_cell = |i: usize| {
         if size > 1.0 {
@@ -64,17 +64,17 @@ fn shares(pixels: usize, cells: usize) -> Vec<Share> {
 }
 
 /// The pixels between two places, by how much of each is covered.
-fn covered(from: f64, to: f64, pixels: usize) -> Share {
+fn covered(from: f64, to: f64, pixels: usize) -> CellWeights {
     let (first, last) = (cell(from, pixels), cell(to, pixels));
     let part = |i: usize| (to.min(count(i + 1)) - from.max(count(i))).max(0.0);
     let parts: Vec<f64> = (first..=last).map(part).collect();
     let all: f64 = parts.iter().sum();
     let parts = parts.iter().map(|part| as_ink(part / all)).collect();
-    Share { first, parts }
+    CellWeights { first, parts }
 }
 
 /// The two pixels around a place, by how near they are.
-fn between(place: f64, pixels: usize) -> Share {
+fn between(place: f64, pixels: usize) -> CellWeights {
     let place = place.clamp(0.0, count(pixels - 1));
     let first = cell(place, pixels);
     let t = as_ink(place - count(first));
@@ -83,7 +83,7 @@ fn between(place: f64, pixels: usize) -> Share {
     } else {
         vec![1.0]
     };
-    Share { first, parts }
+    CellWeights { first, parts }
 }
 
 #[cfg(test)]

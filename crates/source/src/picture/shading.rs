@@ -17,7 +17,7 @@ pub struct Shading {
     /// How near lines or dots come to each other, in millimetres on the paper; what is smaller
     /// than half of it is not drawn. About twice the width of the pen, or more.
     pub spacing_mm: f64,
-    /// How many tones beside white are told apart by [`Style::Outline`] and [`Style::Hatch`], from
+    /// How many tones beside white are distinguished by [`Style::Outline`] and [`Style::Hatch`], from
     /// 1 to 8. Outlines are drawn of as many as the picture really has.
     pub levels: u8,
     /// Where [`Style::Outline`] draws its only line: a darkness between 0 (white) and 1 (black).

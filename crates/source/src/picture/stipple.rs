@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Stroke, Vec2};
 use dobot_random::Random;
 
 use super::shading::Shading;
-use super::tone::{Tone, cell, count};
+use super::tone::Tone;
 
 /// Scatters dots over a page: where it is black about `spacing_mm` (on the page) apart, elsewhere
 /// fewer in proportion, nowhere in clumps or rows.
@@ -73,26 +73,18 @@ fn relax(tone: &Tone, dots: &mut [Point]) {
 }
 
 fn inked(tone: &Tone, p: Point) -> bool {
-    let x = cell(p.x / tone.cell.x, tone.width);
-    let y = cell(p.y / tone.cell.y, tone.height);
-    f64::from(tone.ink[y * tone.width + x]) >= WHITE
+    f64::from(tone.ink[tone.index(p)]) >= WHITE
 }
 
 /// For each dot the middle of its ink.
-fn middles(tone: &Tone, nearest: &Nearest, dots: usize) -> Vec<Option<Point>> {
+fn middles(tone: &Tone, nearest: &Nearest<'_>, dots: usize) -> Vec<Option<Point>> {
     let mut sums = vec![(Vec2::ZERO, 0.0); dots];
-    let mut cells = tone.ink.iter().zip(&nearest.dot);
-    for y in 0..tone.height {
-        for x in 0..tone.width {
-            let Some((&ink, &dot)) = cells.next() else {
-                break;
-            };
-            if f64::from(ink) >= WHITE {
-                let weight = f64::from(ink) * f64::from(ink);
-                let (sum, all) = &mut sums[dot as usize];
-                *sum += tone.middle(x, y).to_vec2() * weight;
-                *all += weight;
-            }
+    for (i, (&ink, &dot)) in tone.ink.iter().zip(&nearest.dot).enumerate() {
+        if f64::from(ink) >= WHITE {
+            let weight = f64::from(ink) * f64::from(ink);
+            let (sum, all) = &mut sums[dot as usize];
+            *sum += tone.middle(i % tone.width, i / tone.width).to_vec2() * weight;
+            *all += weight;
         }
     }
     let middle = |(sum, all): (Vec2, f64)| (all > 0.0).then(|| (sum * (1.0 / all)).to_point());
@@ -104,29 +96,22 @@ fn middles(tone: &Tone, nearest: &Nearest, dots: usize) -> Vec<Option<Point>> {
 /// A cell asks its neighbours for theirs, in two sweeps over the page, down and up. Dots move little
 /// from round to round, so that the answer of the round before is a good start. Where a wrong one
 /// of two is taken now and then, both are nearly as near.
-struct Nearest {
-    width: usize,
-    cell: Point,
+struct Nearest<'a> {
+    tone: &'a Tone,
     dot: Vec<u32>,
 }
 
-impl Nearest {
-    fn new(tone: &Tone, dots: &[Point]) -> Self {
+impl<'a> Nearest<'a> {
+    fn new(tone: &'a Tone, dots: &[Point]) -> Self {
         let mut dot = vec![NOBODY; tone.ink.len()];
         for (i, p) in (0..).zip(dots) {
-            let x = cell(p.x / tone.cell.x, tone.width);
-            let y = cell(p.y / tone.cell.y, tone.height);
-            dot[y * tone.width + x] = i;
+            dot[tone.index(*p)] = i;
         }
-        Self {
-            width: tone.width,
-            cell: tone.cell,
-            dot,
-        }
+        Self { tone, dot }
     }
 
     fn update(&mut self, dots: &[Point]) {
-        let height = self.dot.len() / self.width;
+        let height = self.tone.height;
         for y in 0..height {
             self.sweep(dots, y, y.checked_sub(1));
         }
@@ -137,21 +122,18 @@ impl Nearest {
 
     /// Takes over what is nearer, from the row before and within the row, to the right and back.
     fn sweep(&mut self, dots: &[Point], y: usize, before: Option<usize>) {
-        let last = self.width - 1;
+        let width = self.tone.width;
         let mut held = NOBODY;
-        for step in 0..2 * self.width {
-            let x = if step <= last {
-                step
-            } else {
-                2 * last + 1 - step
-            };
+        for x in (0..width).chain((0..width).rev()) {
             let far = |dot: u32| {
                 let dot = dots.get(dot as usize);
-                dot.map_or(f64::INFINITY, |&dot| (dot - self.middle(x, y)).hypot2())
+                dot.map_or(f64::INFINITY, |&dot| {
+                    (dot - self.tone.middle(x, y)).hypot2()
+                })
             };
-            let own = y * self.width + x;
+            let own = y * width + x;
             let mut best = far(held);
-            for other in [Some(own), before.map(|it| it * self.width + x)] {
+            for other in [Some(own), before.map(|it| it * width + x)] {
                 let other = other.map_or(NOBODY, |it| self.dot[it]);
                 if other != held && far(other) < best {
                     (best, held) = (far(other), other);
@@ -159,13 +141,6 @@ impl Nearest {
             }
             self.dot[own] = held;
         }
-    }
-
-    fn middle(&self, x: usize, y: usize) -> Point {
-        Point::new(
-            (count(x) + 0.5) * self.cell.x,
-            (count(y) + 0.5) * self.cell.y,
-        )
     }
 }
 

@@ -45,6 +45,12 @@ impl Tone {
         )
     }
 
+    /// The number of the cell that holds a place.
+    pub(super) fn index(&self, p: Point) -> usize {
+        let x = cell(p.x / self.cell.x, self.width);
+        cell(p.y / self.cell.y, self.height) * self.width + x
+    }
+
     /// Mixes each cell with those around it, as far as `radius_mm` (one standard deviation).
     pub(super) fn blurred(&self, radius_mm: f64) -> Self {
         let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x);

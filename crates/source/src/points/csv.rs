@@ -22,7 +22,7 @@ pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    let mut reader = Reader {
+    let mut reader = CsvReader {
         sketch: Sketch::new(text.as_bytes(), options)?,
         text,
         columns: None,
@@ -38,7 +38,7 @@ pub(crate) fn read(
     reader.sketch.finish(Y::Down, "no points in the file")
 }
 
-struct Reader<'a> {
+struct CsvReader<'a> {
     sketch: Sketch<'a>,
     text: &'a str,
     columns: Option<Columns>,
@@ -58,7 +58,7 @@ struct Columns {
     pen: Option<usize>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> CsvReader<'a> {
     fn line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
         if line.trim().is_empty() {
             return self.end_stroke();

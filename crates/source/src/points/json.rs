@@ -29,7 +29,7 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text.as_bytes(), options)?;
     let text = text.trim_start_matches('\u{FEFF}');
-    for stroke in parse(text)?.0 {
+    for JsonStroke(stroke) in parse(text)?.0 {
         sketch.use_layer(Layer {
             name: stroke
                 .layer
@@ -133,15 +133,9 @@ impl<'de> Deserialize<'de> for Strokes {
 }
 
 /// A line with what belongs to it.
-#[derive(Default)]
-struct JsonStroke {
-    layer: Option<String>,
-    color: Option<Color>,
-    closed: bool,
-    points: Points,
-}
+struct JsonStroke(StrokeFields);
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StrokeFields {
     layer: Option<String>,
@@ -153,27 +147,16 @@ struct StrokeFields {
 
 impl From<StrokeFields> for JsonStroke {
     fn from(fields: StrokeFields) -> Self {
-        let StrokeFields {
-            layer,
-            color,
-            closed,
-            points,
-        } = fields;
-        Self {
-            layer,
-            color,
-            closed,
-            points,
-        }
+        Self(fields)
     }
 }
 
 impl From<Points> for JsonStroke {
     fn from(points: Points) -> Self {
-        Self {
+        Self(StrokeFields {
             points,
-            ..Self::default()
-        }
+            ..StrokeFields::default()
+        })
     }
 }
 
@@ -204,23 +187,23 @@ struct JsonPoint(Point);
 
 #[derive(Deserialize)]
 #[serde(expecting = "two numbers [x, y]")]
-struct Pair(Millimetres, Millimetres);
+struct NumberPair(Millimetres, Millimetres);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Named {
+struct NamedPoint {
     x: Millimetres,
     y: Millimetres,
 }
 
-impl From<Pair> for JsonPoint {
-    fn from(Pair(x, y): Pair) -> Self {
+impl From<NumberPair> for JsonPoint {
+    fn from(NumberPair(x, y): NumberPair) -> Self {
         Self(Point::new(x.0, y.0))
     }
 }
 
-impl From<Named> for JsonPoint {
-    fn from(Named { x, y }: Named) -> Self {
+impl From<NamedPoint> for JsonPoint {
+    fn from(NamedPoint { x, y }: NamedPoint) -> Self {
         Self(Point::new(x.0, y.0))
     }
 }
@@ -228,7 +211,7 @@ impl From<Named> for JsonPoint {
 impl<'de> Deserialize<'de> for JsonPoint {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expected = r#"a point: [x, y] or {"x": .., "y": ..}"#;
-        deserializer.deserialize_any(ListOr::<Self, Pair, Named>::new(expected))
+        deserializer.deserialize_any(ListOr::<Self, NumberPair, NamedPoint>::new(expected))
     }
 }
 

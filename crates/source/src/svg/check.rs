@@ -9,8 +9,8 @@ use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER};
 
 /// Reads every path, point list, length, transform and viewBox of the document, and tells how many
-/// line segments and curves each element describes.
-pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments, SvgError> {
+/// line segments and curves each node describes, by its number in the document.
+pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
     // As many as there are nodes, each at the place that its number tells.
     let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
@@ -28,23 +28,14 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Segments,
     Ok(segments)
 }
 
-/// How many line segments and curves each node describes, by its number in the document.
-pub(crate) type Segments = Vec<u64>;
-
-struct Problem {
+struct ValueProblem {
     /// Where in the value, in bytes.
     at: usize,
     expected: &'static str,
 }
 
-fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Problem> {
-    let whole = |ok: bool, expected| {
-        if ok {
-            Ok(0)
-        } else {
-            Err(Problem { at: 0, expected })
-        }
-    };
+fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, ValueProblem> {
+    let whole = |ok: bool, expected| ok.then_some(0).ok_or(ValueProblem { at: 0, expected });
     match name {
         "d" if node.tag_name().name() == "path" => check_path(value),
         "points" => check_points(value),
@@ -64,45 +55,44 @@ fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Pro
     }
 }
 
-fn check_path(value: &str) -> Result<usize, Problem> {
+fn check_path(value: &str) -> Result<usize, ValueProblem> {
     let expected = "path data: commands MLHVCSQTAZ and finite numbers";
     if value.trim() == "none" {
         return Ok(0);
     }
     let mut count = 0;
     for segment in PathParser::from(value) {
-        let segment = segment.map_err(|error| Problem {
+        let segment = segment.map_err(|error| ValueProblem {
             at: position(&error, value),
             expected,
         })?;
         if !numbers(segment).into_iter().all(is_small) {
             let expected = "coordinates of at most 1e9";
-            return Err(Problem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected });
         }
         count += 1;
     }
     Ok(count)
 }
 
-fn check_points(value: &str) -> Result<usize, Problem> {
+fn check_points(value: &str) -> Result<usize, ValueProblem> {
     let mut count = 0;
     for number in NumberListParser::from(value) {
-        let number = number.map_err(|error| Problem {
+        let number = number.map_err(|error| ValueProblem {
             at: position(&error, value),
             expected: "a list of finite numbers",
         })?;
         if !is_small(number) {
             let expected = "coordinates of at most 1e9";
-            return Err(Problem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected });
         }
         count += 1;
     }
     let expected = "an even count of numbers: x and y of each point";
-    if count % 2 == 0 {
-        Ok(count / 2)
-    } else {
-        Err(Problem { at: 0, expected })
-    }
+    let is_even = count % 2 == 0;
+    is_even
+        .then_some(count / 2)
+        .ok_or(ValueProblem { at: 0, expected })
 }
 
 fn numbers(segment: PathSegment) -> [f64; 6] {
@@ -157,18 +147,15 @@ fn position(error: &svgtypes::Error, value: &str) -> usize {
     else {
         return value.len();
     };
-    let characters = at.saturating_sub(1);
-    value
-        .char_indices()
-        .nth(characters)
-        .map_or(value.len(), |(byte, _)| byte)
+    let character = value.char_indices().nth(at.saturating_sub(1));
+    character.map_or(value.len(), |(byte, _)| byte)
 }
 
 fn bad_value(
     doc: &Document<'_>,
     node: Node<'_, '_>,
     attribute: &Attribute<'_, '_>,
-    problem: &Problem,
+    problem: &ValueProblem,
 ) -> SvgError {
     let value = attribute.value();
     let range = attribute.range_value();

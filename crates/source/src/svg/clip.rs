@@ -11,32 +11,32 @@ use super::polygon::Polygons;
 use crate::error::SvgError;
 use crate::limits::Budget;
 
-/// What a clip path shows: the union of some areas.
+/// The visible part of a clip path: the union of some areas.
 #[derive(Debug, Default)]
 pub(crate) struct Region {
-    areas: Vec<Area>,
+    areas: Vec<ClipArea>,
     /// The same as polygons, once they are wanted; `None` where they are too entangled.
     polygons: OnceCell<Option<Polygons>>,
 }
 
 impl Region {
-    pub(crate) fn new(areas: Vec<Area>) -> Self {
+    pub(crate) fn new(areas: Vec<ClipArea>) -> Self {
         Self {
             areas,
             polygons: OnceCell::new(),
         }
     }
 
-    /// What shows, as polygons; `None` where they are too entangled.
+    /// The visible part as polygons; `None` where they are too entangled.
     pub(crate) fn polygons(&self) -> Option<&Polygons> {
         let all = || {
-            let mut areas = self.areas.iter().map(Area::polygons);
+            let mut areas = self.areas.iter().map(ClipArea::polygons);
             areas.try_fold(Polygons::default(), |all, area| all.or(&area?))
         };
         self.polygons.get_or_init(all).as_ref()
     }
 
-    /// The parts of a stroke that show. What runs along an edge shows, as half of its ink does in
+    /// The parts of a stroke that show. A line along an edge shows, as half of its ink does in
     /// a browser.
     pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
@@ -96,7 +96,7 @@ impl Region {
         found
     }
 
-    fn each_area(&self, visit: &mut dyn FnMut(&Area)) {
+    fn each_area(&self, visit: &mut dyn FnMut(&ClipArea)) {
         for area in &self.areas {
             visit(area);
             for region in &area.within {
@@ -108,14 +108,14 @@ impl Region {
 
 /// One filled outline, which may be clipped itself.
 #[derive(Debug)]
-pub(crate) struct Area {
+pub(crate) struct ClipArea {
     rings: Vec<Vec<Point>>,
     edges: SegmentIndex,
     rule: FillRule,
     within: Vec<Rc<Region>>,
 }
 
-impl Area {
+impl ClipArea {
     /// The inside of these outlines; each is closed where it is open, as filling does.
     pub(crate) fn new(outlines: &[Stroke], rule: FillRule, within: Vec<Rc<Region>>) -> Self {
         let edges = outlines.iter().flat_map(|outline| {
@@ -233,7 +233,7 @@ mod tests {
     }
 
     fn region(outlines: &[Stroke], rule: FillRule) -> Region {
-        Region::new(vec![Area::new(outlines, rule, Vec::new())])
+        Region::new(vec![ClipArea::new(outlines, rule, Vec::new())])
     }
 
     fn cut(region: &Region, stroke: Stroke) -> Vec<Stroke> {
@@ -310,7 +310,7 @@ mod tests {
     }
 
     /// A piece counts as on the edge by its middle: its ends may lie twice as far out.
-    fn edge_distance_mm(area: &Area, p: Point) -> f64 {
+    fn edge_distance_mm(area: &ClipArea, p: Point) -> f64 {
         area.edges.nearest(p).unwrap().1.sqrt()
     }
 

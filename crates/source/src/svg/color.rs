@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use svgtypes::Color;
 
-/// What CSS calls a colour, or its hexadecimal digits.
+/// The name of a colour in CSS, or its hexadecimal digits.
 pub(crate) fn name(rgb: [u8; 3]) -> String {
     let is_it =
         |name: &&str| Color::from_str(name).is_ok_and(|it| [it.red, it.green, it.blue] == rgb);

@@ -17,7 +17,7 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
         segments,
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
-        known: vec![Known::No; segments.len()],
+        known: vec![CostState::No; segments.len()],
     };
     let cost = counter.cost(doc.root_element(), 0)?;
     if cost.elements > MAX_ELEMENTS {
@@ -56,11 +56,11 @@ struct Counter<'a> {
     segments: &'a [u64],
     named: HashMap<&'a str, Node<'a, 'a>>,
     /// By the number of the element in the document.
-    known: Vec<Known>,
+    known: Vec<CostState>,
 }
 
 #[derive(Clone, Copy)]
-enum Known {
+enum CostState {
     No,
     /// While it is being counted.
     Soon,
@@ -68,13 +68,13 @@ enum Known {
 }
 
 impl<'a> Counter<'a> {
-    /// What an element costs with all that it holds and names. Never deeper than the limit.
+    /// The cost of an element with all that it holds and names. Stops at the largest depth.
     fn cost(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
         let cost = match self.known[node.id().get_usize()] {
-            Known::Yes(cost) => cost,
-            Known::Soon => return Err(self.recursive(node)),
-            Known::No if depth > MAX_DEPTH => return Err(self.too_deep(node)),
-            Known::No => self.count(node, depth)?,
+            CostState::Yes(cost) => cost,
+            CostState::Soon => return Err(self.recursive(node)),
+            CostState::No if depth > MAX_DEPTH => return Err(self.too_deep(node)),
+            CostState::No => self.count(node, depth)?,
         };
         if depth + cost.height > MAX_DEPTH {
             return Err(self.too_deep(node));
@@ -84,7 +84,7 @@ impl<'a> Counter<'a> {
 
     fn count(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
         let number = node.id().get_usize();
-        self.known[number] = Known::Soon;
+        self.known[number] = CostState::Soon;
         let mut cost = Cost {
             elements: 1,
             segments: self.segments[number],
@@ -100,7 +100,7 @@ impl<'a> Counter<'a> {
                 cost.add(self.cost(target, depth + 1)?, times);
             }
         }
-        self.known[number] = Known::Yes(cost);
+        self.known[number] = CostState::Yes(cost);
         Ok(cost)
     }
 

@@ -12,37 +12,37 @@ pub(crate) fn flatten(
     tolerance: f64,
     budget: &mut Budget,
 ) -> Result<Vec<Stroke>, SvgError> {
-    let mut pen = Pen {
+    let mut flattener = PathFlattener {
         strokes: Vec::new(),
         tolerance,
         budget,
     };
     for segment in path.segments() {
         match segment {
-            PathSegment::MoveTo(p) => pen.strokes.push(Stroke::open(vec![point(p)])),
-            PathSegment::LineTo(p) => pen.line(point(p))?,
+            PathSegment::MoveTo(p) => flattener.strokes.push(Stroke::open(vec![point(p)])),
+            PathSegment::LineTo(p) => flattener.line(point(p))?,
             PathSegment::QuadTo(b, c) => {
-                let curve = QuadBez::new(pen.here(), point(b), point(c));
-                pen.curve(curve.raise())?;
+                let curve = QuadBez::new(flattener.here(), point(b), point(c));
+                flattener.curve(curve.raise())?;
             }
             PathSegment::CubicTo(b, c, d) => {
-                let here = pen.here();
-                pen.curve(CubicBez::new(here, point(b), point(c), point(d)))?;
+                let here = flattener.here();
+                flattener.curve(CubicBez::new(here, point(b), point(c), point(d)))?;
             }
-            PathSegment::Close => pen.close()?,
+            PathSegment::Close => flattener.close()?,
         }
     }
-    pen.strokes.retain(|stroke| stroke.points.len() > 1);
-    Ok(pen.strokes)
+    flattener.strokes.retain(|stroke| stroke.points.len() > 1);
+    Ok(flattener.strokes)
 }
 
-struct Pen<'a> {
+struct PathFlattener<'a> {
     strokes: Vec<Stroke>,
     tolerance: f64,
     budget: &'a mut Budget,
 }
 
-impl Pen<'_> {
+impl PathFlattener<'_> {
     fn line(&mut self, to: Point) -> Result<(), SvgError> {
         self.budget.spend(1)?;
         self.current().points.push(to);

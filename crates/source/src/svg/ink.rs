@@ -1,27 +1,28 @@
-//! What a shape leaves on paper: a line, a filled area, or nothing.
+//! The ink of a shape: a line, a filled area, or nothing.
 
 use dobot_geometry::FillRule;
 
 /// Red, green and blue; `None` where a pattern has no one colour.
-pub(crate) type Color = Option<[u8; 3]>;
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct InkColor(pub(crate) Option<[u8; 3]>);
 
 /// How a shape is painted, as far as it is opaque at all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Ink {
-    pub(crate) line: Option<Line>,
-    pub(crate) fill: Option<Fill>,
+    pub(crate) line: Option<LinePaint>,
+    pub(crate) fill: Option<FillPaint>,
 }
 
 impl Ink {
     /// The colour of its outline; `None` where it has none: white fills are paper.
-    pub(crate) fn outline(&self) -> Option<Color> {
+    pub(crate) fn outline(&self) -> Option<InkColor> {
         let line = self.line.as_ref().map(|line| line.color);
         line.or_else(|| self.area().map(|fill| fill.color))
     }
 
-    /// What is to be hatched.
-    pub(crate) fn area(&self) -> Option<Fill> {
-        self.fill.filter(|fill| fill.color != Some(PAPER))
+    /// The fill to be hatched.
+    pub(crate) fn area(&self) -> Option<FillPaint> {
+        self.fill.filter(|fill| fill.color.0 != Some(PAPER))
     }
 
     /// Whether all of it is white fill.
@@ -37,8 +38,8 @@ impl Ink {
 
 /// A painted line.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Line {
-    pub(crate) color: Color,
+pub(crate) struct LinePaint {
+    pub(crate) color: InkColor,
     /// Its ends are round or square.
     pub(crate) has_ends: bool,
     pub(crate) dashes: Option<Dashes>,
@@ -53,8 +54,8 @@ pub(crate) struct Dashes {
 
 /// A painted inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fill {
-    pub(crate) color: Color,
+pub(crate) struct FillPaint {
+    pub(crate) color: InkColor,
     pub(crate) rule: FillRule,
 }
 

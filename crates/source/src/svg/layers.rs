@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use dobot_geometry::{Area, Stroke};
 
 use super::color;
-use super::ink::Color;
+use super::ink::InkColor;
 use crate::artwork::Layer;
 use crate::options::LayersBy;
 use crate::place::printable;
@@ -39,11 +39,11 @@ impl Layers {
         self.last = None;
     }
 
-    pub(crate) fn stroke(&mut self, stroke: Stroke, color: Color) {
+    pub(crate) fn stroke(&mut self, stroke: Stroke, color: InkColor) {
         self.layer(color).strokes.push(stroke);
     }
 
-    pub(crate) fn area(&mut self, area: Area, color: Color) {
+    pub(crate) fn area(&mut self, area: Area, color: InkColor) {
         self.layer(color).areas.push(area);
     }
 
@@ -51,20 +51,20 @@ impl Layers {
         self.found
     }
 
-    fn layer(&mut self, color: Color) -> &mut Layer {
+    fn layer(&mut self, color: InkColor) -> &mut Layer {
         let place = match &self.last {
             Some((key, place)) if key.still_takes(color) => *place,
             _ => self.find(color),
         };
         let layer = &mut self.found[place];
-        if layer.color != color {
+        if layer.color != color.0 {
             // What holds several colours has none.
             layer.color = None;
         }
         layer
     }
 
-    fn find(&mut self, color: Color) -> usize {
+    fn find(&mut self, color: InkColor) -> usize {
         let key = match self.by {
             LayersBy::Color => Key::Color(color),
             LayersBy::Group => Key::Group(self.group.clone()),
@@ -73,7 +73,7 @@ impl Layers {
         let place = *self.places.entry(key.clone()).or_insert_with(|| {
             self.found.push(Layer {
                 name: key.name(),
-                color,
+                color: color.0,
                 ..Layer::default()
             });
             self.found.len() - 1
@@ -85,7 +85,7 @@ impl Layers {
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Key {
-    Color(Color),
+    Color(InkColor),
     /// The name of the group.
     Group(Option<String>),
     All,
@@ -93,7 +93,7 @@ enum Key {
 
 impl Key {
     /// Whether this colour goes where the last one went; a group is left by entering another.
-    fn still_takes(&self, color: Color) -> bool {
+    fn still_takes(&self, color: InkColor) -> bool {
         match self {
             Self::Color(of) => *of == color,
             Self::Group(_) | Self::All => true,
@@ -102,8 +102,8 @@ impl Key {
 
     fn name(&self) -> String {
         match self {
-            Self::Color(Some(rgb)) => color::name(*rgb),
-            Self::Color(None) => "pattern".to_owned(),
+            Self::Color(InkColor(Some(rgb))) => color::name(*rgb),
+            Self::Color(InkColor(None)) => "pattern".to_owned(),
             Self::Group(Some(name)) => printable(name),
             Self::Group(None) => "outside groups".to_owned(),
             Self::All => "all".to_owned(),

@@ -57,7 +57,7 @@ impl Polygons {
     }
 }
 
-/// Whether so many edges lie over each other that cutting would fill time and memory.
+/// Whether too many edges lie over each other: cutting would take too much time and memory.
 fn is_entangled(rings: &[Vec<Point>]) -> bool {
     let edges: Vec<(Point, Point)> = rings.iter().flat_map(|ring| edges(ring)).collect();
     let index = SegmentIndex::new(edges);

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod layers;
+
 use std::fmt::Write as _;
 
 use dobot_geometry::{Point, Stroke, bounds_of_strokes};
@@ -14,7 +16,10 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Unshown>), SourceError> {
+    fn from_svg(
+        text: &str,
+        options: &ReadOptions,
+    ) -> Result<(Self, Vec<WarningCount>), SourceError> {
         let (artwork, warnings) = super::draw(text, options, &super::Substitutes::default())?;
         let drawing = Self {
             width_mm: artwork.width_mm,
@@ -38,7 +43,7 @@ fn page(content: &str) -> String {
     )
 }
 
-fn draw(content: &str) -> (Vec<Stroke>, Vec<Unshown>) {
+fn draw(content: &str) -> (Vec<Stroke>, Vec<WarningCount>) {
     let (drawing, warnings) = Drawing::from_svg(&page(content), &options()).unwrap();
     (drawing.strokes, warnings)
 }

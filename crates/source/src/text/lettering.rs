@@ -27,7 +27,7 @@ pub(crate) struct Pose {
 
 /// How much room a letter takes, in units of the grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Room {
+pub(crate) struct LetterExtent {
     /// Where its ink begins and ends, to the right of its beginning.
     pub(crate) ink: [f64; 2],
     /// From its beginning to that of the next letter.
@@ -36,7 +36,7 @@ pub(crate) struct Room {
 
 impl Lettering {
     /// The room of a character; `None` where it cannot be written.
-    pub(crate) fn room(&mut self, character: char) -> Option<Room> {
+    pub(crate) fn extent(&mut self, character: char) -> Option<LetterExtent> {
         let letter = self.letter(character)?;
         let ink = bounds(letter.strokes.iter().flatten().copied());
         let advance = letter.advance;
@@ -46,7 +46,7 @@ impl Lettering {
         } else {
             [ink.x0, ink.x1]
         };
-        Some(Room { ink, advance })
+        Some(LetterExtent { ink, advance })
     }
 
     /// Draws a character; one that cannot be written is left out with a warning. `at` is the place

@@ -34,15 +34,9 @@ pub(super) fn read(
     for p in shown.points_mut() {
         *p = (p.to_vec2() * scale).to_point();
     }
-    let name = layer(&text.text).name;
-    Ok((
-        Layer {
-            name,
-            color: None,
-            ..shown
-        },
-        warnings,
-    ))
+    shown.name = layer(&text.text).name;
+    shown.color = None;
+    Ok((shown, warnings))
 }
 
 /// A font's name with its style, as an SVG file says it.
@@ -126,10 +120,8 @@ fn difference(from: &str, to: &str) -> usize {
 /// How tall capitals are in letters of [`SIZE_MM`].
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
     let page = page(&Text::new("H"), face, 1.0);
-    let height = svg::read(&page, options).ok().map(|(artwork, _)| {
-        let ink = bounds(one(artwork).points());
-        ink.height()
-    });
+    let ink = svg::read(&page, options).map(|(artwork, _)| bounds(one(artwork).points()));
+    let height = ink.ok().map(|it| it.height());
     // A font of symbols has no capitals; the usual share serves it.
     height.filter(|it| *it > 0.0).unwrap_or(0.72 * SIZE_MM)
 }

@@ -3,7 +3,6 @@
 use dobot_geometry::Vec2;
 use proptest::prelude::*;
 
-use super::tests::{corners, draw, strokes};
 use super::*;
 use crate::source::tests::sides_from_dot;
 

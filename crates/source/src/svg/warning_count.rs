@@ -1,24 +1,24 @@
-//! What a pen does not show as a browser does.
+//! Warnings of the SVG reader.
 
 use crate::warning::Warning;
 
-/// What a pen does not show as a browser does, counted by kind.
+/// How often there is something of a kind that a pen does not show as a browser does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Unshown {
+pub(crate) struct WarningCount {
     /// What it is.
     pub(crate) kind: WarningKind,
     /// How many of it.
     pub(crate) count: usize,
 }
 
-impl From<Unshown> for Warning {
-    fn from(Unshown { kind, count }: Unshown) -> Self {
+impl From<WarningCount> for Warning {
+    fn from(WarningCount { kind, count }: WarningCount) -> Self {
         let (what, instead) = kind.words();
         Self::new(what, instead, count)
     }
 }
 
-/// What a pen cannot draw, or not yet.
+/// Things that a pen cannot draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum WarningKind {
     /// A bitmap or another file.

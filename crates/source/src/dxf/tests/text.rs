@@ -1,7 +1,6 @@
 use dobot_geometry::{Stroke, Vec2};
 use proptest::prelude::*;
 
-use super::tests::{draw, draw_text, file};
 use super::*;
 use crate::source::tests::sides_from_dot;
 

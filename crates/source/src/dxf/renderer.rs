@@ -1,4 +1,4 @@
-//! Through all entities of a file, and into its blocks.
+//! Draws all entities of a file, and those of its blocks.
 
 use dobot_geometry::{Affine, Point, Vec2};
 
@@ -11,9 +11,9 @@ use crate::place::printable;
 use crate::sketch::Sketch;
 use crate::text::Lettering;
 
-/// A walk that draws.
+/// Draws entities into a sketch.
 #[derive(Debug)]
-pub(super) struct Walk<'s, 'a> {
+pub(super) struct EntityRenderer<'s, 'a> {
     pub(super) sketch: &'s mut Sketch<'a>,
     file: &'s File<'a>,
     /// How many bytes of copied entities may still be read.
@@ -33,7 +33,7 @@ struct Copy<'l> {
     layer: &'l str,
 }
 
-impl<'s, 'a> Walk<'s, 'a> {
+impl<'s, 'a> EntityRenderer<'s, 'a> {
     pub(super) fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>) -> Self {
         Self {
             sketch,
@@ -234,6 +234,6 @@ fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceErr
 }
 
 const MOST_COPIED: usize = 200_000_000;
-/// What a copy counts at least, were its block empty.
+/// A copy of an empty block counts as so many bytes.
 const LEAST_COPY: usize = 100;
 const MOST_DEPTH: u32 = 32;

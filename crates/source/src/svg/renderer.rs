@@ -1,4 +1,4 @@
-//! From the tree of shapes to the sheet.
+//! From the tree of shapes to the page.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -6,16 +6,16 @@ use std::rc::Rc;
 use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
 
-use super::clip::{Area, Region};
+use super::clip::{ClipArea, Region};
 use super::flatten::flatten;
-use super::ink::{Color, Dashes, Fill, Ink, Line};
-use super::sheet::{Sheet, place};
-use super::unshown::WarningKind;
+use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
+use super::page::{SvgPage, place};
+use super::warning_count::WarningKind;
 use crate::error::SvgError;
 
-/// Goes through a tree and draws on a sheet what it meets.
-pub(crate) struct Walk<'a> {
-    sheet: &'a mut Sheet,
+/// Goes through a tree and draws on a page what it meets.
+pub(crate) struct TreeRenderer<'a> {
+    page: &'a mut SvgPage,
     tolerance_mm: f64,
     /// The names of the outermost groups, by their `id`.
     groups: &'a HashMap<String, String>,
@@ -23,14 +23,14 @@ pub(crate) struct Walk<'a> {
     in_group: bool,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> TreeRenderer<'a> {
     pub(crate) const fn new(
-        sheet: &'a mut Sheet,
+        page: &'a mut SvgPage,
         tolerance_mm: f64,
         groups: &'a HashMap<String, String>,
     ) -> Self {
         Self {
-            sheet,
+            page,
             tolerance_mm,
             groups,
             in_group: false,
@@ -52,9 +52,9 @@ impl<'a> Walk<'a> {
             return self.contents(group, parent, clips);
         };
         self.in_group = true;
-        self.sheet.layers.enter(Some(name.clone()));
+        self.page.layers.enter(Some(name.clone()));
         self.contents(group, parent, clips)?;
-        self.sheet.layers.enter(None);
+        self.page.layers.enter(None);
         self.in_group = false;
         Ok(())
     }
@@ -69,8 +69,8 @@ impl<'a> Walk<'a> {
             return Ok(());
         }
         let has_mask = usize::from(group.mask().is_some());
-        self.sheet.warn(WarningKind::Mask, has_mask);
-        self.sheet.warn(WarningKind::Filter, group.filters().len());
+        self.page.warn(WarningKind::Mask, has_mask);
+        self.page.warn(WarningKind::Filter, group.filters().len());
         let transform = parent * affine(group.transform());
         let outer = clips.len();
         if let Some(clip) = group.clip_path() {
@@ -95,7 +95,7 @@ impl<'a> Walk<'a> {
             Node::Text(text) => self.group(text.flattened(), transform, clips),
             Node::Image(image) => {
                 let is_visible = usize::from(image.is_visible());
-                self.sheet.warn(WarningKind::Image, is_visible);
+                self.page.warn(WarningKind::Image, is_visible);
                 Ok(())
             }
         }
@@ -112,11 +112,11 @@ impl<'a> Walk<'a> {
             return Ok(());
         }
         if ink.is_paper() {
-            self.sheet.warn(WarningKind::Paper, 1);
+            self.page.warn(WarningKind::Paper, 1);
             return Ok(());
         }
         let outlines = self.flatten(path, transform)?;
-        self.sheet.shape(outlines, transform, &ink, clips)
+        self.page.shape(outlines, transform, &ink, clips)
     }
 
     fn ink(&mut self, path: &Path) -> Ink {
@@ -135,7 +135,7 @@ impl<'a> Walk<'a> {
     fn flatten(&mut self, path: &Path, transform: Affine) -> Result<Vec<Stroke>, SvgError> {
         let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
         let tolerance = self.tolerance_mm / stretch;
-        flatten(path.data(), tolerance, &mut self.sheet.budget)
+        flatten(path.data(), tolerance, &mut self.page.budget)
     }
 
     /// The regions of which all must show a point.
@@ -160,7 +160,7 @@ impl<'a> Walk<'a> {
         group: &Group,
         parent: Affine,
         within: &[Rc<Region>],
-        areas: &mut Vec<Area>,
+        areas: &mut Vec<ClipArea>,
     ) -> Result<(), SvgError> {
         let transform = parent * affine(group.transform());
         let mut within = within.to_vec();
@@ -185,21 +185,21 @@ impl<'a> Walk<'a> {
         path: &Path,
         transform: Affine,
         within: Vec<Rc<Region>>,
-    ) -> Result<Area, SvgError> {
+    ) -> Result<ClipArea, SvgError> {
         let mut outlines = self.flatten(path, transform)?;
         for outline in &mut outlines {
             place(&mut outline.points, transform)?;
         }
         let rule = path.fill().map_or(FillRule::NonZero, |it| rule(it.rule()));
-        Ok(Area::new(&outlines, rule, within))
+        Ok(ClipArea::new(&outlines, rule, within))
     }
 
     fn warn_of_paint(&mut self, paint: Option<&Paint>) {
         match paint {
             None | Some(Paint::Color(_)) => {}
-            Some(Paint::Pattern(_)) => self.sheet.warn(WarningKind::Pattern, 1),
+            Some(Paint::Pattern(_)) => self.page.warn(WarningKind::Pattern, 1),
             Some(Paint::LinearGradient(_) | Paint::RadialGradient(_)) => {
-                self.sheet.warn(WarningKind::Gradient, 1);
+                self.page.warn(WarningKind::Gradient, 1);
             }
         }
     }
@@ -215,27 +215,27 @@ pub(crate) fn page_mm(tree: &Tree) -> [f64; 2] {
     [size.width(), size.height()].map(|px| f64::from(px) * MM_PER_PX)
 }
 
-fn read_line(line: &usvg::Stroke) -> Line {
+fn read_line(line: &usvg::Stroke) -> LinePaint {
     let dashes = line.dasharray().map(|lengths| Dashes {
         lengths: lengths.to_vec(),
         offset: f64::from(line.dashoffset()),
     });
-    Line {
-        color: color(line.paint()),
+    LinePaint {
+        color: InkColor(rgb(line.paint())),
         has_ends: line.linecap() != LineCap::Butt,
         dashes,
     }
 }
 
-fn read_fill(fill: &usvg::Fill) -> Fill {
-    Fill {
-        color: color(fill.paint()),
+fn read_fill(fill: &usvg::Fill) -> FillPaint {
+    FillPaint {
+        color: InkColor(rgb(fill.paint())),
         rule: rule(fill.rule()),
     }
 }
 
 /// A gradient counts as the colour that it begins with.
-fn color(paint: &Paint) -> Color {
+fn rgb(paint: &Paint) -> Option<[u8; 3]> {
     let stops = match paint {
         Paint::Color(color) => return Some([color.red, color.green, color.blue]),
         Paint::LinearGradient(gradient) => gradient.stops(),

@@ -249,7 +249,7 @@ fn areas_are_moved_as_their_shapes_are() {
 
 #[test]
 fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
-    let text = include_str!("../../../../examples/drawings/sailing.svg");
+    let text = include_str!("../../../../../examples/drawings/sailing.svg");
     let by = |layers| {
         let options = ReadOptions {
             layers,
@@ -317,7 +317,7 @@ proptest! {
         length in 0..40_usize,
         filler in proptest::sample::select(vec!["", "<g>", "</g>", "<g/>", "<g id=''/>", "\"", "white", "é"]),
     ) {
-        let text = include_str!("../../../../examples/drawings/sailing.svg");
+        let text = include_str!("../../../../../examples/drawings/sailing.svg");
         let start = at.min(text.len());
         let end = (start + length).min(text.len());
         let damaged = [&text[..start], filler, &text[end..]].concat();

@@ -9,7 +9,7 @@ use dobot_geometry::{Point, Vec2};
 
 /// How points come onto the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct PlotTransform {
     /// P1 and P2, in plotter units.
     pub(super) corners: [Point; 2],
     pub(super) scale: Option<Scale>,
@@ -37,7 +37,7 @@ pub(super) enum ScaleKind {
     Factor,
 }
 
-impl Frame {
+impl PlotTransform {
     /// That of an HP 7475A with a sheet of A4.
     pub(super) const DEFAULT: Self = Self {
         corners: [Point::new(603.0, 521.0), Point::new(10_603.0, 7721.0)],

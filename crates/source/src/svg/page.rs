@@ -7,10 +7,10 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
 use super::clip::{self, Region};
 use super::dash::dash;
-use super::ink::{Color, Fill, Ink};
+use super::ink::{FillPaint, Ink, InkColor};
 use super::layers::Layers;
 use super::polygon::Polygons;
-use super::unshown::{Unshown, WarningKind};
+use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
@@ -18,7 +18,7 @@ use crate::limits::{Budget, MAX_SEGMENTS};
 use crate::options::LayersBy;
 
 /// Collects what shows on the page.
-pub(crate) struct Sheet {
+pub(crate) struct SvgPage {
     size_mm: [f64; 2],
     page: Region,
     page_bounds: Rect,
@@ -28,12 +28,12 @@ pub(crate) struct Sheet {
     warnings: BTreeMap<WarningKind, usize>,
 }
 
-impl Sheet {
+impl SvgPage {
     pub(crate) fn new(size_mm: [f64; 2], by: LayersBy) -> Self {
         let [w, h] = size_mm;
         let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| Point::new(x, y));
         let outline = Stroke::open(corners.to_vec());
-        let area = clip::Area::new(&[outline], FillRule::NonZero, Vec::new());
+        let area = clip::ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
         Self {
             size_mm,
             page: Region::new(vec![area]),
@@ -44,7 +44,7 @@ impl Sheet {
         }
     }
 
-    pub(crate) fn finish(self) -> (Artwork, Vec<Unshown>) {
+    pub(crate) fn finish(self) -> (Artwork, Vec<WarningCount>) {
         let [width_mm, height_mm] = self.size_mm;
         let artwork = Artwork {
             width_mm,
@@ -52,7 +52,7 @@ impl Sheet {
             layers: self.layers.finish(),
         };
         let warnings = self.warnings.into_iter();
-        let warnings = warnings.map(|(kind, count)| Unshown { kind, count });
+        let warnings = warnings.map(|(kind, count)| WarningCount { kind, count });
         (artwork, warnings.collect())
     }
 
@@ -98,7 +98,7 @@ impl Sheet {
         &mut self,
         mut stroke: Stroke,
         transform: Affine,
-        color: Color,
+        color: InkColor,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
         if !has_length(&stroke) {
@@ -128,7 +128,7 @@ impl Sheet {
         &mut self,
         outlines: &[Stroke],
         transform: Affine,
-        fill: Fill,
+        fill: FillPaint,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
         let mut around = bounds([]);

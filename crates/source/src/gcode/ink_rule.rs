@@ -1,15 +1,15 @@
-//! From which words of a file it can be told what leaves ink.
+//! The rule by which moves leave ink, found from the words of the whole file.
 
 use super::machine::{Move, MoveKind};
 
-/// What leaves ink.
+/// Which moves leave ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Style {
+pub(super) enum InkRule {
     /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
     /// is the largest S.
     Laser { full: f64 },
     /// A pen or a mill: every move that ends below a height.
-    Height { below_mm: f64, told: Told },
+    Height { below_mm: f64, source: HeightSource },
     /// A pen lifted by a servo (M280): every move with another angle than that of the first move,
     /// which goes to where the first line begins.
     Servo { up: f64 },
@@ -17,9 +17,9 @@ pub(super) enum Style {
     Plain,
 }
 
-/// What tells the height below which a pen draws.
+/// From what the height is known below which a pen draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Told {
+pub(super) enum HeightSource {
     /// It is 0: there are moves below and others above.
     Zero,
     /// Moves in haste (G0) stay above.
@@ -28,13 +28,14 @@ pub(super) enum Told {
     Lowest,
 }
 
-impl Style {
+impl InkRule {
     /// Where the file leaves it open: what stands in it, and what was made of that.
     pub(super) fn assumed(self) -> Option<(&'static str, String)> {
         match self {
             Self::Laser { .. }
             | Self::Height {
-                told: Told::Zero, ..
+                source: HeightSource::Zero,
+                ..
             } => None,
             Self::Height { below_mm, .. } => {
                 let draws = format!("drawn where Z is below {below_mm:.2} mm");
@@ -62,9 +63,9 @@ impl Style {
     }
 }
 
-/// What occurs in a file.
+/// What the moves of a file have in common.
 #[derive(Debug, Default)]
-pub(super) struct Census {
+pub(super) struct MoveStatistics {
     /// The largest S with which a laser would burn.
     full: Option<f64>,
     /// Heights of the moves along X or Y in haste, since the laser or spindle first worked.
@@ -79,7 +80,7 @@ pub(super) struct Census {
     other_servo: bool,
 }
 
-impl Census {
+impl MoveStatistics {
     pub(super) fn count(&mut self, it: &Move) {
         self.all.count(it.z_mm);
         let is_arc = matches!(it.kind, MoveKind::Arc { .. });
@@ -106,32 +107,32 @@ impl Census {
         }
     }
 
-    pub(super) fn style(&self) -> Style {
+    pub(super) fn rule(&self) -> InkRule {
         let height = self.height();
         match (self.full, self.first_servo) {
             // A mill turns its spindle all the time, and travels above its work.
             (Some(full), _) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
-                Style::Laser { full }
+                InkRule::Laser { full }
             }
-            (None, Some(up)) if self.other_servo => Style::Servo { up },
-            _ => height.unwrap_or(Style::Plain),
+            (None, Some(up)) if self.other_servo => InkRule::Servo { up },
+            _ => height.unwrap_or(InkRule::Plain),
         }
     }
 
-    fn height(&self) -> Option<Style> {
+    fn height(&self) -> Option<InkRule> {
         let lowest = self.all.lowest;
         let highest = self.rapids.highest.max(self.feeds.highest);
         if lowest >= highest {
             return None;
         }
-        let (below_mm, told) = if lowest < 0.0 && highest >= 0.0 {
-            (0.0, Told::Zero)
+        let (below_mm, source) = if lowest < 0.0 && highest >= 0.0 {
+            (0.0, HeightSource::Zero)
         } else if lowest < self.rapids.lowest && self.rapids.lowest.is_finite() {
-            (self.rapids.lowest, Told::Rapids)
+            (self.rapids.lowest, HeightSource::Rapids)
         } else {
-            (lowest + SAME_HEIGHT_MM, Told::Lowest)
+            (lowest + SAME_HEIGHT_MM, HeightSource::Lowest)
         };
-        Some(Style::Height { below_mm, told })
+        Some(InkRule::Height { below_mm, source })
     }
 }
 
