@@ -158,7 +158,7 @@ impl Encoder {
             }
             messages.extend(self.write_held());
             let status = frame.and_then(|frame| Status::parse(&frame).ok());
-            messages.push(time.own(FROM_ARM, &FromArm::new(time.at_s, piece, status)));
+            messages.push(time.from_arm(piece, status));
             if let Some(status) = status
                 && self.shown.replace(status) != Some(status)
             {
@@ -178,8 +178,7 @@ impl Encoder {
             // One is written as if it had not been held back.
             [at_ns] => {
                 let time = self.time_at(at_ns);
-                let message = FromArm::new(time.at_s, &held.packet, Some(held.status));
-                vec![time.own(FROM_ARM, &message)]
+                vec![time.from_arm(&held.packet, Some(held.status))]
             }
             [first_ns, .., last_ns] => {
                 let time = self.time_at(last_ns);
@@ -196,10 +195,11 @@ impl Encoder {
                 std::iter::once(message).chain(views).collect()
             }
         };
-        messages.extend(held.pieces.iter().map(|piece| {
-            let time = self.time_at(piece.at_ns);
-            time.own(FROM_ARM, &FromArm::new(time.at_s, &piece.bytes, None))
-        }));
+        messages.extend(
+            held.pieces
+                .iter()
+                .map(|piece| self.time_at(piece.at_ns).from_arm(&piece.bytes, None)),
+        );
         messages
     }
 
@@ -216,6 +216,10 @@ impl MessageTime {
     fn own<'t>(self, topic: &str, value: &impl Serialize) -> Message<'t> {
         let topic = schema::own(topic).expect("it is one of the recorder's own topics");
         self.message(topic, value)
+    }
+
+    fn from_arm<'t>(self, bytes: &[u8], status: Option<Status>) -> Message<'t> {
+        self.own(FROM_ARM, &FromArm::new(self.at_s, bytes, status))
     }
 
     fn message<'t>(self, topic: &'t Topic, value: &impl Serialize) -> Message<'t> {
