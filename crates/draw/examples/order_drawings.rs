@@ -55,8 +55,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// What the ways between the strokes cost, without the way to the first one.
 fn between(travel: Travel, strokes: &[Stroke]) -> f64 {
-    let first = strokes.first().and_then(|stroke| stroke.points.first());
-    travel.of(strokes, first.copied().unwrap_or_default())
+    let way_mm = |pair: &[Stroke]| Some(pair[0].last()?.distance(*pair[1].points.first()?));
+    let ways_mm = strokes.windows(2).filter_map(way_mm);
+    ways_mm.fold(0.0, |sum, way_mm| sum + travel.cost(way_mm))
 }
 
 /// The processor time used so far; where the system does not tell, the time that passed.

@@ -200,7 +200,7 @@ pub struct CardError {
     pub allowed: String,
 }
 
-fn within<T: PartialOrd + Display>(
+fn within<T: Copy + PartialOrd + Display>(
     name: &'static str,
     found: T,
     allowed: RangeInclusive<T>,

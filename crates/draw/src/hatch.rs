@@ -51,7 +51,7 @@ impl Default for Hatch {
 ///
 /// # Errors
 ///
-/// [`HatchError`] where a number is none or out of range, or where there would be too many lines.
+/// [`HatchError`] where a setting is not a number or out of range, or where there would be too many lines.
 pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     hatch.check(area)?;
     let mut strokes = lines(area, hatch, hatch.angle_deg)?;
@@ -96,7 +96,7 @@ impl Hatch {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HatchError {
-    /// A setting is no number, or less than it may be.
+    /// A setting is not a number, or less than it may be.
     #[error("the {name} of the hatch is {found} {unit}; it must be {allowed}")]
     Setting {
         /// Which setting.

@@ -61,11 +61,11 @@ pub use options::{
     Asked, Auto, ContentOptions, LayerTool, Options, OptionsError, PathOptions, PlaceOptions,
     Spacing, Subject, ToolOptions,
 };
-pub use order::{Search, Travel, order, travel_mm};
+pub use order::{Search, Travel, order};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use start::{StartError, StartFrom};
 pub use timeline::{Moves, Path, Timeline};
-pub use trace::{NeverBegan, Sample, Trace};
+pub use trace::{Sample, StartNotReached, Trace};

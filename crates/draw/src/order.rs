@@ -21,7 +21,7 @@ use self::greedy::greedy;
 use self::nodes::Nodes;
 use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
-pub use self::travel::{Travel, travel_mm};
+pub use self::travel::Travel;
 use dobot_geometry::{Point, Stroke};
 use dobot_random::Random;
 
@@ -38,19 +38,6 @@ pub struct Search {
     pub kicks: u32,
     /// Decides where it is disturbed: the same seed gives the same order.
     pub seed: u64,
-}
-
-impl Search {
-    /// Enough for ordinary drawings, in well under a second, and a second or so for each
-    /// 100,000 strokes.
-    #[must_use]
-    pub const fn of(travel: Travel) -> Self {
-        Self {
-            travel,
-            kicks: 20_000,
-            seed: 1,
-        }
-    }
 }
 
 /// Puts strokes in an order in which the pen, beginning at `start`, travels little between them.

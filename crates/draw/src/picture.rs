@@ -48,22 +48,16 @@ pub enum View {
     Reach,
 }
 
-/// Why there is no PNG.
+/// Why a picture cannot be made into a PNG.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PictureError {
     /// No such size.
-    #[error("a picture {width_px} pixels wide cannot be made; from 16 to 16384 are allowed")]
-    Width {
-        /// What was asked for.
-        width_px: u32,
-    },
+    #[error("a picture {0} pixels wide cannot be made; from 16 to 16384 are allowed")]
+    Width(u32),
     /// The picture could not be turned into pixels.
-    #[error("the picture could not be turned into pixels: {reason}")]
-    Render {
-        /// Why.
-        reason: String,
-    },
+    #[error("the picture could not be turned into pixels: {0}")]
+    Render(String),
 }
 
 impl Picture<'_> {
@@ -98,9 +92,9 @@ impl Picture<'_> {
     /// suffice.
     pub fn to_png(&self, width_px: u32) -> Result<Vec<u8>, PictureError> {
         if !(16..=16_384).contains(&width_px) {
-            return Err(PictureError::Width { width_px });
+            return Err(PictureError::Width(width_px));
         }
-        let render = |reason: String| PictureError::Render { reason };
+        let render = PictureError::Render;
         let tree = resvg::usvg::Tree::from_str(&self.to_svg(), &resvg::usvg::Options::default());
         let tree = tree.map_err(|error| render(error.to_string()))?;
         #[expect(clippy::cast_precision_loss, reason = "at most 16384")]

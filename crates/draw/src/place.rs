@@ -34,7 +34,7 @@ impl Placement {
     ///
     /// # Errors
     ///
-    /// [`PlaceError`] where a setting is no number or out of range, or the drawing is larger than
+    /// [`PlaceError`] where a setting is not a number or out of range, or the drawing is larger than
     /// the area and neither fitted into it nor sent to a place of its own.
     pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
         let turn = self.turn()?;
@@ -56,11 +56,10 @@ impl Placement {
 
     /// Where the drawing's right points on the page, where y points down.
     fn turn(&self) -> Result<Vec2, PlaceError> {
-        let rotate_deg = self.rotate_deg;
-        if !rotate_deg.is_finite() {
-            return Err(PlaceError::Rotate { rotate_deg });
+        if !self.rotate_deg.is_finite() {
+            return Err(PlaceError::Rotate(self.rotate_deg));
         }
-        Ok(direction(-rotate_deg))
+        Ok(direction(-self.rotate_deg))
     }
 
     fn scale(&self, ink: Rect) -> Result<f64, PlaceError> {
@@ -68,7 +67,7 @@ impl Placement {
         let fitting = (wide / ink.width()).min(deep / ink.height());
         let scale = match self.size {
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
-            Size::Scaled(factor) => return Err(PlaceError::Scale { factor }),
+            Size::Scaled(factor) => return Err(PlaceError::Scale(factor)),
             Size::Fit if fitting.is_finite() => fitting,
             Size::Within => fitting.min(1.0),
             // A dot fits as it is.
@@ -136,18 +135,12 @@ pub struct Placed {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlaceError {
-    /// The scale is no number above 0.
-    #[error("the scale is {factor}; it must be a number above 0")]
-    Scale {
-        /// What it is.
-        factor: f64,
-    },
-    /// The turn is no number.
-    #[error("the drawing is turned by {rotate_deg} degrees; it must be a number")]
-    Rotate {
-        /// What it is.
-        rotate_deg: f64,
-    },
+    /// The scale is not a number above 0.
+    #[error("the scale is {0}; it must be a number above 0")]
+    Scale(f64),
+    /// The turn, in degrees, is not a number.
+    #[error("the drawing is turned by {0} degrees; it must be a number")]
+    Rotate(f64),
     /// The margin leaves no room.
     #[error("the margin is {margin_mm} mm; it must be from 0 to below {most_mm} mm")]
     Margin {

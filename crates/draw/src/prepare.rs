@@ -100,11 +100,8 @@ pub fn prepare_passes<E: fmt::Display>(
 #[non_exhaustive]
 pub enum PrepareError {
     /// Vectors this short would not be vectors any more.
-    #[error("the tolerance is {tolerance_mm} mm; it must be a number from 0.02 mm up")]
-    Tolerance {
-        /// What was asked for.
-        tolerance_mm: f64,
-    },
+    #[error("the tolerance is {0} mm; it must be a number from 0.02 mm up")]
+    Tolerance(f64),
     /// The source cannot be drawn.
     #[error(transparent)]
     Source(#[from] SourceError),

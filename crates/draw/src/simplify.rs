@@ -1,7 +1,6 @@
 //! Fewer, longer vectors: the link carries few, so each has to count.
 
 mod cone;
-mod corner;
 mod corridor;
 mod search;
 mod snap;

@@ -93,11 +93,8 @@ pub enum StartError {
         strokes: usize,
     },
     /// No such share.
-    #[error("a drawing cannot start from {found} %; allowed is 0 to below 100")]
-    Percent {
-        /// What was asked for.
-        found: f64,
-    },
+    #[error("a drawing cannot start from {0} %; allowed is 0 to below 100")]
+    Percent(f64),
 }
 
 /// A name counts before a number: a pass may be called "2".
@@ -127,7 +124,7 @@ fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, StartError
 
 fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, StartError> {
     if !(0.0..100.0).contains(&percent) {
-        return Err(StartError::Percent { found: percent });
+        return Err(StartError::Percent(percent));
     }
     let all = passes.iter().flat_map(|it| &it.strokes);
     let lengths: Vec<f64> = all.map(Stroke::length_mm).collect();

@@ -63,13 +63,13 @@ impl<'a> Trace<'a> {
     ///
     /// # Errors
     ///
-    /// [`NeverBegan`] where the samples never come to the plan's start.
+    /// [`StartNotReached`] where the samples never come to the plan's start.
     pub fn new(
         plan: &'a Plan,
         paper: &Paper,
         samples: &[Sample],
         wanted: &[Stroke],
-    ) -> Result<Self, NeverBegan> {
+    ) -> Result<Self, StartNotReached> {
         // At least the sample at which the plan begins is there.
         let samples = &samples[follow::beginning(plan, samples)?..];
         let ends = follow::ends(plan, samples);
@@ -131,25 +131,18 @@ impl<'a> Trace<'a> {
         self.ends.len()
     }
 
-    /// The vector that each moment belongs to: a way belongs to the moment at its end. What comes
-    /// behind the last vector belongs to it too.
-    pub(crate) fn vectors_of_moments(&self) -> impl Iterator<Item = usize> {
+    /// The pass that each moment belongs to: a way belongs to the moment at its end. What comes behind
+    /// the last vector belongs to it too.
+    pub(crate) fn passes(&self) -> impl Iterator<Item = u32> {
+        let moves = &self.plan.moves;
         let mut vector = 0;
         (0..self.moments.len()).map(move |moment| {
-            while vector + 1 < self.plan.moves.len()
-                && self.ends.get(vector).is_some_and(|&end| end < moment)
+            while vector + 1 < moves.len() && self.ends.get(vector).is_some_and(|&end| end < moment)
             {
                 vector += 1;
             }
-            vector
+            moves.get(vector).map_or(0, |it| it.pass)
         })
-    }
-
-    /// The pass that each moment belongs to.
-    pub(crate) fn passes(&self) -> impl Iterator<Item = u32> {
-        let moves = &self.plan.moves;
-        self.vectors_of_moments()
-            .map(|vector| moves.get(vector).map_or(0, |it| it.pass))
     }
 }
 
@@ -159,7 +152,7 @@ impl<'a> Trace<'a> {
     "the arm never came to the start of the plan at x {:.1}, y {:.1}, z {:.1} mm; the nearest it came is {nearest_mm:.1} mm away",
     start[0], start[1], start[2]
 )]
-pub struct NeverBegan {
+pub struct StartNotReached {
     /// Where the plan starts: X, Y, Z in mm.
     pub start: [f64; 3],
     /// How near the samples come, in mm; infinite where there are none.

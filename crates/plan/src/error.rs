@@ -11,25 +11,17 @@ pub enum PlanError {
     /// There is no stroke.
     #[error("there is no stroke to plan")]
     NoStrokes,
-    /// A setting that must be positive is not.
-    #[error("{name} is {found}{}; it must be a number above 0", spaced(.unit))]
-    NotPositive {
+    /// A setting is not a number, or less than it may be.
+    #[error("{name} is {found}{}; it must be a number {allowed}", spaced(.unit))]
+    Setting {
         /// Which setting.
         name: &'static str,
         /// Its unit; empty for a number of things.
         unit: &'static str,
         /// What it is.
         found: f64,
-    },
-    /// A setting that may be zero is less.
-    #[error("{name} is {found}{}; it must be a number from 0 up", spaced(.unit))]
-    Negative {
-        /// Which setting.
-        name: &'static str,
-        /// Its unit; empty for a number of things.
-        unit: &'static str,
-        /// What it is.
-        found: f64,
+        /// What it may be.
+        allowed: &'static str,
     },
     /// A stock arm cannot be as slow: a tick changes its speed by twice that.
     #[error(
@@ -45,31 +37,22 @@ pub enum PlanError {
         /// The acceleration in mm/s2.
         acceleration: f64,
     },
-    /// The pen would not leave the paper.
-    #[error("the pen is lifted by {lift_mm} mm; it must be at least 0.1 mm")]
-    Lift {
-        /// How far it would be lifted.
-        lift_mm: f64,
-    },
-    /// There is no such paper.
+    /// The pen would not leave the paper: it is lifted by so many mm.
+    #[error("the pen is lifted by {0} mm; it must be at least 0.1 mm")]
+    Lift(f64),
+    /// The paper cannot lie so.
     #[error(transparent)]
     Paper(#[from] PaperError),
-    /// In laser mode a stock arm holds its height.
+    /// In laser mode a stock arm holds its height. Passes count from 1.
     #[error(
-        "pass {pass} burns with the laser, and the paper slopes; a stock arm holds its height in laser mode (note N48): lay the material level"
+        "pass {0} burns with the laser, and the paper slopes; a stock arm holds its height in laser mode (note N48): lay the material level"
     )]
-    SlopingLaser {
-        /// Which pass, from 1.
-        pass: usize,
-    },
-    /// A pen and a laser do not stand at the same height.
+    SlopingLaser(usize),
+    /// A pen and a laser do not stand at the same height. Passes count from 1.
     #[error(
-        "pass {pass} has another kind of tool than those before; a pen and a laser are drawn one after the other, each with its own height"
+        "pass {0} has another kind of tool than those before; a pen and a laser are drawn one after the other, each with its own height"
     )]
-    MixedTools {
-        /// Which pass, from 1.
-        pass: usize,
-    },
+    MixedTools(usize),
 }
 
 fn spaced(unit: &str) -> String {
@@ -84,10 +67,7 @@ pub(super) fn positive(
     found: f64,
     unit: &'static str,
 ) -> Result<(), PlanError> {
-    if found > 0.0 && found.is_finite() {
-        return Ok(());
-    }
-    Err(PlanError::NotPositive { name, unit, found })
+    check(found > 0.0, name, found, unit, "above 0")
 }
 
 pub(super) fn not_negative(
@@ -95,8 +75,23 @@ pub(super) fn not_negative(
     found: f64,
     unit: &'static str,
 ) -> Result<(), PlanError> {
-    if found >= 0.0 && found.is_finite() {
+    check(found >= 0.0, name, found, unit, "from 0 up")
+}
+
+fn check(
+    is_allowed: bool,
+    name: &'static str,
+    found: f64,
+    unit: &'static str,
+    allowed: &'static str,
+) -> Result<(), PlanError> {
+    if is_allowed && found.is_finite() {
         return Ok(());
     }
-    Err(PlanError::Negative { name, unit, found })
+    Err(PlanError::Setting {
+        name,
+        unit,
+        found,
+        allowed,
+    })
 }

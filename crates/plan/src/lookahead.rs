@@ -231,7 +231,7 @@ impl Junction {
     }
 }
 
-/// Half the sine of a turn that is none.
+/// Where half the sine of a turn is less, the way goes straight on.
 const STRAIGHT: f64 = 1e-7;
 /// Below this square of a speed a corner is a stop, in (mm/s)2.
 const LEAST_V2: f64 = 1e-6;

@@ -40,13 +40,13 @@ impl Paper {
         let sides2 = [ux * ux + uy * uy, vx * vx + vy * vy];
         let width_mm = area2.abs() / sides2[0].max(sides2[1]).sqrt();
         if width_mm.is_nan() || width_mm < LEAST_WIDTH_MM {
-            return Err(PaperError::Collinear { width_mm });
+            return Err(PaperError::Collinear(width_mm));
         }
         let slope_x = (uz * vy - uy * vz) / area2;
         let slope_y = (ux * vz - uz * vx) / area2;
         let slope_deg = slope_x.hypot(slope_y).atan().to_degrees();
         if slope_deg.is_nan() || slope_deg > STEEPEST_DEG {
-            return Err(PaperError::TooSteep { slope_deg });
+            return Err(PaperError::TooSteep(slope_deg));
         }
         let z0_mm = a[2] - slope_x * a[0] - slope_y * a[1];
         Ok(Self {
@@ -87,7 +87,7 @@ impl Paper {
         if self.z0_mm.is_finite() {
             return Ok(());
         }
-        Err(PaperError::Height { z_mm: self.z0_mm })
+        Err(PaperError::Height(self.z0_mm))
     }
 }
 
@@ -102,28 +102,19 @@ impl Default for Paper {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperError {
-    /// The points do not span a plane.
+    /// The points do not span a plane: the third is so many mm from the line through the others.
     #[error(
-        "the three touched points lie within {width_mm:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
+        "the three touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
     )]
-    Collinear {
-        /// How far the third is from the line through the others.
-        width_mm: f64,
-    },
-    /// The plane is too steep.
+    Collinear(f64),
+    /// The plane is too steep, by its slope in degrees.
     #[error(
-        "the paper through the touched points slopes by {slope_deg:.1} degrees; at most 10 are allowed: touch them again"
+        "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed: touch them again"
     )]
-    TooSteep {
-        /// How steep it is.
-        slope_deg: f64,
-    },
-    /// The height makes no sense.
-    #[error("the paper is at {z_mm} mm; it must be a finite number")]
-    Height {
-        /// What it is.
-        z_mm: f64,
-    },
+    TooSteep(f64),
+    /// The height, in mm, is not a number.
+    #[error("the paper is at {0} mm; it must be a finite number")]
+    Height(f64),
 }
 
 const LEAST_WIDTH_MM: f64 = 10.0;

@@ -147,10 +147,10 @@ fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanEr
         tool.check()?;
         machine.check_keeps(tool)?;
         if tool.burns() && !paper.is_level() {
-            return Err(PlanError::SlopingLaser { pass });
+            return Err(PlanError::SlopingLaser(pass));
         }
         if tool.burns() != passes[0].tool.burns() {
-            return Err(PlanError::MixedTools { pass });
+            return Err(PlanError::MixedTools(pass));
         }
     }
     Ok(())
@@ -313,10 +313,10 @@ mod tests {
         ];
         let slope = Paper::through(touched).unwrap();
         let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
-        assert_eq!(error, Err(PlanError::SlopingLaser { pass: 1 }));
+        assert_eq!(error, Err(PlanError::SlopingLaser(1)));
         let passes = [Pass::new(Tool::default(), strokes), laser];
         let error = Plan::new(&passes, &Paper::default(), &Machine::default());
-        assert_eq!(error, Err(PlanError::MixedTools { pass: 2 }));
+        assert_eq!(error, Err(PlanError::MixedTools(2)));
     }
 
     #[test]

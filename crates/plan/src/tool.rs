@@ -87,9 +87,12 @@ impl Tool {
     }
 
     pub(super) fn check(&self) -> Result<(), PlanError> {
+        for (name, found) in self.speeds_mm_s() {
+            positive(name, found, "mm/s")?;
+        }
         match self {
             Self::Pen(pen) => pen.check(),
-            Self::Laser(laser) => laser.check(),
+            Self::Laser(laser) => positive("number of times to burn", laser.times.into(), ""),
         }
     }
 }
@@ -123,16 +126,12 @@ pub struct Pen {
 
 impl Pen {
     fn check(&self) -> Result<(), PlanError> {
-        positive("draw speed", self.draw_speed_mm_s, "mm/s")?;
-        positive("travel speed", self.travel_speed_mm_s, "mm/s")?;
-        positive("lift speed", self.lift_speed_mm_s, "mm/s")?;
         positive("touch speed", self.touch_speed_mm_s, "mm/s")?;
         not_negative("touch way", self.touch_mm, "mm")?;
-        let lift_mm = self.lift_mm;
-        if lift_mm >= LEAST_LIFT_MM && lift_mm.is_finite() {
+        if self.lift_mm >= LEAST_LIFT_MM && self.lift_mm.is_finite() {
             return Ok(());
         }
-        Err(PlanError::Lift { lift_mm })
+        Err(PlanError::Lift(self.lift_mm))
     }
 }
 
@@ -160,14 +159,6 @@ pub struct Laser {
     pub travel_speed_mm_s: f64,
     /// How often everything is burned, one time after the other; from 1 up.
     pub times: u32,
-}
-
-impl Laser {
-    fn check(&self) -> Result<(), PlanError> {
-        positive("burn speed", self.burn_speed_mm_s, "mm/s")?;
-        positive("travel speed", self.travel_speed_mm_s, "mm/s")?;
-        positive("number of times to burn", f64::from(self.times), "")
-    }
 }
 
 impl Default for Laser {

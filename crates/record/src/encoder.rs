@@ -72,12 +72,12 @@ impl Encoder {
     ) -> Option<Vec<Message<'t>>> {
         let time = self.time(at)?;
         if let Record::FromArm(bytes) = record {
-            return Some(self.from_arm_messages(time, bytes));
+            return Some(self.messages_from_arm(time, bytes));
         }
         let mut messages = self.write_held();
         match record {
             Record::About(about) => self.dialect = about.dialect,
-            Record::ToArm(bytes) => messages.extend(self.to_arm_messages(time, bytes)),
+            Record::ToArm(bytes) => messages.extend(self.messages_to_arm(time, bytes)),
             Record::FromArm(_) => {}
             Record::Json { topic, value } => messages.push(time.message(topic, value)),
         }
@@ -127,7 +127,7 @@ impl Encoder {
         })
     }
 
-    fn to_arm_messages(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'static>> {
+    fn messages_to_arm(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'static>> {
         let mut messages = Vec::new();
         for (piece, packet) in pieces(&mut self.commands, bytes) {
             let mut message = ToArm {
@@ -145,7 +145,7 @@ impl Encoder {
         messages
     }
 
-    fn from_arm_messages<'t>(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'t>> {
+    fn messages_from_arm<'t>(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'t>> {
         let mut messages = Vec::new();
         for (piece, frame) in pieces(&mut self.statuses, bytes) {
             let (at_ns, is_end) = (time.at_ns, frame.is_some());
@@ -158,7 +158,7 @@ impl Encoder {
             }
             messages.extend(self.write_held());
             let status = frame.and_then(|frame| Status::parse(&frame).ok());
-            messages.push(time.own(FROM_ARM, &FromArm::new(time.at_s, piece, status)));
+            messages.push(time.bytes_from_arm(piece, status));
             if let Some(status) = status
                 && self.shown.replace(status) != Some(status)
             {
@@ -178,8 +178,7 @@ impl Encoder {
             // One is written as if it had not been held back.
             [at_ns] => {
                 let time = self.time_at(at_ns);
-                let message = FromArm::new(time.at_s, &held.packet, Some(held.status));
-                vec![time.own(FROM_ARM, &message)]
+                vec![time.bytes_from_arm(&held.packet, Some(held.status))]
             }
             [first_ns, .., last_ns] => {
                 let time = self.time_at(last_ns);
@@ -196,10 +195,11 @@ impl Encoder {
                 std::iter::once(message).chain(views).collect()
             }
         };
-        messages.extend(held.pieces.iter().map(|piece| {
-            let time = self.time_at(piece.at_ns);
-            time.own(FROM_ARM, &FromArm::new(time.at_s, &piece.bytes, None))
-        }));
+        messages.extend(
+            held.pieces
+                .iter()
+                .map(|piece| self.time_at(piece.at_ns).bytes_from_arm(&piece.bytes, None)),
+        );
         messages
     }
 
@@ -216,6 +216,10 @@ impl MessageTime {
     fn own<'t>(self, topic: &str, value: &impl Serialize) -> Message<'t> {
         let topic = schema::own(topic).expect("it is one of the recorder's own topics");
         self.message(topic, value)
+    }
+
+    fn bytes_from_arm<'t>(self, bytes: &[u8], status: Option<Status>) -> Message<'t> {
+        self.own(FROM_ARM, &FromArm::new(self.at_s, bytes, status))
     }
 
     fn message<'t>(self, topic: &'t Topic, value: &impl Serialize) -> Message<'t> {

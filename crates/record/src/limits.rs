@@ -62,7 +62,7 @@ pub enum StartError {
     /// The clock is wrong.
     #[error("the clock says {0}; recordings have numbers for 1970 to 2490 only: set it right")]
     Clock(jiff::Timestamp),
-    /// There is no thread for it.
+    /// The thread of the recorder cannot be started.
     #[error("there is no thread for the recorder")]
     Thread(#[source] std::io::Error),
 }

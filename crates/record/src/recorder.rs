@@ -64,7 +64,7 @@ impl Recorder {
     ///
     /// # Errors
     ///
-    /// [`StartError`]; a folder that cannot be written is no error but a matter of
+    /// [`StartError`]; a folder that cannot be written is not an error but a matter of
     /// [`Recorder::health`].
     pub fn start(
         folder: impl Into<PathBuf>,

@@ -59,7 +59,7 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`OpenError`]; a file that breaks off is no error.
+    /// [`OpenError`]; a file that breaks off is not an error.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
         Self::over(File::open(path)?)
     }

@@ -50,26 +50,22 @@ impl Topic {
     pub fn new(name: &str, schema_name: &str, schema: &Value) -> Result<Self, TopicError> {
         let found = || name.to_owned();
         if !name.starts_with('/') || name.len() > NAME_LEN || schema_name.len() > NAME_LEN {
-            return Err(TopicError::Name { found: found() });
+            return Err(TopicError::Name(found()));
         }
         if OWN.contains(&name) {
-            return Err(TopicError::Taken { found: found() });
+            return Err(TopicError::Taken(found()));
         }
         if schema.get("type").and_then(Value::as_str) != Some("object") {
-            return Err(TopicError::Schema { name: found() });
+            return Err(TopicError::Schema(found()));
         }
-        let schema = schema.to_string();
-        if schema.len() > SCHEMA_LEN {
+        let topic = Self::own(name, schema_name, schema);
+        if topic.schema.len() > SCHEMA_LEN {
             return Err(TopicError::LongSchema {
                 name: found(),
-                found: schema.len(),
+                found: topic.schema.len(),
             });
         }
-        Ok(Self {
-            name: found(),
-            schema_name: schema_name.to_owned(),
-            schema,
-        })
+        Ok(topic)
     }
 
     /// Its name.
@@ -111,25 +107,14 @@ impl Topic {
 #[non_exhaustive]
 pub enum TopicError {
     /// The name is not allowed.
-    #[error(
-        "topic is `{found}`; a name begins with / and it and its schema's have 256 bytes at most"
-    )]
-    Name {
-        /// The name.
-        found: String,
-    },
+    #[error("topic is `{0}`; a name begins with / and it and its schema's have 256 bytes at most")]
+    Name(String),
     /// The recorder writes this topic itself.
-    #[error("topic is `{found}`; the recorder writes that itself: choose another name")]
-    Taken {
-        /// The name.
-        found: String,
-    },
+    #[error("topic is `{0}`; the recorder writes that itself: choose another name")]
+    Taken(String),
     /// The schema is not that of an object.
-    #[error("the schema of {name} has another type than `object`, the only one that is allowed")]
-    Schema {
-        /// The topic's name.
-        name: String,
-    },
+    #[error("the schema of {0} has another type than `object`, the only one that is allowed")]
+    Schema(String),
     /// The schema is too long.
     #[error("the schema of {name} has {found} bytes; allowed are 65536")]
     LongSchema {

@@ -222,7 +222,7 @@ impl Range {
 /// The one of these names that is written most like `name`, if one is.
 pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let least = names.map(|it| (edits(name, it), it)).min()?;
-    // Half of it wrong is no slip of the finger.
+    // A word of which half the letters are wrong was not mistyped.
     (least.0 * 2 < name.chars().count()).then_some(least.1)
 }
 

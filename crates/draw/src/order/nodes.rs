@@ -11,7 +11,7 @@ use super::travel::Travel;
 #[derive(Debug)]
 pub(super) struct Nodes {
     /// Where they are, neighbours close together; the last one, which ends the tour, is nowhere
-    /// (NaN), so that it is no way off from anything.
+    /// (NaN): the way to it costs nothing.
     at: Vec<Point>,
     /// The other end of the same stroke; a node by itself is its own.
     mate: Vec<u32>,
@@ -66,7 +66,7 @@ impl Nodes {
     #[inline]
     pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
         let way = self.at[b as usize] - self.at[a as usize];
-        // `max` takes the number where the other one is NaN: to the end it is no way.
+        // `max` takes the number where the other one is NaN: the way to the end costs nothing.
         self.travel.cost(way.hypot2().sqrt().max(0.0))
     }
 

@@ -1,7 +1,5 @@
 //! What a way with the pen up costs.
 
-use dobot_geometry::{Point, Stroke};
-
 /// What counts when strokes are put in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Travel {
@@ -48,24 +46,4 @@ impl Travel {
             }
         }
     }
-
-    /// What all ways between the strokes cost, from `start` to the begin of the first, and so on.
-    #[must_use]
-    pub fn of(self, strokes: &[Stroke], start: Point) -> f64 {
-        let mut here = start;
-        let mut cost = 0.0;
-        for points in strokes.iter().map(|stroke| &stroke.points) {
-            if let (Some(&first), Some(&last)) = (points.first(), points.last()) {
-                cost += self.cost(here.distance(first));
-                here = last;
-            }
-        }
-        cost
-    }
-}
-
-/// How far the pen travels between the strokes, from `start` to the begin of the first, and so on.
-#[must_use]
-pub fn travel_mm(strokes: &[Stroke], start: Point) -> f64 {
-    Travel::Length.of(strokes, start)
 }

@@ -54,7 +54,7 @@ impl Settings {
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
         if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
-            return Err(PrepareError::Tolerance { tolerance_mm });
+            return Err(PrepareError::Tolerance(tolerance_mm));
         }
         // Told for a drawing without areas, too.
         if let Some(hatching) = &self.hatch {
@@ -105,7 +105,7 @@ impl Default for Settings {
     }
 }
 
-/// A tenth of a second or so.
+/// Enough for ordinary drawings, in well under a second, and a second or so for each 100,000 strokes.
 pub(crate) const TRIES: u32 = 20_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;

@@ -1,6 +1,16 @@
-//! One vector and the points it has to pass.
+//! One vector, the corners it joins and the points it has to pass.
 
 use dobot_geometry::{Point, Vec2};
+
+/// A place where one vector ends and the next begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) at: Point,
+    /// The last point of the stroke that is passed here.
+    pub(super) passed: usize,
+    /// The corner before it, among those that were gone on from.
+    pub(super) before: usize,
+}
 
 /// A stroke, and how far from its points a vector may pass.
 #[derive(Debug)]

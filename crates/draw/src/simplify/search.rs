@@ -10,8 +10,7 @@
 
 use dobot_geometry::Point;
 
-use super::corner::Corner;
-use super::corridor::Corridor;
+use super::corridor::{Corner, Corridor};
 use super::snap::snap_to_points;
 use super::visibility::Visibility;
 

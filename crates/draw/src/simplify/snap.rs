@@ -3,8 +3,7 @@
 use dobot_geometry::Point;
 
 use super::MIN_VECTOR_MM;
-use super::corner::Corner;
-use super::corridor::Corridor;
+use super::corridor::{Corner, Corridor};
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without
 /// another vector. Both ends stay.

@@ -4,8 +4,7 @@ use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
 use super::cone::Cone;
-use super::corner::Corner;
-use super::corridor::Corridor;
+use super::corridor::{Corner, Corridor};
 
 /// What is seen from a corner on the way along the stroke.
 pub(super) struct Visibility<'a> {

@@ -3,17 +3,17 @@
 use dobot_arm::Position;
 use dobot_plan::{Plan, PlannedVector};
 
-use super::{NeverBegan, Sample};
+use super::{Sample, StartNotReached};
 
 /// The last sample before the arm leaves the plan's start for the first time.
-pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, NeverBegan> {
+pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartNotReached> {
     let [x, y, z] = plan.start;
     let start = Position::new(x, y, z);
     let away_mm = |sample: &Sample| sample.position.distance(start).0;
     let Some(came) = samples.iter().position(|it| away_mm(it) <= AT_START_MM) else {
         let nearest_mm = samples.iter().map(away_mm).fold(f64::INFINITY, f64::min);
         let start = plan.start;
-        return Err(NeverBegan { start, nearest_mm });
+        return Err(StartNotReached { start, nearest_mm });
     };
     let there = samples[came..].iter().map(away_mm);
     let there: Vec<f64> = there.take_while(|&it| it <= AT_START_MM).collect();
