@@ -14,7 +14,7 @@ use self::page::{frame, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_lettering::{Look, Sheet};
+use dobot_lettering::{ShapeStyle, Sheet};
 use dobot_plan::{MoveKind, Plan};
 
 /// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
@@ -147,7 +147,7 @@ impl Picture<'_> {
         for (class, pieces) in by_class(self.drawn, class) {
             let (color, width) = self.colors.style(class, self.plan);
             let pieces = pieces.iter().map(|it| seen(it));
-            sheet.curves(pieces, &Look::line(&color, width));
+            sheet.curves(pieces, &ShapeStyle::line(&color, width));
         }
     }
 
@@ -166,8 +166,8 @@ fn unit(paper: Rect) -> f64 {
 
 /// How near and how far the tool of a stock arm gets from the base axis.
 const REACH_MM: [f64; 2] = [129.0, 321.0];
-const TRAVEL: Look<'_> = Look::line("#5b9bc8", 0.16).dashed("1.3 1.3");
-const PLANNED: Look<'_> = Look::line("#cfc8b8", 0.3);
+const TRAVEL: ShapeStyle<'_> = ShapeStyle::line("#5b9bc8", 0.16).dashed("1.3 1.3");
+const PLANNED: ShapeStyle<'_> = ShapeStyle::line("#cfc8b8", 0.3);
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -1,33 +1,33 @@
 //! The parts that all pictures of the arm's table share: paper on a desk, in millimetres. Words are as
 //! large as a `unit` says, which grows with the page.
 
-use crate::{Anchor, Frame, Look, Sheet, Type};
+use crate::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 impl Sheet {
     /// An empty desk.
     #[must_use]
-    pub fn desk(page: Frame) -> Self {
+    pub fn desk(page: Rectangle) -> Self {
         let mut sheet = Self::new(page, "mm");
-        sheet.rect(&page, 0.0, &Look::area(DESK));
+        sheet.rect(&page, 0.0, &ShapeStyle::area(DESK));
         sheet
     }
 
     /// A paper on the desk with what `draw` draws on it, cut off at its edges.
-    pub fn paper(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
-        self.rect(frame, radius, &Look::area(PAPER));
+    pub fn paper(&mut self, frame: &Rectangle, radius: f64, draw: impl FnOnce(&mut Self)) {
+        self.rect(frame, radius, &ShapeStyle::area(PAPER));
         self.clipped(frame, radius, draw);
-        self.rect(frame, radius, &Look::line("#c9c3b4", 0.3));
+        self.rect(frame, radius, &ShapeStyle::line("#c9c3b4", 0.3));
     }
 
     /// The reach of the arm around its axis: the smallest and the largest radius. Each is written so many
     /// units below its arc.
     pub fn reach(&mut self, [near, far]: [f64; 2], labels: [f64; 2], unit: f64) {
         let arcs = |r: f64| format!("M{r} 0A{r} {r} 0 1 0 -{r} 0A{r} {r} 0 1 0 {r} 0");
-        let look = Look::area("#e9f0f3").edged("#9fb3c2", 0.4);
-        self.path(&(arcs(far) + &arcs(near)), &look);
+        let style = ShapeStyle::area("#e9f0f3").edged("#9fb3c2", 0.4);
+        self.path(&(arcs(far) + &arcs(near)), &style);
         for (reach, below) in [near, far].into_iter().zip(labels) {
             let words = format!("reach {reach:.0} mm");
-            let kind = Type::new(1.5 * unit, MUTED);
+            let kind = TextStyle::new(1.5 * unit, MUTED);
             self.text([0.0, below * unit - reach], Anchor::Middle, &kind, &words);
         }
     }
@@ -36,19 +36,22 @@ impl Sheet {
     pub fn scale_bar(&mut self, [right, y]: [f64; 2], long: f64, unit: f64) {
         let (left, top) = (right - long, y - 1.2 * unit);
         let bar = [[left, top], [left, y], [right, y], [right, top]];
-        self.curve(&bar, &Look::line(MUTED, 0.16 * unit));
+        self.curve(&bar, &ShapeStyle::line(MUTED, 0.16 * unit));
         let middle = [right - long / 2.0, y - 2.0 * unit];
         self.text(
             middle,
             Anchor::Middle,
-            &Type::new(1.7 * unit, MUTED),
+            &TextStyle::new(1.7 * unit, MUTED),
             "50 mm",
         );
     }
 
     /// Below a paper: what each figure is, and the figure.
     pub fn figures<N: AsRef<str>>(&mut self, [x, y]: [f64; 2], all: &[(N, String)], unit: f64) {
-        let (names, figures) = (Type::new(1.7 * unit, MUTED), Type::new(2.6 * unit, INK));
+        let (names, figures) = (
+            TextStyle::new(1.7 * unit, MUTED),
+            TextStyle::new(2.6 * unit, INK),
+        );
         let mut x = x;
         for (name, figure) in all {
             let name = name.as_ref();

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use crate::look::{Look, Rounded, Type};
+use crate::style::{Rounded, ShapeStyle, TextStyle};
 use crate::words::{Anchor, letter_of, placed};
 use crate::{CAPITAL, width};
 
@@ -19,7 +19,7 @@ pub struct Sheet {
 
 /// A rectangle of a sheet.
 #[derive(Clone, Copy, Debug)]
-pub struct Frame {
+pub struct Rectangle {
     /// Its left edge.
     pub left: f64,
     /// Its upper edge.
@@ -30,7 +30,7 @@ pub struct Frame {
     pub height: f64,
 }
 
-impl Frame {
+impl Rectangle {
     /// The rectangle from its upper left to its lower right corner.
     #[must_use]
     pub fn between([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
@@ -66,7 +66,7 @@ impl Frame {
 impl Sheet {
     /// An empty sheet of that page, in a unit of length as SVG names it: `mm`, or `px` for pixels.
     #[must_use]
-    pub fn new(page: Frame, unit: &str) -> Self {
+    pub fn new(page: Rectangle, unit: &str) -> Self {
         let [left, top, width, height] =
             [page.left, page.top, page.width, page.height].map(Rounded);
         let svg = format!(
@@ -95,67 +95,67 @@ impl Sheet {
     }
 
     /// A straight line.
-    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], look: &Look<'_>) {
-        self.curve(&[from, to], look);
+    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], style: &ShapeStyle<'_>) {
+        self.curve(&[from, to], style);
     }
 
     /// A line through some points; a single one is a dot.
-    pub fn curve(&mut self, points: &[[f64; 2]], look: &Look<'_>) {
+    pub fn curve(&mut self, points: &[[f64; 2]], style: &ShapeStyle<'_>) {
         let mut path = String::new();
         outline(&mut path, points.iter().copied());
-        self.path(&path, look);
+        self.path(&path, style);
     }
 
-    /// Many lines in one look, in few elements: large pictures stay small and are shown fast.
-    pub fn curves<L>(&mut self, lines: impl IntoIterator<Item = L>, look: &Look<'_>)
+    /// Many lines in one style, in few elements: large pictures stay small and are shown fast.
+    pub fn curves<L>(&mut self, lines: impl IntoIterator<Item = L>, style: &ShapeStyle<'_>)
     where
         L: IntoIterator<Item = [f64; 2]>,
     {
-        self.add(format_args!("<g{look}>"));
+        self.add(format_args!("<g{style}>"));
         let (mut path, mut points) = (String::new(), 0);
         for line in lines {
             points += outline(&mut path, line);
             if points >= POINTS_A_PATH {
-                self.path(&std::mem::take(&mut path), &Look::default());
+                self.path(&std::mem::take(&mut path), &ShapeStyle::default());
                 points = 0;
             }
         }
-        self.path(&path, &Look::default());
+        self.path(&path, &ShapeStyle::default());
         self.add("</g>");
     }
 
     /// The area between some points.
-    pub fn area(&mut self, corners: &[[f64; 2]], look: &Look<'_>) {
+    pub fn area(&mut self, corners: &[[f64; 2]], style: &ShapeStyle<'_>) {
         let mut path = String::new();
         outline(&mut path, corners.iter().copied());
-        self.path(&(path + "Z"), look);
+        self.path(&(path + "Z"), style);
     }
 
     /// A path of SVG path data, filled by the even-odd rule.
-    pub fn path(&mut self, data: &str, look: &Look<'_>) {
+    pub fn path(&mut self, data: &str, style: &ShapeStyle<'_>) {
         if !data.is_empty() {
             self.add(format_args!(
-                r#"<path fill-rule="evenodd" d="{data}"{look}/>"#
+                r#"<path fill-rule="evenodd" d="{data}"{style}/>"#
             ));
         }
     }
 
     /// A rectangle whose corners are round.
-    pub fn rect(&mut self, frame: &Frame, radius: f64, look: &Look<'_>) {
-        self.add(format_args!("<rect {}{look}/>", frame.attributes(radius)));
+    pub fn rect(&mut self, frame: &Rectangle, radius: f64, style: &ShapeStyle<'_>) {
+        self.add(format_args!("<rect {}{style}/>", frame.attributes(radius)));
     }
 
     /// A circle around a point.
-    pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, look: &Look<'_>) {
+    pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, style: &ShapeStyle<'_>) {
         let [x, y, radius] = [x, y, radius].map(Rounded);
         self.add(format_args!(
-            r#"<circle cx="{x}" cy="{y}" r="{radius}"{look}/>"#
+            r#"<circle cx="{x}" cy="{y}" r="{radius}"{style}/>"#
         ));
     }
 
     /// A line of words, held at a place on its base line.
-    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, kind: &Type<'_>, words: &str) {
-        let Type {
+    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, kind: &TextStyle<'_>, words: &str) {
+        let TextStyle {
             height,
             color,
             weight,
@@ -189,7 +189,7 @@ impl Sheet {
     }
 
     /// Draws by `draw`; a frame with round corners cuts it off.
-    pub fn clipped(&mut self, frame: &Frame, radius: f64, draw: impl FnOnce(&mut Self)) {
+    pub fn clipped(&mut self, frame: &Rectangle, radius: f64, draw: impl FnOnce(&mut Self)) {
         let (clip, frame) = (self.clips, frame.attributes(radius));
         self.clips += 1;
         self.add(format_args!(
@@ -245,14 +245,14 @@ mod tests {
     use super::*;
 
     fn drawn(draw: impl FnOnce(&mut Sheet)) -> String {
-        let mut sheet = Sheet::new(Frame::between([0.0, 0.0], [10.0, 5.0]), "mm");
+        let mut sheet = Sheet::new(Rectangle::between([0.0, 0.0], [10.0, 5.0]), "mm");
         draw(&mut sheet);
         sheet.finish()
     }
 
     #[test]
     fn a_dot_is_a_line_of_no_length() {
-        let svg = drawn(|it| it.curve(&[[-2.0, 1.004]], &Look::line("red", 0.5)));
+        let svg = drawn(|it| it.curve(&[[-2.0, 1.004]], &ShapeStyle::line("red", 0.5)));
         assert!(
             svg.contains(r#"d="M-2 1h.001" stroke="red" stroke-width="0.5""#),
             "{svg}"
@@ -262,7 +262,7 @@ mod tests {
     #[test]
     fn many_short_lines_share_a_path() {
         let lines = (0..1500).map(|_| [[1.0, 2.0], [3.0, 4.0]]);
-        let svg = drawn(|it| it.curves(lines, &Look::line("red", 1.0)));
+        let svg = drawn(|it| it.curves(lines, &ShapeStyle::line("red", 1.0)));
         assert_eq!(svg.matches("<path").count(), 3);
         assert_eq!(svg.matches('M').count(), 1500);
     }
@@ -270,7 +270,12 @@ mod tests {
     #[test]
     fn a_letter_is_drawn_once_and_its_words_can_be_read_by_others() {
         let text = |it: &mut Sheet| {
-            it.text([0.0, 3.0], Anchor::Left, &Type::new(2.0, "red"), "a <\"& a");
+            it.text(
+                [0.0, 3.0],
+                Anchor::Left,
+                &TextStyle::new(2.0, "red"),
+                "a <\"& a",
+            );
         };
         let svg = drawn(text);
         assert!(svg.contains(r#"aria-label="a &lt;&quot;&amp; a""#), "{svg}");
@@ -281,18 +286,18 @@ mod tests {
     #[test]
     fn any_sheet_is_an_svg_file() {
         let svg = drawn(|it| {
-            it.clipped(&Frame::between([0.0, 0.0], [1.0, 1.0]), 0.1, |it| {
+            it.clipped(&Rectangle::between([0.0, 0.0], [1.0, 1.0]), 0.1, |it| {
                 it.within("rotate(3)", |it| {
-                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &Look::area("red"));
+                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &ShapeStyle::area("red"));
                 });
             });
             it.text(
                 [5.0, 3.0],
                 Anchor::Middle,
-                &Type::new(2.0, "red").bold(),
+                &TextStyle::new(2.0, "red").bold(),
                 "Grüße\u{7} 漢",
             );
-            it.curves([[[0.0, 0.0]]; 0], &Look::default());
+            it.curves([[[0.0, 0.0]]; 0], &ShapeStyle::default());
         });
         let tree = usvg::Tree::from_str(&svg, &usvg::Options::default());
         assert!(tree.is_ok(), "{svg}");

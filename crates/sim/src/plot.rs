@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use dobot_arm::TICK_S;
 use dobot_controller::{Controller, Personality};
-use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 use self::axis::Axis;
 use self::chart::{Chart, Curve, bands};
@@ -47,9 +47,9 @@ impl Plot<'_> {
     /// The picture as the text of an SVG file.
     #[must_use]
     pub fn to_svg(&self) -> String {
-        let page = Frame::between([0.0, 0.0], [WIDTH, HEIGHT]);
+        let page = Rectangle::between([0.0, 0.0], [WIDTH, HEIGHT]);
         let mut sheet = Sheet::new(page, "px");
-        sheet.rect(&page, 0.0, &Look::area(PAPER));
+        sheet.rect(&page, 0.0, &ShapeStyle::area(PAPER));
         sheet.text([LEFT, 38.0], Anchor::Left, &TITLE, self.title);
         sheet.text([LEFT, 60.0], Anchor::Left, &QUIET, &self.subtitle());
         views(&mut sheet, self.snapshots);
@@ -216,16 +216,16 @@ const BANDS_TOP: f64 = 1176.0;
 const PAPER: &str = "#ffffff";
 const INK: &str = "#1f2937";
 const SOFT: &str = "#6b7280";
-const PANEL: Look<'_> = Look::area("#fafafa");
-const GRID: Look<'_> = Look::line("#e5e7eb", 1.0);
+const PANEL: ShapeStyle<'_> = ShapeStyle::area("#fafafa");
+const GRID: ShapeStyle<'_> = ShapeStyle::line("#e5e7eb", 1.0);
 const LASER: &str = "#dc2626";
 const PUMP: &str = "#0284c7";
 /// Where the pose is no number.
 const LOST: &str = "#fde2e2";
-const TITLE: Type<'_> = Type::new(14.0, INK).bold();
-const HEADING: Type<'_> = Type::new(LETTERS, INK).bold();
-const PLAIN: Type<'_> = Type::new(LETTERS, INK);
-const QUIET: Type<'_> = Type::new(LETTERS, SOFT);
+const TITLE: TextStyle<'_> = TextStyle::new(14.0, INK).bold();
+const HEADING: TextStyle<'_> = TextStyle::new(LETTERS, INK).bold();
+const PLAIN: TextStyle<'_> = TextStyle::new(LETTERS, INK);
+const QUIET: TextStyle<'_> = TextStyle::new(LETTERS, SOFT);
 const LETTERS: f64 = 8.6;
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What the colours of a picture mean.
 
-use dobot_lettering::Look;
+use dobot_lettering::ShapeStyle;
 use dobot_plan::Plan;
 
 use crate::ink::InkLine;
@@ -38,7 +38,7 @@ impl Colors {
     }
 
     /// What the legend says of the ink: names and looks.
-    pub(super) fn legend(self) -> Vec<(String, Look<'static>)> {
+    pub(super) fn legend(self) -> Vec<(String, ShapeStyle<'static>)> {
         let Self::Error { tolerance_mm } = self else {
             return Vec::new();
         };
@@ -47,7 +47,7 @@ impl Colors {
             format!("to {tolerance_mm} mm"),
             "more".to_owned(),
         ];
-        let looks = ERRORS.map(|(color, width)| Look::line(color, width));
+        let looks = ERRORS.map(|(color, width)| ShapeStyle::line(color, width));
         names.into_iter().zip(looks).collect()
     }
 }

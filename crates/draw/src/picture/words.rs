@@ -2,7 +2,7 @@
 
 use dobot_geometry::Rect;
 use dobot_lettering::desk::{INK, MUTED};
-use dobot_lettering::{Anchor, Look, Sheet, Type};
+use dobot_lettering::{Anchor, ShapeStyle, Sheet, TextStyle};
 
 use super::colors::pass_color;
 use super::{Colors, Picture, TRAVEL, unit};
@@ -13,7 +13,7 @@ impl Picture<'_> {
     pub(super) fn words(&self, sheet: &mut Sheet, paper: Rect) {
         let unit = unit(paper);
         let (left, above, below) = (paper.x0, paper.y0 - 4.5 * unit, paper.y1);
-        let title = Type::new(3.6 * unit, INK);
+        let title = TextStyle::new(3.6 * unit, INK);
         sheet.text([left, above], Anchor::Left, &title, self.title);
         self.legend(sheet, [paper.x1, above], unit);
         sheet.figures([left, below], self.figures, unit);
@@ -44,7 +44,7 @@ impl Picture<'_> {
 
     /// What the lines mean, right-aligned at a place.
     fn legend(&self, sheet: &mut Sheet, [mut x, y]: [f64; 2], unit: f64) {
-        let kind = Type::new(1.9 * unit, MUTED);
+        let kind = TextStyle::new(1.9 * unit, MUTED);
         let mut entries = vec![("travel".to_owned(), TRAVEL)];
         entries.extend(self.colors.legend());
         for (name, look) in entries.iter().rev() {
@@ -64,7 +64,10 @@ impl Picture<'_> {
 
     /// A row for each pass: name, strokes, vectors, ink, travel, time and error.
     fn table(&self, sheet: &mut Sheet, [left, top]: [f64; 2], wide: f64, unit: f64) {
-        let (head, body) = (Type::new(1.9 * unit, MUTED), Type::new(1.9 * unit, INK));
+        let (head, body) = (
+            TextStyle::new(1.9 * unit, MUTED),
+            TextStyle::new(1.9 * unit, INK),
+        );
         let mut y = top + ROW_HIGH * unit;
         cells(
             sheet,
@@ -80,7 +83,7 @@ impl Picture<'_> {
             cells(sheet, &row(pass), [left, y], wide, unit, &body);
             if self.colors == Colors::Passes {
                 let (color, y) = (pass_color(self.plan, i), y - 0.9 * unit);
-                let look = Look::line(&color, 1.2 * unit);
+                let look = ShapeStyle::line(&color, 1.2 * unit);
                 sheet.line([left, y], [left + SWATCH * unit, y], &look);
             }
         }
@@ -99,7 +102,7 @@ fn cells(
     [left, y]: [f64; 2],
     wide: f64,
     unit: f64,
-    kind: &Type<'_>,
+    kind: &TextStyle<'_>,
 ) {
     let name_x = left + (SWATCH + 3.0) * unit;
     let column = (wide - NAMES_WIDE * unit) / 6.0;

@@ -2,7 +2,7 @@
 
 use dobot_arm::{FOREARM, Joints, Limits, REAR_ARM, Tool, forward};
 
-use dobot_lettering::{Anchor, Look};
+use dobot_lettering::{Anchor, ShapeStyle};
 
 use crate::canvas::{
     BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PURPLE, RED, SHADE, SOFT, dashed, polar,
@@ -39,10 +39,18 @@ pub(crate) fn side() -> String {
     c.text([reach - 27.0, z + 14.0], Anchor::Middle, GREEN, "L");
 
     c.measure([reach + 34.0, 0.0], [reach + 34.0, z]);
-    c.line([reach + 4.0, z], [reach + 40.0, z], &Look::line(FAINT, 1.3));
+    c.line(
+        [reach + 4.0, z],
+        [reach + 40.0, z],
+        &ShapeStyle::line(FAINT, 1.3),
+    );
     c.text([reach + 40.0, z / 2.0], Anchor::Left, INK, "z");
     c.measure([0.0, -38.0], [reach, -38.0]);
-    c.line([reach, z - 26.0], [reach, -44.0], &Look::line(FAINT, 1.3));
+    c.line(
+        [reach, z - 26.0],
+        [reach, -44.0],
+        &ShapeStyle::line(FAINT, 1.3),
+    );
     c.text(
         [reach / 2.0, -48.0],
         Anchor::Middle,
@@ -80,7 +88,7 @@ pub(crate) fn top() -> String {
     c.line(
         tool,
         polar(tool, 150.0, pose.rotation.0),
-        &Look::line(PURPLE, 3.0),
+        &ShapeStyle::line(PURPLE, 3.0),
     );
     c.angle([0.0, 0.0], 92.0, [0.0, joints.base.0], BLUE);
     c.text(polar([0.0, 0.0], 104.0, 17.0), Anchor::Left, BLUE, "base");
@@ -128,7 +136,7 @@ fn table_and_base(c: &mut Canvas) {
     c.line(
         [-120.0, -103.0],
         [375.0, -103.0],
-        &Look::line("#b08968", 2.0),
+        &ShapeStyle::line("#b08968", 2.0),
     );
     c.note(
         [375.0, -95.0],
@@ -147,9 +155,9 @@ fn axes(c: &mut Canvas) {
 /// Pivot, elbow, wrist and tool, joined.
 fn links(c: &mut Canvas, points: &[[f64; 2]; 4]) {
     let [pivot, elbow, wrist, tool] = *points;
-    c.line(pivot, elbow, &Look::line(BLUE, 9.0));
-    c.line(elbow, wrist, &Look::line(ORANGE, 9.0));
-    c.line(wrist, tool, &Look::line(GREEN, 9.0));
+    c.line(pivot, elbow, &ShapeStyle::line(BLUE, 9.0));
+    c.line(elbow, wrist, &ShapeStyle::line(ORANGE, 9.0));
+    c.line(wrist, tool, &ShapeStyle::line(GREEN, 9.0));
     for joint in [pivot, elbow, wrist] {
         c.dot(joint, 7.0, "#ffffff", INK);
     }

@@ -1,6 +1,6 @@
 //! Lines, arcs and words in millimetres on a sheet.
 
-use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 /// A picture in the making: the caller's units, x to the right, y up.
 pub(crate) struct Canvas {
@@ -13,9 +13,9 @@ pub(crate) struct Canvas {
 
 impl Canvas {
     pub(crate) fn new(width: u32, height: u32) -> Self {
-        let page = Frame::between([0.0, 0.0], [width, height].map(f64::from));
+        let page = Rectangle::between([0.0, 0.0], [width, height].map(f64::from));
         let mut sheet = Sheet::new(page, "px");
-        sheet.rect(&page, 10.0, &Look::area(PAPER));
+        sheet.rect(&page, 10.0, &ShapeStyle::area(PAPER));
         Self {
             sheet,
             origin: [0.0, 0.0],
@@ -28,26 +28,27 @@ impl Canvas {
         (self.origin, self.scale) = (origin, scale);
     }
 
-    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], look: &Look<'_>) {
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], look: &ShapeStyle<'_>) {
         self.path(&[from, to], look);
     }
 
-    pub(crate) fn path(&mut self, points: &[[f64; 2]], look: &Look<'_>) {
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], look: &ShapeStyle<'_>) {
         self.sheet.curve(&self.pixels(points), look);
     }
 
     pub(crate) fn area(&mut self, points: &[[f64; 2]], color: &str) {
-        self.sheet.area(&self.pixels(points), &Look::area(color));
+        self.sheet
+            .area(&self.pixels(points), &ShapeStyle::area(color));
     }
 
     pub(crate) fn dot(&mut self, at: [f64; 2], radius_px: f64, fill: &str, edge: &str) {
-        let look = Look::area(fill).edged(edge, 2.5);
+        let look = ShapeStyle::area(fill).edged(edge, 2.5);
         self.sheet.circle(self.pixel(at), radius_px, &look);
     }
 
     /// An arrow from one point to another.
     pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], color: &str, width: f64) {
-        self.line(from, to, &Look::line(color, width));
+        self.line(from, to, &ShapeStyle::line(color, width));
         let [a, b] = [self.pixel(from), self.pixel(to)];
         self.head(b, (b[1] - a[1]).atan2(b[0] - a[0]), color);
     }
@@ -65,7 +66,7 @@ impl Canvas {
         let points: Vec<_> = (0..=40)
             .map(|n| polar(around, radius, from + (to - from) * f64::from(n) / 40.0))
             .collect();
-        self.path(&points, &Look::line(color, 2.0));
+        self.path(&points, &ShapeStyle::line(color, 2.0));
         let ahead = to + 90.0_f64.copysign(to - from);
         // The head of a bent arrow lies along the chord, not the tangent.
         let bend = (180.0 / std::f64::consts::PI * HEAD_PX / 2.0 / (radius * self.scale[0]))
@@ -75,24 +76,24 @@ impl Canvas {
 
     /// Words, in the middle of their height.
     pub(crate) fn text(&mut self, at: [f64; 2], anchor: Anchor, color: &str, words: &str) {
-        self.words(at, anchor, &Type::new(10.0, color), words);
+        self.words(at, anchor, &TextStyle::new(10.0, color), words);
     }
 
     /// Small words.
     pub(crate) fn note(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
-        self.words(at, anchor, &Type::new(8.8, SOFT), words);
+        self.words(at, anchor, &TextStyle::new(8.8, SOFT), words);
     }
 
     /// Bold words.
     pub(crate) fn title(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
-        self.words(at, anchor, &Type::new(10.5, INK).bold(), words);
+        self.words(at, anchor, &TextStyle::new(10.5, INK).bold(), words);
     }
 
     pub(crate) fn finish(self) -> String {
         self.sheet.finish()
     }
 
-    fn words(&mut self, at: [f64; 2], anchor: Anchor, kind: &Type<'_>, words: &str) {
+    fn words(&mut self, at: [f64; 2], anchor: Anchor, kind: &TextStyle<'_>, words: &str) {
         let [x, y] = self.pixel(at);
         self.sheet.text([x, y + 5.0], anchor, kind, words);
     }
@@ -107,7 +108,7 @@ impl Canvas {
             ]
         };
         let corners = [tip, wing(0.33), wing(-0.33)];
-        self.sheet.area(&corners, &Look::area(color));
+        self.sheet.area(&corners, &ShapeStyle::area(color));
     }
 
     fn pixels(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -123,8 +124,8 @@ impl Canvas {
 }
 
 /// A line in dashes.
-pub(crate) const fn dashed(color: &str, width: f64) -> Look<'_> {
-    Look::line(color, width).dashed("5 5")
+pub(crate) const fn dashed(color: &str, width: f64) -> ShapeStyle<'_> {
+    ShapeStyle::line(color, width).dashed("5 5")
 }
 
 /// The point at a distance and a direction in degrees, counter-clockwise from the right.

@@ -3,7 +3,7 @@
 use dobot_arm::{Degrees, Limits, Millimeters, Pose, Position, Tool, forward};
 use dobot_motion::{JointMove, Jump, LineMove, Profile, Speeds};
 
-use dobot_lettering::{Anchor, Look};
+use dobot_lettering::{Anchor, ShapeStyle};
 
 use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PAPER, PURPLE, SHADE, SOFT, dashed};
 
@@ -54,7 +54,7 @@ pub(crate) fn jump() -> String {
     let top = to.position.z.0 + height.0;
     c.line([-30.0, top], [way_mm + 60.0, top], &dashed(FAINT, 1.5));
     c.line([-30.0, 40.0], [way_mm + 60.0, 40.0], &dashed(FAINT, 1.5));
-    c.path(&track, &Look::line(BLUE, 3.0));
+    c.path(&track, &ShapeStyle::line(BLUE, 3.0));
     for point in track.iter().step_by(50) {
         c.dot(*point, 4.0, PAPER, BLUE);
     }
@@ -120,7 +120,7 @@ pub(crate) fn ways() -> String {
     ];
     for (n, (color, words, duration_s)) in (0..).zip(legend) {
         let y = 142.0 - 15.0 * f64::from(n);
-        c.line([262.0, y], [280.0, y], &Look::line(color, 3.0));
+        c.line([262.0, y], [280.0, y], &ShapeStyle::line(color, 3.0));
         c.text(
             [286.0, y],
             Anchor::Left,
@@ -144,7 +144,7 @@ fn speed_over_time(c: &mut Canvas, profile: &Profile, distance: f64) {
     c.area(&points, SHADE);
     c.line([0.0, 50.0], [1.9, 50.0], &dashed(PURPLE, 1.3));
     c.note([1.9, 53.2], Anchor::Right, "maximum speed");
-    c.path(&points[1..points.len() - 1], &Look::line(BLUE, 3.0));
+    c.path(&points[1..points.len() - 1], &ShapeStyle::line(BLUE, 3.0));
     c.line(
         [end_s, 0.0],
         [end_s, profile.end_speed()],
@@ -175,7 +175,7 @@ fn track(c: &mut Canvas, pose_at: impl Fn(f64) -> Pose, duration_s: f64, color: 
     let points: Vec<_> = times(duration_s, 0.005)
         .map(|t_s| above(pose_at(t_s)))
         .collect();
-    c.path(&points, &Look::line(color, 3.0));
+    c.path(&points, &ShapeStyle::line(color, 3.0));
     for t_s in times(duration_s, 0.1) {
         c.dot(above(pose_at(t_s)), 3.5, PAPER, color);
     }

@@ -2,7 +2,7 @@
 
 use dobot_arm::{Limits, Pose, Position, Quantity, Tool, Unreachable};
 
-use dobot_lettering::{Anchor, Look};
+use dobot_lettering::{Anchor, ShapeStyle};
 
 use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PURPLE, RED, SHADE, SOFT, dashed};
 
@@ -15,13 +15,17 @@ pub(crate) fn cross_section() -> String {
     c.area(&outline(&columns), SHADE);
     c.path(&outline(&self::columns(Tool::Laser)), &dashed(SOFT, 1.3));
     for (quantity, edge) in edges(&columns) {
-        c.path(&edge, &Look::line(color(quantity), 3.5));
+        c.path(&edge, &ShapeStyle::line(color(quantity), 3.5));
     }
     c.arrow([0.0, 0.0], [378.0, 0.0], SOFT, 1.5);
     c.text([384.0, 0.0], Anchor::Left, INK, "reach in mm");
     c.arrow([0.0, -210.0], [0.0, 165.0], SOFT, 1.5);
     c.text([8.0, 165.0], Anchor::Left, INK, "z in mm");
-    c.line([0.0, -103.0], [385.0, -103.0], &Look::line("#b08968", 2.0));
+    c.line(
+        [0.0, -103.0],
+        [385.0, -103.0],
+        &ShapeStyle::line("#b08968", 2.0),
+    );
     c.note([6.0, -95.0], Anchor::Left, "table");
     legend(&mut c);
     c.finish()
@@ -90,15 +94,19 @@ fn beyond(a: [f64; 2], b: [f64; 2]) -> Quantity {
 fn grid(c: &mut Canvas) {
     for n in -4..=3 {
         let at = f64::from(n) * 50.0;
-        c.line([0.0, at], [380.0, at], &Look::line("#f3f4f6", 1.0));
+        c.line([0.0, at], [380.0, at], &ShapeStyle::line("#f3f4f6", 1.0));
         c.note([-8.0, at], Anchor::Right, &format!("{at}"));
     }
     for n in 1..=7 {
         let at = f64::from(n) * 50.0;
-        c.line([at, -205.0], [at, 155.0], &Look::line("#f3f4f6", 1.0));
+        c.line([at, -205.0], [at, 155.0], &ShapeStyle::line("#f3f4f6", 1.0));
         c.note([at, -216.0], Anchor::Middle, &format!("{at}"));
     }
-    c.line([0.0, -205.0], [380.0, -205.0], &Look::line(FAINT, 1.0));
+    c.line(
+        [0.0, -205.0],
+        [380.0, -205.0],
+        &ShapeStyle::line(FAINT, 1.0),
+    );
 }
 
 fn legend(c: &mut Canvas) {
@@ -111,7 +119,11 @@ fn legend(c: &mut Canvas) {
     ];
     for (n, (quantity, words)) in (0..).zip(lines) {
         let y = -30.0 - 14.0 * f64::from(n);
-        c.line([352.0, y], [368.0, y], &Look::line(color(quantity), 3.5));
+        c.line(
+            [352.0, y],
+            [368.0, y],
+            &ShapeStyle::line(color(quantity), 3.5),
+        );
         c.note([374.0, y], Anchor::Left, words);
     }
     c.line([352.0, -124.0], [368.0, -124.0], &dashed(SOFT, 1.3));

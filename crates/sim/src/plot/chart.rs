@@ -1,6 +1,6 @@
 //! Curves and bands over time.
 
-use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 use super::Snapshot;
 use super::axis::{Axis, range};
@@ -28,7 +28,7 @@ impl Chart {
         let [left, right] = time.pixels();
         let bottom = self.top + self.height;
         sheet.rect(
-            &Frame::between([left, self.top], [right, bottom]),
+            &Rectangle::between([left, self.top], [right, bottom]),
             0.0,
             &PANEL,
         );
@@ -36,14 +36,14 @@ impl Chart {
         time_grid(sheet, time, [self.top, bottom]);
         for (value, text) in axis.ticks(27.0) {
             let y = axis.pixel(value);
-            let zero = Look::line("#9ca3af", 1.0);
+            let zero = ShapeStyle::line("#9ca3af", 1.0);
             let look = if value == 0.0 { zero } else { GRID };
             sheet.line([left, y], [right, y], &look);
             sheet.text([left - 8.0, y + 4.5], Anchor::Right, &QUIET, &text);
         }
         for curve in curves {
             for stroke in curve.strokes(time, &axis) {
-                sheet.curve(&stroke, &Look::line(curve.color, 1.6));
+                sheet.curve(&stroke, &ShapeStyle::line(curve.color, 1.6));
             }
         }
         self.words(sheet, [left, right], curves);
@@ -60,7 +60,7 @@ impl Chart {
         let named = curves.iter().filter(|it| !it.name.is_empty());
         for (n, curve) in named.rev().enumerate() {
             let x = right - 110.0 * f64::from(u8::try_from(n).unwrap_or_default()) - 92.0;
-            let look = Look::line(curve.color, 3.0);
+            let look = ShapeStyle::line(curve.color, 3.0);
             sheet.line([x, y - 4.5], [x + 22.0, y - 4.5], &look);
             sheet.text([x + 29.0, y], Anchor::Left, &PLAIN, curve.name);
         }
@@ -89,12 +89,16 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
         ("laser", LASER, spans(snapshots, |it| it.laser)),
     ];
     for ((name, color, spans), y) in lanes.into_iter().zip([top, top + 20.0]) {
-        sheet.rect(&Frame::between([left, y], [right, y + 15.0]), 0.0, &PANEL);
+        sheet.rect(
+            &Rectangle::between([left, y], [right, y + 15.0]),
+            0.0,
+            &PANEL,
+        );
         sheet.text([left - 8.0, y + 12.0], Anchor::Right, &PLAIN, name);
         for [from, to] in spans {
             let (from, to) = (time.pixel(from), time.pixel(to));
-            let band = Frame::between([from, y], [to.max(from + 1.0), y + 15.0]);
-            sheet.rect(&band, 0.0, &Look::area(color));
+            let band = Rectangle::between([from, y], [to.max(from + 1.0), y + 15.0]);
+            sheet.rect(&band, 0.0, &ShapeStyle::area(color));
         }
     }
     let bottom = top + 40.0;
@@ -121,12 +125,12 @@ fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {
 fn mark_lost(sheet: &mut Sheet, time: &Axis, lost: &[[f64; 2]], [top, bottom]: [f64; 2]) {
     for &[from, to] in lost {
         let (from, to) = (time.pixel(from), time.pixel(to));
-        let span = Frame::between([from, top], [to, bottom]);
-        sheet.rect(&span, 0.0, &Look::area(LOST));
+        let span = Rectangle::between([from, top], [to, bottom]);
+        sheet.rect(&span, 0.0, &ShapeStyle::area(LOST));
         if to - from > 110.0 {
             // Where lines are rare: they stand still at the top, at zero or at the bottom.
             let middle = [f64::midpoint(from, to), top + 0.32 * (bottom - top)];
-            let kind = Type::new(LETTERS, LASER);
+            let kind = TextStyle::new(LETTERS, LASER);
             sheet.text(middle, Anchor::Middle, &kind, "the pose is NaN");
         }
     }

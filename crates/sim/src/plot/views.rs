@@ -1,6 +1,6 @@
 //! The way of the tool, from above and from the side.
 
-use dobot_lettering::{Anchor, Frame, Look, Sheet};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet};
 
 use super::axis::{Axis, range};
 use super::{GRID, HEADING, INK, LASER, LEFT, PANEL, PAPER, PLAIN, PUMP, QUIET, RIGHT, Snapshot};
@@ -71,7 +71,11 @@ impl View {
     fn frame(&self, sheet: &mut Sheet, axes: &[Axis; 2]) {
         let [left, right] = self.pixels;
         sheet.text([left, TOP - 10.0], Anchor::Left, &HEADING, self.title);
-        sheet.rect(&Frame::between([left, TOP], [right, BOTTOM]), 0.0, &PANEL);
+        sheet.rect(
+            &Rectangle::between([left, TOP], [right, BOTTOM]),
+            0.0,
+            &PANEL,
+        );
         for (value, text) in axes[0].ticks(60.0) {
             let x = axes[0].pixel(value);
             sheet.line([x, TOP], [x, BOTTOM], &GRID);
@@ -115,17 +119,17 @@ impl Kind {
         }
     }
 
-    const fn look(self) -> Look<'static> {
+    const fn look(self) -> ShapeStyle<'static> {
         match self {
-            Self::Free => Look::line("#64748b", 1.6),
-            Self::Pump => Look::line(PUMP, 2.6),
-            Self::Laser => Look::line(LASER, 2.6),
+            Self::Free => ShapeStyle::line("#64748b", 1.6),
+            Self::Pump => ShapeStyle::line(PUMP, 2.6),
+            Self::Laser => ShapeStyle::line(LASER, 2.6),
         }
     }
 }
 
 fn dot(sheet: &mut Sheet, at: [f64; 2], fill: &str) {
-    sheet.circle(at, 5.0, &Look::area(fill).edged(INK, 2.0));
+    sheet.circle(at, 5.0, &ShapeStyle::area(fill).edged(INK, 2.0));
 }
 
 fn points(snapshots: &[Snapshot], seen: impl Fn([f64; 3]) -> [f64; 2]) -> Vec<[f64; 2]> {

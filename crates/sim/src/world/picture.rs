@@ -6,7 +6,7 @@ mod top;
 mod words;
 
 use dobot_lettering::desk::{INK, MUTED, PAPER};
-use dobot_lettering::{Frame, Sheet};
+use dobot_lettering::{Rectangle, Sheet};
 
 use super::{Object, WorldState};
 
@@ -19,12 +19,12 @@ impl WorldState {
         let top = top::bounds(self);
         let unit = top.width / 230.0;
         let side = side::bounds(self, &top, unit);
-        let log = Frame {
+        let log = Rectangle {
             left: side.left + side.width + 4.0 * unit,
             width: top.width - side.width - 4.0 * unit,
             ..side
         };
-        let page = Frame {
+        let page = Rectangle {
             left: top.left - 8.0 * unit,
             top: top.top - 14.0 * unit,
             width: top.width + 16.0 * unit,

@@ -1,6 +1,6 @@
 //! Ink and burns.
 
-use dobot_lettering::{Look, Sheet};
+use dobot_lettering::{ShapeStyle, Sheet};
 
 use dobot_geometry::Point;
 
@@ -14,7 +14,7 @@ pub(super) fn marks(sheet: &mut Sheet, state: &WorldState) {
         _ => 0.5,
     };
     let strokes = state.strokes.iter().map(|it| seen(&it.points_mm));
-    sheet.curves(strokes, &Look::line(INK, width_mm));
+    sheet.curves(strokes, &ShapeStyle::line(INK, width_mm));
     for burn in &state.burns {
         scorch(sheet, burn);
     }
@@ -33,7 +33,7 @@ fn scorch(sheet: &mut Sheet, burn: &Burn) {
     let share = if share.is_finite() { share } else { 1.0 };
     let width_mm = 0.35 + 0.55 * share.clamp(0.0, 1.0);
     let points: Vec<_> = seen(&burn.points_mm).collect();
-    sheet.curve(&points, &Look::line(&brown(share), width_mm));
+    sheet.curve(&points, &ShapeStyle::line(&brown(share), width_mm));
 }
 
 /// A burned hole: it grows, slower and slower, in a halo of scorched paper.
@@ -42,7 +42,7 @@ fn char(sheet: &mut Sheet, hole: &Hole) {
     let at = [-hole.at_mm.y, -hole.at_mm.x];
     for (times, share, opacity) in [(2.2, 0.5, 0.18), (1.6, 0.5, 0.35), (1.0, 1.0, 1.0)] {
         let color = brown(share);
-        let look = Look::area(&color).faded(opacity);
+        let look = ShapeStyle::area(&color).faded(opacity);
         sheet.circle(at, radius_mm * times, &look);
     }
 }

@@ -2,16 +2,16 @@
 
 use dobot_arm::{FOREARM, REAR_ARM};
 use dobot_geometry::{Point, Vec2, direction};
-use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, edge, fill};
 use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// Below the view from above, half as wide as that.
-pub(super) fn bounds(state: &WorldState, top: &Frame, unit: f64) -> Frame {
+pub(super) fn bounds(state: &WorldState, top: &Rectangle, unit: f64) -> Rectangle {
     let width = (top.width - 4.0 * unit) * 0.54;
     let scale = width / SHOWN_MM;
-    Frame {
+    Rectangle {
         left: top.left,
         top: top.top + top.height + 4.0 * unit,
         width,
@@ -19,11 +19,11 @@ pub(super) fn bounds(state: &WorldState, top: &Frame, unit: f64) -> Frame {
     }
 }
 
-pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f64) {
+pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Rectangle, unit: f64) {
     let scale = frame.width / SHOWN_MM;
     let words = "from the side, along the arm";
     let at = [frame.left + 3.0 * unit, frame.top + 4.4 * unit];
-    sheet.text(at, Anchor::Left, &Type::new(1.4 * unit, MUTED), words);
+    sheet.text(at, Anchor::Left, &TextStyle::new(1.4 * unit, MUTED), words);
     let corner = [frame.right() - 4.0 * unit, frame.top + 6.5 * unit];
     sheet.scale_bar(corner, 50.0 * scale, unit);
     // From here on in mm of the base frame, with z up as seen by the reader.
@@ -44,11 +44,11 @@ pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f
 }
 
 fn table(sheet: &mut Sheet, y: f64) {
-    let board = Frame::between([-200.0, y], [600.0, y + 100.0]);
-    sheet.rect(&board, 0.0, &Look::area("#e9e4d6"));
+    let board = Rectangle::between([-200.0, y], [600.0, y + 100.0]);
+    sheet.rect(&board, 0.0, &ShapeStyle::area("#e9e4d6"));
     let [near, far] = REACH_MM;
-    sheet.line([near, y], [far, y], &Look::line("#b7cad4", 3.0));
-    sheet.line([-200.0, y], [600.0, y], &Look::line("#a79f8b", 0.8));
+    sheet.line([near, y], [far, y], &ShapeStyle::line("#b7cad4", 3.0));
+    sheet.line([-200.0, y], [600.0, y], &ShapeStyle::line("#a79f8b", 0.8));
 }
 
 /// The farther an object is beside the plane of the arm, the fainter.
@@ -66,19 +66,19 @@ fn objects(sheet: &mut Sheet, state: &WorldState, base_deg: f64) {
             (opacity, edge(object))
         };
         let top = -(state.table_z_mm + object.top_mm());
-        let seen = Frame::between([from, top], [to, top + object.height_mm()]);
-        let look = Look::area(fill(object)).edged(&edge, 0.9);
+        let seen = Rectangle::between([from, top], [to, top + object.height_mm()]);
+        let look = ShapeStyle::area(fill(object)).edged(&edge, 0.9);
         sheet.rect(&seen, 0.0, &look.faded(opacity));
     }
 }
 
 fn base(sheet: &mut Sheet, floor: f64) {
     let (deck, shoulder) = (floor - 30.0, (floor - 58.0).min(12.0));
-    let foot = Frame::between([-62.0, deck], [62.0, floor]);
-    sheet.rect(&foot, 0.0, &Look::area("#dfe6ea").edged(STEEL, 0.9));
+    let foot = Rectangle::between([-62.0, deck], [62.0, floor]);
+    sheet.rect(&foot, 0.0, &ShapeStyle::area("#dfe6ea").edged(STEEL, 0.9));
     let body =
         format!("M-38 {deck:.1}V{shoulder:.1}Q-38 -24 0 -24Q38 -24 38 {shoulder:.1}V{deck:.1}Z");
-    sheet.path(&body, &Look::area("#eef2f3").edged(STEEL, 0.9));
+    sheet.path(&body, &ShapeStyle::area("#eef2f3").edged(STEEL, 0.9));
 }
 
 fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
@@ -93,11 +93,11 @@ fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
         (elbow, wrist, 14.0),
         (shoulder, elbow, 18.0),
     ] {
-        sheet.line(from, to, &Look::line(STEEL, wide));
-        sheet.line(from, to, &Look::line("#eef2f4", wide - 1.8));
+        sheet.line(from, to, &ShapeStyle::line(STEEL, wide));
+        sheet.line(from, to, &ShapeStyle::line("#eef2f4", wide - 1.8));
     }
     for (at, radius) in [(shoulder, 7.0), (elbow, 5.5), (wrist, 4.0)] {
-        sheet.circle(at, radius, &Look::area(PAPER).edged(STEEL, 1.0));
+        sheet.circle(at, radius, &ShapeStyle::area(PAPER).edged(STEEL, 1.0));
     }
 }
 
@@ -106,20 +106,20 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let reach = arm.x_mm.hypot(arm.y_mm);
     let (top, tip) = (-arm.z_mm, -(state.table_z_mm + arm.tip_mm));
     let rod = |sheet: &mut Sheet, half: f64, to: f64| {
-        let rod = Frame::between([reach - half, top], [reach + half, to]);
-        sheet.rect(&rod, 0.0, &Look::area(ROD));
+        let rod = Rectangle::between([reach - half, top], [reach + half, to]);
+        sheet.rect(&rod, 0.0, &ShapeStyle::area(ROD));
     };
     match state.tool.kind {
         ToolKind::Pen { .. } => {
             let (left, right, shoulder) = (reach - 3.0, reach + 3.0, tip - 8.0);
             rod(sheet, 3.0, shoulder);
             let nib = [[left, shoulder], [right, shoulder], [reach, tip]];
-            sheet.area(&nib, &Look::area(INK));
+            sheet.area(&nib, &ShapeStyle::area(INK));
         }
         ToolKind::Laser { focus_mm, .. } => {
             rod(sheet, 8.0, tip);
             if arm.laser {
-                let beam = Look::line("#e0402e", 1.4);
+                let beam = ShapeStyle::line("#e0402e", 1.4);
                 sheet.line([reach, tip], [reach, tip + focus_mm], &beam);
             }
         }
@@ -132,7 +132,7 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
                 [reach + half, tip],
                 [reach - half, tip],
             ];
-            sheet.area(&cup, &Look::area(if arm.pump { WARM } else { INK }));
+            sheet.area(&cup, &ShapeStyle::area(if arm.pump { WARM } else { INK }));
         }
         ToolKind::Gripper { .. } => {
             let turn = (arm.rotation_deg - arm.base_deg + 90.0).to_radians();
@@ -140,10 +140,10 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             let palm = tip - 30.0;
             rod(sheet, 4.0, palm);
             for x in [reach - half, reach + half] {
-                sheet.line([x, palm], [x, tip], &Look::line(ROD, 4.0));
+                sheet.line([x, palm], [x, tip], &ShapeStyle::line(ROD, 4.0));
             }
             let ends = [reach - half - 2.0, reach + half + 2.0].map(|x| [x, palm]);
-            sheet.line(ends[0], ends[1], &Look::line(ROD, 5.0));
+            sheet.line(ends[0], ends[1], &ShapeStyle::line(ROD, 5.0));
         }
     }
 }

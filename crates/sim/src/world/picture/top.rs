@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use dobot_arm::{FOREARM, REAR_ARM};
 use dobot_geometry::{Point, Vec2, direction};
-use dobot_lettering::{Anchor, Frame, Look, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 use super::marks::marks;
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, contrast, edge, fill};
@@ -12,7 +12,7 @@ use crate::world::footprint::Footprint;
 use crate::world::{ArmState, Object, ToolKind, WorldState};
 
 /// What is shown: the arm and what it reaches before it, and whatever else there is.
-pub(super) fn bounds(state: &WorldState) -> Frame {
+pub(super) fn bounds(state: &WorldState) -> Rectangle {
     let far = REACH_MM[1] + 14.0;
     let (mut min, mut max) = (Point::new(-95.0, -far), Point::new(far, far));
     let mut show = |x: [f64; 2], y: [f64; 2]| {
@@ -35,7 +35,7 @@ pub(super) fn bounds(state: &WorldState) -> Frame {
             [arm.y_mm - 30.0, arm.y_mm + 30.0],
         );
     }
-    Frame {
+    Rectangle {
         left: -max.y,
         top: -max.x,
         width: max.y - min.y,
@@ -43,10 +43,14 @@ pub(super) fn bounds(state: &WorldState) -> Frame {
     }
 }
 
-pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f64) {
+pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Rectangle, unit: f64) {
     sheet.reach(REACH_MM, [2.6, -1.2], unit);
     for (radius, color) in [(62.0, "#eef2f3"), (38.0, "#dfe6ea")] {
-        sheet.circle([0.0, 0.0], radius, &Look::area(color).edged(STEEL, 0.5));
+        sheet.circle(
+            [0.0, 0.0],
+            radius,
+            &ShapeStyle::area(color).edged(STEEL, 0.5),
+        );
     }
     grid(sheet, frame);
     paper(sheet, state);
@@ -73,7 +77,7 @@ pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f
 }
 
 /// A cross each 50 mm.
-fn grid(sheet: &mut Sheet, frame: &Frame) {
+fn grid(sheet: &mut Sheet, frame: &Rectangle) {
     let steps = |from: f64, to: f64| {
         let first = (from / 50.0).ceil() * 50.0;
         std::iter::successors(Some(first), |it| Some(it + 50.0)).take_while(move |it| *it < to)
@@ -81,24 +85,28 @@ fn grid(sheet: &mut Sheet, frame: &Frame) {
     let places = steps(frame.top, frame.bottom())
         .flat_map(|y| steps(frame.left, frame.right()).map(move |x| [x, y]));
     let cross = |[x, y]: [f64; 2]| [[[x - 1.5, y], [x + 1.5, y]], [[x, y - 1.5], [x, y + 1.5]]];
-    sheet.curves(places.flat_map(cross), &Look::line("#b9c6cd", 0.3));
+    sheet.curves(places.flat_map(cross), &ShapeStyle::line("#b9c6cd", 0.3));
 }
 
 fn paper(sheet: &mut Sheet, state: &WorldState) {
     let Some(paper) = state.paper else {
         return;
     };
-    let page = Frame::between(
+    let page = Rectangle::between(
         [-paper.to_mm.y, -paper.to_mm.x],
         [-paper.from_mm.y, -paper.from_mm.x],
     );
-    let shadow = Frame {
+    let shadow = Rectangle {
         left: page.left + 1.5,
         top: page.top + 2.0,
         ..page
     };
-    sheet.rect(&shadow, 0.6, &Look::area(INK).faded(0.13));
-    sheet.rect(&page, 0.6, &Look::area("#ffffff").edged("#d5d0c4", 0.3));
+    sheet.rect(&shadow, 0.6, &ShapeStyle::area(INK).faded(0.13));
+    sheet.rect(
+        &page,
+        0.6,
+        &ShapeStyle::area("#ffffff").edged("#d5d0c4", 0.3),
+    );
 }
 
 /// An object with its shadow; the higher it is, the farther the shadow.
@@ -107,13 +115,13 @@ fn solid(sheet: &mut Sheet, object: &Object, held: bool) {
     let away = 1.2 + object.bottom_mm.clamp(0.0, 200.0) * 0.06;
     let shadow = format!("translate({away:.2} {:.2})", away * 1.3);
     sheet.within(&shadow, |it| {
-        it.path(&outline, &Look::area(INK).faded(0.16));
+        it.path(&outline, &ShapeStyle::area(INK).faded(0.16));
     });
     let edge = edge(object);
-    sheet.path(&outline, &Look::area(fill(object)).edged(&edge, 0.7));
+    sheet.path(&outline, &ShapeStyle::area(fill(object)).edged(&edge, 0.7));
     if held {
-        sheet.path(&outline, &Look::line(PAPER, 2.4));
-        sheet.path(&outline, &Look::line(WARM, 1.2).dashed("3 2.2"));
+        sheet.path(&outline, &ShapeStyle::line(PAPER, 2.4));
+        sheet.path(&outline, &ShapeStyle::line(WARM, 1.2).dashed("3 2.2"));
     }
 }
 
@@ -161,14 +169,14 @@ fn name(sheet: &mut Sheet, object: &Object, state: &WorldState, unit: f64) {
     let [right, left] = object.footprint().extent(Vec2::new(0.0, 1.0));
     let covered = state.objects.iter().any(|it| it.stands_on(object));
     let middle = Point::new(-object.at_mm.y, -object.at_mm.x);
-    let kind = Type::new(high, contrast(object));
+    let kind = TextStyle::new(high, contrast(object));
     if !covered && !held && kind.width(&text) + 2.0 * unit < left - right {
         let at = [middle.x, middle.y + high / 2.0];
         return sheet.text(at, Anchor::Middle, &kind, &text);
     }
     let [back, _] = object.footprint().extent(Vec2::new(1.0, 0.0));
     let below = [middle.x, -back + high + 1.1 * unit];
-    let kind = Type::new(high, if held { WARM } else { INK });
+    let kind = TextStyle::new(high, if held { WARM } else { INK });
     for kind in [kind.halo(PAPER), kind] {
         sheet.text(below, Anchor::Middle, &kind, &text);
     }
@@ -184,13 +192,16 @@ fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
         (elbow, wrist, 20.0),
         (0.0, elbow, 28.0),
     ] {
-        let (steel, pale) = (Look::line(STEEL, wide), Look::line("#eef2f4", wide - 1.6));
+        let (steel, pale) = (
+            ShapeStyle::line(STEEL, wide),
+            ShapeStyle::line("#eef2f4", wide - 1.6),
+        );
         sheet.line([0.0, -from], [0.0, -to], &steel.faded(0.55));
         sheet.line([0.0, -from], [0.0, -to], &pale.faded(0.62));
     }
     for (at, radius) in [(0.0, 9.0), (elbow, 6.5), (wrist, 5.0)] {
-        sheet.circle([0.0, -at], radius, &Look::area(PAPER).faded(0.8));
-        sheet.circle([0.0, -at], radius, &Look::line(STEEL, 0.8));
+        sheet.circle([0.0, -at], radius, &ShapeStyle::area(PAPER).faded(0.8));
+        sheet.circle([0.0, -at], radius, &ShapeStyle::line(STEEL, 0.8));
     }
 }
 
@@ -199,32 +210,36 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let (middle, cross) = ([0.0, 0.0], "M-2.5 0H2.5M0 -2.5V2.5");
     match state.tool.kind {
         ToolKind::Pen { .. } => {
-            sheet.circle(middle, 5.0, &Look::area(PAPER).faded(0.5));
-            sheet.circle(middle, 5.0, &Look::line(INK, 0.8));
-            sheet.circle(middle, 0.9, &Look::area(INK));
+            sheet.circle(middle, 5.0, &ShapeStyle::area(PAPER).faded(0.5));
+            sheet.circle(middle, 5.0, &ShapeStyle::line(INK, 0.8));
+            sheet.circle(middle, 0.9, &ShapeStyle::area(INK));
         }
         ToolKind::Laser { .. } => {
-            let housing = Frame::between([-9.0, -9.0], [9.0, 9.0]);
-            sheet.rect(&housing, 0.0, &Look::area(PAPER).faded(0.3));
-            sheet.rect(&housing, 0.0, &Look::line(INK, 0.8));
+            let housing = Rectangle::between([-9.0, -9.0], [9.0, 9.0]);
+            sheet.rect(&housing, 0.0, &ShapeStyle::area(PAPER).faded(0.3));
+            sheet.rect(&housing, 0.0, &ShapeStyle::line(INK, 0.8));
             if arm.laser {
-                sheet.circle(middle, 9.0, &Look::area("#e0402e").faded(0.18));
-                sheet.circle(middle, 1.6, &Look::area("#e0402e"));
+                sheet.circle(middle, 9.0, &ShapeStyle::area("#e0402e").faded(0.18));
+                sheet.circle(middle, 1.6, &ShapeStyle::area("#e0402e"));
             }
         }
         ToolKind::SuctionCup { diameter_mm, .. } => {
-            let edge = Look::line(if arm.pump { WARM } else { INK }, 0.8);
-            sheet.circle(middle, diameter_mm / 2.0, &Look::area(PAPER).faded(0.45));
+            let edge = ShapeStyle::line(if arm.pump { WARM } else { INK }, 0.8);
+            sheet.circle(
+                middle,
+                diameter_mm / 2.0,
+                &ShapeStyle::area(PAPER).faded(0.45),
+            );
             sheet.circle(middle, diameter_mm / 2.0, &edge);
             sheet.path(cross, &edge);
         }
         ToolKind::Gripper { .. } => {
             let half = arm.opening_mm / 2.0;
             for left in [-half - 4.0, half] {
-                let finger = Frame::between([left, -5.0], [left + 4.0, 5.0]);
-                sheet.rect(&finger, 0.0, &Look::area(ROD).edged(INK, 0.8));
+                let finger = Rectangle::between([left, -5.0], [left + 4.0, 5.0]);
+                sheet.rect(&finger, 0.0, &ShapeStyle::area(ROD).edged(INK, 0.8));
             }
-            sheet.path(cross, &Look::line(INK, 0.8));
+            sheet.path(cross, &ShapeStyle::line(INK, 0.8));
         }
     }
 }
@@ -238,8 +253,8 @@ fn axes(sheet: &mut Sheet, [x, y]: [f64; 2], unit: f64) {
         [[x - a, top + b], [x, top], [x + a, top + b]],
         [[left + b, y - a], [left, y], [left + b, y + a]],
     ];
-    sheet.curves(lines, &Look::line(MUTED, 0.16 * unit));
-    let kind = Type::new(1.6 * unit, MUTED);
+    sheet.curves(lines, &ShapeStyle::line(MUTED, 0.16 * unit));
+    let kind = TextStyle::new(1.6 * unit, MUTED);
     sheet.text([x + 2.4 * unit, top + b], Anchor::Middle, &kind, "x");
     sheet.text([left, y - 1.6 * unit], Anchor::Middle, &kind, "y");
 }

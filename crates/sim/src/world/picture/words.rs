@@ -1,6 +1,6 @@
 //! Title, figures and what happened.
 
-use dobot_lettering::{Anchor, Frame, Sheet, Type};
+use dobot_lettering::{Anchor, Rectangle, Sheet, TextStyle};
 
 use super::{INK, MUTED, WARM};
 use crate::world::marks::{WRITES_MM, ink_mm};
@@ -8,12 +8,12 @@ use crate::world::track::length_mm;
 use crate::world::{Event, ToolKind, WorldState};
 
 /// Above the views: what it is on the left, what the tool is about on the right.
-pub(super) fn head(sheet: &mut Sheet, state: &WorldState, top: &Frame, unit: f64) {
+pub(super) fn head(sheet: &mut Sheet, state: &WorldState, top: &Rectangle, unit: f64) {
     let y = top.top - 4.5 * unit;
     let title = format!("the world at {:.2} s", state.time_s);
-    let kind = Type::new(3.6 * unit, INK);
+    let kind = TextStyle::new(3.6 * unit, INK);
     sheet.text([top.left, y], Anchor::Left, &kind, &title);
-    let kind = Type::new(1.9 * unit, MUTED);
+    let kind = TextStyle::new(1.9 * unit, MUTED);
     sheet.text([top.right(), y], Anchor::Right, &kind, &doing(state));
 }
 
@@ -35,7 +35,7 @@ fn doing(state: &WorldState) -> String {
 }
 
 /// What happened last, the latest at the bottom.
-pub(super) fn log(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f64) {
+pub(super) fn log(sheet: &mut Sheet, state: &WorldState, frame: &Rectangle, unit: f64) {
     let (x, high, step) = (frame.left + 3.0 * unit, 1.45 * unit, 3.3 * unit);
     let lines = lines(state, frame.width - 6.0 * unit, high);
     #[expect(
@@ -48,10 +48,15 @@ pub(super) fn log(sheet: &mut Sheet, state: &WorldState, frame: &Frame, unit: f6
     let all = cut == 0 && state.events.len() as u64 == state.event_count;
     let headline = headline(state.event_count, all);
     let mut y = frame.top + 4.4 * unit;
-    sheet.text([x, y], Anchor::Left, &Type::new(high, MUTED), &headline);
+    sheet.text(
+        [x, y],
+        Anchor::Left,
+        &TextStyle::new(high, MUTED),
+        &headline,
+    );
     y += 4.2 * unit;
     for (text, color) in &lines[cut..] {
-        sheet.text([x, y], Anchor::Left, &Type::new(high, color), text);
+        sheet.text([x, y], Anchor::Left, &TextStyle::new(high, color), text);
         y += step;
     }
 }

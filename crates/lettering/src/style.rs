@@ -1,17 +1,17 @@
-//! How lines, areas and words look.
+//! How lines, areas and words style.
 
 use std::fmt;
 
 /// How a line or an area looks: colours as SVG names them, widths in units of the sheet.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Look<'a> {
+pub struct ShapeStyle<'a> {
     fill: Option<&'a str>,
     line: Option<(&'a str, f64)>,
     dash: Option<&'a str>,
     opacity: Option<f64>,
 }
 
-impl<'a> Look<'a> {
+impl<'a> ShapeStyle<'a> {
     /// A line.
     #[must_use]
     pub const fn line(color: &'a str, width: f64) -> Self {
@@ -62,7 +62,7 @@ impl<'a> Look<'a> {
     }
 }
 
-impl fmt::Display for Look<'_> {
+impl fmt::Display for ShapeStyle<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(color) = self.fill {
             write!(f, r#" fill="{color}""#)?;
@@ -82,14 +82,14 @@ impl fmt::Display for Look<'_> {
 
 /// The height of capitals, the colour and the weight of words.
 #[derive(Clone, Copy, Debug)]
-pub struct Type<'a> {
+pub struct TextStyle<'a> {
     pub(crate) height: f64,
     pub(crate) color: &'a str,
     /// The width of the lines, in heights.
     pub(crate) weight: f64,
 }
 
-impl<'a> Type<'a> {
+impl<'a> TextStyle<'a> {
     /// Plain words.
     #[must_use]
     pub const fn new(height: f64, color: &'a str) -> Self {
