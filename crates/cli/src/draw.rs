@@ -14,7 +14,7 @@ use anyhow::Context;
 use dobot_draw::{
     Asked, Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
 };
-use dobot_geometry::{Deviation, Stroke, Worst, deviation};
+use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::StationClient;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
@@ -274,7 +274,7 @@ impl Drawn {
     }
 
     /// What the statuses do not show is not missing.
-    fn worst(&self) -> Worst {
+    fn worst(&self) -> WorstPoint {
         let Deviation { astray, missed } = self.deviation;
         if self.true_position && missed.distance_mm > astray.distance_mm {
             missed

@@ -1,7 +1,7 @@
 //! What the tool left on the paper.
 
 use dobot_arm::Position;
-use dobot_geometry::{Near, Point, Stroke};
+use dobot_geometry::{PathDistance, Point, Stroke};
 use dobot_plan::{Paper, Plan};
 
 /// A line on the paper, and how far it lies from what was wanted.
@@ -20,7 +20,7 @@ impl InkLine {
     /// saw which it was.
     #[must_use]
     pub fn measured(seen: Vec<Stroke>, wanted: &[Stroke]) -> Vec<Self> {
-        let mut near = Near::new(wanted);
+        let mut near = PathDistance::new(wanted);
         let mut measure = |stroke: Stroke| Self {
             errors_mm: stroke
                 .points

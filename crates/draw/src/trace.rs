@@ -5,7 +5,7 @@ mod follow;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_geometry::{Near, Stroke};
+use dobot_geometry::{PathDistance, Stroke};
 use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 
@@ -79,7 +79,7 @@ impl<'a> Trace<'a> {
             .filter(|_| all)
             .map_or(samples.len(), |it| it + 1);
         let samples = &samples[..count];
-        let mut near = Near::new(wanted);
+        let mut near = PathDistance::new(wanted);
         let moment = |(sample, ink): (&Sample, Ink)| TracePoint {
             t_s: sample.at.saturating_sub(samples[0].at).as_secs_f64(),
             position: sample.position,

@@ -9,9 +9,9 @@ use crate::{SegmentIndex, Stroke, steps};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The drawn point that lies farthest from what was wanted.
-    pub astray: Worst,
+    pub astray: WorstPoint,
     /// The wanted point that lies farthest from what was drawn.
-    pub missed: Worst,
+    pub missed: WorstPoint,
 }
 
 impl Deviation {
@@ -24,7 +24,7 @@ impl Deviation {
 
 /// The worst place of a path.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Worst {
+pub struct WorstPoint {
     /// How far it lies from the other path; infinite where the other is empty.
     pub distance_mm: f64,
     /// Where it is.
@@ -46,12 +46,12 @@ pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
 /// It remembers which of its segments was the nearest: whoever asks along another path finds the
 /// next one close to it.
 #[derive(Debug)]
-pub struct Near {
+pub struct PathDistance {
     index: SegmentIndex,
     last: u32,
 }
 
-impl Near {
+impl PathDistance {
     /// Gets ready to be asked for distances from this path.
     #[must_use]
     pub fn new(path: &[Stroke]) -> Self {
@@ -80,22 +80,22 @@ impl Near {
 }
 
 /// The point of `path` that lies farthest from `other`.
-fn farthest(path: &[Stroke], other: &[Stroke]) -> Worst {
-    let mut near = Near::new(other);
+fn farthest(path: &[Stroke], other: &[Stroke]) -> WorstPoint {
+    let mut near = PathDistance::new(other);
     farthest_from(path, &mut near)
 }
 
-fn farthest_from(path: &[Stroke], near: &mut Near) -> Worst {
+fn farthest_from(path: &[Stroke], near: &mut PathDistance) -> WorstPoint {
     let points = path
         .iter()
         .flat_map(pieces)
         .flat_map(|(from, to)| steps(from, to, STEP_MM));
-    points.fold(Worst::default(), |worst, at| {
+    points.fold(WorstPoint::default(), |worst, at| {
         // How much nearer than the farthest so far does not matter.
         let enough_mm = worst.distance_mm.max(NEGLIGIBLE_MM);
         let distance_mm = near.distance_from_mm(at, enough_mm);
         if distance_mm > worst.distance_mm {
-            Worst { distance_mm, at }
+            WorstPoint { distance_mm, at }
         } else {
             worst
         }
@@ -161,14 +161,14 @@ mod tests {
         let found = deviation(&wanted, &drawn);
         assert_eq!(
             found.astray,
-            Worst {
+            WorstPoint {
                 distance_mm: 3.0,
                 at: Point::new(4.0, 3.0)
             }
         );
         assert_eq!(
             found.missed,
-            Worst {
+            WorstPoint {
                 distance_mm: 6.0,
                 at: Point::new(10.0, 0.0)
             }
@@ -198,9 +198,9 @@ mod tests {
     fn visits(path: &[Stroke], other: &[Stroke]) -> f64 {
         let count = |(a, b): (Point, Point)| steps(a, b, STEP_MM).count();
         let points: usize = path.iter().flat_map(pieces).map(count).sum();
-        let mut near = Near::new(other);
+        let mut near = PathDistance::new(other);
         farthest_from(path, &mut near);
-        let mut each = Near::new(other);
+        let mut each = PathDistance::new(other);
         for stroke in path {
             let points = stroke.segments().flat_map(|(a, b)| steps(a, b, STEP_MM));
             points.for_each(|p| assert!(each.distance_mm(p) < 1.0));

@@ -21,7 +21,7 @@ pub use area::{Area, FillRule};
 pub use bounds::{bounds, bounds_of_strokes};
 pub use box_tree::BoxTree;
 pub use curve::{chords, corners};
-pub use deviation::{Deviation, Near, Worst, deviation};
+pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
