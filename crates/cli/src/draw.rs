@@ -12,7 +12,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use dobot_draw::{
-    Asked, Colors, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
+    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::StationClient;
@@ -90,7 +90,7 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(
         args: &'a Args,
-        asked: &'a Asked,
+        asked: &'a DrawingRequest,
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<Self, Failure> {

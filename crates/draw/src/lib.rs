@@ -58,8 +58,8 @@ pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Asked, Auto, ContentOptions, LayerTool, Options, OptionsError, PathOptions, PlaceOptions,
-    Spacing, Subject, ToolOptions,
+    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PathOptions,
+    PlaceOptions, Spacing, Subject, ToolOptions,
 };
 pub use order::{Search, Travel, order};
 pub use picture::{Colors, Picture, PictureError, View};

@@ -11,21 +11,21 @@ use dobot_source::{Align, LayersBy, Style};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::asked::{Asked, Subject};
+pub use self::asked::{DrawingRequest, Subject};
 pub use self::error::OptionsError;
 use crate::prepare::{Settings, TRIES};
 use crate::start::StartFrom;
 
-/// What a person asks for. [`Asked::new`] makes [`Settings`] of it; `dobot draw` reads it from its
+/// What a person asks for. [`DrawingRequest::new`] makes [`Settings`] of it; `dobot draw` reads it from its
 /// arguments, any other client from JSON:
 ///
 /// ```
-/// use dobot_draw::{Asked, Materials, Options, Subject};
+/// use dobot_draw::{DrawingRequest, Materials, Options, Subject};
 ///
 /// let asked = r#"{"what": {"text": "Hello"}, "place": {"at": [210, 20]}, "tool": {"pen": "marker"}}"#;
 /// let options: Options = serde_json::from_str(asked)?;
 /// let text = Subject::of_text(&options.what).expect("there is one");
-/// let asked = Asked::new(options, text, &Materials::built_in())?;
+/// let asked = DrawingRequest::new(options, text, &Materials::built_in())?;
 /// let (prepared, _) = asked.prepare(None, -40.0)?;
 /// assert!(prepared.plan.summary().drawn_mm > 40.0); // of letters 10 mm high
 /// # Ok::<(), Box<dyn std::error::Error>>(())

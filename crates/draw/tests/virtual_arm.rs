@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
-use dobot_plan::{Begin, Laser, Machine, MoveKind, Paper, Pass, Plan, Tool, respeed};
+use dobot_plan::{Laser, Machine, MoveKind, Paper, Pass, Plan, RespeedStart, Tool, respeed};
 use dobot_wire::{Command, WriteVector};
 
 /// What the arm does in a tick: where it is behind it, and whether it burned.
@@ -161,7 +161,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
     for share in [0.1, 0.5, 2.0] {
         let mut commands = head.clone();
         let machine = Machine::of(personality.dialect());
-        let begin = Begin {
+        let begin = RespeedStart {
             speed_mm_s: 0.0,
             position: Position::new(plan.start[0], plan.start[1], plan.start[2]),
             tool: dobot_arm::Tool::SuctionCup,

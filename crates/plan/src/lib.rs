@@ -48,7 +48,7 @@ pub use machine::{LinkRate, Machine};
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
 pub use plan::Plan;
-pub use respeed::{Begin, end_speed_mm_s, respeed};
+pub use respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use summary::Summary;
 pub use tool::{Laser, Pen, Tool};
 pub use vector::{MoveKind, PlannedVector};

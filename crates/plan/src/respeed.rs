@@ -13,7 +13,7 @@ use crate::vector::length;
 
 /// The arm where some vectors begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Begin {
+pub struct RespeedStart {
     /// The speed that it has, or keeps for them, in mm/s.
     pub speed_mm_s: f32,
     /// Where its tool is.
@@ -39,7 +39,7 @@ pub struct Begin {
 #[must_use]
 pub fn respeed(
     vectors: &[WriteVector],
-    begin: &Begin,
+    begin: &RespeedStart,
     share: f64,
     machine: &Machine,
 ) -> Vec<WriteVector> {
@@ -203,8 +203,8 @@ mod tests {
     }
 
     /// In the middle of where it reaches: no joint comes near to its limit.
-    fn begin(speed_mm_s: f32) -> Begin {
-        Begin {
+    fn begin(speed_mm_s: f32) -> RespeedStart {
+        RespeedStart {
             speed_mm_s,
             position: Position::new(200.0, 0.0, 0.0),
             tool: dobot_arm::Tool::SuctionCup,
@@ -223,7 +223,7 @@ mod tests {
             max_speed_mm_s: 80.0,
             ..sideways
         };
-        let near = Begin {
+        let near = RespeedStart {
             position: Position::new(70.0, -100.0, 0.0),
             ..begin(0.0)
         };
@@ -232,11 +232,12 @@ mod tests {
             acceleration_mm_s2: 500.0,
             ..Machine::default()
         };
-        let far = Begin {
+        let far = RespeedStart {
             position: Position::new(230.0, -100.0, 0.0),
             ..begin(0.0)
         };
-        let fastest = |begin: &Begin| respeed(&[sideways], begin, 2.0, &machine)[0].max_speed_mm_s;
+        let fastest =
+            |begin: &RespeedStart| respeed(&[sideways], begin, 2.0, &machine)[0].max_speed_mm_s;
         assert_eq!(fastest(&far), 160.0);
         let allowed_mm_s = 70.0 * 100.0_f32.to_radians();
         assert!(fastest(&near) <= allowed_mm_s, "{}", fastest(&near));

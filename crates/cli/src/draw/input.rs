@@ -6,20 +6,24 @@ use std::path::Path;
 
 use anyhow::{Context, anyhow};
 
-use dobot_draw::{Asked, Materials, Subject};
+use dobot_draw::{DrawingRequest, Materials, Subject};
 use dobot_source::{Source, SourceError};
 
 use super::args::Args;
 use crate::failure::Failure;
 
 /// What the arguments ask for.
-pub(super) fn asked(args: &Args) -> Result<Asked, Failure> {
+pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
     let materials = materials(args.materials.as_deref())?;
     let subject = match Subject::of_text(&args.options.what) {
         Some(subject) => subject,
         None => of_file(args.file.as_deref().expect("the options ask for one"))?,
     };
-    Ok(Asked::new(args.options.clone(), subject, &materials)?)
+    Ok(DrawingRequest::new(
+        args.options.clone(),
+        subject,
+        &materials,
+    )?)
 }
 
 /// The materials that are known, and those of a file.

@@ -19,7 +19,7 @@ use crate::prepare::{Prepared, Settings, prepare, prepare_passes};
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
 /// arm.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct DrawingRequest {
     /// What a person calls it.
     pub title: String,
     options: Options,
@@ -68,7 +68,7 @@ impl Subject {
     }
 }
 
-impl Asked {
+impl DrawingRequest {
     /// Makes settings of the options, for a drawing with these pens and materials. The fonts of this
     /// machine are read where the drawing has letters that need them.
     ///

@@ -1,6 +1,6 @@
 //! At which speeds the vectors go that are not sent yet.
 
-use dobot_plan::{Begin, Machine, respeed};
+use dobot_plan::{Machine, RespeedStart, respeed};
 use dobot_trajectory::burns;
 use dobot_wire::{Command, WriteVector, single};
 
@@ -126,8 +126,8 @@ impl Pace {
 }
 
 /// The arm as a vector finds it. There is a target before each.
-fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> Begin {
-    Begin {
+fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
+    RespeedStart {
         speed_mm_s,
         position: plan.start_position(index).unwrap_or_default(),
         tool: plan.drawn_with(index).tool,
