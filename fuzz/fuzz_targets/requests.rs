@@ -1,6 +1,6 @@
 //! Requests that anybody sends to a station: an error, or a request that is written and read again
 //! unchanged, and that the rules carry out without a panic. Jobs that are kept can be read, what
-//! reaches the arm makes sense, and after a stop it is dark.
+//! reaches the arm makes sense, and at rest after a stop it is dark.
 #![no_main]
 
 use std::time::Duration;
@@ -53,7 +53,8 @@ fn ask(requests: Vec<Request>) {
     station.jobs().expect("what was kept can be read");
     let stop = station.ask(anna, Request::Stop { reason: None });
     stop.expect("anyone may stop at any time");
-    station.run_for(Duration::from_secs(2));
+    // What the arm has been sent already, it finishes first.
+    station.run_for(Duration::from_secs(30));
     for (at, bytes) in station.packets() {
         let mut decoder = Decoder::commands();
         let packets: Vec<Packet> = decoder.feed(bytes).collect();
