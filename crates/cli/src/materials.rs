@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use dobot_draw::{Material, Materials};
-use dobot_plan::Tool;
+use dobot_plan::DrawingTool;
 
 use crate::draw::materials;
 use crate::failure::Failure;
@@ -40,11 +40,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 fn told(name: &str, material: &Material) -> String {
     let spacing = format!("hatched {} mm apart", material.spacing_mm);
     match material.tool {
-        Tool::Pen(pen) => format!(
+        DrawingTool::Pen(pen) => format!(
             "{name:<20} pen    {:>4} mm/s, lifted {} mm, {spacing}",
             pen.draw_speed_mm_s, pen.lift_mm
         ),
-        Tool::Laser(laser) => format!(
+        DrawingTool::Laser(laser) => format!(
             "{name:<20} laser  {:>4} mm/s, {}, {spacing}",
             laser.burn_speed_mm_s,
             match laser.times {

@@ -7,7 +7,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
-use dobot_plan::{ChainVector, Cornering, Machine, Paper, Pass, Plan, Tool};
+use dobot_plan::{ChainVector, Cornering, DrawingTool, Machine, Paper, Pass, Plan};
 use dobot_source::{ReadOptions, Source, Text};
 
 fn main() {
@@ -42,7 +42,7 @@ fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
 /// Rounding, look-ahead and speeds of one stroke.
 #[divan::bench]
 fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let passes = [Pass::new(Tool::default(), vec![spiral(50_000)])];
+    let passes = [Pass::new(DrawingTool::default(), vec![spiral(50_000)])];
     bencher
         .counter(ItemsCount::new(50_000_usize))
         .bench_local(|| Plan::new(&passes, &Paper::default(), &Machine::default()));

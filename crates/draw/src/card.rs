@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use dobot_geometry::{Point, Stroke, Vec2};
 use dobot_lettering::{Anchor, strokes, width};
-use dobot_plan::{Laser, Pass, Tool};
+use dobot_plan::{DrawingTool, Laser, Pass};
 use thiserror::Error;
 
 /// A grid of small hatched squares, each burned with another speed and number of passes. Below each
@@ -70,7 +70,7 @@ impl Card {
         let strokes = strokes.into_iter().map(|it| self.placed(it)).collect();
         Pass {
             name,
-            ..Pass::new(Tool::Laser(laser), strokes)
+            ..Pass::new(DrawingTool::Laser(laser), strokes)
         }
     }
 
@@ -234,8 +234,8 @@ mod tests {
 
     fn laser(pass: &Pass) -> Laser {
         match pass.tool {
-            Tool::Laser(laser) => laser,
-            Tool::Pen(pen) => panic!("{pen:?}"),
+            DrawingTool::Laser(laser) => laser,
+            DrawingTool::Pen(pen) => panic!("{pen:?}"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_plan::{Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, Tool};
+use dobot_plan::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError};
 
 /// What is gone around.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,14 +47,14 @@ pub fn frame(
     };
     let pass = Pass {
         name: "frame".to_owned(),
-        ..Pass::new(Tool::Pen(pen), vec![outline])
+        ..Pass::new(DrawingTool::Pen(pen), vec![outline])
     };
     let plan = Plan::new(&[pass], &paper.raised(highest_mm - LIFT_MM), machine)?;
     Ok(without_ink(plan, tool))
 }
 
 /// The plan without lowering and lifting: all of it is travel, with the tool it is made for.
-fn without_ink(mut plan: Plan, tool: Tool) -> Plan {
+fn without_ink(mut plan: Plan, tool: DrawingTool) -> Plan {
     plan.moves.retain(|vector| vector.kind.marks());
     for vector in &mut plan.moves {
         vector.kind = MoveKind::Travel;
@@ -129,7 +129,7 @@ mod tests {
         ]
     }
 
-    fn around(tool: Tool, shape: FrameShape) -> Plan {
+    fn around(tool: DrawingTool, shape: FrameShape) -> Plan {
         let passes = [Pass::new(tool, cross())];
         frame(&passes, &Paper::level(-40.0), &Machine::default(), shape).unwrap()
     }
@@ -140,7 +140,7 @@ mod tests {
             lift_mm: 7.0,
             ..Pen::default()
         };
-        let plan = around(Tool::Pen(pen), FrameShape::Rectangle);
+        let plan = around(DrawingTool::Pen(pen), FrameShape::Rectangle);
         assert!((plan.start[2] + 33.0).abs() < 1e-9, "{:?}", plan.start);
         let corners: Vec<[f64; 3]> = plan.positions().collect();
         assert!(
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_laser_goes_around_switched_off_as_high_as_it_burns() {
-        let plan = around(Tool::Laser(Laser::default()), FrameShape::Rectangle);
+        let plan = around(DrawingTool::Laser(Laser::default()), FrameShape::Rectangle);
         assert!(plan.burns());
         assert!((plan.start[2] + 40.0).abs() < 1e-9, "{:?}", plan.start);
         for command in plan.commands() {
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn the_hull_is_shorter_than_the_rectangle() {
-        let plan = around(Tool::default(), FrameShape::Hull);
+        let plan = around(DrawingTool::default(), FrameShape::Hull);
         // A rhombus with half diagonals of 10 and 30 mm.
         let length = 4.0 * 10.0_f64.hypot(30.0);
         assert!((plan.summary().travelled_mm - length).abs() < 1e-3);
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn there_is_no_way_around_a_dot_and_nothing_around_nothing() {
         let around = |strokes, shape| {
-            let passes = [Pass::new(Tool::default(), strokes)];
+            let passes = [Pass::new(DrawingTool::default(), strokes)];
             frame(&passes, &Paper::default(), &Machine::default(), shape)
         };
         for shape in [FrameShape::Rectangle, FrameShape::Hull] {

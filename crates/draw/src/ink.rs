@@ -72,15 +72,15 @@ const TOUCHING_MM: f64 = 0.05;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_plan::{Laser, Machine, Pass, Tool};
+    use dobot_plan::{DrawingTool, Laser, Machine, Pass};
 
-    fn plan(tool: Tool) -> Plan {
+    fn plan(tool: DrawingTool) -> Plan {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
         let pass = Pass::new(tool, vec![line]);
         Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).unwrap()
     }
 
-    fn seen(path: &[(f64, f64)], tool: Tool) -> Vec<f64> {
+    fn seen(path: &[(f64, f64)], tool: DrawingTool) -> Vec<f64> {
         let path = path.iter().map(|&(x, z)| Position::new(x, 0.0, z));
         let dots = ink_seen(path, &plan(tool), &Paper::level(-40.0));
         assert!(dots.iter().all(|dot| dot.points.len() == 1));
@@ -96,7 +96,7 @@ mod tests {
             (210.0, -38.0),
             (209.0, -40.0),
         ];
-        assert_eq!(seen(&path, Tool::default()), [200.0, 205.0, 209.0]);
+        assert_eq!(seen(&path, DrawingTool::default()), [200.0, 205.0, 209.0]);
     }
 
     #[test]
@@ -108,13 +108,13 @@ mod tests {
             (200.0, -30.0),
             (200.0, -40.0),
         ];
-        assert_eq!(seen(&path, Tool::default()), [200.0]);
+        assert_eq!(seen(&path, DrawingTool::default()), [200.0]);
     }
 
     #[test]
     fn of_a_laser_the_statuses_show_nothing() {
         let path = [(200.0, -40.0), (210.0, -40.0)];
-        assert_eq!(seen(&path, Tool::Laser(Laser::default())), [0.0; 0]);
+        assert_eq!(seen(&path, DrawingTool::Laser(Laser::default())), [0.0; 0]);
     }
 
     #[test]

@@ -6,13 +6,13 @@ mod read;
 use std::collections::BTreeMap;
 
 pub use self::error::{MaterialError, UnknownMaterial};
-use dobot_plan::Tool;
+use dobot_plan::DrawingTool;
 
 /// How a pen or a laser is used on a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Speeds, and for a pen how it is lifted, for a laser how often it burns.
-    pub tool: Tool,
+    pub tool: DrawingTool,
     /// From one line of a hatched area to the next, in mm.
     pub spacing_mm: f64,
 }
@@ -23,7 +23,7 @@ pub struct Material {
 ///
 /// ```
 /// use dobot_draw::Materials;
-/// use dobot_plan::Tool;
+/// use dobot_plan::DrawingTool;
 ///
 /// let mine = Materials::from_toml("
 ///     [materials.plywood-3mm]
@@ -34,7 +34,7 @@ pub struct Material {
 /// ")?;
 /// let materials = Materials::built_in().with(mine);
 /// let plywood = materials.get("plywood-3mm")?;
-/// assert!(matches!(plywood.tool, Tool::Laser(laser) if laser.times == 3));
+/// assert!(matches!(plywood.tool, DrawingTool::Laser(laser) if laser.times == 3));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -114,11 +114,11 @@ mod tests {
         let materials = Materials::built_in();
         let lasers = materials
             .iter()
-            .filter(|(_, it)| matches!(it.tool, Tool::Laser(_)));
+            .filter(|(_, it)| matches!(it.tool, DrawingTool::Laser(_)));
         assert!(lasers.count() >= 5);
         for pen in ["fineliner", "ballpoint", "pencil", "brush-pen", "marker"] {
             assert!(
-                matches!(materials.get(pen).unwrap().tool, Tool::Pen(_)),
+                matches!(materials.get(pen).unwrap().tool, DrawingTool::Pen(_)),
                 "{pen}"
             );
         }
@@ -133,14 +133,14 @@ mod tests {
             draw_speed_mm_s: 7.5,
             ..Pen::default()
         };
-        assert_eq!(materials.get("a").unwrap().tool, Tool::Pen(pen));
+        assert_eq!(materials.get("a").unwrap().tool, DrawingTool::Pen(pen));
         let laser = Laser {
             burn_speed_mm_s: 2.0,
             times: 3,
             ..Laser::default()
         };
         let burned = Material {
-            tool: Tool::Laser(laser),
+            tool: DrawingTool::Laser(laser),
             spacing_mm: 0.1,
         };
         assert_eq!(materials.get("b"), Ok(&burned));

@@ -173,7 +173,7 @@ const PLANNED: ShapeStyle<'_> = ShapeStyle::line("#cfc8b8", 0.3);
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_plan::{Machine, Paper, Pass, Tool};
+    use dobot_plan::{DrawingTool, Machine, Paper, Pass};
 
     fn strokes() -> Vec<Stroke> {
         let line = |points: &[(f64, f64)]| {
@@ -187,7 +187,7 @@ mod tests {
 
     fn picture<T>(view: View, look: impl Fn(&Picture<'static>) -> T) -> T {
         let drawn = InkLine::measured(strokes(), &strokes());
-        let pass = Pass::new(Tool::default(), strokes());
+        let pass = Pass::new(DrawingTool::default(), strokes());
         let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
         look(&Picture {
             title: "a < test & more",

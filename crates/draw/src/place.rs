@@ -218,7 +218,7 @@ const STEP_MM: f64 = 2.0;
 mod tests {
     use super::*;
     use dobot_geometry::{Stroke, bounds_of_strokes};
-    use dobot_plan::{Machine, Pass, Tool};
+    use dobot_plan::{DrawingTool, Machine, Pass};
 
     fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
         let layer = Layer {
@@ -344,7 +344,7 @@ mod tests {
     fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
         let paper = Paper::default();
         let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
-        let pass = Pass::new(Tool::default(), ends_fine.to_vec());
+        let pass = Pass::new(DrawingTool::default(), ends_fine.to_vec());
         let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
         let reachable = |p: Position| {
             if p.reach().0 < 129.0 {

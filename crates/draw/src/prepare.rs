@@ -19,7 +19,7 @@ use crate::place::{PlaceError, Placed, check_reach};
 use crate::simplify::simplify;
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
-use dobot_plan::{Pass, Plan, PlanError, Tool};
+use dobot_plan::{DrawingTool, Pass, Plan, PlanError};
 use dobot_source::{Artwork, Layer};
 use dobot_source::{ReadOptions, Source, SourceError, Warning};
 
@@ -228,7 +228,7 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
 /// What of the strokes the arm reaches, the tool on the paper and lifted.
 fn within_reach<E>(
     strokes: &[Stroke],
-    tool: Tool,
+    tool: DrawingTool,
     settings: &Settings,
     reachable: &impl Fn(Position) -> Result<(), E>,
 ) -> Clipped {
@@ -253,7 +253,12 @@ fn cut_off(clipped: &Clipped) -> Option<Warning> {
 }
 
 /// The strokes, those that meet joined, in a good order, for a tool that comes from `here`.
-fn ordered(strokes: Vec<Stroke>, here: Point, tool: Tool, settings: &Settings) -> Vec<Stroke> {
+fn ordered(
+    strokes: Vec<Stroke>,
+    here: Point,
+    tool: DrawingTool,
+    settings: &Settings,
+) -> Vec<Stroke> {
     let strokes = merge(strokes, settings.tolerance_mm);
     match settings.search(tool) {
         Some(search) => order(strokes, here, &search),

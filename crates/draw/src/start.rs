@@ -186,7 +186,7 @@ mod tests {
 
     use super::*;
     use dobot_geometry::Point;
-    use dobot_plan::Tool;
+    use dobot_plan::DrawingTool;
 
     fn line(from: f64, to: f64) -> Stroke {
         Stroke::open(vec![Point::new(from, 0.0), Point::new(to, 0.0)])
@@ -196,7 +196,7 @@ mod tests {
         Pass {
             name: name.to_owned(),
             message: Some(format!("put in {name}")),
-            ..Pass::new(Tool::default(), strokes)
+            ..Pass::new(DrawingTool::default(), strokes)
         }
     }
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
-use dobot_plan::{Laser, Machine, MoveKind, Paper, Pass, Plan, RespeedStart, Tool, respeed};
+use dobot_plan::{DrawingTool, Laser, Machine, MoveKind, Paper, Pass, Plan, RespeedStart, respeed};
 use dobot_wire::{Command, WriteVector};
 
 /// What the arm does in a tick: where it is behind it, and whether it burned.
@@ -88,7 +88,7 @@ fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     ways
 }
 
-fn plan(tool: Tool, strokes: Vec<Stroke>, personality: Personality) -> Plan {
+fn plan(tool: DrawingTool, strokes: Vec<Stroke>, personality: Personality) -> Plan {
     let machine = Machine::of(personality.dialect());
     Plan::new(&[Pass::new(tool, strokes)], &Paper::level(-40.0), &machine).expect("a plan")
 }
@@ -121,7 +121,7 @@ fn strokes() -> Vec<Stroke> {
 #[test]
 fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
     for personality in Personality::ALL {
-        let plan = plan(Tool::default(), strokes(), personality);
+        let plan = plan(DrawingTool::default(), strokes(), personality);
         let seen = drive(
             &plan.commands().collect::<Vec<_>>(),
             personality,
@@ -149,7 +149,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
 #[test]
 fn a_stock_arm_draws_the_path_at_any_speed() {
     let personality = Personality::Firmware11;
-    let plan = plan(Tool::default(), strokes(), personality);
+    let plan = plan(DrawingTool::default(), strokes(), personality);
     let head: Vec<Command> = plan.commands().take(plan.command_of(0)).collect();
     let vectors: Vec<WriteVector> = plan
         .commands()
@@ -183,7 +183,7 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
     };
     let strokes = strokes()[..3].to_vec();
     for personality in Personality::ALL {
-        let plan = plan(Tool::Laser(laser), strokes.clone(), personality);
+        let plan = plan(DrawingTool::Laser(laser), strokes.clone(), personality);
         let seen = drive(
             &plan.commands().collect::<Vec<_>>(),
             personality,

@@ -91,13 +91,13 @@ const AHEAD: usize = 4;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::{Machine, Paper, Pass, Tool};
+    use crate::{DrawingTool, Machine, Paper, Pass};
     use dobot_geometry::{Point, Stroke};
 
     #[test]
     fn a_lone_line_accelerates_as_much_as_it_may() {
         let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(260.0, 0.0)]);
-        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let pass = Pass::new(DrawingTool::default(), vec![stroke]);
         let machine = Machine {
             acceleration_mm_s2: 50.0,
             ..Machine::default()

@@ -88,13 +88,13 @@ const APPROACH_LEN: usize = 3;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::{Machine, Paper, Pass, Tool};
+    use crate::{DrawingTool, Machine, Paper, Pass};
     use dobot_geometry::{Point, Stroke};
 
     #[test]
     fn a_drawing_begins_with_the_laser_off_and_goes_to_its_start_before_it_draws() {
         let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
-        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let pass = Pass::new(DrawingTool::default(), vec![stroke]);
         let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
         let commands: Vec<_> = plan.commands().collect();
         assert_eq!(commands[0], LASER_OFF.into());

@@ -2,7 +2,7 @@
 
 use dobot_arm::stock;
 
-use crate::{Machine, Tool};
+use crate::{DrawingTool, Machine};
 
 /// Where a vector leads: exactly its increments further, or to where a stock arm takes itself to
 /// be then.
@@ -13,7 +13,7 @@ pub(super) struct Landing {
 }
 
 impl Landing {
-    pub(super) fn new(machine: &Machine, tool: &Tool) -> Self {
+    pub(super) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
         let stock_tool_mm = machine.has_ticks.then_some(tool.reach_mm() as f32);
         Self { stock_tool_mm }

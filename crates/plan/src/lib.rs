@@ -6,11 +6,11 @@
 //!
 //! ```
 //! use dobot_geometry::{Point, Stroke};
-//! use dobot_plan::{Machine, Paper, Pass, Pen, Plan, Tool};
+//! use dobot_plan::{Machine, Paper, Pass, Pen, Plan, DrawingTool};
 //! use dobot_wire::Dialect;
 //!
 //! let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(240.0, 0.0)]);
-//! let pass = Pass::new(Tool::Pen(Pen::default()), vec![line]);
+//! let pass = Pass::new(DrawingTool::Pen(Pen::default()), vec![line]);
 //! let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(Dialect::SPECIFICATION))?;
 //! assert_eq!(plan.summary().vectors, 3); // lower, draw, lift
 //! # Ok::<(), dobot_plan::PlanError>(())
@@ -50,5 +50,5 @@ pub use pass::{Break, Pass, PlannedPass};
 pub use plan::Plan;
 pub use respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use summary::Summary;
-pub use tool::{Laser, Pen, Tool};
+pub use tool::{DrawingTool, Laser, Pen};
 pub use vector::{MoveKind, PlannedVector};

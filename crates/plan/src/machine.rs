@@ -4,7 +4,7 @@ use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
 
 use crate::error::{not_negative, positive};
-use crate::{PlanError, Tool};
+use crate::{DrawingTool, PlanError};
 
 /// What arm and link can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl Machine {
 
     /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
     /// of what a tick changes, and less than half of that is none.
-    pub(super) fn check_keeps(&self, tool: &Tool) -> Result<(), PlanError> {
+    pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {
         let least = self.acceleration_mm_s2 * TICK_S / 2.0;
         let speeds = tool.speeds_mm_s().into_iter();
         match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {

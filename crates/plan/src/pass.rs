@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use dobot_geometry::Stroke;
 
-use crate::Tool;
+use crate::DrawingTool;
 
 /// Strokes that are drawn with one tool, one after the other.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Pass {
     /// Red, green and blue, where the file tells a colour.
     pub color: Option<[u8; 3]>,
     /// What draws.
-    pub tool: Tool,
+    pub tool: DrawingTool,
     /// The strokes in the base frame, in their order.
     pub strokes: Vec<Stroke>,
     /// What a person has to do before it, such as to change the pen: the arm waits for that.
@@ -24,7 +24,7 @@ pub struct Pass {
 impl Pass {
     /// A pass without a name that nobody has to prepare.
     #[must_use]
-    pub const fn new(tool: Tool, strokes: Vec<Stroke>) -> Self {
+    pub const fn new(tool: DrawingTool, strokes: Vec<Stroke>) -> Self {
         Self {
             name: String::new(),
             color: None,
@@ -47,7 +47,7 @@ pub struct PlannedPass {
     /// Red, green and blue, where the file tells a colour.
     pub color: Option<[u8; 3]>,
     /// What draws.
-    pub tool: Tool,
+    pub tool: DrawingTool,
     /// Its vectors in [`Plan::moves`](crate::Plan::moves).
     pub moves: Range<usize>,
 }

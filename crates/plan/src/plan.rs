@@ -165,7 +165,7 @@ mod tests {
 
     use super::*;
     use crate::commands::{LASER_OFF, write};
-    use crate::{Laser, LinkRate, Pen, Tool};
+    use crate::{DrawingTool, Laser, LinkRate, Pen};
 
     const NO_LINK: LinkRate = LinkRate { period_s: 0.0 };
 
@@ -178,7 +178,7 @@ mod tests {
             link,
             ..Machine::default()
         };
-        let pass = Pass::new(Tool::default(), strokes.to_vec());
+        let pass = Pass::new(DrawingTool::default(), strokes.to_vec());
         Plan::new(&[pass], &Paper::default(), &machine).unwrap()
     }
 
@@ -243,7 +243,7 @@ mod tests {
         ];
         let paper = Paper::through(touched).unwrap();
         let strokes = vec![line(&[(150.0, 0.0), (250.0, 50.0)]), line(&[(200.0, 0.0)])];
-        let pass = Pass::new(Tool::default(), strokes);
+        let pass = Pass::new(DrawingTool::default(), strokes);
         let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
         for ([x, y, z], vector) in plan.positions().zip(&plan.moves) {
             let above = paper.height_mm(dobot_arm::Position::new(x, y, z));
@@ -257,7 +257,10 @@ mod tests {
 
     #[test]
     fn a_pass_with_a_message_begins_behind_a_break() {
-        let mut red = Pass::new(Tool::default(), vec![line(&[(200.0, 0.0), (210.0, 0.0)])]);
+        let mut red = Pass::new(
+            DrawingTool::default(),
+            vec![line(&[(200.0, 0.0), (210.0, 0.0)])],
+        );
         let mut blue = red.clone();
         red.name = "red".into();
         blue.message = Some("put the blue pen in".into());
@@ -276,7 +279,7 @@ mod tests {
             times,
             ..Laser::default()
         };
-        let pass = Pass::new(Tool::Laser(laser), strokes);
+        let pass = Pass::new(DrawingTool::Laser(laser), strokes);
         Plan::new(&[pass], &Paper::level(-50.0), &Machine::default()).unwrap()
     }
 
@@ -305,7 +308,7 @@ mod tests {
     #[test]
     fn a_laser_on_a_slope_and_a_laser_beside_a_pen_are_refused() {
         let strokes = vec![line(&[(200.0, 0.0), (210.0, 0.0)])];
-        let laser = Pass::new(Tool::Laser(Laser::default()), strokes.clone());
+        let laser = Pass::new(DrawingTool::Laser(Laser::default()), strokes.clone());
         let touched = [
             [150.0, 0.0, -40.0],
             [250.0, 0.0, -38.0],
@@ -314,14 +317,14 @@ mod tests {
         let slope = Paper::through(touched).unwrap();
         let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
         assert_eq!(error, Err(PlanError::SlopingLaser(1)));
-        let passes = [Pass::new(Tool::default(), strokes), laser];
+        let passes = [Pass::new(DrawingTool::default(), strokes), laser];
         let error = Plan::new(&passes, &Paper::default(), &Machine::default());
         assert_eq!(error, Err(PlanError::MixedTools(2)));
     }
 
     #[test]
     fn settings_that_make_no_sense_are_refused_with_what_was_found() {
-        let refused = |tool: Tool, machine: Machine| {
+        let refused = |tool: DrawingTool, machine: Machine| {
             let pass = Pass::new(tool, vec![line(&[(200.0, 0.0)])]);
             Plan::new(&[pass], &Paper::default(), &machine)
                 .unwrap_err()
@@ -330,7 +333,7 @@ mod tests {
         let pen = |change: fn(&mut Pen)| {
             let mut pen = Pen::default();
             change(&mut pen);
-            refused(Tool::Pen(pen), Machine::default())
+            refused(DrawingTool::Pen(pen), Machine::default())
         };
         assert_eq!(
             pen(|it| it.draw_speed_mm_s = 0.0),
@@ -345,7 +348,7 @@ mod tests {
             ..Laser::default()
         };
         assert_eq!(
-            refused(Tool::Laser(laser), Machine::default()),
+            refused(DrawingTool::Laser(laser), Machine::default()),
             "number of times to burn is 0; it must be a number above 0"
         );
         let machine = Machine {
@@ -353,7 +356,7 @@ mod tests {
             ..Machine::default()
         };
         assert_eq!(
-            refused(Tool::default(), machine),
+            refused(DrawingTool::default(), machine),
             "acceleration is NaN mm/s2; it must be a number above 0"
         );
         let machine = Machine {
@@ -361,7 +364,7 @@ mod tests {
             ..Machine::default()
         };
         assert_eq!(
-            refused(Tool::default(), machine),
+            refused(DrawingTool::default(), machine),
             "link period is -1 s; it must be a number from 0 up"
         );
     }
@@ -370,7 +373,10 @@ mod tests {
     fn what_a_stock_arm_is_too_coarse_for_is_refused() {
         let strokes = [line(&[(200.0, 0.0), (210.0, 0.0)])];
         let plan = |speed_mm_s, has_ticks| {
-            let pass = Pass::new(Tool::default().at_speed(speed_mm_s), strokes.to_vec());
+            let pass = Pass::new(
+                DrawingTool::default().at_speed(speed_mm_s),
+                strokes.to_vec(),
+            );
             let machine = Machine {
                 has_ticks,
                 ..Machine::default()

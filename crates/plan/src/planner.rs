@@ -11,7 +11,7 @@ use crate::speeds::Speeds;
 use crate::tick_fit::OVER;
 use crate::ticker::Ticker;
 use crate::vector::length;
-use crate::{Machine, MoveKind, Paper, Pass, Pen, PlannedVector, Tool};
+use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
 
 /// Plans one way after the other. A chain is a way between two rests.
 pub(super) struct Planner<'a> {
@@ -35,7 +35,7 @@ pub(super) struct Planner<'a> {
 impl<'a> Planner<'a> {
     pub(super) fn new(
         start: [f64; 3],
-        tool: &Tool,
+        tool: &DrawingTool,
         paper: &'a Paper,
         machine: &'a Machine,
     ) -> Self {
@@ -58,8 +58,8 @@ impl<'a> Planner<'a> {
         self.pass = number;
         let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
         match &pass.tool {
-            Tool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
-            Tool::Laser(laser) => (0..laser.times)
+            DrawingTool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
+            DrawingTool::Laser(laser) => (0..laser.times)
                 .flat_map(|_| strokes.clone())
                 .for_each(|stroke| self.burn(stroke, laser)),
         }

@@ -188,12 +188,12 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Paper, Pass, Plan, Tool};
+    use crate::{DrawingTool, Paper, Pass, Plan};
     use dobot_geometry::{Point, Stroke};
 
     fn planned(points: &[(f64, f64)]) -> Vec<WriteVector> {
         let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-        let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+        let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
         let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
         let vectors = plan.commands().filter_map(|command| match command {
             Command::WriteVector(vector) => Some(vector),
@@ -275,7 +275,7 @@ mod tests {
         };
         let points = [(200.0, 0.0), (203.0, 0.0), (206.0, 0.5), (209.0, 1.5)];
         let stroke = Stroke::open(points.map(|(x, y)| Point::new(x, y)).to_vec());
-        let pass = Pass::new(Tool::default(), vec![stroke]);
+        let pass = Pass::new(DrawingTool::default(), vec![stroke]);
         let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
         let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
         assert_eq!(respeed(&planned, &begin(0.0), 1.0, &machine), planned);
@@ -309,7 +309,7 @@ mod tests {
         ) {
             let machine = Machine { has_ticks: true, ..Machine::default() };
             let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-            let pass = Pass::new(Tool::default(), vec![Stroke::open(points)]);
+            let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
             let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
             let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
             let steeper = |it: &WriteVector| {

@@ -51,8 +51,8 @@ impl Plan {
 
     fn burn_speed_mm_s(&self, vector: &PlannedVector) -> Option<f64> {
         match self.passes[vector.pass as usize].tool {
-            super::Tool::Laser(laser) => Some(laser.burn_speed_mm_s),
-            super::Tool::Pen(_) => None,
+            super::DrawingTool::Laser(laser) => Some(laser.burn_speed_mm_s),
+            super::DrawingTool::Pen(_) => None,
         }
     }
 }

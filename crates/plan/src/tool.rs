@@ -5,14 +5,14 @@ use crate::error::{not_negative, positive};
 
 /// What draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Tool {
+pub enum DrawingTool {
     /// A pen, lifted between strokes.
     Pen(Pen),
     /// A laser, off between strokes.
     Laser(Laser),
 }
 
-impl Tool {
+impl DrawingTool {
     /// The same tool, drawing or burning at this speed, in mm/s.
     #[must_use]
     pub const fn at_speed(self, speed_mm_s: f64) -> Self {
@@ -97,7 +97,7 @@ impl Tool {
     }
 }
 
-impl Default for Tool {
+impl Default for DrawingTool {
     fn default() -> Self {
         Self::Pen(Pen::default())
     }

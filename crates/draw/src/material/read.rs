@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use dobot_plan::{Laser, Pen, Tool};
+use dobot_plan::{DrawingTool, Laser, Pen};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -45,7 +45,7 @@ fn material(table: &Table<'_>) -> Result<Material, MaterialError> {
     Ok(Material { tool, spacing_mm })
 }
 
-fn pen(table: &Table<'_>) -> Result<Tool, MaterialError> {
+fn pen(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
     table.knows(&[
         "tool",
         "speed_mm_s",
@@ -69,10 +69,10 @@ fn pen(table: &Table<'_>) -> Result<Tool, MaterialError> {
     ] {
         *value = table.number(key, range)?.unwrap_or(*value);
     }
-    Ok(Tool::Pen(pen))
+    Ok(DrawingTool::Pen(pen))
 }
 
-fn laser(table: &Table<'_>) -> Result<Tool, MaterialError> {
+fn laser(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
     table.knows(&[
         "tool",
         "speed_mm_s",
@@ -81,7 +81,7 @@ fn laser(table: &Table<'_>) -> Result<Tool, MaterialError> {
         "passes",
     ])?;
     let laser = Laser::default();
-    Ok(Tool::Laser(Laser {
+    Ok(DrawingTool::Laser(Laser {
         burn_speed_mm_s: table.speed()?,
         travel_speed_mm_s: table
             .number("travel_speed_mm_s", SPEED)?
@@ -352,7 +352,7 @@ mod tests {
             );
             let read = materials(&text).unwrap()["m"];
             let laser = Laser { burn_speed_mm_s: speed, times: passes, ..Laser::default() };
-            prop_assert_eq!(read.tool, Tool::Laser(laser));
+            prop_assert_eq!(read.tool, DrawingTool::Laser(laser));
         }
     }
 }

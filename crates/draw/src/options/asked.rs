@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
-use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Tool};
+use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
 use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
@@ -169,32 +169,34 @@ fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, Un
     })
 }
 
-fn with_options(tool: Tool, options: &ToolOptions) -> Result<Tool, OptionsError> {
+fn with_options(tool: DrawingTool, options: &ToolOptions) -> Result<DrawingTool, OptionsError> {
     let other_kind = |name: &str, is, option| {
         let name = name.to_owned();
         Err(OptionsError::OtherKind { name, is, option })
     };
     match (tool, &options.laser) {
-        (Tool::Pen(pen), None) => Ok(Tool::Pen(Pen {
+        (DrawingTool::Pen(pen), None) => Ok(DrawingTool::Pen(Pen {
             lift_mm: options.lift.unwrap_or(pen.lift_mm),
             draw_speed_mm_s: options.speed.unwrap_or(pen.draw_speed_mm_s),
             travel_speed_mm_s: options.travel_speed.unwrap_or(pen.travel_speed_mm_s),
             ..pen
         })),
-        (Tool::Laser(laser), Some(_)) => Ok(Tool::Laser(Laser {
+        (DrawingTool::Laser(laser), Some(_)) => Ok(DrawingTool::Laser(Laser {
             burn_speed_mm_s: options.speed.unwrap_or(laser.burn_speed_mm_s),
             travel_speed_mm_s: options.travel_speed.unwrap_or(laser.travel_speed_mm_s),
             times: options.passes.unwrap_or(laser.times),
         })),
-        (Tool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
-        (Tool::Laser(_), None) => other_kind(&options.pen, "burned with the laser", "--laser"),
+        (DrawingTool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
+        (DrawingTool::Laser(_), None) => {
+            other_kind(&options.pen, "burned with the laser", "--laser")
+        }
     }
 }
 
 fn layer_tools(
     what: &ContentOptions,
     materials: &Materials,
-) -> Result<Vec<(String, Tool)>, UnknownMaterial> {
+) -> Result<Vec<(String, DrawingTool)>, UnknownMaterial> {
     let named = what.layer.iter().map(|it| {
         let material = materials.get(&it.pen)?;
         Ok((it.name.clone(), material.tool))
@@ -202,8 +204,8 @@ fn layer_tools(
     named.collect()
 }
 
-fn card(options: &Options, tool: Tool) -> Result<Vec<Pass>, OptionsError> {
-    let Tool::Laser(laser) = tool else {
+fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError> {
+    let DrawingTool::Laser(laser) = tool else {
         return Err(OptionsError::CardByPen);
     };
     let card = Card {

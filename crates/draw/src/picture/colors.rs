@@ -93,7 +93,7 @@ const DARKER: f64 = 130.0;
 mod tests {
     use super::*;
     use dobot_geometry::{Point, Stroke};
-    use dobot_plan::{Machine, Paper, Pass, Tool};
+    use dobot_plan::{DrawingTool, Machine, Paper, Pass};
 
     #[test]
     fn a_place_is_green_amber_or_red() {
@@ -115,7 +115,7 @@ mod tests {
         let pass = |color| Pass {
             color,
             ..Pass::new(
-                Tool::default(),
+                DrawingTool::default(),
                 vec![Stroke::open(vec![Point::new(200.0, 0.0)])],
             )
         };

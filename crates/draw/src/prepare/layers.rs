@@ -1,6 +1,6 @@
 //! Which layers are drawn, with what, one after the other.
 
-use dobot_plan::{Pass, Tool};
+use dobot_plan::{DrawingTool, Pass};
 use dobot_source::Layer;
 
 use super::{PrepareError, Settings};
@@ -43,7 +43,7 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
 }
 
 /// What draws a layer: its own tool, or the one of all; at the file's speed, where it says one.
-pub(super) fn tool(layer: &Layer, settings: &Settings) -> Tool {
+pub(super) fn tool(layer: &Layer, settings: &Settings) -> DrawingTool {
     let own = settings.tools.iter().find(|(name, _)| *name == layer.name);
     match (own, layer.speed_mm_s) {
         (Some((_, tool)), _) => *tool,

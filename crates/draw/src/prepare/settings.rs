@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_geometry::Area;
-use dobot_plan::{Machine, Paper, Tool};
+use dobot_plan::{DrawingTool, Machine, Paper};
 use dobot_source::fontdb;
 use dobot_source::{LayersBy, Shading};
 
@@ -26,13 +26,13 @@ pub struct Settings {
     /// What arm and link can do.
     pub machine: Machine,
     /// What draws.
-    pub tool: Tool,
+    pub tool: DrawingTool,
     /// Whether layers are drawn each for itself, and what makes them; otherwise all are one.
     pub layers: Option<LayersBy>,
     /// The layers to draw, by name; all of them if none is named.
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
-    pub tools: Vec<(String, Tool)>,
+    pub tools: Vec<(String, DrawingTool)>,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
     /// How filled areas become lines; they stay empty if not given.
@@ -64,7 +64,7 @@ impl Settings {
     }
 
     /// How to look for a good order of the strokes that this tool draws.
-    pub(super) fn search(&self, tool: Tool) -> Option<Search> {
+    pub(super) fn search(&self, tool: DrawingTool) -> Option<Search> {
         Some(Search {
             travel: Travel::Time {
                 speed_mm_s: tool.travel_speed_mm_s(),
@@ -90,7 +90,7 @@ impl Default for Settings {
             placement: Placement::default(),
             paper: Paper::default(),
             machine: Machine::default(),
-            tool: Tool::default(),
+            tool: DrawingTool::default(),
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),

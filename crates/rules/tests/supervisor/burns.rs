@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{ClientId, JobKind, NewJob, News, Request};
 use dobot_controller::Personality;
 use dobot_geometry::{Point, Stroke, deviation};
-use dobot_plan::{Laser, Paper, Pass, Plan, Tool};
+use dobot_plan::{DrawingTool, Laser, Paper, Pass, Plan};
 use dobot_rules::Rehearsal;
 
 use crate::drawing::rehearsal;
@@ -27,7 +27,7 @@ fn wanted() -> Vec<Stroke> {
 }
 
 fn laser_job(personality: Personality) -> NewJob {
-    let pass = Pass::new(Tool::Laser(Laser::default()), wanted());
+    let pass = Pass::new(DrawingTool::Laser(Laser::default()), wanted());
     let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
     NewJob {
         title: "three lines".into(),

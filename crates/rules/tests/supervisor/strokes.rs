@@ -7,7 +7,7 @@ use dobot_api::{ClientId, JobKind, JobPause, JobView, NewJob, Request};
 use dobot_arm::Position;
 use dobot_controller::Personality;
 use dobot_geometry::{Deviation, Point, Stroke, deviation};
-use dobot_plan::{Machine, Paper, Pass, Pen, Plan, Tool};
+use dobot_plan::{DrawingTool, Machine, Paper, Pass, Pen, Plan};
 use dobot_rules::Rehearsal;
 use dobot_sim::Sample;
 
@@ -45,7 +45,7 @@ pub(crate) fn pen_job_at(
     };
     let pass = |(stroke, message): &(Stroke, Option<&str>)| Pass {
         message: message.map(str::to_owned),
-        ..Pass::new(Tool::Pen(pen), vec![stroke.clone()])
+        ..Pass::new(DrawingTool::Pen(pen), vec![stroke.clone()])
     };
     let passes: Vec<Pass> = passes.iter().map(pass).collect();
     let plan = Plan::new(&passes, &Paper::level(DOWN_MM), &machine(personality)).unwrap();
@@ -195,7 +195,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
         Stroke::open(vec![Point::new(x, y), Point::new(x + 0.5, y)])
     };
     let dashes: Vec<Stroke> = (0..1600).map(dash).collect();
-    let pass = Pass::new(Tool::default(), dashes);
+    let pass = Pass::new(DrawingTool::default(), dashes);
     let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
     let planned = NewJob {
         title: "dashes".into(),

@@ -8,7 +8,7 @@ use dobot_client::position;
 use dobot_controller::{Personality, PowerUp};
 use dobot_draw::Sample;
 use dobot_geometry::{Point, Stroke};
-use dobot_plan::{Laser, Machine, Paper, Pass, Pen, Plan, Tool};
+use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen, Plan};
 use dobot_rules::StationClient;
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
@@ -164,7 +164,7 @@ pub(crate) fn square(x: f64, y: f64, side: f64) -> Stroke {
 pub(crate) fn pen(name: &str, strokes: Vec<Stroke>) -> Pass {
     Pass {
         name: name.to_owned(),
-        ..Pass::new(Tool::Pen(Pen::default()), strokes)
+        ..Pass::new(DrawingTool::Pen(Pen::default()), strokes)
     }
 }
 
@@ -173,7 +173,7 @@ pub(crate) fn laser(strokes: Vec<Stroke>, times: u32) -> Pass {
         times,
         ..Laser::default()
     };
-    Pass::new(Tool::Laser(laser), strokes)
+    Pass::new(DrawingTool::Laser(laser), strokes)
 }
 
 pub(crate) fn plan(passes: &[Pass], personality: Personality) -> Plan {
