@@ -182,8 +182,8 @@ step_page() {
   needs_command npm npm
   needs_command chromium chromium
   cargo build --locked --workspace --all-features
-  npm ci --prefix tests/page --no-audit --no-fund
-  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot") CHROMIUM=$(command -v chromium) npm test --prefix tests/page
+  npm ci --prefix page --no-audit --no-fund
+  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot") CHROMIUM=$(command -v chromium) npm run browser --prefix page
 }
 
 step_bench-check() {
