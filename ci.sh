@@ -21,6 +21,8 @@
 #   finds stays in `fuzz/artifacts`, and becomes a test.
 # - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
 #   follow its OpenAPI document, and more that break it.
+# - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
+#   files against them, and only then starts a browser; TypeScript comes from npm and writes nothing.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired.
 # - `licences` looks at every dependency on every platform with `cargo tree` alone.
@@ -46,7 +48,7 @@ readonly CI_STEPS=(
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
   "recordings   does PyPI's mcap read what was repaired?"
-  "page         try the page with a real pointer in a real browser"
+  "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target"
 )
@@ -183,7 +185,13 @@ step_page() {
   needs_command chromium chromium
   cargo build --locked --workspace --all-features
   npm ci --prefix page --no-audit --no-fund
-  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot") CHROMIUM=$(command -v chromium) npm run browser --prefix page
+  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot")
+  CHROMIUM=$(command -v chromium)
+  export DOBOT CHROMIUM
+  npm run types --prefix page -- --check
+  npm run check --prefix page
+  npm run unit --prefix page
+  npm run browser --prefix page
 }
 
 step_bench-check() {
