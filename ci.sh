@@ -21,6 +21,8 @@
 #   finds stays in `fuzz/artifacts`, and becomes a test.
 # - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
 #   follow its OpenAPI document, and more that break it.
+# - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
+#   files against them, and only then starts a browser; TypeScript comes from npm and writes nothing.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
@@ -51,7 +53,7 @@ readonly CI_STEPS=(
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
   "recordings   does PyPI's mcap read what was repaired?"
-  "page         try the page with a real pointer in a real browser"
+  "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target, as many at once as there are cores"
 )
@@ -250,8 +252,14 @@ step_page() {
   needs_command npm npm
   needs_command chromium chromium
   cargo build --locked --workspace --all-features
-  npm ci --prefix tests/page --no-audit --no-fund
-  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot") CHROMIUM=$(command -v chromium) npm test --prefix tests/page
+  npm ci --prefix page --no-audit --no-fund
+  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot")
+  CHROMIUM=$(command -v chromium)
+  export DOBOT CHROMIUM
+  npm run types --prefix page -- --check
+  npm run check --prefix page
+  npm run unit --prefix page
+  npm run browser --prefix page
 }
 
 step_bench-check() {

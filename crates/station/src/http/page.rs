@@ -1,50 +1,31 @@
-//! The page, which is part of the program.
+//! The page, which is part of the program: a route for each of its files.
 
+use axum::http::Method;
 use axum::http::header::CONTENT_TYPE;
-use axum::response::{IntoResponse, Response};
+use axum::response::IntoResponse;
+use dobot_page::{FILES, File};
 
-pub(super) async fn html() -> Response {
-    file(
-        "text/html; charset=utf-8",
-        include_str!("../../page/index.html"),
-    )
+use super::route::Route;
+
+pub(super) fn all() -> Vec<Route> {
+    FILES.iter().map(route).collect()
 }
 
-pub(super) async fn css() -> Response {
-    file(
-        "text/css; charset=utf-8",
-        include_str!("../../page/page.css"),
-    )
+fn route(file: &'static File) -> Route {
+    let kind = file.content_type;
+    let answer = move || async move { ([(CONTENT_TYPE, kind)], file.bytes).into_response() };
+    let essence = kind.split(';').next().unwrap_or(kind);
+    Route::new(Method::GET, file.path, file.summary, answer)
+        .open()
+        .gives_text(200, essence, what(essence))
 }
 
-pub(super) async fn js() -> Response {
-    script(include_str!("../../page/page.js"))
-}
-
-pub(super) async fn preview() -> Response {
-    script(include_str!("../../page/preview.js"))
-}
-
-pub(super) async fn look() -> Response {
-    script(include_str!("../../page/look.js"))
-}
-
-pub(super) async fn reader() -> Response {
-    script(include_str!("../../page/reader.js"))
-}
-
-pub(super) async fn sketch() -> Response {
-    script(include_str!("../../page/sketch.js"))
-}
-
-pub(super) async fn timeline() -> Response {
-    script(include_str!("../../page/timeline.js"))
-}
-
-fn script(text: &'static str) -> Response {
-    file("text/javascript; charset=utf-8", text)
-}
-
-fn file(kind: &'static str, text: &'static str) -> Response {
-    ([(CONTENT_TYPE, kind)], text).into_response()
+/// What the document calls a file of this type.
+fn what(essence: &str) -> &'static str {
+    match essence {
+        "text/html" => "the page",
+        "text/css" => "the style",
+        "text/javascript" => "the module",
+        _ => "the file",
+    }
 }

@@ -20,7 +20,7 @@ use dobot_api::kinds::{
 
 use super::app::App;
 use super::route::Route;
-use super::{calls, gate};
+use super::{calls, gate, page};
 
 /// The router with everything.
 pub(super) fn router(app: Arc<App>) -> Router {
@@ -46,6 +46,7 @@ pub(super) const STOP: &str = "/api/v1/stop";
 /// All routes.
 pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
     [
+        page::all(),
         watching::all(),
         motion::all(),
         leases::all(),

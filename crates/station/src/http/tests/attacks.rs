@@ -138,18 +138,9 @@ async fn on_a_network_nothing_goes_without_a_token() {
         assert_eq!(answer.headers["www-authenticate"], "Bearer realm=\"dobot\"");
     }
     lab.bare("POST", "/api/v1/stop").await.is(401);
-    for path in [
-        "/",
-        "/page.css",
-        "/page.js",
-        "/preview.js",
-        "/timeline.js",
-        "/reader.js",
-        "/look.js",
-        "/sketch.js",
-        "/api/v1/openapi.json",
-        "/api/v1/problems/policy",
-    ] {
+    let page = dobot_page::FILES.iter().map(|it| it.path);
+    let others = ["/api/v1/openapi.json", "/api/v1/problems/policy"];
+    for path in page.chain(others) {
         lab.get(path).await.is(200);
     }
     assert!(lab.asked().is_empty());

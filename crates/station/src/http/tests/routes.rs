@@ -190,23 +190,11 @@ async fn policy_problems_page_and_document_are_there() {
         .await
         .is(404)
         .is_problem("unknown-path");
-    for (path, kind) in [
-        ("/", "text/html"),
-        ("/page.css", "text/css"),
-        ("/page.js", "text/javascript"),
-        ("/preview.js", "text/javascript"),
-        ("/timeline.js", "text/javascript"),
-        ("/reader.js", "text/javascript"),
-        ("/look.js", "text/javascript"),
-        ("/sketch.js", "text/javascript"),
-    ] {
-        let answer = lab.get(path).await;
-        let found = answer.is(200).headers["content-type"]
-            .to_str()
-            .unwrap()
-            .to_owned();
-        assert!(found.starts_with(kind), "{found}");
-        assert!(!answer.body.is_empty(), "{path}");
+    for file in dobot_page::FILES {
+        let answer = lab.get(file.path).await;
+        let found = &answer.is(200).headers["content-type"];
+        assert_eq!(found, file.content_type, "{}", file.path);
+        assert_eq!(answer.body.as_bytes(), file.bytes, "{}", file.path);
     }
 }
 

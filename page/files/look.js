@@ -43,6 +43,42 @@ function passColor(color, pass) {
   return `rgb(${color.map((it) => Math.trunc(it * share)).join(" ")})`;
 }
 
+// --- In words, and over time -----------------------------------------------------
+
+const MOST_LETTERS = 60;
+
+/** What the colours of errors mean. @param {number} tolerance_mm */
+export function errorNames(tolerance_mm) {
+  return [`off by 0 to ${tolerance_mm / 2} mm`, `to ${tolerance_mm} mm, the tolerance`, "more"];
+}
+
+/** Its name, shortened, or its number. @param {{name: string, tool: string}} pass @param {number} i */
+export function passName({ name, tool }, i) {
+  const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
+  return (short || `pass ${i + 1}`) + (tool === "laser" ? " (laser)" : "");
+}
+
+/** As in 1:05, or 2:03:04. @param {number} seconds */
+export function clock(seconds) {
+  const whole = Math.round(seconds);
+  const [hours, minutes, rest] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  const two = String(rest).padStart(2, "0");
+  return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${two}` : `${minutes}:${two}`;
+}
+
+/** The class of the ink at each of so many moments, -1 where there is none. @param {Timeline} timeline @param {Look} look @param {number} columns */
+export function inkOfColumns({ duration_s, path }, look, columns) {
+  const inks = new Int32Array(columns).fill(-1);
+  if (duration_s === 0) return inks;
+  const { t_s, ink } = path;
+  for (let row = 1; row < t_s.length; row += 1) {
+    if (ink[row] !== 1) continue;
+    const [from, to] = [t_s[row - 1], t_s[row]].map((it) => Math.floor((it / duration_s) * (columns - 1)));
+    inks.fill(look.classes[row], from, to + 1);
+  }
+  return inks;
+}
+
 // --- Where it lies ---------------------------------------------------------------
 
 export const EDGE = 18;

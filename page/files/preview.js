@@ -1,7 +1,7 @@
 // @ts-check
 // The preview: a person goes to any moment of a drawing before it is made. The file stays in this browser.
 
-import { boundsOf, heightFor, lookOfErrors, lookOfPasses, viewOf } from "./look.js";
+import { boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, viewOf } from "./look.js";
 import { Sketch } from "./sketch.js";
 import { placeAt } from "./timeline.js";
 
@@ -10,7 +10,6 @@ import { placeAt } from "./timeline.js";
 /** @typedef {import("./look.js").Look} Look */
 
 const MOST_NAMED = 12;
-const MOST_LETTERS = 60;
 /** A page that slept does not leap. */
 const MOST_STEP_S = 0.25;
 
@@ -104,17 +103,6 @@ function recolor() {
   resize();
 }
 
-/** @param {number} tolerance_mm */
-function errorNames(tolerance_mm) {
-  return [`off by 0 to ${tolerance_mm / 2} mm`, `to ${tolerance_mm} mm, the tolerance`, "more"];
-}
-
-/** @param {{name: string, tool: string}} pass @param {number} i */
-function passName({ name, tool }, i) {
-  const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
-  return (short || `pass ${i + 1}`) + (tool === "laser" ? " (laser)" : "");
-}
-
 /** @param {string[]} names */
 function drawLegend(names) {
   const items = names.slice(0, MOST_NAMED).map((name, i) => entry(name, look.styles[i]));
@@ -159,25 +147,13 @@ function drawStrip(width) {
   const canvas = /** @type {HTMLCanvasElement} */ (part("strip"));
   [canvas.width, canvas.height] = [Math.round(width), 1];
   const context = canvas.getContext("2d");
-  const inks = inkOfColumns(canvas.width);
+  if (!timeline) return;
+  const inks = inkOfColumns(timeline, look, canvas.width);
   inks.forEach((ink, column) => {
     if (!context || ink < 0) return;
     context.fillStyle = look.styles[ink].color;
     context.fillRect(column, 0, 1, 1);
   });
-}
-
-/** The class of the ink at each of so many moments, -1 where there is none. @param {number} columns */
-function inkOfColumns(columns) {
-  const inks = new Int32Array(columns).fill(-1);
-  if (!timeline || timeline.duration_s === 0) return inks;
-  const { t_s, ink } = timeline.path;
-  for (let row = 1; row < t_s.length; row += 1) {
-    if (ink[row] !== 1) continue;
-    const [from, to] = [t_s[row - 1], t_s[row]].map((it) => Math.floor((it / /** @type {Timeline} */ (timeline).duration_s) * (columns - 1)));
-    inks.fill(look.classes[row], from, to + 1);
-  }
-  return inks;
 }
 
 // --- A moment ------------------------------------------------------------------------
@@ -232,14 +208,6 @@ function tell(place, { duration_s, passes }) {
   const pass = passName(passes[place.pass], place.pass);
   write("pass", passes.length > 1 ? `${place.pass + 1} of ${passes.length}: ${pass}` : pass);
   for (const axis of /** @type {const} */ (["x_mm", "y_mm", "z_mm"])) write(axis, place[axis].toFixed(2));
-}
-
-/** As in 1:05, or 2:03:04. @param {number} seconds */
-function clock(seconds) {
-  const whole = Math.round(seconds);
-  const [hours, minutes, rest] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
-  const two = String(rest).padStart(2, "0");
-  return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${two}` : `${minutes}:${two}`;
 }
 
 // --- Hands -----------------------------------------------------------------------------

@@ -1,32 +1,22 @@
 // @ts-check
 // Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
 
-/** @typedef {{client: number, name: string, is_program: boolean, since_s: number, asked_by: {client: number, name: string}[]}} Lease */
-/** @typedef {{job: number, title: string, phase: string, reason: string | null, commands: number, completed: number, left_s: number | null, speed_percent: number, height_mm: number}} Job */
-/** @typedef {{by: string, reason: string | null, at_rest: boolean}} Stop */
-/** @typedef {{title: string, detail: string, hint?: string}} Problem */
-/** @typedef {{number: number, at_s: number, text: string}} Notice */
-/** @typedef {Record<"x_mm" | "y_mm" | "z_mm" | "rotation_deg" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg" | "gripper_deg", number> & {suction: boolean, moving: boolean}} Arm */
-/**
- * @typedef {object} State
- * @property {number} at_s
- * @property {{address: string | null, phase: string, problem: string | null, bluetooth: boolean, statuses_per_s: number, lost_statuses: number, damaged_bytes: number, latency_ms: number | null}} link
- * @property {Arm | null} arm
- * @property {string | null} dialect
- * @property {{trusted: boolean, reason: string | null}} trust
- * @property {{waiting: number, under_way: number, ahead_s: number}} queue
- * @property {Lease | null} lease
- * @property {Stop | null} stop
- * @property {{armed_for_s: number, on: boolean}} laser
- * @property {Job | null} job
- * @property {number} clients
- */
+/** @typedef {import("./api").components["schemas"]} Schemas */
+/** A station writes null where there is nothing, and leaves out no field of a state. @template T @typedef {T extends object ? {[K in keyof T]-?: Whole<Exclude<T[K], undefined>>} : T} Whole */
+/** @typedef {Whole<Schemas["State"]>} State */
+/** @typedef {Whole<Schemas["LeaseView"]>} Lease */
+/** @typedef {Whole<Schemas["JobView"]>} Job */
+/** @typedef {Whole<Schemas["StopView"]>} Stop */
+/** @typedef {Whole<Schemas["ArmView"]>} Arm */
+/** @typedef {Schemas["Request"]} Request */
+/** @typedef {Schemas["Notice"]} Notice */
+/** What is told of a problem, one of the page itself too. @typedef {Pick<Schemas["Problem"], "title" | "detail" | "hint">} Problem */
 
 const RECONNECT_MS = 1000;
 const JOG_MS = 50;
 const OLD_MS = 2000;
 const TOLD_MS = 12000;
-/** @type {Record<string, string>} */
+/** @type {Record<State["link"]["phase"], string>} */
 const LINK = { searching: "no arm yet", listening: "listening", up: "arm is there", lost: "arm is lost" };
 
 /** @type {WebSocket | undefined} */ let socket;
@@ -284,7 +274,7 @@ function sentence(text) {
 
 /**
  * Asks for something. A refusal is told to all of the page, unless whoever asked takes it.
- * @param {object} request @param {(problem?: Problem) => void} [answered] whether it keeps the problem to itself is what it returns
+ * @param {Request} request @param {(problem?: Problem) => void} [answered] whether it keeps the problem to itself is what it returns
  */
 function ask(request, answered) {
   if (socket?.readyState !== WebSocket.OPEN) {
@@ -293,7 +283,9 @@ function ask(request, answered) {
   }
   asked += 1;
   if (answered) waiting.set(asked, answered);
-  socket.send(JSON.stringify({ id: asked, request }));
+  /** @type {Schemas["FromClient"]} */
+  const message = { id: asked, request };
+  socket.send(JSON.stringify(message));
 }
 
 /** Stops the arm by every way there is. */
@@ -332,22 +324,24 @@ function connect() {
   socket.addEventListener("close", (event) => tryAgain(event));
 }
 
-/** @param {{hello?: {client: number}, state?: State, notice?: Notice, problem?: Problem, id?: number}} message */
+/** @param {Schemas["ToClient"]} message */
 function hear(message) {
   heardAt = Date.now();
-  if (message.hello) {
+  if ("hello" in message) {
     me = message.hello.client;
     catchUp();
-  } else if (message.state) {
-    state = message.state;
+  } else if ("state" in message) {
+    state = /** @type {State} */ (message.state);
     draw(state);
-  } else if (message.notice) {
+  } else if ("notice" in message) {
     addNotice(message.notice);
   }
-  const answered = message.id === undefined ? undefined : waiting.get(message.id);
-  if (message.id !== undefined) waiting.delete(message.id);
-  const taken = answered?.(message.problem);
-  if (message.problem && !taken) tell(message.problem);
+  const id = "id" in message ? message.id : undefined;
+  const problem = "problem" in message ? message.problem : undefined;
+  const answered = id == null ? undefined : waiting.get(id);
+  if (id != null) waiting.delete(id);
+  const taken = answered?.(problem);
+  if (problem && !taken) tell(problem);
 }
 
 /** What happened before this page was there. */
@@ -355,7 +349,9 @@ async function catchUp() {
   const answer = await fetch("api/v1/notices", { headers: authorization() });
   if (!answer.ok) return;
   part("notices").replaceChildren();
-  for (const notice of (await answer.json()).slice(-30)) addNotice(notice);
+  /** @type {Notice[]} */
+  const notices = await answer.json();
+  for (const notice of notices.slice(-30)) addNotice(notice);
 }
 
 /** @param {CloseEvent} event */
@@ -403,7 +399,7 @@ function hold(button) {
   const axis = button.dataset.axis;
   const press = () => {
     const speed_percent = Number(/** @type {HTMLInputElement} */ (part("speed")).value);
-    ask({ type: "jog", jog: { frame, axis, speed_percent } }, answered);
+    ask({ type: "jog", jog: /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent }) }, answered);
   };
   const mine = { button, timer: setInterval(press, JOG_MS) };
   // A refusal ends the press: it is told beside the button, and a new press is needed.
@@ -441,7 +437,7 @@ function on(id, act) {
   part(id).addEventListener("click", act);
 }
 
-/** Asks a person before something is done. @param {string} title @param {string} text @param {string} yes @param {object} request */
+/** Asks a person before something is done. @param {string} title @param {string} text @param {string} yes @param {Request} request */
 function sure(title, text, yes, request) {
   write("sure-title", title);
   write("sure-text", text);

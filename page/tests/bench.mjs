@@ -1,35 +1,14 @@
 // A virtual arm, a station and a browser, as a person has them; and what the arm was told.
-import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { mkdtemp, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
 import { chromium } from "playwright-core";
+import { end, start } from "./program.mjs";
 
-const DOBOT = process.env.DOBOT ?? "dobot";
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const PACKET_LEN = 42;
-
-/** Starts the program, and waits for a line of it. */
-async function start(words, line) {
-  const child = spawn(DOBOT, words, { stdio: ["ignore", "pipe", "inherit"] });
-  for await (const text of createInterface({ input: child.stdout })) {
-    const found = text.match(line);
-    if (found) {
-      child.stdout.resume();
-      return { child, found: found[1] };
-    }
-  }
-  throw new Error(`dobot ${words.join(" ")} ended without ${line}`);
-}
-
-async function end(child, signal) {
-  const over = once(child, "exit");
-  child.kill(signal);
-  await over;
-}
 
 /** Ten floats for each packet to the arm, and when it passed. */
 class Told {

@@ -1,0 +1,61 @@
+// What a person does first: opens the page, sees the pose, moves the arm a little, stops it.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { moved, open, pose, press, rest, takeControl } from "./bench.mjs";
+
+const FIELDS = ["x_mm", "y_mm", "z_mm", "base_deg", "rear_deg", "fore_deg"];
+
+let bench, page, told;
+
+before(async () => {
+  bench = await open();
+  ({ page, told } = bench);
+});
+after(() => bench.end());
+
+/** What the station knows now. */
+function state() {
+  return page.evaluate(async () => (await fetch("api/v1/state")).json());
+}
+
+/** What the arm told last. */
+async function armNow() {
+  return (await state()).arm;
+}
+
+test("a person opens the page, jogs the arm and stops it", async () => {
+  await rest(page);
+  const began = await armNow();
+  for (const name of FIELDS) assert.equal(await pose(page, name), Number(began[name].toFixed(1)), name);
+
+  await takeControl(page);
+  const from = told.packets.length;
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 8);
+  // Still held: only STOP ends it.
+  assert.deepEqual(new Set(told.jogs(from).map((it) => it.text).filter((it) => it !== "linear 0")), new Set(["linear 3"]));
+  const stopped = told.packets.length;
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#stopped:visible");
+  await rest(page);
+  const jogs = told.jogs(stopped).map((it) => it.text);
+  assert.equal(jogs.at(-1), "linear 0");
+  assert.ok(told.jogs(from).every((it) => it.text === "linear 3" || it.text === "linear 0"));
+
+  const ended = await armNow();
+  assert.ok(ended.y_mm - began.y_mm >= 8, `y went from ${began.y_mm} to ${ended.y_mm} mm`);
+  assert.ok(Math.abs(ended.z_mm - began.z_mm) < 1, `z went from ${began.z_mm} to ${ended.z_mm} mm`);
+  assert.equal(await pose(page, "y_mm"), Number(ended.y_mm.toFixed(1)));
+  assert.equal(await page.isDisabled("[data-axis=y_plus]:visible"), true);
+
+  // The button that is still held moves nothing, and the arm stays where it stopped.
+  const quiet = told.packets.length;
+  await page.mouse.up();
+  await page.mouse.down();
+  await page.mouse.up();
+  const seen = (await state()).at_s;
+  await page.waitForFunction(async (seen) => (await (await fetch("api/v1/state")).json()).at_s > seen + 0.5, seen);
+  assert.deepEqual(told.jogs(quiet).filter((it) => it.text !== "linear 0"), []);
+  assert.equal((await armNow()).y_mm, ended.y_mm);
+  assert.deepEqual(bench.errors, []);
+});

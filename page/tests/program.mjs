@@ -1,0 +1,25 @@
+// The program `dobot`, started and ended.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { createInterface } from "node:readline";
+
+const DOBOT = process.env.DOBOT ?? "dobot";
+
+/** Starts the program, and waits for a line of it. */
+export async function start(words, line) {
+  const child = spawn(DOBOT, words, { stdio: ["ignore", "pipe", "inherit"] });
+  for await (const text of createInterface({ input: child.stdout })) {
+    const found = text.match(line);
+    if (found) {
+      child.stdout.resume();
+      return { child, found: found[1] };
+    }
+  }
+  throw new Error(`dobot ${words.join(" ")} ended without ${line}`);
+}
+
+export async function end(child, signal) {
+  const over = once(child, "exit");
+  child.kill(signal);
+  await over;
+}
