@@ -135,7 +135,7 @@ step_test() {
 step_doc() {
   local readme library
   RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --all-features --no-deps
-  for readme in crates/*/README.md; do
+  for readme in crates/*/README.md page/README.md; do
     library=${readme%README.md}src/lib.rs
     [[ -e $library ]] || continue
     diff <(example_of_library "$library") <(example_of_readme "$readme") ||
@@ -251,9 +251,9 @@ step_page() {
   needs_command node nodejs
   needs_command npm npm
   needs_command chromium chromium
-  cargo build --locked --workspace --all-features
+  build_all
   npm ci --prefix page --no-audit --no-fund
-  DOBOT=$(realpath "${CARGO_TARGET_DIR:-target}/debug/dobot")
+  DOBOT=$(realpath "$(built)/dobot")
   CHROMIUM=$(command -v chromium)
   export DOBOT CHROMIUM
   npm run types --prefix page -- --check
