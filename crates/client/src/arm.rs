@@ -34,7 +34,7 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 ///   ([`Peer`](crate::Peer)) is trusted from the start.
 /// * What breaks its table is refused, and so is what means different things in dialects that nobody has told, or
 ///   would make a stock arm lose its pose on the spot (note N34).
-/// * A command leaves only with a status, and while less than half a second waits in the arm.
+/// * A command leaves only with a status, half a second at the most before the arm should begin it.
 /// * A button is released by its own kind of jog.
 ///
 /// All else has only the station (the room `station`): the policy with its limits, keep-outs and

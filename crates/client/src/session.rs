@@ -26,9 +26,9 @@ use crate::{Disarmed, Event, SendError};
 /// conversation, as far as it has come.
 ///
 /// Each status received is a permit to send one command (note N20): what is given to
-/// [`Session::send`] waits here for its turn. The protocol has no stop, so what the arm has got it
-/// will do: a command is sent only while those that wait in the arm, behind the one that it
-/// executes, take less than [`Session::with_ahead`] (0.5 s).
+/// [`Session::send`] waits here for its turn. The protocol has no stop: the arm will do what it has got.
+/// So a command is sent only when it should begin within [`Session::with_ahead`] (0.5 s), and no later than
+/// that after a stop the arm begins another motion.
 ///
 /// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
 /// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
@@ -69,7 +69,7 @@ pub struct Session {
     trust: Trust,
     laser: Laser,
     meter: Meter,
-    /// How much may wait in the arm behind the command that it executes.
+    /// How long before a command begins it may be sent.
     ahead: Duration,
     status: Option<Status>,
     now: Duration,
@@ -103,9 +103,8 @@ impl Session {
         Self::begin(dialect, true)
     }
 
-    /// The same, with another bound on what waits in the arm behind the command that it executes:
-    /// how much longer a stop takes than that command. 0.5 s unless told otherwise;
-    /// `Duration::MAX` fills the arm's queue.
+    /// The same, with another bound on how long before a command begins it is sent: so long after a stop
+    /// the arm may begin another one. 0.5 s unless told otherwise; `Duration::MAX` fills the arm's queue.
     #[must_use]
     pub fn with_ahead(mut self, ahead: Duration) -> Self {
         self.set_ahead(ahead);
@@ -432,9 +431,9 @@ impl Session {
     }
 
     fn dispatch(&mut self) {
-        let behind = self.belief.under_way().behind_the_first(self.now);
+        let begins_in = self.belief.under_way().ahead(self.now);
         let follows = |left| self.now.saturating_sub(left) < SPACING;
-        if !self.permit || behind >= self.ahead || self.left.is_some_and(follows) {
+        if !self.permit || begins_in > self.ahead || self.left.is_some_and(follows) {
             return;
         }
         let Some(next) = self.belief.next() else {

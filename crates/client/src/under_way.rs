@@ -182,14 +182,6 @@ impl UnderWay {
         self.last_ends + SHOWN
     }
 
-    /// How long those take that wait in the arm behind the one that it should execute now.
-    /// That one need not have been seen to begin: of targets that are passed without a rest the
-    /// statuses say so late only.
-    pub(crate) fn behind_the_first(&self, now: Duration) -> Duration {
-        let not_over = self.all.iter().skip_while(|it| it.ends <= now);
-        not_over.skip(1).map(Sent::duration).sum()
-    }
-
     /// How long it takes until all of them are over; a jog counts as over.
     pub(crate) fn ahead(&self, now: Duration) -> Duration {
         let last = self.all.back();

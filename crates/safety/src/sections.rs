@@ -154,7 +154,8 @@ section! {
 section! {
     /// What waits in the arm.
     QueueRules {
-        /// How much motion may wait behind the command that runs, in s: 0 to 60.
+        /// How long before the arm should begin a command it may be sent, in s: 0 to 60. So long after a stop
+        /// the arm may begin another motion.
         ahead_s: f64 = 0.5,
     }
 }

@@ -138,6 +138,41 @@ async fn what_waits_in_the_arm_takes_half_a_second_and_a_command_at_the_most() {
 }
 
 #[tokio::test]
+async fn after_a_stop_no_motion_begins_later_than_half_a_second() {
+    for personality in Personality::ALL {
+        let arm = virtual_arm(personality, &[], 0);
+        let mut connection = connect(&arm, personality);
+        connection.next_status().await.expect("it tells");
+        let there = move_to(MovingMode::MovL, 220.0, -60.0, 0.0);
+        let id = connection.send(there).expect("it is allowed");
+        connection.completed(id).await.expect("it is reached");
+        // Strokes of 2.5 s, to and fro.
+        for n in 0..6_u8 {
+            let by = if n % 2 == 0 { 110.0 } else { -110.0 };
+            connection.send(stroke(0.0, by)).expect("it is allowed");
+        }
+        let mut turns_at = connection.now();
+        let mut left = 6;
+        while left > 0 {
+            match next(&mut connection).await {
+                // The one before it goes on for half a second at the most, and the packet comes in time.
+                Event::Sent(_) => {
+                    let rests_in = connection.session().ahead_s();
+                    assert!(rests_in < 2.5 + 0.5 + 0.2, "{personality}: {rests_in} s");
+                }
+                Event::Completed(_) => {
+                    left -= 1;
+                    let took_s = connection.now().saturating_sub(turns_at).as_secs_f64();
+                    assert!(took_s < 2.5 + 0.35, "{personality}: it waited, {took_s} s");
+                    turns_at = connection.now();
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+#[tokio::test]
 async fn targets_passed_without_a_rest_follow_each_other_without_a_pause() {
     let arm = virtual_arm(Personality::Specification, &[], 0);
     let mut connection = connect(&arm, Personality::Specification);

@@ -238,7 +238,7 @@ fn a_pause_is_part_of_its_command() {
 
 #[test]
 fn a_vector_is_over_when_the_arm_is_seen_on_a_later_one() {
-    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for by in [vector(0.0, 10.0), vector(10.0, 0.0), vector(0.0, -10.0)] {
         desk.session.send(by).expect("it is allowed");

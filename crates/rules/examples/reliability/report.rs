@@ -394,8 +394,8 @@ a while. Commands that a bad line loses may have worse effects, because nobody s
 ";
 
 const TAIL: &str = "
-The arm has no command that stops it. It finishes the command in execution and those that it has received, which take at
-most half a second after that one (`queue.ahead_s` of the policy). The promised time is the longest that these may take,
+The arm has no command that stops it. It finishes the command in execution and those that it has received, which begin
+within half a second (`queue.ahead_s` of the policy). The promised time is the longest that these may take,
 so it is longer than the time that they take. Just after a start nobody knows what the arm was sent before. The promised
 time is then the time of all commands that, by the journal, the arm may have.";
 
