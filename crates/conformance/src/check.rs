@@ -73,322 +73,180 @@ pub(crate) enum Probe {
 impl Check {
     /// All checks, in the order in which they are made.
     pub const ALL: &[Self] = &[
-        check(
-            "status-form",
-            "statuses are whole packets of ten floats",
-            "Table 2.3",
-            Probe::StatusForm,
-        ),
-        check(
-            "status-period",
-            "a status comes every 80 ms",
-            "N20, N27",
-            Probe::StatusPeriod,
-        ),
-        check(
-            "status-pose",
-            "position and angles of a status agree",
-            "N22",
-            Probe::StatusPose,
-        ),
-        check(
-            "status-start",
-            "the arm stands still, within its limits",
-            "N28, N30",
-            Probe::StatusStart,
-        ),
-        check(
-            "line-delay",
-            "the line is fast enough: how long it takes there and back",
-            "N20, N41",
-            Probe::Delay,
-        ),
-        check(
-            "move-point",
-            "goes to a point: 10 mm up (state 3)",
-            "Table 3.7",
-            Probe::Lift,
-        ),
-        check(
-            "set-tool",
-            "takes an end effector (9/4)",
-            "Table 3.9, N32",
-            Probe::SetTool,
-        ),
-        check(
-            "frame-noise",
-            "skips noise before a packet",
-            "N24",
-            Probe::FrameNoise,
-        ),
-        check(
-            "frame-tail",
-            "does not obey a packet with a wrong tail",
-            "Table 2.1",
-            Probe::FrameTail,
-        ),
-        check(
-            "frame-pieces",
-            "takes a packet that comes in two pieces",
-            "Table 2.1",
-            Probe::FramePieces,
-        ),
-        check(
-            "frame-truncated",
-            "finds its place again after half a packet",
-            "N24",
-            Probe::FrameTruncated,
-        ),
-        check(
-            "frame-pair",
-            "takes two packets without a gap",
-            "N26",
-            Probe::FramePair,
-        ),
-        check(
-            "move-modes",
-            "MovingMode 1 and 2: one straight, one by joints",
-            "Table 3.7, N2",
-            Probe::MoveModes,
-        ),
-        check(
-            "move-jump",
-            "MovingMode 0: up, across, down",
-            "Table 3.7, N11",
-            Probe::MoveJump,
-        ),
-        check(
-            "jump-across",
-            "MovingMode 0 between unequal heights: how it goes across",
-            "N11, N45",
-            Probe::JumpAcross,
-        ),
-        check(
-            "move-joints",
-            "goes to joint angles (state 6)",
-            "Table 3.7, N19",
-            Probe::MoveJoints,
-        ),
-        check(
-            "move-ticks",
-            "a move of whole ticks: when the next one begins",
-            "N29, N45",
-            Probe::MoveTicks,
-        ),
-        check(
-            "move-pause",
-            "waits after a move as long as told",
-            "Table 3.7, N10",
-            Probe::MovePause,
-        ),
-        check(
-            "default-pause",
-            "the default pause of 9/1",
-            "Table 3.9, N10",
-            Probe::DefaultPause,
-        ),
-        check(
-            "move-tool",
-            "sets pump and gripper after a move",
-            "Table 3.7, N21",
-            Probe::MoveTool,
-        ),
-        check(
-            "flow-silence",
-            "no status while four commands wait",
-            "N20",
-            Probe::FlowSilence,
-        ),
-        check(
-            "flow-again",
-            "statuses again when three wait",
-            "N20",
-            Probe::FlowAgain,
-        ),
-        check(
-            "flow-six",
-            "six commands wait, a seventh does not",
-            "N20",
-            Probe::FlowSix,
-        ),
-        check(
-            "flow-order",
-            "what waits is done in order",
-            "N20",
-            Probe::FlowOrder,
-        ),
-        check(
-            "jog-release",
-            "a released button stops the jog",
-            "Table 2.5, N13",
-            Probe::JogRelease,
-        ),
-        check(
-            "jog-base",
-            "joint jog 1, 2: base (state 2)",
-            "Table 2.5",
-            Probe::Jog(jog::BASE),
-        ),
-        check(
-            "jog-rear",
-            "joint jog 3, 4: rear arm",
-            "Table 2.5",
-            Probe::Jog(jog::REAR),
-        ),
-        check(
-            "jog-fore",
-            "joint jog 5, 6: forearm",
-            "Table 2.5",
-            Probe::Jog(jog::FORE),
-        ),
-        check(
-            "jog-servo",
-            "joint jog 7, 8: servo",
-            "Table 2.5",
-            Probe::Jog(jog::SERVO),
-        ),
-        check(
-            "jog-gripper",
-            "joint jog 11, 12: gripper",
-            "Table 2.5",
-            Probe::Jog(jog::GRIPPER),
-        ),
-        check(
-            "jog-pump",
-            "joint jog 9, 10: pump",
-            "Table 2.5, N21",
-            Probe::JogPump,
-        ),
-        check(
-            "line-x",
-            "linear jog 1, 2: X (state 7)",
-            "Table 2.5",
-            Probe::Jog(jog::X),
-        ),
-        check(
-            "line-y",
-            "linear jog 3, 4: Y",
-            "Table 2.5",
-            Probe::Jog(jog::Y),
-        ),
-        check(
-            "line-z",
-            "linear jog 5, 6: Z",
-            "Table 2.5",
-            Probe::Jog(jog::Z),
-        ),
-        check(
-            "line-servo",
-            "linear jog 7, 8: servo",
-            "N14",
-            Probe::Jog(jog::LINE_SERVO),
-        ),
-        check(
-            "line-gripper",
-            "linear jog 11, 12: gripper",
-            "N14",
-            Probe::Jog(jog::LINE_GRIPPER),
-        ),
-        check(
-            "release-kind",
-            "a release of the other kind of jog",
-            "N13, N44",
-            Probe::ReleaseKind,
-        ),
-        check(
-            "release-settings",
-            "another acceleration (9/0) between press and release",
-            "N13, N44",
-            Probe::ReleaseSettings,
-        ),
-        check(
-            "write-vector",
-            "a write vector: which way is X (state 4)",
-            "Table 2.6, N4",
-            Probe::WriteVector,
-        ),
-        check(
-            "write-speed",
-            "the start speed of a write vector",
-            "Table 2.6, N5",
-            Probe::WriteSpeed,
-        ),
-        check(
-            "write-stop",
-            "a write vector with float 6 of 1 moves nothing",
-            "N7",
-            Probe::WriteStop,
-        ),
-        check(
-            "set-jog",
-            "teach configuration (9/0) and StarVel",
-            "Tables 3.5 and 3.9",
-            Probe::SetJog,
-        ),
-        check(
-            "set-moves",
-            "playback configuration (9/1)",
-            "Table 3.9",
-            Probe::SetMoves,
-        ),
-        check(
-            "set-writing",
-            "acceleration of writing (9/2)",
-            "Table 3.9",
-            Probe::SetWriting,
-        ),
-        check(
-            "set-angles",
-            "initial angles (9/3), without motion",
-            "Table 3.9, N8",
-            Probe::SetAngles,
-        ),
-        check(
-            "percent",
-            "state 10: which percentage comes first",
-            "Table 3.9, N3",
-            Probe::Percent,
-        ),
-        check(
-            "gesture",
-            "a hand position (state 8)",
-            "N18",
-            Probe::Gesture,
-        ),
-        check(
-            "mouse",
-            "an increment of the mouse (state 1)",
-            "Table 2.4, N9",
-            Probe::Mouse,
-        ),
-        check("voice", "a spoken order (state 5)", "N17", Probe::Voice),
-        check(
-            "laser",
-            "joint jog 13, 14: laser",
-            "Table 2.5, N21",
-            Probe::Laser,
-        ),
-        check(
-            "limit-far",
-            "does not go to a point out of reach",
-            "N30",
-            Probe::LimitFar,
-        ),
-        check(
-            "limit-jog",
-            "a jog stops at the servo's limit",
-            "N13, N30",
-            Probe::LimitJog,
-        ),
-        check("return", "is back where it was", "Table 3.7", Probe::Return),
-        check(
-            "trap-no-length",
-            "a write vector without length",
-            "N16, N34",
-            Probe::TrapNoLength,
-        ),
-        check("trap-state", "an unknown state", "N34", Probe::TrapState),
+        check("status-form", Probe::StatusForm)
+            .says("statuses are whole packets of ten floats")
+            .by("Table 2.3"),
+        check("status-period", Probe::StatusPeriod)
+            .says("a status comes every 80 ms")
+            .by("N20, N27"),
+        check("status-pose", Probe::StatusPose)
+            .says("position and angles of a status agree")
+            .by("N22"),
+        check("status-start", Probe::StatusStart)
+            .says("the arm stands still, within its limits")
+            .by("N28, N30"),
+        check("line-delay", Probe::Delay)
+            .says("the line is fast enough: how long it takes there and back")
+            .by("N20, N41"),
+        check("move-point", Probe::Lift)
+            .says("goes to a point: 10 mm up (state 3)")
+            .by("Table 3.7"),
+        check("set-tool", Probe::SetTool)
+            .says("takes an end effector (9/4)")
+            .by("Table 3.9, N32"),
+        check("frame-noise", Probe::FrameNoise)
+            .says("skips noise before a packet")
+            .by("N24"),
+        check("frame-tail", Probe::FrameTail)
+            .says("does not obey a packet with a wrong tail")
+            .by("Table 2.1"),
+        check("frame-pieces", Probe::FramePieces)
+            .says("takes a packet that comes in two pieces")
+            .by("Table 2.1"),
+        check("frame-truncated", Probe::FrameTruncated)
+            .says("finds its place again after half a packet")
+            .by("N24"),
+        check("frame-pair", Probe::FramePair)
+            .says("takes two packets without a gap")
+            .by("N26"),
+        check("move-modes", Probe::MoveModes)
+            .says("MovingMode 1 and 2: one straight, one by joints")
+            .by("Table 3.7, N2"),
+        check("move-jump", Probe::MoveJump)
+            .says("MovingMode 0: up, across, down")
+            .by("Table 3.7, N11"),
+        check("jump-across", Probe::JumpAcross)
+            .says("MovingMode 0 between unequal heights: how it goes across")
+            .by("N11, N45"),
+        check("move-joints", Probe::MoveJoints)
+            .says("goes to joint angles (state 6)")
+            .by("Table 3.7, N19"),
+        check("move-ticks", Probe::MoveTicks)
+            .says("a move of whole ticks: when the next one begins")
+            .by("N29, N45"),
+        check("move-pause", Probe::MovePause)
+            .says("waits after a move as long as told")
+            .by("Table 3.7, N10"),
+        check("default-pause", Probe::DefaultPause)
+            .says("the default pause of 9/1")
+            .by("Table 3.9, N10"),
+        check("move-tool", Probe::MoveTool)
+            .says("sets pump and gripper after a move")
+            .by("Table 3.7, N21"),
+        check("flow-silence", Probe::FlowSilence)
+            .says("no status while four commands wait")
+            .by("N20"),
+        check("flow-again", Probe::FlowAgain)
+            .says("statuses again when three wait")
+            .by("N20"),
+        check("flow-six", Probe::FlowSix)
+            .says("six commands wait, a seventh does not")
+            .by("N20"),
+        check("flow-order", Probe::FlowOrder)
+            .says("what waits is done in order")
+            .by("N20"),
+        check("jog-release", Probe::JogRelease)
+            .says("a released button stops the jog")
+            .by("Table 2.5, N13"),
+        check("jog-base", Probe::Jog(jog::BASE))
+            .says("joint jog 1, 2: base (state 2)")
+            .by("Table 2.5"),
+        check("jog-rear", Probe::Jog(jog::REAR))
+            .says("joint jog 3, 4: rear arm")
+            .by("Table 2.5"),
+        check("jog-fore", Probe::Jog(jog::FORE))
+            .says("joint jog 5, 6: forearm")
+            .by("Table 2.5"),
+        check("jog-servo", Probe::Jog(jog::SERVO))
+            .says("joint jog 7, 8: servo")
+            .by("Table 2.5"),
+        check("jog-gripper", Probe::Jog(jog::GRIPPER))
+            .says("joint jog 11, 12: gripper")
+            .by("Table 2.5"),
+        check("jog-pump", Probe::JogPump)
+            .says("joint jog 9, 10: pump")
+            .by("Table 2.5, N21"),
+        check("line-x", Probe::Jog(jog::X))
+            .says("linear jog 1, 2: X (state 7)")
+            .by("Table 2.5"),
+        check("line-y", Probe::Jog(jog::Y))
+            .says("linear jog 3, 4: Y")
+            .by("Table 2.5"),
+        check("line-z", Probe::Jog(jog::Z))
+            .says("linear jog 5, 6: Z")
+            .by("Table 2.5"),
+        check("line-servo", Probe::Jog(jog::LINE_SERVO))
+            .says("linear jog 7, 8: servo")
+            .by("N14"),
+        check("line-gripper", Probe::Jog(jog::LINE_GRIPPER))
+            .says("linear jog 11, 12: gripper")
+            .by("N14"),
+        check("release-kind", Probe::ReleaseKind)
+            .says("a release of the other kind of jog")
+            .by("N13, N44"),
+        check("release-settings", Probe::ReleaseSettings)
+            .says("another acceleration (9/0) between press and release")
+            .by("N13, N44"),
+        check("write-vector", Probe::WriteVector)
+            .says("a write vector: which way is X (state 4)")
+            .by("Table 2.6, N4"),
+        check("write-speed", Probe::WriteSpeed)
+            .says("the start speed of a write vector")
+            .by("Table 2.6, N5"),
+        check("write-stop", Probe::WriteStop)
+            .says("a write vector with float 6 of 1 moves nothing")
+            .by("N7"),
+        check("set-jog", Probe::SetJog)
+            .says("teach configuration (9/0) and StarVel")
+            .by("Tables 3.5 and 3.9"),
+        check("set-moves", Probe::SetMoves)
+            .says("playback configuration (9/1)")
+            .by("Table 3.9"),
+        check("set-writing", Probe::SetWriting)
+            .says("acceleration of writing (9/2)")
+            .by("Table 3.9"),
+        check("set-angles", Probe::SetAngles)
+            .says("initial angles (9/3), without motion")
+            .by("Table 3.9, N8"),
+        check("percent", Probe::Percent)
+            .says("state 10: which percentage comes first")
+            .by("Table 3.9, N3"),
+        check("gesture", Probe::Gesture)
+            .says("a hand position (state 8)")
+            .by("N18"),
+        check("mouse", Probe::Mouse)
+            .says("an increment of the mouse (state 1)")
+            .by("Table 2.4, N9"),
+        check("voice", Probe::Voice)
+            .says("a spoken order (state 5)")
+            .by("N17"),
+        check("laser", Probe::Laser)
+            .says("joint jog 13, 14: laser")
+            .by("Table 2.5, N21"),
+        check("limit-far", Probe::LimitFar)
+            .says("does not go to a point out of reach")
+            .by("N30"),
+        check("limit-jog", Probe::LimitJog)
+            .says("a jog stops at the servo's limit")
+            .by("N13, N30"),
+        check("return", Probe::Return)
+            .says("is back where it was")
+            .by("Table 3.7"),
+        check("trap-no-length", Probe::TrapNoLength)
+            .says("a write vector without length")
+            .by("N16, N34"),
+        check("trap-state", Probe::TrapState)
+            .says("an unknown state")
+            .by("N34"),
     ];
+
+    const fn says(self, title: &'static str) -> Self {
+        Self { title, ..self }
+    }
+
+    const fn by(self, source: &'static str) -> Self {
+        Self { source, ..self }
+    }
 
     /// Makes the check.
     pub(crate) async fn make(&self, rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -443,11 +301,11 @@ impl Check {
     }
 }
 
-const fn check(id: &'static str, title: &'static str, source: &'static str, probe: Probe) -> Check {
+const fn check(id: &'static str, probe: Probe) -> Check {
     Check {
         id,
-        title,
-        source,
+        title: "",
+        source: "",
         probe,
     }
 }

@@ -11,7 +11,7 @@ use crate::flow::Flow;
 use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::packet::{
-    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, jog, percent, target, teach, writing,
+    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, jog, percent, teach, writing,
 };
 use crate::seen::Seen;
 
@@ -199,6 +199,14 @@ impl Rig {
         }
     }
 
+    /// Sends a packet, and waits until the arm rests: where it does then, and the statuses of the way.
+    pub(crate) async fn carry_out(&mut self, frame: Frame) -> Result<(Status, Vec<Seen>), Trouble> {
+        let mark = self.seen.len();
+        self.send(frame).await?;
+        let end = self.settled().await?;
+        Ok((end, self.seen[mark..].to_vec()))
+    }
+
     /// Where the arm rests: its last three statuses, late enough to show what was sent, tell the
     /// same.
     fn resting(&self) -> Option<Status> {
@@ -232,10 +240,7 @@ impl Rig {
             // A straight line must have a length (note N34), and a JUMP need not.
             let off_by = distance(&now, to);
             let mode = if off_by < AT_REST_MM { 0.0 } else { 1.0 };
-            let angles = [to.base_deg, to.rear_deg, to.fore_deg];
-            self.send(target(6.0, angles, to.servo_deg, mode, to))
-                .await?;
-            now = self.settled().await?;
+            (now, _) = self.carry_out(angles(to, mode)).await?;
             if turned(&now, to) < NEAR_DEG {
                 return Ok(now);
             }

@@ -2,9 +2,11 @@
 //!
 //! The packets set the end effector: that shows in X and Y at once, and nothing moves.
 
+use dobot_wire::Status;
+
 use crate::checks::settings::{other_tool, reach_of, show_tool};
 use crate::outcome::Outcome;
-use crate::packet::target;
+use crate::packet::angles;
 use crate::rig::{Rig, Trouble, distance};
 
 /// Noise, then a packet.
@@ -63,8 +65,11 @@ pub(crate) async fn truncated(rig: &mut Rig) -> Result<Outcome, Trouble> {
 /// Two packets without a gap: the end effector, and a turn of the base.
 pub(crate) async fn pair(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
-    let angles = [home.base_deg + 1.0, home.rear_deg, home.fore_deg];
-    let turn = target(6.0, angles, home.servo_deg, 1.0, &home);
+    let goal = Status {
+        base_deg: home.base_deg + 1.0,
+        ..home
+    };
+    let turn = angles(&goal, 1.0);
     let bytes = [other_tool(rig).to_bytes(), turn.to_bytes()].concat();
     rig.send_raw(&bytes).await?;
     let now = rig.settled().await?;

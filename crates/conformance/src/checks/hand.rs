@@ -22,8 +22,7 @@ pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, Trouble> {
     };
     let [x, y, z] = hand;
     let frame = Frame::ZERO.with(1, 8.0).with(3, x).with(4, y).with(5, z);
-    rig.send(frame).await?;
-    let there = rig.settled().await?;
+    let (there, _) = rig.carry_out(frame).await?;
     rig.be_gentle().await?;
     let off = off(&there, goal);
     let specification = rig.leaning() == Some(0);
@@ -60,8 +59,7 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
         .with(4, x)
         .with(5, z)
         .with(6, turn);
-    rig.send(frame).await?;
-    let there = rig.settled().await?;
+    let (there, _) = rig.carry_out(frame).await?;
     rig.be_gentle().await?;
     let by = |value: f64, expected: f64| (value - expected).abs() < NEAR_MM;
     let rise = f64::from(there.z_mm - home.z_mm);

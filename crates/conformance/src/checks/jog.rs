@@ -20,16 +20,22 @@ pub(crate) struct Axis {
     unit: &'static str,
 }
 
-pub(crate) const BASE: Axis = joint(1.0, 0, 20.0);
-pub(crate) const REAR: Axis = joint(3.0, 1, 20.0);
-pub(crate) const FORE: Axis = joint(5.0, 2, 20.0);
-pub(crate) const SERVO: Axis = joint(7.0, 3, 20.0);
-pub(crate) const GRIPPER: Axis = joint(11.0, 4, 20.0);
-pub(crate) const X: Axis = line(1.0, 0, 10.0, "mm");
-pub(crate) const Y: Axis = line(3.0, 1, 10.0, "mm");
-pub(crate) const Z: Axis = line(5.0, 2, 10.0, "mm");
-pub(crate) const LINE_SERVO: Axis = line(7.0, 3, 20.0, "degrees");
-pub(crate) const LINE_GRIPPER: Axis = line(11.0, 4, 20.0, "degrees");
+pub(crate) const BASE: Axis = joint(1.0, 0);
+pub(crate) const REAR: Axis = joint(3.0, 1);
+pub(crate) const FORE: Axis = joint(5.0, 2);
+pub(crate) const SERVO: Axis = joint(7.0, 3);
+pub(crate) const GRIPPER: Axis = joint(11.0, 4);
+pub(crate) const X: Axis = along(1.0, 0);
+pub(crate) const Y: Axis = along(3.0, 1);
+pub(crate) const Z: Axis = along(5.0, 2);
+pub(crate) const LINE_SERVO: Axis = Axis {
+    state: LINES,
+    ..SERVO
+};
+pub(crate) const LINE_GRIPPER: Axis = Axis {
+    state: LINES,
+    ..GRIPPER
+};
 
 /// Whether the arm stands still after a release, and stays so.
 pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
@@ -87,10 +93,9 @@ pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, Tro
 
 /// The pump, on and off.
 pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    rig.send(jog(2.0, 9.0, 0.0)).await?;
-    let on = rig.settled().await?.suction;
-    rig.send(jog(2.0, 10.0, 0.0)).await?;
-    let off = !rig.settled().await?.suction;
+    let (with, _) = rig.carry_out(jog(2.0, 9.0, 0.0)).await?;
+    let (without, _) = rig.carry_out(jog(2.0, 10.0, 0.0)).await?;
+    let (on, off) = (with.suction, !without.suction);
     let found = match (on, off) {
         (true, true) => "on, then off",
         (false, _) => "it does not go on",
@@ -154,23 +159,23 @@ fn strays(axis: Axis, from: [f32; 5], to: [f32; 5]) -> f32 {
         .fold(0.0, f32::max)
 }
 
-const fn joint(plus: f32, index: usize, percent: f32) -> Axis {
+/// A joint at 20 %, unless something else is said.
+const fn joint(plus: f32, index: usize) -> Axis {
     Axis {
         state: JOINTS,
         plus,
         index,
-        percent,
+        percent: 20.0,
         unit: "degrees",
     }
 }
 
-const fn line(plus: f32, index: usize, percent: f32, unit: &'static str) -> Axis {
+const fn along(plus: f32, index: usize) -> Axis {
     Axis {
         state: LINES,
-        plus,
-        index,
-        percent,
-        unit,
+        percent: 10.0,
+        unit: "mm",
+        ..joint(plus, index)
     }
 }
 

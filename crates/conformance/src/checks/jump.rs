@@ -3,21 +3,18 @@
 use dobot_wire::Status;
 
 use crate::outcome::Outcome;
-use crate::packet::{JUMP_MM, playback, target};
+use crate::packet::{JUMP_MM, playback, point};
 use crate::rig::{Rig, Trouble, moved, off};
 use crate::seen::Seen;
 
 /// A JUMP of 6 mm, 5 mm high.
 pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
-    let point = moved(&home, [0.0, 6.0, 0.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let heights = rig.seen[mark..].iter().map(|it| it.status.z_mm - home.z_mm);
+    let goal = moved(&home, [0.0, 6.0, 0.0]);
+    let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
+    let heights = seen.iter().map(|it| it.status.z_mm - home.z_mm);
     let height = heights.fold(0.0, f32::max);
-    let off = off(&there, point);
+    let off = off(&there, goal);
     Ok(Outcome::of(
         off < NEAR_MM && (height - JUMP_MM).abs() < 0.3,
         format!("{height:.2} mm up, as set 5; {off:.3} mm off the point"),
@@ -28,21 +25,18 @@ pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
 /// as far above the one end to as far above the other.
 pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let home = rig.home()?;
-    let point = moved(&home, [0.0, WIDE_MM, RISE_MM]);
+    let goal = moved(&home, [0.0, WIDE_MM, RISE_MM]);
     // So slow that some statuses tell of the way across.
     rig.send(playback([5.0, 25.0], [20.0, 100.0], 0.0, JUMP_MM))
         .await?;
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
     rig.be_gentle().await?;
-    let seen = rig.seen[mark..].iter();
-    let places: Vec<_> = seen.filter_map(|it| Across::of(&home, it)).collect();
+    let places = seen.iter().filter_map(|it| Across::of(&home, it));
+    let places: Vec<_> = places.collect();
     let Some((first, last)) = places.first().zip(places.last()) else {
         return Ok(Outcome::Differs("no status tells of a way across".into()));
     };
-    let arrived = off(&there, point) < NEAR_MM;
+    let arrived = off(&there, goal) < NEAR_MM;
     let few = places.len() < FEW;
     let along = |height: fn(f32) -> f32| {
         let mut places = places.iter();
@@ -56,7 +50,7 @@ pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, Trouble> {
             places.len(),
             first.height_mm,
             last.height_mm,
-            off(&there, point)
+            off(&there, goal)
         ),
     ))
 }

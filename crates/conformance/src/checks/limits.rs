@@ -1,7 +1,7 @@
 //! Limits, as far as they can be tried without harm.
 
 use crate::outcome::Outcome;
-use crate::packet::{jog as button, target};
+use crate::packet::{jog as button, point};
 use crate::rig::{Rig, Trouble, turned};
 
 /// A point three times as far away. By joints a stock arm does not set out for it; in a straight
@@ -13,10 +13,9 @@ pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, Trouble> {
             "only a move by joints is safe, and which mode that is is not known".into(),
         ));
     };
-    let point = [home.x_mm * 3.0, home.y_mm * 3.0, home.z_mm];
-    rig.send(target(3.0, point, home.rotation_deg, mode, &home))
-        .await?;
-    let moved = turned(&rig.settled().await?, &home);
+    let beyond = [home.x_mm * 3.0, home.y_mm * 3.0, home.z_mm];
+    let (there, _) = rig.carry_out(point(beyond, mode, &home)).await?;
+    let moved = turned(&there, &home);
     Ok(Outcome::of(
         moved < 0.01,
         format!("it moved by {moved:.3} degrees"),

@@ -5,8 +5,8 @@ use dobot_wire::Status;
 use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::{
-    JUMP_MM, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, percent, playback, target, teach,
-    writing,
+    JUMP_MM, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, percent, playback, point,
+    teach, writing,
 };
 use crate::rig::{Rig, Trouble, distance, moved, off, turned};
 use crate::way::Way;
@@ -15,12 +15,10 @@ use crate::way::Way;
 pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
     let start = rig.start.ok_or(Trouble::Homeless)?;
     rig.settings().await?;
-    let point = moved(&start, [0.0, 0.0, LIFT_MM]);
+    let above = moved(&start, [0.0, 0.0, LIFT_MM]);
     rig.moved = true;
-    rig.send(target(3.0, point, start.rotation_deg, 1.0, &start))
-        .await?;
-    let there = rig.settled().await?;
-    let off = off(&there, point);
+    let (there, _) = rig.carry_out(point(above, 1.0, &start)).await?;
+    let off = off(&there, above);
     if off < NEAR_MM {
         rig.home = Some(there);
     }
@@ -60,14 +58,11 @@ pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, Trouble> {
 /// Whether a mode goes straight or by joints, if one of the two.
 async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
     let home = rig.home()?;
-    let point = moved(&home, [-4.0, 7.0, 5.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, mode, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let way = Way::new(&rig.seen[mark..]);
+    let goal = moved(&home, [-4.0, 7.0, 5.0]);
+    let (there, seen) = rig.carry_out(point(goal, mode, &home)).await?;
+    let way = Way::new(&seen);
     let (line, joints) = (way.off_line_mm(), way.off_joints_mm(rig.tool()));
-    if off(&there, point) > NEAR_MM {
+    if off(&there, goal) > NEAR_MM {
         return Ok(None);
     }
     Ok(match (line < ON_THE_WAY_MM, joints < ON_THE_WAY_MM) {
@@ -94,10 +89,7 @@ pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
         if turned(&now, &goal) < 1.0 {
             break;
         }
-        let angles = [goal.base_deg, goal.rear_deg, goal.fore_deg];
-        rig.send(target(6.0, angles, goal.servo_deg, mode, &goal))
-            .await?;
-        now = rig.settled().await?;
+        (now, _) = rig.carry_out(angles(&goal, mode)).await?;
         worst = worst.max(turned(&now, &goal));
     }
     Ok(Outcome::of(worst < 0.02, format!("{worst:.4} degrees off")))
@@ -129,9 +121,8 @@ async fn rest_s(rig: &mut Rig, pause_s: f32) -> Result<f64, Trouble> {
     let home = rig.home()?;
     let mark = rig.seen.len();
     let points = [[0.0, 3.0, 0.0], [0.0, 3.0, 3.0]].map(|by| moved(&home, by));
-    for (point, pause_s) in points.into_iter().zip([pause_s, 0.0]) {
-        let packet = target(3.0, point, home.rotation_deg, 1.0, &home);
-        rig.send(packet.with(10, pause_s)).await?;
+    for (goal, pause_s) in points.into_iter().zip([pause_s, 0.0]) {
+        rig.send(point(goal, 1.0, &home).with(10, pause_s)).await?;
     }
     // The arm rests in between: wait for the second point.
     let until = rig.now() + std::time::Duration::from_secs(6);
@@ -148,18 +139,15 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
         gripper_deg: home.gripper_deg + 5.0,
         ..home
     };
-    let point = moved(&home, [0.0, 4.0, 0.0]);
+    let goal = moved(&home, [0.0, 4.0, 0.0]);
     let mark = rig.seen.len();
-    let packet = target(3.0, point, home.rotation_deg, 1.0, &grabbing);
-    rig.send(packet.with(10, 0.2)).await?;
+    rig.send(point(goal, 1.0, &grabbing).with(10, 0.2)).await?;
     rig.settled().await?;
     rig.pass(300).await?;
     let there = rig.next_status().await?;
     let mut on_the_way = rig.seen[mark..].iter().map(|it| &it.status);
-    let early = on_the_way.any(|it| it.suction && off(it, point) > NEAR_MM);
-    let angles = [home.base_deg, home.rear_deg, home.fore_deg];
-    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
-        .await?;
+    let early = on_the_way.any(|it| it.suction && off(it, goal) > NEAR_MM);
+    rig.send(angles(&home, 1.0)).await?;
     // A stock arm takes it up only when its pause is over once more (note N47).
     rig.expect_later(300);
     rig.settled().await?;

@@ -6,8 +6,8 @@ use dobot_wire::{Frame, Status};
 use crate::checks::jog::steady_speed;
 use crate::outcome::Outcome;
 use crate::packet::{
-    LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, configuration, percent, playback,
-    target, teach, tool as tool_packet, vector, writing as acceleration,
+    LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, angles as to_angles, configuration,
+    percent, playback, point, teach, tool as tool_packet, vector, writing as acceleration,
 };
 use crate::rig::{Rig, Trouble, distance, moved, off};
 use crate::way::Way;
@@ -71,13 +71,13 @@ pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, Trouble> {
     rig.send(playback([2.0, 20.0], [10.0, 100.0], 0.0, 5.0))
         .await?;
     let home = rig.home()?;
-    let mark = rig.seen.len();
-    let angles = [home.base_deg + TURN_DEG, home.rear_deg, home.fore_deg];
-    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let goal = Status {
+        base_deg: home.base_deg + TURN_DEG,
+        ..home
+    };
+    let (there, seen) = rig.carry_out(to_angles(&goal, 1.0)).await?;
     rig.be_gentle().await?;
-    let took = Way::new(&rig.seen[mark..]).duration_s();
+    let took = Way::new(&seen).duration_s();
     // Half of what was set (50 %): 1 degree/s and 10 degrees/s², or 5 mm/s and 50 mm/s².
     let joints = trapezoid_s(TURN_DEG.into(), 1.0, 10.0);
     let line = trapezoid_s(distance(&home, &there), 5.0, 50.0);
@@ -93,11 +93,9 @@ pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, Trouble> {
 /// A vector with a low acceleration takes as long as it should.
 pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, Trouble> {
     rig.send(acceleration(20.0)).await?;
-    let mark = rig.seen.len();
-    rig.send(vector([0.0, 5.0, 0.0], 0.0, 20.0)).await?;
-    rig.settled().await?;
+    let (_, seen) = rig.carry_out(vector([0.0, 5.0, 0.0], 0.0, 20.0)).await?;
     rig.send(acceleration(STOCK_WRITING_MM_S2)).await?;
-    let took = Way::new(&rig.seen[mark..]).duration_s();
+    let took = Way::new(&seen).duration_s();
     let expected = trapezoid_s(5.0, 20.0, 20.0);
     Ok(Outcome::of(
         (took - expected).abs() < SLACK_S,
@@ -147,9 +145,8 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
 
 /// Tells the arm its initial angles: a float 3, and the forearm as it is.
 async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, Trouble> {
-    rig.send(configuration(3.0, &[float_3, now.fore_deg]))
-        .await?;
-    rig.settled().await
+    let packet = configuration(3.0, &[float_3, now.fore_deg]);
+    Ok(rig.carry_out(packet).await?.0)
 }
 
 /// Which of the two percentages slows a move down: that of the speed leaves a move with one speed
@@ -159,24 +156,21 @@ pub(crate) async fn percentages(rig: &mut Rig) -> Result<Outcome, Trouble> {
         .await?;
     rig.send(percent(100.0, 20.0)).await?;
     let home = rig.home()?;
-    let mark = rig.seen.len();
-    let point = moved(&home, [0.0, 8.0, 0.0]);
-    rig.send(target(3.0, point, home.rotation_deg, 1.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let goal = moved(&home, [0.0, 8.0, 0.0]);
+    let (there, seen) = rig.carry_out(point(goal, 1.0, &home)).await?;
     rig.be_gentle().await?;
     rig.send(percent(50.0, 50.0)).await?;
-    let way = Way::new(&rig.seen[mark..]);
+    let way = Way::new(&seen);
     let mean = distance(&home, &there) / way.duration_s().max(0.01);
     let ratio = way.peak_mm_s() / mean;
-    let arrived = off(&there, point) < 0.1;
+    let arrived = off(&there, goal) < 0.1;
     Ok(Outcome::vote(
         arrived && ratio < 1.35,
         arrived && (1.55..2.4).contains(&ratio),
         if arrived {
             format!("100 and 20: the move is {ratio:.2} times as fast at its peak as on average")
         } else {
-            format!("100 and 20: the move ends {:.2} mm off", off(&there, point))
+            format!("100 and 20: the move ends {:.2} mm off", off(&there, goal))
         },
     ))
 }

@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use crate::outcome::Outcome;
-use crate::packet::{JUMP_MM, playback, target};
+use crate::packet::{JUMP_MM, angles, playback};
 use crate::rig::{Rig, Trouble};
 use crate::seen::Seen;
 use crate::way::periods;
 use dobot_arm::TICK_S;
-use dobot_wire::single;
+use dobot_wire::{Status, single};
 
 /// A turn of the base whose time is whole ticks but for rounding, and one back that waits for it. By
 /// the document the second begins in that very moment. A stock arm, which calculates in single
@@ -36,10 +36,9 @@ pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, Trouble> {
     .await?;
     rig.settled().await?;
     let mark = rig.seen.len();
-    for base in [base_deg, home.base_deg] {
-        let angles = [base, home.rear_deg, home.fore_deg];
-        rig.send(target(6.0, angles, home.servo_deg, mode, &home))
-            .await?;
+    for base_deg in [base_deg, home.base_deg] {
+        let goal = Status { base_deg, ..home };
+        rig.send(angles(&goal, mode)).await?;
     }
     rig.settled().await?;
     rig.be_gentle().await?;
