@@ -1,6 +1,6 @@
 //! What the statuses of a motion tell about it.
 
-use dobot_arm::{Joints, Position, Tool, forward};
+use dobot_arm::{Position, Tool, forward};
 use dobot_client::position;
 use dobot_wire::{Dialect, Status};
 
@@ -101,17 +101,10 @@ pub(crate) fn off_segment(from: Position, to: Position, at: &Status) -> f64 {
 fn off_joints(from: &Status, to: &Status, at: &Status, tool: Tool) -> f64 {
     let (a, b) = (joints(from), joints(to));
     let here = position(at);
-    let off = |share: f64| {
-        let between = |a: f64, b: f64| a + (b - a) * share;
-        let joints = Joints::new(
-            between(a.base.0, b.base.0),
-            between(a.rear.0, b.rear.0),
-            between(a.fore.0, b.fore.0),
-            0.0,
-        );
+    nearest(|share| {
+        let joints = a.towards(&b, share);
         forward(&joints, tool).position.distance(here).0
-    };
-    nearest(off)
+    })
 }
 
 /// The least value of a function with one valley between 0 and 1.

@@ -221,17 +221,12 @@ impl Firmware {
 
     /// The joint angles after so much of the last tick's time, from 0 to 1.
     pub(crate) fn joints_at(&self, share: f64) -> Joints {
-        let [from, to] = self.sent;
-        let between = |from: f32, to: f32| {
-            let (from, to) = (f64::from(from), f64::from(to));
-            from + (to - from) * share
-        };
-        Joints::new(
-            between(from.base_deg, to.base_deg),
-            between(from.rear_deg, to.rear_deg),
-            between(from.fore_deg, to.fore_deg),
-            between(from.servo_deg, to.servo_deg),
-        )
+        let [from, to] = self.sent.map(|it| {
+            let angles = [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg];
+            let [base, rear, fore, servo] = angles.map(f64::from);
+            Joints::new(base, rear, fore, servo)
+        });
+        from.towards(&to, share)
     }
 
     pub(crate) fn pose_at(&self, share: f64) -> Pose {
