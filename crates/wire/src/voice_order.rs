@@ -52,6 +52,19 @@ impl VoiceOrder {
         ("ninety", 90),
     ];
 
+    /// The words of stock arms, and what each orders together with a number; a direction with 0 orders
+    /// nothing.
+    pub const WORDS: [(&str, fn(u16) -> Option<Self>); 8] = [
+        ("ahead", |mm| step(mm, [1.0, 0.0, 0.0])),
+        ("back", |mm| step(mm, [-1.0, 0.0, 0.0])),
+        ("left", |mm| step(mm, [0.0, 1.0, 0.0])),
+        ("right", |mm| step(mm, [0.0, -1.0, 0.0])),
+        ("up", |mm| step(mm, [0.0, 0.0, 1.0])),
+        ("down", |mm| step(mm, [0.0, 0.0, -1.0])),
+        ("catch", |_| Some(Self::Catch)),
+        ("release", |_| Some(Self::Release)),
+    ];
+
     /// Reads the text; `None` where it orders nothing: no word of the list or more than one, or a
     /// direction without a number.
     ///
@@ -61,7 +74,7 @@ impl VoiceOrder {
     pub fn parse(voice: &Voice) -> Option<Self> {
         let text = voice.text().ok()?;
         let words = || text.split(|letter: char| !letter.is_ascii_alphabetic());
-        let mut orders = words().filter_map(|word| find(&ORDERS, word));
+        let mut orders = words().filter_map(|word| find(&Self::WORDS, word));
         let order = orders.next()?;
         if orders.next().is_some() {
             return None;
@@ -91,20 +104,6 @@ fn step(mm: u16, [x, y, z]: [f32; 3]) -> Option<VoiceOrder> {
         z_mm: z * mm,
     })
 }
-
-type Order = fn(u16) -> Option<VoiceOrder>;
-
-/// The words of stock arms.
-const ORDERS: [(&str, Order); 8] = [
-    ("ahead", |mm| step(mm, [1.0, 0.0, 0.0])),
-    ("back", |mm| step(mm, [-1.0, 0.0, 0.0])),
-    ("left", |mm| step(mm, [0.0, 1.0, 0.0])),
-    ("right", |mm| step(mm, [0.0, -1.0, 0.0])),
-    ("up", |mm| step(mm, [0.0, 0.0, 1.0])),
-    ("down", |mm| step(mm, [0.0, 0.0, -1.0])),
-    ("catch", |_| Some(VoiceOrder::Catch)),
-    ("release", |_| Some(VoiceOrder::Release)),
-];
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
