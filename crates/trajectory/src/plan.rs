@@ -23,16 +23,9 @@ fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError>
                 position: position(it.x_mm, it.y_mm, it.z_mm),
                 rotation: Degrees(it.rotation_deg.into()),
             });
-            Ok(target
-                .trajectory(model, it.mode)?
-                .pausing(model.pause_s(command)))
+            target.trajectory(model, it.mode, command)
         }
-        Command::MoveJoints(it) => {
-            let target = Target::Joints(joints(it));
-            Ok(target
-                .trajectory(model, it.mode)?
-                .pausing(model.pause_s(command)))
-        }
+        Command::MoveJoints(it) => Target::Joints(joints(it)).trajectory(model, it.mode, command),
         Command::WriteVector(it) if it.stop => Ok(still(model)),
         Command::WriteVector(it) => vector(it, model),
         Command::MouseMove(it) => mouse(it, model),
@@ -64,7 +57,12 @@ impl Target {
         }
     }
 
-    fn trajectory(self, model: &Model, mode: MovingMode) -> Result<Trajectory, TrajectoryError> {
+    fn trajectory(
+        self,
+        model: &Model,
+        mode: MovingMode,
+        command: &Command,
+    ) -> Result<Trajectory, TrajectoryError> {
         let to = self.place(model)?;
         let speeds = model.settings.move_speeds();
         let height = model.settings.jump_height;
@@ -78,6 +76,7 @@ impl Target {
             MovingMode::MovJ => Way::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
         };
         Ok(Trajectory {
+            pause_s: model.pause_s(command),
             // It says itself where it ends, from wherever.
             knows_end: true,
             ..Trajectory::moving(way, to, model)

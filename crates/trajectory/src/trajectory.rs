@@ -56,10 +56,6 @@ impl Trajectory {
         })
     }
 
-    pub(crate) fn pausing(self, pause_s: f64) -> Self {
-        Self { pause_s, ..self }
-    }
-
     /// How long motion and pause take, in seconds; `None` for a jog, which goes on until told
     /// otherwise.
     #[must_use]
