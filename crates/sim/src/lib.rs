@@ -45,7 +45,5 @@ pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
 pub use serve::{DEFAULT_TCP, DEFAULT_WORLD, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
 pub use speed::{Speed, SpeedError};
-pub use trace::{
-    Comparison, Deviation, Difference, Tolerance, Trace, TraceError, TracedStatus, TracedTick,
-};
+pub use trace::{Comparison, Deviation, Trace, TraceError, TracedStatus, TracedTick};
 pub use virtual_arm::{Sample, VirtualArm};

@@ -142,7 +142,7 @@ impl Draft {
                 (tilt(&mut words)?, tilt(&mut words)?),
             )?,
             "!port" => once(&mut self.port, "!port", words.port()?)?,
-            _ => return Err(Problem::Directive { found: name.into() }),
+            _ => return Err(Problem::Directive(name.into())),
         }
         words.end()
     }
@@ -180,7 +180,7 @@ impl Draft {
 fn once<T>(place: &mut Option<T>, name: &'static str, value: T) -> Result<(), Problem> {
     match place.replace(value) {
         None => Ok(()),
-        Some(_) => Err(Problem::Twice { name }),
+        Some(_) => Err(Problem::Twice(name)),
     }
 }
 

@@ -204,77 +204,53 @@ fn parse_joint(text: &str) -> Option<Joint> {
     Joint::ALL.into_iter().find(|it| it.name() == text)
 }
 
+const fn form(
+    name: &'static str,
+    parse: fn(&str) -> Option<Kind>,
+    values: &'static str,
+    times: Times,
+) -> Form {
+    Form {
+        name,
+        parse,
+        values,
+        times,
+    }
+}
+
 /// All kinds of faults.
 const FORMS: [Form; 11] = [
-    Form {
-        name: "drop",
-        parse: |value| bytes(Damage::Drop, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "flip",
-        parse: |value| bytes(Damage::Flip, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "duplicate",
-        parse: |value| bytes(Damage::Duplicate, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "delay",
-        parse: delay,
-        values: "a time of up to 60 s, as in delay=50ms or delay=50ms:from",
-        times: Times::Any,
-    },
-    Form {
-        name: "withhold",
-        parse: |value| nothing(Kind::Withhold, value),
-        values: "no value, as in withhold@10s..12s",
-        times: Times::Any,
-    },
-    Form {
-        name: "close",
-        parse: |value| nothing(Kind::Close, value),
-        values: "no value, as in close@12s..14s",
-        times: Times::Window,
-    },
-    Form {
-        name: "reset",
-        parse: |value| tilt(value).map(Kind::Reset),
-        values: TILT,
-        times: Times::Moment,
-    },
-    Form {
-        name: "power",
-        parse: |value| tilt(value).map(Kind::Power),
-        values: TILT,
-        times: Times::Window,
-    },
-    Form {
-        name: "lose",
-        parse: lose,
-        values: "base, rear or fore with a share of its pulses above 0 and up to 100 % or a number of them from 1 on, as in lose=fore:1% or lose=rear:30",
-        times: Times::Any,
-    },
-    Form {
-        name: "backlash",
-        parse: backlash,
-        values: "base, rear, fore or servo with degrees from 0 to 10, as in backlash=base:0.3",
-        times: Times::None,
-    },
-    Form {
-        name: "zero",
-        parse: zero,
-        values: "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2",
-        times: Times::None,
-    },
+    form("drop", |it| bytes(Damage::Drop, it), BYTES, Times::Any),
+    form("flip", |it| bytes(Damage::Flip, it), BYTES, Times::Any),
+    form(
+        "duplicate",
+        |it| bytes(Damage::Duplicate, it),
+        BYTES,
+        Times::Any,
+    ),
+    form("delay", delay, DELAY, Times::Any),
+    form(
+        "withhold",
+        |it| nothing(Kind::Withhold, it),
+        WITHHOLD,
+        Times::Any,
+    ),
+    form("close", |it| nothing(Kind::Close, it), CLOSE, Times::Window),
+    form("reset", |it| tilt(it).map(Kind::Reset), TILT, Times::Moment),
+    form("power", |it| tilt(it).map(Kind::Power), TILT, Times::Window),
+    form("lose", lose, LOSE, Times::Any),
+    form("backlash", backlash, BACKLASH, Times::None),
+    form("zero", zero, ZERO, Times::None),
 ];
 
 const BYTES: &str = "a share of the bytes above 0 and up to 100 % or a number of them from 1 on, then :to or :from for one way, as in drop=1% or drop=3:to";
+const DELAY: &str = "a time of up to 60 s, as in delay=50ms or delay=50ms:from";
+const WITHHOLD: &str = "no value, as in withhold@10s..12s";
+const CLOSE: &str = "no value, as in close@12s..14s";
+const LOSE: &str = "base, rear or fore with a share of its pulses above 0 and up to 100 % or a number of them from 1 on, as in lose=fore:1% or lose=rear:30";
+const BACKLASH: &str =
+    "base, rear, fore or servo with degrees from 0 to 10, as in backlash=base:0.3";
+const ZERO: &str = "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2";
 const TILT: &str = "nothing, or what rear and fore read too much, from -90 to 90 degrees, as in reset=rear:1.5,fore:-0.8@open";
 const LONGEST_DELAY_S: u64 = 60;
 const MOST_BACKLASH_DEG: f64 = 10.0;

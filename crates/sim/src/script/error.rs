@@ -19,50 +19,27 @@ pub struct ScriptError {
 pub enum Problem {
     /// It begins with a word that begins no line.
     #[error(
-        "the line begins with `{found}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"
+        "the line begins with `{0}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"
     )]
-    Beginning {
-        /// The word.
-        found: String,
-    },
+    Beginning(String),
     /// It is a directive that nobody knows.
-    #[error(
-        "the directive is `{found}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`"
-    )]
-    Directive {
-        /// The directive.
-        found: String,
-    },
+    #[error("the directive is `{0}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`")]
+    Directive(String),
     /// A directive stands for the second time.
-    #[error("`{name}` stands here for the second time; allowed is once")]
-    Twice {
-        /// The directive.
-        name: &'static str,
-    },
+    #[error("`{0}` stands here for the second time; allowed is once")]
+    Twice(&'static str),
     /// A word that has to be there is missing.
-    #[error("the line ends where {wanted} is due")]
-    Missing {
-        /// What is missing.
-        wanted: &'static str,
-    },
+    #[error("the line ends where {0} is due")]
+    Missing(&'static str),
     /// There are words too many.
-    #[error("behind the line's end stands `{found}`; allowed is nothing more")]
-    TooMuch {
-        /// The first of them.
-        found: String,
-    },
+    #[error("behind the line's end stands `{0}`; allowed is nothing more")]
+    TooMuch(String),
     /// A time is none.
-    #[error("the time is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
-    Time {
-        /// The word.
-        found: String,
-    },
+    #[error("the time is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
+    Time(String),
     /// The end of the run is no time.
-    #[error("the end is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds")]
-    End {
-        /// The word.
-        found: String,
-    },
+    #[error("the end is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds")]
+    End(String),
     /// A line is to be sent before one that stands above it.
     #[error(
         "the time is {found_ms} ms; lines are sent in order, and after one at {latest_ms} ms that time or a later one is allowed"
@@ -74,23 +51,14 @@ pub enum Problem {
         latest_ms: f64,
     },
     /// What a tilt sensor reads is no angle.
-    #[error("the tilt sensor's angle is `{found}`; allowed are -180 to 180 degrees")]
-    Tilt {
-        /// The word.
-        found: String,
-    },
+    #[error("the tilt sensor's angle is `{0}`; allowed are -180 to 180 degrees")]
+    Tilt(String),
     /// A port is none.
-    #[error("the port is `{found}`; allowed are `usb` and `bt`")]
-    Port {
-        /// The word.
-        found: String,
-    },
+    #[error("the port is `{0}`; allowed are `usb` and `bt`")]
+    Port(String),
     /// A packet has more or fewer floats than ten.
-    #[error("the packet has {found} floats; allowed are 10")]
-    FloatCount {
-        /// How many.
-        found: usize,
-    },
+    #[error("the packet has {0} floats; allowed are 10")]
+    FloatCount(usize),
     /// A float of a packet is none.
     #[error("float {float} is `{found}`; allowed are numbers that fit four bytes, `nan` and `inf`")]
     Float {

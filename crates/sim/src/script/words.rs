@@ -36,25 +36,25 @@ impl<'a> Words<'a> {
     pub(super) fn end(&mut self) -> Result<(), Problem> {
         match self.next() {
             None => Ok(()),
-            Some(word) => Err(Problem::TooMuch { found: word.into() }),
+            Some(word) => Err(Problem::TooMuch(word.into())),
         }
     }
 
     pub(super) fn time(&mut self) -> Result<Duration, Problem> {
         let word = self.word("a time in milliseconds")?;
-        time(word).ok_or_else(|| Problem::End { found: word.into() })
+        time(word).ok_or_else(|| Problem::End(word.into()))
     }
 
     pub(super) fn port(&mut self) -> Result<Port, Problem> {
         match self.word("`usb` or `bt`")? {
             "usb" => Ok(Port::Usb),
             "bt" => Ok(Port::Bluetooth),
-            word => Err(Problem::Port { found: word.into() }),
+            word => Err(Problem::Port(word.into())),
         }
     }
 
     fn word(&mut self, wanted: &'static str) -> Result<&'a str, Problem> {
-        self.next().ok_or(Problem::Missing { wanted })
+        self.next().ok_or(Problem::Missing(wanted))
     }
 }
 
@@ -64,9 +64,9 @@ pub(super) fn start(words: &mut Words<'_>) -> Result<Start, Problem> {
         word => match time(word) {
             Some(at) => Ok(Start::At(at)),
             None if word.starts_with(|it: char| it.is_ascii_alphabetic() || it == '!') => {
-                Err(Problem::Beginning { found: word.into() })
+                Err(Problem::Beginning(word.into()))
             }
-            None => Err(Problem::Time { found: word.into() }),
+            None => Err(Problem::Time(word.into())),
         },
     }
 }
@@ -76,14 +76,14 @@ pub(super) fn tilt(words: &mut Words<'_>) -> Result<f64, Problem> {
     word.parse()
         .ok()
         .filter(|it: &f64| it.abs() <= 180.0)
-        .ok_or_else(|| Problem::Tilt { found: word.into() })
+        .ok_or_else(|| Problem::Tilt(word.into()))
 }
 
 /// Ten floats as a packet.
 pub(super) fn packet(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
     let mut frame = Frame::ZERO;
     for n in 1..=10 {
-        let word = words.next().ok_or(Problem::FloatCount { found: n - 1 })?;
+        let word = words.next().ok_or(Problem::FloatCount(n - 1))?;
         let value = float(word).ok_or_else(|| Problem::Float {
             float: n,
             found: word.into(),
@@ -94,7 +94,7 @@ pub(super) fn packet(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
         return Ok(frame.to_bytes().to_vec());
     }
     let more = std::iter::from_fn(|| words.next()).count();
-    Err(Problem::FloatCount { found: 10 + more })
+    Err(Problem::FloatCount(10 + more))
 }
 
 /// The bytes of a `raw` line.
@@ -117,7 +117,7 @@ pub(super) fn bytes(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
 
 pub(super) fn voice(text: &str) -> Result<Vec<u8>, Problem> {
     if text.is_empty() {
-        return Err(Problem::Missing { wanted: "a text" });
+        return Err(Problem::Missing("a text"));
     }
     let voice = Voice::new(text).map_err(Problem::Voice)?;
     Ok(voice.to_bytes().to_vec())

@@ -57,37 +57,23 @@ impl Check<'_> {
     }
 
     fn tool(&self, file: &File) -> Result<Tool, SceneError> {
-        let tools = [
-            file.pen.as_ref().map(|it| self.pen(it)),
-            file.laser.as_ref().map(|it| self.laser(it)),
-            file.suction_cup.as_ref().map(|it| self.suction_cup(it)),
-            file.gripper.as_ref().map(|it| self.gripper(it)),
-        ];
-        let mut tools = tools.into_iter().flatten();
-        let Some(tool) = tools.next() else {
-            let found = "there is no tool".to_owned();
-            return Err(SceneError::Tools { line: 1, found });
+        let pen = file.pen.as_ref().map(|it| (self.line(it), self.pen(it)));
+        let laser = file.laser.as_ref();
+        let laser = laser.map(|it| (self.line(it), self.laser(it)));
+        let cup = file.suction_cup.as_ref();
+        let cup = cup.map(|it| (self.line(it), self.suction_cup(it)));
+        let gripper = file.gripper.as_ref();
+        let gripper = gripper.map(|it| (self.line(it), self.gripper(it)));
+        let tools = [pen, laser, cup, gripper].into_iter().flatten();
+        let mut tools: Vec<_> = tools.collect();
+        tools.sort_by_key(|(line, _)| *line);
+        let (line, found) = match (tools.get(1), tools.len()) {
+            (Some((line, _)), _) => (*line, "there is a second tool"),
+            (None, 0) => (1, "there is no tool"),
+            (None, _) => return tools.swap_remove(0).1,
         };
-        if tools.next().is_some() {
-            let found = "there is a second tool".to_owned();
-            let line = self.second_tool(file);
-            return Err(SceneError::Tools { line, found });
-        }
-        tool
-    }
-
-    fn second_tool(&self, file: &File) -> usize {
-        let mut lines: Vec<usize> = [
-            file.pen.as_ref().map(|it| self.line(it)),
-            file.laser.as_ref().map(|it| self.line(it)),
-            file.suction_cup.as_ref().map(|it| self.line(it)),
-            file.gripper.as_ref().map(|it| self.line(it)),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        lines.sort_unstable();
-        lines.get(1).copied().unwrap_or(1)
+        let found = found.to_owned();
+        Err(SceneError::Tools { line, found })
     }
 
     fn pen(&self, pen: &Spanned<file::Pen>) -> Result<Tool, SceneError> {
