@@ -5,7 +5,7 @@ use crate::checks::{
     write,
 };
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Trouble};
+use crate::rig::{CheckError, Rig};
 
 /// Something that is checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub(crate) enum Probe {
     FlowSix,
     FlowOrder,
     JogRelease,
-    Jog(jog::Axis),
+    Jog(jog::JogButtons),
     JogPump,
     ReleaseKind,
     ReleaseSettings,
@@ -249,7 +249,7 @@ impl Check {
     }
 
     /// Makes the check.
-    pub(crate) async fn make(&self, rig: &mut Rig) -> Result<Outcome, Trouble> {
+    pub(crate) async fn make(&self, rig: &mut Rig) -> Result<Outcome, CheckError> {
         match self.probe {
             Probe::StatusForm => link::form(rig).await,
             Probe::StatusPeriod => Ok(link::period(rig)),

@@ -9,7 +9,7 @@ use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::jog;
 use crate::report::{Report, Row};
-use crate::rig::{Rig, Trouble};
+use crate::rig::{CheckError, Rig};
 
 /// All checks, over one link.
 #[derive(Debug)]
@@ -83,12 +83,12 @@ impl Suite {
             self.make_back().await
         };
         match stopped.await {
-            Err(Trouble::Link(error)) => Err(error),
+            Err(CheckError::Link(error)) => Err(error),
             _ => Ok(()),
         }
     }
 
-    async fn make_back(&mut self) -> Result<(), Trouble> {
+    async fn make_back(&mut self) -> Result<(), CheckError> {
         if self.rig.moved {
             crate::checks::moves::back(&mut self.rig).await?;
         }
@@ -133,7 +133,7 @@ impl Suite {
 
     /// What a check that is made again needs: settings may have got lost too, and the queue is
     /// filled anew.
-    async fn prepare_again(&mut self, probe: Probe) -> Result<(), Trouble> {
+    async fn prepare_again(&mut self, probe: Probe) -> Result<(), CheckError> {
         self.rig.settings().await?;
         show_tool(&mut self.rig, true).await?;
         if matches!(probe, Probe::FlowAgain | Probe::FlowSix | Probe::FlowOrder) {
@@ -153,7 +153,7 @@ impl Suite {
         match check.make(&mut self.rig).await {
             Ok(outcome) => outcome,
             Err(trouble) => {
-                if !matches!(trouble, Trouble::Restless) {
+                if !matches!(trouble, CheckError::Restless) {
                     self.end(&trouble);
                 }
                 Outcome::Differs(trouble.to_string())
@@ -161,9 +161,9 @@ impl Suite {
         }
     }
 
-    fn end(&mut self, trouble: &Trouble) {
+    fn end(&mut self, trouble: &CheckError) {
         // Where angles are not true no way back is safe.
-        self.rig.moved &= !matches!(trouble, Trouble::Untrue);
+        self.rig.moved &= !matches!(trouble, CheckError::Untrue);
         self.ended = Some(format!("before it, {trouble}"));
     }
 

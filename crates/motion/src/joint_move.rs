@@ -2,7 +2,7 @@
 
 use dobot_arm::Joints;
 
-use crate::pace::Pace;
+use crate::pace::MovePace;
 use crate::plan_error::finite;
 use crate::{PlanError, Profile, Speeds};
 
@@ -47,11 +47,9 @@ impl JointMove {
         finite("forearm angle's way", fore)?;
         finite("servo angle's way", servo)?;
         let joints_deg = base.abs().max(rear.abs()).max(fore.abs());
-        let pace = Pace::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(Pace::of(
-            servo.abs(),
-            speeds.servo_deg_s,
-            speeds.servo_deg_s2,
-        ));
+        let pace = MovePace::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(
+            MovePace::of(servo.abs(), speeds.servo_deg_s, speeds.servo_deg_s2),
+        );
         Ok(Self {
             from,
             to,

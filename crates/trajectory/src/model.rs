@@ -6,7 +6,7 @@ use dobot_wire::{
 };
 
 use crate::followed::Followed;
-use crate::left::Left;
+use crate::left_speed::LeftSpeed;
 use crate::settings::tool_named;
 use crate::{Button, JogTrajectory, Place, Settings, Trajectory};
 
@@ -51,7 +51,7 @@ pub struct Model {
     /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
     pub(crate) knows_place: bool,
     /// What the last vector left.
-    pub(crate) left: Left,
+    pub(crate) left: LeftSpeed,
     /// The jog that goes on, or whose speed the arm keeps.
     pub(crate) jog: Option<JogTrajectory>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
@@ -99,7 +99,7 @@ impl Model {
             dialect,
             is_bluetooth: false,
             knows_place: true,
-            left: Left::NOTHING,
+            left: LeftSpeed::NOTHING,
             jog: None,
             idle_pause_s: 0.0,
             followed: Followed::default(),

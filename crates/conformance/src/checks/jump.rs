@@ -4,11 +4,11 @@ use dobot_wire::Status;
 
 use crate::outcome::Outcome;
 use crate::packet::{JUMP_MM, playback, point};
-use crate::rig::{Rig, Trouble, moved, off};
-use crate::seen::Seen;
+use crate::rig::{CheckError, Rig, moved, off};
+use crate::timed_status::TimedStatus;
 
 /// A JUMP of 6 mm, 5 mm high.
-pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let goal = moved(&home, [0.0, 6.0, 0.0]);
     let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
@@ -23,7 +23,7 @@ pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
 
 /// A JUMP to a higher place. By the document it goes across above the higher end, on a stock arm from
 /// as far above the one end to as far above the other.
-pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let goal = moved(&home, [0.0, WIDE_MM, RISE_MM]);
     // So slow that some statuses tell of the way across.
@@ -66,7 +66,7 @@ struct Across {
 
 impl Across {
     /// `None` above the ends: up and down are not quite upright on a stock arm.
-    fn of(home: &Status, seen: &Seen) -> Option<Self> {
+    fn of(home: &Status, seen: &TimedStatus) -> Option<Self> {
         let share = (seen.status.y_mm - home.y_mm) / WIDE_MM;
         (0.1..0.9).contains(&share).then_some(Self {
             share,

@@ -2,11 +2,11 @@
 
 use crate::outcome::Outcome;
 use crate::packet::{jog as button, point};
-use crate::rig::{Rig, Trouble, turned};
+use crate::rig::{CheckError, Rig, turned};
 
 /// A point three times as far away. By joints a stock arm does not set out for it; in a straight
 /// line it would, and lose its pose (note N34).
-pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let Some(mode) = rig.joint_mode else {
         return Ok(Outcome::NotTried(
@@ -23,7 +23,7 @@ pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// The servo is jogged to its end and beyond.
-pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(button(2.0, 7.0, 100.0)).await?;
     rig.pass(4000).await?;
     rig.send(button(2.0, 0.0, 0.0)).await?;

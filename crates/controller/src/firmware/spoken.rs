@@ -3,10 +3,10 @@
 use dobot_wire::VoiceOrder;
 
 use super::follow::CLOSED_DEG;
-use super::line::Line;
-use super::settings::Settings;
-use super::target::Going;
-use super::{Body, Outcome, Printer, Progress};
+use super::line::StraightLine;
+use super::settings::StockSettings;
+use super::target::MoveShape;
+use super::{Body, Printer, Progress, TickOutcome};
 use crate::Hang;
 
 /// The words that were understood last, and what becomes of them.
@@ -20,7 +20,7 @@ pub(crate) struct Spoken {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnderWay {
     /// The way to a target.
-    pub(crate) way: Option<Going>,
+    pub(crate) way: Option<MoveShape>,
     /// A text of which the rest is still to come.
     pub(crate) text: bool,
     /// This is the first tick of a command from the queue.
@@ -29,7 +29,7 @@ pub(crate) struct UnderWay {
 
 /// What was found in a text.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Words {
+pub(crate) struct SpokenWords {
     order: Option<VoiceOrder>,
     /// The words that were recognised, and the sum of the numbers.
     word: &'static str,
@@ -43,7 +43,7 @@ impl Spoken {
     }
 
     /// Takes another text; returns whether it orders anything.
-    pub(crate) fn hear(&mut self, words: &Words) -> bool {
+    pub(crate) fn hear(&mut self, words: &SpokenWords) -> bool {
         if words.order.is_some() {
             self.order = words.order;
         }
@@ -56,32 +56,32 @@ impl Spoken {
         &mut self,
         is_over: bool,
         under_way: UnderWay,
-        settings: &Settings,
-        line: &mut Line,
+        settings: &StockSettings,
+        line: &mut StraightLine,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         if is_over {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         let Some(order) = self.order else {
             body.repeats = under_way.text;
-            return Outcome::hangs_if(!under_way.text, Hang::NothingSaid);
+            return TickOutcome::hangs_if(!under_way.text, Hang::NothingSaid);
         };
-        if under_way.way == Some(Going::ByJoints) {
+        if under_way.way == Some(MoveShape::ByJoints) {
             // It counts as planned already, and there is no line to go.
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         match order {
-            _ if under_way.way == Some(Going::Line) => {}
+            _ if under_way.way == Some(MoveShape::Line) => {}
             VoiceOrder::Catch => {
                 body.repeats = !under_way.fetched;
                 body.grab(true, CLOSED_DEG);
-                return Outcome::OVER;
+                return TickOutcome::OVER;
             }
             VoiceOrder::Release => {
                 body.repeats = !under_way.fetched;
                 body.grab(false, 0.0);
-                return Outcome::OVER;
+                return TickOutcome::OVER;
             }
             VoiceOrder::Move { .. } if self.is_planned => {}
             VoiceOrder::Move { x_mm, y_mm, z_mm } => {
@@ -92,14 +92,14 @@ impl Spoken {
             }
         }
         match line.tick(body) {
-            Progress::GoesOn => Outcome::GOES_ON,
-            Progress::Arrived => Outcome::OVER,
-            Progress::CutShort => Outcome::over(false),
+            Progress::GoesOn => TickOutcome::GOES_ON,
+            Progress::Arrived => TickOutcome::OVER,
+            Progress::CutShort => TickOutcome::over(false),
         }
     }
 }
 
-impl Words {
+impl SpokenWords {
     /// Finds words anywhere in a text, inside of others too; what follows a zero is not read.
     pub(crate) fn find(text: &[u8]) -> Self {
         let text = text.split(|&byte| byte == 0).next().unwrap_or_default();

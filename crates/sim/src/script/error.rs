@@ -10,13 +10,13 @@ pub struct ScriptError {
     /// The line's number; the first is 1.
     pub line: usize,
     /// What is wrong with it.
-    pub problem: Problem,
+    pub problem: ScriptProblem,
 }
 
 /// What is wrong with a line of a script.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum Problem {
+pub enum ScriptProblem {
     /// It begins with a word that begins no line.
     #[error(
         "the line begins with `{0}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"

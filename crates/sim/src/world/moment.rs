@@ -10,14 +10,14 @@ use super::{Actuators, ArmState, Tool};
 
 /// An arm at a moment.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
+pub(crate) struct ArmMoment {
     pub(crate) at: Duration,
     pub(crate) joints: Joints,
     pub(crate) actuators: Actuators,
     pub(crate) tip: Tip,
 }
 
-impl Moment {
+impl ArmMoment {
     /// Whether its angles are such that an arm can have them.
     pub(crate) fn is_somewhere(&self) -> bool {
         let Joints {

@@ -24,7 +24,7 @@ use std::time::Duration;
 use common::{POWER_UP_X_MM, button, move_to, ms, virtual_arm};
 use dobot_client::{Connection, plausible};
 use dobot_controller::PowerUp;
-use dobot_sim::{Pty, Server, ServerEvent, Speed, What};
+use dobot_sim::{FaultEffect, Pty, Server, ServerEvent, Speed};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MoveTo, MovingMode, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};

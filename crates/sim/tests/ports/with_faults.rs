@@ -23,7 +23,7 @@ async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
         told.until(|it| matches!(it, ServerEvent::PortClosed(_)))
             .await;
         let over = |it: &ServerEvent| {
-            matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0))
+            matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0))
         };
         told.until(over).await;
         let mut third = connect(&format!("tcp:{address}")).await;
@@ -49,8 +49,10 @@ async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
         let ServerEvent::PtyMoved(path) = moved else {
             panic!("{moved:?}");
         };
-        told.until(|it| matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0)))
-            .await;
+        told.until(
+            |it| matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0)),
+        )
+        .await;
         let mut second = connect(&format!("serial:{}", path.display())).await;
         second.next_status().await.expect("the arm is still there");
     })

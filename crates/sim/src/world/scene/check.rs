@@ -7,12 +7,12 @@ use std::ops::RangeInclusive;
 use dobot_geometry::Point;
 use toml::Spanned;
 
-use super::file::{self, File, Number, line};
+use super::file::{self, File, line};
 use super::{Paper, Scene, SceneError};
 use crate::world::{Tool, ToolKind};
 
 pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
-    let check = Check { text };
+    let check = SceneCheck { text };
     Ok(Scene {
         tool: check.tool(file)?,
         table_z_mm: check.table(file)?,
@@ -22,11 +22,11 @@ pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
 }
 
 /// Checks, and tells the lines of the text.
-struct Check<'a> {
+struct SceneCheck<'a> {
     text: &'a str,
 }
 
-impl Check<'_> {
+impl SceneCheck<'_> {
     fn line<T>(&self, it: &Spanned<T>) -> usize {
         line(self.text, it.span().start)
     }
@@ -89,7 +89,7 @@ impl Check<'_> {
 
     fn laser(&self, laser: &Spanned<file::Laser>) -> Result<Tool, SceneError> {
         let it = laser.get_ref();
-        let optional = |number: &Option<Number>, what, range, default| {
+        let optional = |number: &Option<Spanned<f64>>, what, range, default| {
             self.optional(number.as_ref(), what, range, default)
         };
         let kind = ToolKind::Laser {
@@ -147,7 +147,7 @@ impl Check<'_> {
     fn mounted(
         &self,
         name: &str,
-        [down_z, give]: [&Option<Number>; 2],
+        [down_z, give]: [&Option<Spanned<f64>>; 2],
         [down_z_mm, give_mm]: [f64; 2],
         kind: ToolKind,
     ) -> Result<Tool, SceneError> {
@@ -166,7 +166,7 @@ impl Check<'_> {
 
     fn number(
         &self,
-        number: &Number,
+        number: &Spanned<f64>,
         what: &str,
         range: RangeInclusive<f64>,
     ) -> Result<f64, SceneError> {
@@ -175,7 +175,7 @@ impl Check<'_> {
 
     fn optional(
         &self,
-        number: Option<&Number>,
+        number: Option<&Spanned<f64>>,
         what: &str,
         range: RangeInclusive<f64>,
         default: f64,

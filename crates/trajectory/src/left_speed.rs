@@ -3,14 +3,14 @@
 /// The end speed of the last vector in mm/s, with which the next one starts where the dialect does not
 /// use its start speed (notes N5 and N48); where it does, nobody cares.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Left {
+pub(crate) struct LeftSpeed {
     pub(crate) believed_mm_s: f32,
     /// What it may be instead where nobody knows: of an arm that others used before, or behind a vector
     /// that may have been cut short.
     pub(crate) perhaps_mm_s: Option<[f32; 3]>,
 }
 
-impl Left {
+impl LeftSpeed {
     /// At power-up.
     pub(crate) const NOTHING: Self = Self::known(0.0);
 
