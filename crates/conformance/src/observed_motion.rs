@@ -1,4 +1,4 @@
-//! What the statuses of a motion tell about it.
+//! A motion as its statuses tell it.
 
 use dobot_arm::{Position, Tool, forward};
 use dobot_client::position;

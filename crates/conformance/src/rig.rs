@@ -57,7 +57,7 @@ pub(crate) enum CheckError {
     )]
     Implausible { count: usize, worst: f64 },
     #[error(
-        "no status came for {:.1} s, only {bytes} bytes that are none{}",
+        "no status came for {:.1} s, only {bytes} bytes that are not a status{}",
         SILENCE.as_secs_f64(),
         if *.lost { ": the pose is no number (NaN)" } else { "" }
     )]

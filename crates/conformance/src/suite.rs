@@ -27,7 +27,7 @@ pub struct Options {
     /// Try at the end what makes a stock arm lose its pose or hang until it is reset, and the limit
     /// of the servo (note N34): for virtual arms.
     pub traps: bool,
-    /// The arm was switched on just now and has obeyed nobody yet, as a new virtual one.
+    /// The arm was switched on just now and has had no other client, as a new virtual one.
     pub fresh: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What came.
+//! A status, and when it came.
 
 use std::time::Duration;
 

@@ -19,7 +19,7 @@ pub struct Upload {
     pub bytes: [u8; PACKET_LEN],
 }
 
-/// Statuses sent that nobody has fetched yet.
+/// Statuses that were sent and not yet fetched.
 #[derive(Debug, Default)]
 pub(crate) struct Uploads(Deque<Upload, UPLOADS_LEN>);
 
@@ -97,7 +97,7 @@ impl StatusSchedule {
 }
 
 impl Uploads {
-    /// Queues a status to be fetched; the oldest is lost where nobody fetches.
+    /// Queues a status to be fetched; the oldest is lost where there is no room.
     pub(crate) fn push(&mut self, upload: Upload, log: &mut Log) {
         log.counters.statuses += 1;
         if self.0.is_full() {

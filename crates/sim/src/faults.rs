@@ -1,4 +1,4 @@
-//! What goes wrong, in words: `drop=1%`, `reset@12s`.
+//! Faults, and how they are written: `drop=1%`, `reset@12s`.
 
 mod fault_state;
 mod parse;

@@ -74,7 +74,7 @@ impl Script {
     ///
     /// # Errors
     ///
-    /// [`ScriptError`] for the first line that is none: its number, what was found and what is
+    /// [`ScriptError`] for the first bad line: its number, what was found and what is
     /// allowed.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
         let mut draft = Draft::default();

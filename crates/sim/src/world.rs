@@ -154,7 +154,7 @@ impl World {
         self.arm = Some(to);
     }
 
-    /// What happened since the last call, in its order; of what nobody asks for, the last 100 are
+    /// What happened since the last call, in its order; of the events that are not asked for, the last 100 are
     /// kept.
     pub fn poll_event(&mut self) -> Option<Happened> {
         self.untold.pop_front()

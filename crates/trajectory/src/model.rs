@@ -76,7 +76,7 @@ pub(crate) enum Lines {
 }
 
 impl Model {
-    /// An arm that tells a status and has been configured by nobody: stock settings, and the suction
+    /// An arm that tells a status and has not been configured: stock settings, and the suction
     /// cup unless the status is that of a laser. What others told it before is not known.
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
@@ -86,7 +86,7 @@ impl Model {
         model
     }
 
-    /// An arm that stands at a place and has been configured by nobody: stock settings, suction cup.
+    /// An arm that stands at a place and has not been configured: stock settings, suction cup.
     #[must_use]
     pub fn standing(dialect: Dialect, place: Place) -> Self {
         Self {
@@ -118,7 +118,7 @@ impl Model {
         self.jog = self.jog.filter(|_| self.dialect.keeps_jog_speed);
     }
 
-    /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
+    /// Takes note that it is unknown where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
         self.left = self.left.perhaps();

@@ -196,7 +196,7 @@ fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, Traject
     })
 }
 
-/// A vector of half that length or less is none (note N16); the rest is for rounding.
+/// A vector of half that length or less does not move the arm (note N16); the rest is for rounding.
 const NO_LENGTH_MM: f64 = 0.0002;
 /// So far a vector may go back before it goes on: less than a tick's way at 40 mm/s.
 const BACK_MM: f32 = 0.5;

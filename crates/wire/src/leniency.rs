@@ -1,4 +1,4 @@
-//! What a stock arm takes though no table allows it.
+//! The values that a stock arm takes although no table allows them.
 
 use crate::{Frame, ParseError};
 
@@ -238,7 +238,7 @@ const ALL: &[Leniency] = &[
     },
 ];
 
-/// What is not looked at, whatever it is.
+/// A stock arm does not look at this value, whatever it is.
 const OVERLOOKED: Leniency = Leniency {
     states: &[],
     names: &[],

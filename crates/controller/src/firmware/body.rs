@@ -66,7 +66,7 @@ impl Body {
     }
 
     /// Moves all joints at these speeds (degrees per second: base, rear, fore, servo) for a tick, or
-    /// not at all where a limit forbids it (note N42). What is not a number passes every limit.
+    /// not at all where a limit forbids it (note N42). An angle that is not a number passes every limit.
     #[must_use]
     pub(crate) fn advance(&mut self, speeds: [f32; 4]) -> bool {
         self.is_driven = true;
@@ -171,7 +171,7 @@ impl Body {
         self.hands.head_servo = servo_value(servo_deg.clamp(-90.0, 90.0));
     }
 
-    /// Whether nobody knows any more where the arm is.
+    /// Whether it is unknown where the arm is.
     pub(crate) const fn is_lost(&self) -> bool {
         let Joints {
             base_deg,

@@ -1,4 +1,4 @@
-//! What a tick comes to.
+//! The outcome of a tick.
 
 use crate::{Hang, Refused};
 

@@ -1,4 +1,4 @@
-//! What a virtual arm needs to go wrong and to start anew.
+//! The state of the faults of a virtual arm, and the start of another controller.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What is told of a fault.
+//! The news of a fault: it began, it hit, it is over.
 
 use std::fmt;
 use std::time::Duration;

@@ -151,7 +151,7 @@ fn hex(word: &str) -> Option<Vec<u8>> {
     bytes.filter(|it| !it.is_empty())
 }
 
-/// A number that fits four bytes, `nan` or `inf`; one that is too great is none.
+/// A number that fits four bytes, `nan` or `inf`; one that is too great is not taken.
 fn float(word: &str) -> Option<f32> {
     let float: f32 = word.parse().ok()?;
     let says_so = || word.contains(['i', 'I']);

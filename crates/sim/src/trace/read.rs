@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
 
-/// What is wrong with the text of a trace.
+/// Why a text is not a trace.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TraceError {
@@ -46,7 +46,7 @@ impl Trace {
     ///
     /// # Errors
     ///
-    /// [`TraceError`] for the first line that is none.
+    /// [`TraceError`] for the first line that is not a line of a trace.
     pub fn parse(statuses: &str, ticks: &str, other_port: &[u8]) -> Result<Self, TraceError> {
         Ok(Self {
             statuses: rows(statuses, STATUS_FIELDS, status)?,

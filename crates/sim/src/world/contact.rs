@@ -1,4 +1,4 @@
-//! What is pressed into what.
+//! Contacts: the tool, or an object that it holds, is pressed into something.
 
 use dobot_geometry::{Point, direction};
 

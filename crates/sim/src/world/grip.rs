@@ -1,4 +1,4 @@
-//! What the tool holds.
+//! The objects that the tool holds.
 
 use dobot_geometry::{Vec2, direction};
 

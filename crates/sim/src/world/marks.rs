@@ -1,4 +1,4 @@
-//! What pen and laser leave behind.
+//! The marks of pen and laser.
 
 use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! What is allowed in a scene.
+//! The checks of a scene.
 
 mod objects;
 

@@ -1,4 +1,4 @@
-//! What is allowed of objects: where they stand, on what, and not in each other.
+//! The checks of objects: where they stand, on what, and that no two are in one place.
 
 use std::ops::RangeInclusive;
 
