@@ -23,7 +23,7 @@ mod write;
 
 use core::time::Duration;
 
-use dobot_arm::stock::{Joints as StockJoints, short};
+use dobot_arm::stock::{StockJoints, short};
 use dobot_arm::{Joints, Pose};
 use dobot_wire::{Frame, Status};
 

@@ -1,7 +1,7 @@
 //! States 1, 8 and 15 of the stock controller: mouse, gesture and a third one that follow a moving
 //! target (note N49).
 
-use dobot_arm::stock::{Joints, Pose, inverse, is_out_of_reach, reach, short};
+use dobot_arm::stock::{StockJoints, StockPose, inverse, is_out_of_reach, reach, short};
 use dobot_wire::Frame;
 
 use super::TickOutcome;
@@ -132,17 +132,17 @@ impl Follow {
         sample: [f32; 3],
         settings: &StockSettings,
         body: &Body,
-    ) -> Result<Joints, TickOutcome> {
+    ) -> Result<StockJoints, TickOutcome> {
         let [swing, longer, higher] = self.history.mouse_average(sample);
         let z_mm = body.pose.z_mm + higher;
-        let pose = Pose {
+        let pose = StockPose {
             x_mm: reach(body.pose) + longer,
             y_mm: 0.0,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
             rotation_deg: 0.0,
         };
         let arms = solve(pose, body)?;
-        Ok(Joints {
+        Ok(StockJoints {
             base_deg: body.joints.base_deg - swing,
             ..arms
         })
@@ -153,7 +153,7 @@ impl Follow {
         sample: [f32; 3],
         settings: &StockSettings,
         body: &Body,
-    ) -> Result<(Joints, f32), TickOutcome> {
+    ) -> Result<(StockJoints, f32), TickOutcome> {
         let [x, y, z] = self.history.hand_average(sample);
         let (x_mm, y_mm) = (230.0 + 0.5 * x, y);
         let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
@@ -168,7 +168,7 @@ impl Follow {
         } else {
             GESTURE_S
         };
-        let pose = Pose {
+        let pose = StockPose {
             x_mm,
             y_mm,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
@@ -205,7 +205,7 @@ impl History {
     }
 
     /// The average of the angles told before: the newest one does not count yet.
-    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> Joints {
+    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> StockJoints {
         let sample = [
             clamp(rear, REAR_DEG[0], REAR_DEG[1]),
             clamp(fore, FORE_DEG[0], FORE_DEG[1]),
@@ -214,7 +214,7 @@ impl History {
         let [rear_deg, fore_deg, base_deg] = self
             .sums_before(sample, [0.0; 3])
             .map(|sum| sum / f32::from(self.count));
-        Joints {
+        StockJoints {
             base_deg,
             rear_deg,
             fore_deg,
@@ -248,7 +248,7 @@ impl History {
 }
 
 /// Arm angles for a pose; those of a rear arm too far back are brought to its limit.
-fn solve(pose: Pose, body: &Body) -> Result<Joints, TickOutcome> {
+fn solve(pose: StockPose, body: &Body) -> Result<StockJoints, TickOutcome> {
     let mut joints = inverse(pose, body.tool_mm);
     if is_out_of_reach(pose, body.tool_mm)
         || joints.rear_deg > REAR_DEG[1]

@@ -1,6 +1,6 @@
 //! MOVJ of the stock controller: all joints start and arrive together (note N45).
 
-use dobot_arm::stock::Joints;
+use dobot_arm::stock::StockJoints;
 
 use super::Progress;
 use super::body::{Body, PERIOD_S};
@@ -29,7 +29,7 @@ struct Axis {
 
 impl JointWay {
     /// Plans a way from where the body is.
-    pub(crate) fn plan(body: &Body, to: Joints, ramps: &[RampSettings; 4]) -> Self {
+    pub(crate) fn plan(body: &Body, to: StockJoints, ramps: &[RampSettings; 4]) -> Self {
         let (from, to) = (angles(body.joints), angles(to));
         let ways: [f32; 4] = core::array::from_fn(|axis| to[axis] - from[axis]);
         let alone = |axis: usize| time_alone(ways[axis].abs(), ramps[axis]);
@@ -119,7 +119,7 @@ fn time_alone(
     }
 }
 
-const fn angles(joints: Joints) -> [f32; 4] {
+const fn angles(joints: StockJoints) -> [f32; 4] {
     [
         joints.base_deg,
         joints.rear_deg,

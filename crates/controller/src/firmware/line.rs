@@ -1,6 +1,6 @@
 //! MOVL of the stock controller: a straight line (note N46).
 
-use dobot_arm::stock::Pose;
+use dobot_arm::stock::StockPose;
 
 use super::Progress;
 use super::body::{Body, PERIOD_S};
@@ -35,7 +35,7 @@ struct Stride {
 impl StraightLine {
     /// Plans a line from where the body is. One without length has no direction: its parts are not
     /// numbers.
-    pub(crate) fn plan(&mut self, from: Pose, [x, y, z]: [f32; 3], ramp: RampSettings) {
+    pub(crate) fn plan(&mut self, from: StockPose, [x, y, z]: [f32; 3], ramp: RampSettings) {
         let [dx, dy, dz] = [x - from.x_mm, y - from.y_mm, z - from.z_mm];
         let length = libm::sqrtf(dx * dx + dy * dy + dz * dz);
         let RampSettings {

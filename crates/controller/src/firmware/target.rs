@@ -1,7 +1,7 @@
 //! States 3 and 6 of the stock controller: targets, with a pause and a tool at their end (notes N45
 //! to N47).
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse, is_out_of_reach, short};
+use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, is_out_of_reach, short};
 use dobot_wire::Frame;
 
 use super::body::{Body, FORE_DEG, REAR_DEG};
@@ -39,7 +39,7 @@ enum ServoEnd {
 /// Lift, across and down, each a way of all joints.
 #[derive(Debug)]
 struct Jump {
-    targets: [Pose; 3],
+    targets: [StockPose; 3],
     next: usize,
     phase: Option<JointWay>,
 }
@@ -180,14 +180,14 @@ impl TargetMove {
         body: &Body,
     ) -> Option<Self> {
         let f = |n| frame.float(n);
-        let joints = Joints {
+        let joints = StockJoints {
             base_deg: f(3),
             rear_deg: f(4),
             fore_deg: f(5),
             servo_deg: f(6),
         };
         let pose = match kind {
-            TargetKind::Pose => Pose {
+            TargetKind::Pose => StockPose {
                 x_mm: f(3),
                 y_mm: f(4),
                 z_mm: f(5),
@@ -218,7 +218,7 @@ impl TargetMove {
     }
 
     /// The servo goes with the rear arm's acceleration.
-    fn joints(to: Joints, settings: &StockSettings, body: &Body) -> Self {
+    fn joints(to: StockJoints, settings: &StockSettings, body: &Body) -> Self {
         let mut ramps = settings.joint_ramps();
         ramps[3].acceleration = ramps[1].acceleration;
         Self::Joints(JointWay::plan(body, to, &ramps))
@@ -262,8 +262,8 @@ impl TargetMove {
 }
 
 impl Jump {
-    fn plan(from: Pose, to: Pose, height_mm: f32) -> Self {
-        let lifted = |pose: Pose| Pose {
+    fn plan(from: StockPose, to: StockPose, height_mm: f32) -> Self {
+        let lifted = |pose: StockPose| StockPose {
             z_mm: pose.z_mm + height_mm,
             ..pose
         };
@@ -294,7 +294,7 @@ impl Jump {
 }
 
 /// The joint angles for a pose, if a MOVJ may go there.
-pub(crate) fn solve(pose: Pose, body: &Body) -> Option<Joints> {
+pub(crate) fn solve(pose: StockPose, body: &Body) -> Option<StockJoints> {
     let joints = inverse(pose, body.tool_mm);
     let refused = is_out_of_reach(pose, body.tool_mm)
         || joints.rear_deg < REAR_DEG[0]
