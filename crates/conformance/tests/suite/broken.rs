@@ -12,6 +12,7 @@ use dobot_wire::{Frame, PACKET_LEN};
 pub(crate) struct Broken {
     arm: InProcess,
     /// Changes the bytes of one send on their way to the arm; the time is that of the arm.
+    #[expect(clippy::type_complexity, reason = "it is written here alone")]
     to_arm: Box<dyn FnMut(Duration, &mut Vec<u8>) + Send>,
     /// Changes a status on its way from the arm, or drops it.
     from_arm: Box<dyn FnMut(Frame) -> Option<Vec<u8>> + Send>,

@@ -116,7 +116,7 @@ impl SpokenWords {
         // The first one that is found counts.
         let mut words = VoiceOrder::WORDS.into_iter();
         let word = words.find(|(word, _)| contains(text, word));
-        let (word, order) = word.map_or(("", None), |(word, order)| (word, order(sum)));
+        let (word, order) = word.map_or(("", None), |(word, order)| (word, order.times(sum)));
         Self {
             order,
             word,
