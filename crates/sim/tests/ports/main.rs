@@ -31,9 +31,9 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 /// What the server tells.
-struct Told(UnboundedReceiver<ServerEvent>);
+struct ServerEvents(UnboundedReceiver<ServerEvent>);
 
-impl Told {
+impl ServerEvents {
     /// Waits for an event and skips those before it.
     async fn until(&mut self, wanted: impl Fn(&ServerEvent) -> bool) -> ServerEvent {
         loop {
@@ -54,14 +54,14 @@ impl Told {
 }
 
 /// Serves the arm while a test does something with it.
-async fn serve<F: Future<Output = ()>>(server: &mut Server, test: impl FnOnce(Told) -> F) {
+async fn serve<F: Future<Output = ()>>(server: &mut Server, test: impl FnOnce(ServerEvents) -> F) {
     let (tell, told) = unbounded_channel();
     tokio::select! {
         ended = server.run(|event| {
             // A test that has seen enough listens no more.
             let _ = tell.send(event);
         }) => panic!("the server ended: {ended:?}"),
-        () = test(Told(told)) => {}
+        () = test(ServerEvents(told)) => {}
         () = tokio::time::sleep(HANGS) => panic!("the test hangs"),
     }
 }
