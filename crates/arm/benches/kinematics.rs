@@ -119,8 +119,8 @@ fn status_agrees(bencher: Bencher) {
     clippy::cast_possible_truncation,
     reason = "the stock controller has no more digits"
 )]
-fn in_single(joints: Joints) -> stock::Joints {
-    stock::Joints {
+fn in_single(joints: Joints) -> stock::StockJoints {
+    stock::StockJoints {
         base_deg: joints.base.0 as f32,
         rear_deg: joints.rear.0 as f32,
         fore_deg: joints.fore.0 as f32,

@@ -29,4 +29,16 @@ impl Joints {
             servo: Degrees(servo_deg),
         }
     }
+
+    /// The angles after this share of the way to others, on which all turn evenly.
+    #[must_use]
+    pub fn towards(&self, to: &Self, share: f64) -> Self {
+        let between = |from: Degrees, to: Degrees| from + (to - from) * share;
+        Self {
+            base: between(self.base, to.base),
+            rear: between(self.rear, to.rear),
+            fore: between(self.fore, to.fore),
+            servo: between(self.servo, to.servo),
+        }
+    }
 }

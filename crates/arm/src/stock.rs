@@ -13,7 +13,7 @@ pub use self::integers::{short, whole};
 
 /// The joint angles as the stock controller holds them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Joints {
+pub struct StockJoints {
     /// Joint 1.
     pub base_deg: f32,
     /// Joint 2.
@@ -26,7 +26,7 @@ pub struct Joints {
 
 /// The pose as the stock controller holds it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
+pub struct StockPose {
     /// Forward.
     pub x_mm: f32,
     /// To the left.
@@ -42,12 +42,12 @@ pub struct Pose {
 /// The rear arm is calculated from its angle above level: a quarter of a turn less the joint angle,
 /// in radians. That shows in the last digits.
 #[must_use]
-pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
+pub fn forward(joints: StockJoints, tool_mm: f32) -> StockPose {
     let (base_sin, base_cos) = sin_cos(radians(joints.base_deg));
     let (rear_sin, rear_cos) = sin_cos(FRAC_PI_2 - radians(joints.rear_deg));
     let (fore_sin, fore_cos) = sin_cos(radians(joints.fore_deg));
     let reach_mm = REAR_MM * rear_cos + FORE_MM * fore_cos + tool_mm;
-    Pose {
+    StockPose {
         x_mm: reach_mm * base_cos,
         y_mm: reach_mm * base_sin,
         z_mm: REAR_MM * rear_sin - FORE_MM * fore_sin,
@@ -60,7 +60,7 @@ pub fn forward(joints: Joints, tool_mm: f32) -> Pose {
 /// Out of reach its answer is NaN. Nearer to the base axis than `tool_mm` it is wrong, because it
 /// takes the wrist's elevation from a plain arc tangent; the stock limits forbid that place.
 #[must_use]
-pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
+pub fn inverse(pose: StockPose, tool_mm: f32) -> StockJoints {
     let base_deg = degrees(atan2(pose.y_mm, pose.x_mm));
     let up_mm = pose.z_mm;
     let across_mm = reach(pose) - tool_mm;
@@ -68,7 +68,7 @@ pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
     let rear_above_level = acos(cosine) + atan(up_mm / across_mm);
     let (sin, cos) = sin_cos(rear_above_level);
     let fore = atan2(REAR_MM * sin - up_mm, across_mm - REAR_MM * cos);
-    Joints {
+    StockJoints {
         base_deg,
         rear_deg: 90.0 - degrees(rear_above_level),
         fore_deg: degrees(fore),
@@ -88,7 +88,7 @@ pub fn inverse(pose: Pose, tool_mm: f32) -> Joints {
 )]
 pub fn behind(from_mm: [f64; 3], way_mm: [f32; 3], tool_mm: f32) -> [f64; 3] {
     let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| from_mm[i] as f32 + way_mm[i]);
-    let wanted = Pose {
+    let wanted = StockPose {
         x_mm,
         y_mm,
         z_mm,
@@ -106,13 +106,13 @@ pub fn behind(from_mm: [f64; 3], way_mm: [f32; 3], tool_mm: f32) -> [f64; 3] {
 /// Whether the arms are too short or too long for a pose, by the stock controller's own test. A
 /// pose that is not a number passes it.
 #[must_use]
-pub fn is_out_of_reach(pose: Pose, tool_mm: f32) -> bool {
+pub fn is_out_of_reach(pose: StockPose, tool_mm: f32) -> bool {
     libm::fabsf(shoulder_cosine(reach(pose) - tool_mm, pose.z_mm)) > 1.0
 }
 
 /// How far from the base axis a pose is, in millimetres.
 #[must_use]
-pub fn reach(pose: Pose) -> f32 {
+pub fn reach(pose: StockPose) -> f32 {
     libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm)
 }
 

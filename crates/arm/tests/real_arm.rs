@@ -27,7 +27,7 @@ fn the_stock_inverse_leads_back_to_the_angles_that_the_real_arm_was_sent_to() {
         let [x_mm, y_mm, z_mm] = row.position_mm.map(narrow);
         let rotation_deg = narrow(row.joints_deg[0]);
         let got = stock::inverse(
-            stock::Pose {
+            stock::StockPose {
                 x_mm,
                 y_mm,
                 z_mm,
@@ -104,10 +104,10 @@ impl Row {
 
     /// That arm calculated with 3.1416 for pi, which makes all angles a little larger; that of the
     /// rear arm counts from level.
-    fn stretched_joints(&self) -> stock::Joints {
+    fn stretched_joints(&self) -> stock::StockJoints {
         let [base, rear, fore] = self.joints_deg;
         let stretched = |angle: f64| angle * (PI_OF_THAT_ARM / std::f64::consts::PI);
-        stock::Joints {
+        stock::StockJoints {
             base_deg: narrow(stretched(base)),
             rear_deg: narrow(90.0 - stretched(90.0 - rear)),
             fore_deg: narrow(stretched(fore)),

@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse, sensed};
+use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, sensed};
 use proptest::prelude::*;
 
 #[test]
@@ -47,13 +47,13 @@ fn recorded_angles_follow_from_their_places_to_the_last_digit() {
         ([215.0, 0.0, 100.0], [0.0, 1.610_061_65, 12.616_065]),
     ] {
         let [x_mm, y_mm, z_mm] = place_mm;
-        let pose = Pose {
+        let pose = StockPose {
             x_mm,
             y_mm,
             z_mm,
             rotation_deg: 0.0,
         };
-        let expected = Joints {
+        let expected = StockJoints {
             base_deg,
             rear_deg,
             fore_deg,
@@ -66,7 +66,7 @@ fn recorded_angles_follow_from_their_places_to_the_last_digit() {
 /// As a jump to base 25, rear 35, fore 50 ended: what it calculates first is the place.
 #[test]
 fn angles_do_not_come_back_from_their_place_as_they_were() {
-    let joints = Joints {
+    let joints = StockJoints {
         base_deg: 25.0,
         rear_deg: 35.0,
         fore_deg: 50.0,
@@ -92,7 +92,7 @@ proptest! {
     #[test]
     fn no_float_is_too_odd(bits: [u32; 4]) {
         let [x_mm, y_mm, z_mm, rotation_deg] = bits.map(f32::from_bits);
-        let pose = Pose { x_mm, y_mm, z_mm, rotation_deg };
+        let pose = StockPose { x_mm, y_mm, z_mm, rotation_deg };
         let joints = inverse(pose, TOOLS_MM[0]);
         if [x_mm, y_mm, z_mm].iter().any(|it| it.is_nan()) {
             prop_assert!(joints.rear_deg.is_nan() && joints.fore_deg.is_nan());
@@ -104,7 +104,7 @@ proptest! {
 
 /// The angles and the pose of every recorded status, but for those that hide something: before the
 /// first pose is calculated, with a thousand added over Bluetooth, or lost.
-fn statuses() -> Vec<(String, Joints, Pose)> {
+fn statuses() -> Vec<(String, StockJoints, StockPose)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../vectors/traces");
     let mut statuses = Vec::new();
     for file in std::fs::read_dir(folder).expect("the recordings are there") {
@@ -136,13 +136,13 @@ fn statuses() -> Vec<(String, Joints, Pose)> {
                 panic!("{name}: {row}");
             };
             if x_mm.abs() < 900.0 {
-                let joints = Joints {
+                let joints = StockJoints {
                     base_deg,
                     rear_deg,
                     fore_deg,
                     servo_deg,
                 };
-                let pose = Pose {
+                let pose = StockPose {
                     x_mm,
                     y_mm,
                     z_mm,

@@ -6,14 +6,14 @@ use dobot_arm::Position;
 use dobot_client::position;
 use dobot_wire::Status;
 
-use crate::seen::Seen;
+use crate::timed_status::TimedStatus;
 
 /// What came of a full queue.
 #[derive(Debug)]
 pub(crate) struct Flow {
     pub(crate) home: Position,
     /// The statuses from the first command to rest.
-    pub(crate) seen: Vec<Seen>,
+    pub(crate) seen: Vec<TimedStatus>,
     pub(crate) end: Status,
 }
 

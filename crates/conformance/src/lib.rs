@@ -26,13 +26,13 @@ mod checks;
 mod flow;
 mod hindrance;
 mod latency;
+mod observed_motion;
 mod outcome;
 mod packet;
 mod report;
 mod rig;
-mod seen;
 mod suite;
-mod way;
+mod timed_status;
 
 pub use check::Check;
 pub use hindrance::Hindrance;

@@ -8,7 +8,7 @@ pub(crate) fn jog(state: f32, axis: f32, percent: f32) -> Frame {
 }
 
 /// A target (states 3 and 6; Table 3.7) with pump and gripper as a status tells them.
-pub(crate) fn target(state: f32, [a, b, c]: [f32; 3], turn: f32, mode: f32, now: &Status) -> Frame {
+fn target(state: f32, [a, b, c]: [f32; 3], turn: f32, mode: f32, now: &Status) -> Frame {
     Frame::ZERO
         .with(1, state)
         .with(3, a)
@@ -18,6 +18,17 @@ pub(crate) fn target(state: f32, [a, b, c]: [f32; 3], turn: f32, mode: f32, now:
         .with(7, f32::from(now.suction))
         .with(8, mode)
         .with(9, now.gripper_deg)
+}
+
+/// A point, with the rotation, the pump and the gripper of a status (state 3).
+pub(crate) fn point(at: [f32; 3], mode: f32, now: &Status) -> Frame {
+    target(3.0, at, now.rotation_deg, mode, now)
+}
+
+/// The joint angles of a status, with its pump and its gripper (state 6).
+pub(crate) fn angles(of: &Status, mode: f32) -> Frame {
+    let arms = [of.base_deg, of.rear_deg, of.fore_deg];
+    target(6.0, arms, of.servo_deg, mode, of)
 }
 
 /// A write vector (state 4; Table 2.6).

@@ -11,9 +11,9 @@ use crate::flow::Flow;
 use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::packet::{
-    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, jog, percent, target, teach, writing,
+    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, jog, percent, teach, writing,
 };
-use crate::seen::Seen;
+use crate::timed_status::TimedStatus;
 
 /// A link with a controller, and all that is known about it so far.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(crate) struct Rig {
     /// All bytes that came.
     pub(crate) raw: Vec<u8>,
     /// All statuses that came.
-    pub(crate) seen: Vec<Seen>,
+    pub(crate) seen: Vec<TimedStatus>,
     /// When what was sent last can have had an effect that shows.
     reacted: Duration,
     /// What the line takes, once it was measured.
@@ -47,7 +47,7 @@ pub(crate) struct Rig {
 
 /// Why a check, and with it what would come after it, came to nothing.
 #[derive(Debug, thiserror::Error)]
-pub(crate) enum Trouble {
+pub(crate) enum CheckError {
     #[error("no status came for {:.1} s", SILENCE.as_secs_f64())]
     Silent,
     #[error(
@@ -57,7 +57,7 @@ pub(crate) enum Trouble {
     )]
     Implausible { count: usize, worst: f64 },
     #[error(
-        "no status came for {:.1} s, only {bytes} bytes that are none{}",
+        "no status came for {:.1} s, only {bytes} bytes that are not a status{}",
         SILENCE.as_secs_f64(),
         if *.lost { ": the pose is no number (NaN)" } else { "" }
     )]
@@ -105,13 +105,13 @@ impl Rig {
     }
 
     /// Sends a packet, and waits until the line is free again.
-    pub(crate) async fn send(&mut self, frame: Frame) -> Result<(), Trouble> {
+    pub(crate) async fn send(&mut self, frame: Frame) -> Result<(), CheckError> {
         self.send_raw(&frame.to_bytes()).await
     }
 
     /// Sends bytes, and waits until the line is free again and has been for the gap that a stock
     /// arm needs (note N26).
-    pub(crate) async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), Trouble> {
+    pub(crate) async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), CheckError> {
         self.link.send(bytes);
         let count = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
         let free = self.now() + BYTE * count + self.gap();
@@ -125,16 +125,16 @@ impl Rig {
     }
 
     /// Listens for so long.
-    pub(crate) async fn pass(&mut self, ms: u64) -> Result<(), Trouble> {
+    pub(crate) async fn pass(&mut self, ms: u64) -> Result<(), CheckError> {
         self.listen(self.now() + Duration::from_millis(ms)).await
     }
 
     /// Listens until what was sent can have had an effect that shows.
-    pub(crate) async fn react(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn react(&mut self) -> Result<(), CheckError> {
         self.listen(self.reacted.max(self.now())).await
     }
 
-    async fn listen(&mut self, until: Duration) -> Result<(), Trouble> {
+    async fn listen(&mut self, until: Duration) -> Result<(), CheckError> {
         loop {
             self.take(until).await?;
             if self.now() >= until {
@@ -143,13 +143,13 @@ impl Rig {
         }
     }
 
-    async fn take(&mut self, until: Duration) -> Result<(), Trouble> {
+    async fn take(&mut self, until: Duration) -> Result<(), CheckError> {
         let had = self.raw.len();
         let open = self.link.receive(until, &mut self.raw).await?;
         let at = self.link.now();
         let new = self.raw.get(had..).unwrap_or_default();
         let statuses = self.decoder.feed(new).map(|frame| Status::parse(&frame));
-        let seen = statuses.flatten().map(|status| Seen { at, status });
+        let seen = statuses.flatten().map(|status| TimedStatus { at, status });
         self.seen.extend(seen);
         if open {
             Ok(())
@@ -170,7 +170,7 @@ impl Rig {
     }
 
     /// The next status.
-    pub(crate) async fn next_status(&mut self) -> Result<Status, Trouble> {
+    pub(crate) async fn next_status(&mut self) -> Result<Status, CheckError> {
         let (had, heard) = (self.seen.len(), self.raw.len());
         let until = self.now() + SILENCE;
         loop {
@@ -185,7 +185,7 @@ impl Rig {
     }
 
     /// Waits until the arm rests after what was sent.
-    pub(crate) async fn settled(&mut self) -> Result<Status, Trouble> {
+    pub(crate) async fn settled(&mut self) -> Result<Status, CheckError> {
         let until = self.now().max(self.reacted) + RESTLESS;
         self.react().await?;
         loop {
@@ -193,10 +193,21 @@ impl Rig {
                 return Ok(status);
             }
             if self.now() >= until {
-                return Err(Trouble::Restless);
+                return Err(CheckError::Restless);
             }
             self.next_status().await?;
         }
+    }
+
+    /// Sends a packet, and waits until the arm rests: where it does then, and the statuses of the way.
+    pub(crate) async fn carry_out(
+        &mut self,
+        frame: Frame,
+    ) -> Result<(Status, Vec<TimedStatus>), CheckError> {
+        let mark = self.seen.len();
+        self.send(frame).await?;
+        let end = self.settled().await?;
+        Ok((end, self.seen[mark..].to_vec()))
     }
 
     /// Where the arm rests: its last three statuses, late enough to show what was sent, tell the
@@ -211,19 +222,19 @@ impl Rig {
     }
 
     /// Where every check begins.
-    pub(crate) fn home(&self) -> Result<Status, Trouble> {
-        self.home.ok_or(Trouble::Homeless)
+    pub(crate) fn home(&self) -> Result<Status, CheckError> {
+        self.home.ok_or(CheckError::Homeless)
     }
 
     /// Goes to where every check begins, if the arm is not there.
-    pub(crate) async fn go_home(&mut self) -> Result<Status, Trouble> {
+    pub(crate) async fn go_home(&mut self) -> Result<Status, CheckError> {
         let home = self.home()?;
         self.go_to(&home).await
     }
 
     /// Goes to the joint angles of a status, if the arm is not there. A command may get lost: it is
     /// told to three times.
-    pub(crate) async fn go_to(&mut self, to: &Status) -> Result<Status, Trouble> {
+    pub(crate) async fn go_to(&mut self, to: &Status) -> Result<Status, CheckError> {
         let mut now = self.settled().await?;
         if turned(&now, to) < AT_REST_DEG {
             return Ok(now);
@@ -232,20 +243,17 @@ impl Rig {
             // A straight line must have a length (note N34), and a JUMP need not.
             let off_by = distance(&now, to);
             let mode = if off_by < AT_REST_MM { 0.0 } else { 1.0 };
-            let angles = [to.base_deg, to.rear_deg, to.fore_deg];
-            self.send(target(6.0, angles, to.servo_deg, mode, to))
-                .await?;
-            now = self.settled().await?;
+            (now, _) = self.carry_out(angles(to, mode)).await?;
             if turned(&now, to) < NEAR_DEG {
                 return Ok(now);
             }
         }
         let off_by = distance(&now, to);
-        Err(Trouble::Astray { off_by })
+        Err(CheckError::Astray { off_by })
     }
 
     /// Whether the arm stands still now.
-    pub(crate) async fn stands(&mut self) -> Result<bool, Trouble> {
+    pub(crate) async fn stands(&mut self) -> Result<bool, CheckError> {
         self.react().await?;
         let before = self.next_status().await?;
         let after = self.next_status().await?;
@@ -254,7 +262,7 @@ impl Rig {
 
     /// Stops a jog by all means that there are: a release, and a setting, which both dialects take
     /// up only when the jog has ended.
-    pub(crate) async fn halt(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn halt(&mut self) -> Result<(), CheckError> {
         for packet in [jog(2.0, 0.0, 0.0), writing(STOCK_WRITING_MM_S2)] {
             self.send(packet).await?;
         }
@@ -262,12 +270,12 @@ impl Rig {
     }
 
     /// The speeds that the checks run with.
-    pub(crate) async fn be_gentle(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn be_gentle(&mut self) -> Result<(), CheckError> {
         self.send(gentle(0.0)).await
     }
 
     /// All settings that the checks run with.
-    pub(crate) async fn settings(&mut self) -> Result<(), Trouble> {
+    pub(crate) async fn settings(&mut self) -> Result<(), CheckError> {
         for packet in [
             gentle(0.0),
             percent(50.0, 50.0),
@@ -323,16 +331,16 @@ pub(crate) fn tells_no_pose(raw: &[u8]) -> bool {
 }
 
 /// What came instead of a status that can be trusted.
-fn silence(raw: &[u8]) -> Trouble {
+fn silence(raw: &[u8]) -> CheckError {
     let statuses = lenient(raw);
     if !statuses.is_empty() {
         let worst = statuses.iter().map(disagreement).fold(0.0, f64::max);
         let count = statuses.len();
-        return Trouble::Implausible { count, worst };
+        return CheckError::Implausible { count, worst };
     }
     match raw.len() {
-        0 => Trouble::Silent,
-        bytes => Trouble::Garbled {
+        0 => CheckError::Silent,
+        bytes => CheckError::Garbled {
             bytes,
             lost: tells_no_pose(raw),
         },

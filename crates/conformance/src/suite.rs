@@ -2,14 +2,13 @@
 
 use dobot_client::{Link, LinkError};
 
-use crate::check::{Check, Probe};
+use crate::check::{Begins, Check};
 use crate::checks::flow;
-use crate::checks::jog::{FORE, SERVO, Z};
 use crate::checks::settings::show_tool;
 use crate::outcome::Outcome;
 use crate::packet::jog;
 use crate::report::{Report, Row};
-use crate::rig::{Rig, Trouble};
+use crate::rig::{CheckError, Rig};
 
 /// All checks, over one link.
 #[derive(Debug)]
@@ -28,7 +27,7 @@ pub struct Options {
     /// Try at the end what makes a stock arm lose its pose or hang until it is reset, and the limit
     /// of the servo (note N34): for virtual arms.
     pub traps: bool,
-    /// The arm was switched on just now and has obeyed nobody yet, as a new virtual one.
+    /// The arm was switched on just now and has had no other client, as a new virtual one.
     pub fresh: bool,
 }
 
@@ -83,12 +82,12 @@ impl Suite {
             self.make_back().await
         };
         match stopped.await {
-            Err(Trouble::Link(error)) => Err(error),
+            Err(CheckError::Link(error)) => Err(error),
             _ => Ok(()),
         }
     }
 
-    async fn make_back(&mut self) -> Result<(), Trouble> {
+    async fn make_back(&mut self) -> Result<(), CheckError> {
         if self.rig.moved {
             crate::checks::moves::back(&mut self.rig).await?;
         }
@@ -103,7 +102,7 @@ impl Suite {
             return first;
         }
         for _ in 0..REPEATS {
-            let again = match self.prepare_again(check.probe).await {
+            let again = match self.prepare_again(check).await {
                 Ok(()) => self.make(check).await,
                 Err(trouble) => {
                     self.end(&trouble);
@@ -128,15 +127,15 @@ impl Suite {
             Outcome::Firmware11(_) => self.rig.leaning() == Some(0),
             other => other.differs(),
         };
-        contradicts && self.ended.is_none() && can_be_repeated(check.probe)
+        contradicts && self.ended.is_none() && check.begins != Begins::Once
     }
 
     /// What a check that is made again needs: settings may have got lost too, and the queue is
     /// filled anew.
-    async fn prepare_again(&mut self, probe: Probe) -> Result<(), Trouble> {
+    async fn prepare_again(&mut self, check: &Check) -> Result<(), CheckError> {
         self.rig.settings().await?;
         show_tool(&mut self.rig, true).await?;
-        if matches!(probe, Probe::FlowAgain | Probe::FlowSix | Probe::FlowOrder) {
+        if matches!(check.id, "flow-again" | "flow-six" | "flow-order") {
             self.rig.go_home().await?;
             flow::silence(&mut self.rig).await?;
         }
@@ -144,7 +143,7 @@ impl Suite {
     }
 
     async fn make(&mut self, check: &Check) -> Outcome {
-        if begins_at_home(check.probe)
+        if check.begins == Begins::AtHome
             && let Err(trouble) = self.rig.go_home().await
         {
             self.end(&trouble);
@@ -153,7 +152,7 @@ impl Suite {
         match check.make(&mut self.rig).await {
             Ok(outcome) => outcome,
             Err(trouble) => {
-                if !matches!(trouble, Trouble::Restless) {
+                if !matches!(trouble, CheckError::Restless) {
                     self.end(&trouble);
                 }
                 Outcome::Differs(trouble.to_string())
@@ -161,31 +160,31 @@ impl Suite {
         }
     }
 
-    fn end(&mut self, trouble: &Trouble) {
+    fn end(&mut self, trouble: &CheckError) {
         // Where angles are not true no way back is safe.
-        self.rig.moved &= !matches!(trouble, Trouble::Untrue);
+        self.rig.moved &= !matches!(trouble, CheckError::Untrue);
         self.ended = Some(format!("before it, {trouble}"));
     }
 
     /// Why a check cannot be made, or must not.
     fn prevented(&self, check: &Check) -> Option<String> {
-        if check.probe == Probe::Return && self.rig.moved {
+        if check.id == "return" && self.rig.moved {
             return None;
         }
         self.ended
             .clone()
-            .or_else(|| self.forbidden(check.probe))
-            .or_else(|| self.lacks(check.probe))
+            .or_else(|| self.forbidden(check))
+            .or_else(|| self.lacks(check))
     }
 
-    fn forbidden(&self, probe: Probe) -> Option<String> {
+    fn forbidden(&self, check: &Check) -> Option<String> {
         let options = self.rig.options;
-        let why = match probe {
-            Probe::Laser if !options.laser => "it burns: `--laser` tries it",
-            Probe::LimitJog if !options.traps => {
+        let why = match check.id {
+            "laser" if !options.laser => "it burns: `--laser` tries it",
+            "limit-jog" if !options.traps => {
                 "a stock arm forgives the first limit: `--traps` tries it on a virtual arm"
             }
-            Probe::TrapNoLength | Probe::TrapState if !options.traps => {
+            "trap-no-length" | "trap-state" if !options.traps => {
                 "only a reset cures a stock arm of it: `--traps` tries it on a virtual arm"
             }
             _ => return None,
@@ -194,54 +193,14 @@ impl Suite {
     }
 
     /// What has to hold before a check says anything.
-    fn lacks(&self, probe: Probe) -> Option<String> {
-        let needed: &[Probe] = match probe {
-            Probe::StatusForm | Probe::StatusPeriod | Probe::StatusPose | Probe::StatusStart => &[],
-            Probe::Delay => &[Probe::StatusForm, Probe::StatusPose, Probe::StatusStart],
-            Probe::Lift => &[Probe::Delay],
-            Probe::FrameNoise
-            | Probe::FrameTail
-            | Probe::FramePieces
-            | Probe::FrameTruncated
-            | Probe::FramePair => &[Probe::Lift, Probe::SetTool],
-            Probe::Jog(_) | Probe::SetJog | Probe::LimitJog => &[Probe::Lift, Probe::JogRelease],
-            Probe::ReleaseKind => &[Probe::Lift, Probe::Jog(FORE), Probe::Jog(Z)],
-            Probe::ReleaseSettings => &[Probe::Lift, Probe::Jog(SERVO)],
-            Probe::JumpAcross => &[Probe::Lift, Probe::MoveJump],
-            _ => &[Probe::Lift],
-        };
-        let failed = |row: &&Row| needed.contains(&row.check.probe) && !row.outcome.passed();
+    fn lacks(&self, check: &Check) -> Option<String> {
+        let failed = |row: &&Row| check.needs.contains(&row.check.id) && !row.outcome.passed();
         let row = self.rows.iter().find(failed)?;
-        Some(match (&row.outcome, row.check.probe) {
-            (Outcome::NotTried(why), _) => why.clone(),
+        Some(match &row.outcome {
+            Outcome::NotTried(why) => why.clone(),
             _ => format!("it rests on {}", row.check.id),
         })
     }
-}
-
-/// Whether a check begins where all do: not those of the line before anything moved, and not those
-/// after the arm was brought back.
-const fn begins_at_home(probe: Probe) -> bool {
-    can_be_repeated(probe)
-        && !matches!(
-            probe,
-            Probe::Lift | Probe::FlowAgain | Probe::FlowSix | Probe::FlowOrder | Probe::Return
-        )
-}
-
-/// Whether a check may be made again: neither those that only listened, nor those that a stock arm
-/// does not come back from.
-const fn can_be_repeated(probe: Probe) -> bool {
-    !matches!(
-        probe,
-        Probe::StatusForm
-            | Probe::StatusPeriod
-            | Probe::StatusPose
-            | Probe::StatusStart
-            | Probe::Delay
-            | Probe::TrapNoLength
-            | Probe::TrapState
-    )
 }
 
 /// How often a check is made again at most.

@@ -9,7 +9,7 @@ use crate::firmware::Firmware;
 use crate::log::{Counters, Log};
 use crate::outputs::{Hands, Outputs, Steppers};
 use crate::specification::Specification;
-use crate::upload::{self, Schedule, Upload, Uploads};
+use crate::upload::{StatusSchedule, Upload, Uploads};
 use crate::{Personality, Port, PowerUp, Refused};
 
 /// The controller of an arm, as an engine: it owns no port, no thread and no clock.
@@ -26,7 +26,7 @@ pub struct Controller {
     next_tick: Duration,
     /// How many ticks in a row nothing moved and nothing waited.
     ticks_at_rest: u8,
-    schedule: Schedule,
+    schedule: StatusSchedule,
     steppers: Steppers,
     outputs: Outputs,
     uploads: Uploads,
@@ -64,10 +64,10 @@ impl Controller {
             tick: 0,
             next_tick: Duration::ZERO,
             ticks_at_rest: 0,
-            schedule: Schedule::new(port, dialect.status_period()),
+            schedule: StatusSchedule::new(port, dialect.status_period()),
             steppers: Steppers::default(),
             outputs,
-            uploads: Uploads::new(),
+            uploads: Uploads::default(),
             log: Log::default(),
         }
     }
@@ -103,7 +103,7 @@ impl Controller {
 
     /// The status to send next, if one is due.
     pub fn poll_bytes(&mut self) -> Option<Upload> {
-        self.uploads.pop_front()
+        self.uploads.pop()
     }
 
     /// The next byte of what is printed on the port that is not served (note N39).
@@ -270,7 +270,7 @@ impl Controller {
             at: at + delay,
             bytes: status.with(1, status.float(1) + add_to_x_mm).to_bytes(),
         };
-        upload::push(&mut self.uploads, upload, &mut self.log);
+        self.uploads.push(upload, &mut self.log);
     }
 }
 

@@ -23,7 +23,7 @@ mod write;
 
 use core::time::Duration;
 
-use dobot_arm::stock::{Joints as StockJoints, short};
+use dobot_arm::stock::{StockJoints, short};
 use dobot_arm::{Joints, Pose};
 use dobot_wire::{Frame, Status};
 
@@ -31,12 +31,12 @@ use self::body::Body;
 use self::fifo::Fifo;
 use self::follow::Follow;
 use self::jog::Jog;
-use self::line::Line;
-use self::outcome::{Outcome, Progress};
+use self::line::StraightLine;
+use self::outcome::{Progress, TickOutcome};
 use self::printer::Printer;
-use self::receiver::{Found, Receiver, VOICE_HEADER};
-use self::settings::Settings;
-use self::spoken::{Spoken, UnderWay, Words};
+use self::receiver::{Received, Receiver, VOICE_HEADER};
+use self::settings::StockSettings;
+use self::spoken::{Spoken, SpokenWords, UnderWay};
 use self::target::Travel;
 use self::work::Work;
 use self::write::Write;
@@ -53,10 +53,10 @@ pub(crate) struct Firmware {
     printer: Printer,
     fifo: Fifo,
     body: Body,
-    settings: Settings,
+    settings: StockSettings,
     in_force: InForce,
     travel: Travel,
-    line: Line,
+    line: StraightLine,
     jog: Jog,
     write: Write,
     follow: Follow,
@@ -103,7 +103,7 @@ impl Firmware {
             heard: Heard::default(),
             printer: Printer::default(),
             fifo: Fifo::new(),
-            settings: Settings::new(),
+            settings: StockSettings::new(),
             in_force: InForce {
                 frame: Frame::ZERO,
                 state: IDLE,
@@ -113,7 +113,7 @@ impl Firmware {
                 is_told: false,
             },
             travel: Travel::default(),
-            line: Line::default(),
+            line: StraightLine::default(),
             jog: Jog::default(),
             write: Write::default(),
             follow: Follow::default(),
@@ -221,17 +221,12 @@ impl Firmware {
 
     /// The joint angles after so much of the last tick's time, from 0 to 1.
     pub(crate) fn joints_at(&self, share: f64) -> Joints {
-        let [from, to] = self.sent;
-        let between = |from: f32, to: f32| {
-            let (from, to) = (f64::from(from), f64::from(to));
-            from + (to - from) * share
-        };
-        Joints::new(
-            between(from.base_deg, to.base_deg),
-            between(from.rear_deg, to.rear_deg),
-            between(from.fore_deg, to.fore_deg),
-            between(from.servo_deg, to.servo_deg),
-        )
+        let [from, to] = self.sent.map(|it| {
+            let angles = [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg];
+            let [base, rear, fore, servo] = angles.map(f64::from);
+            Joints::new(base, rear, fore, servo)
+        });
+        from.towards(&to, share)
     }
 
     pub(crate) fn pose_at(&self, share: f64) -> Pose {
@@ -254,21 +249,21 @@ impl Firmware {
         }
     }
 
-    fn take(&mut self, found: &Found, log: &mut Log) {
+    fn take(&mut self, found: &Received, log: &mut Log) {
         self.heard.packets += 1;
         match found {
-            &Found::Frame(frame) => {
+            &Received::Frame(frame) => {
                 log.counters.packets += 1;
                 self.heard.is_voice = false;
                 if !self.fifo.push(frame) {
                     log.refuse(Refused::QueueFull);
                 }
             }
-            Found::Voice(text) => {
+            Received::Voice(text) => {
                 log.counters.packets += 1;
-                self.hear(&Words::find(text), log);
+                self.hear(&SpokenWords::find(text), log);
             }
-            &Found::BadTail { header } => {
+            &Received::BadTail { header } => {
                 self.heard.bad_tails += 1;
                 log.refuse(Refused::BadTail);
                 self.interrupt(header);
@@ -276,7 +271,7 @@ impl Firmware {
                     self.printer.print(b"Invalid header!\r\n");
                 }
             }
-            Found::TooLong => {
+            Received::TooLong => {
                 self.heard.too_long += 1;
                 log.refuse(Refused::TooLong);
             }
@@ -292,7 +287,7 @@ impl Firmware {
         }
     }
 
-    fn hear(&mut self, words: &Words, log: &mut Log) {
+    fn hear(&mut self, words: &SpokenWords, log: &mut Log) {
         self.interrupt(VOICE_HEADER);
         if self.spoken.hear(words) {
             self.fifo.take_place();
@@ -337,7 +332,7 @@ impl Firmware {
     }
 
     /// A tick of the command in force, finished or not.
-    fn dispatch(&mut self) -> Outcome {
+    fn dispatch(&mut self) -> TickOutcome {
         let Self {
             in_force,
             settings,
@@ -355,11 +350,18 @@ impl Firmware {
         match in_force.state {
             MOUSE => self
                 .follow
-                .tick(follow::Kind::Mouse, frame, is_over, settings, body),
+                .tick(follow::FollowKind::Mouse, frame, is_over, settings, body),
             JOINT_JOG => self
                 .jog
-                .tick(jog::Kind::Joint, frame, self.port, settings, body),
-            TARGET_POSE => travel.tick(target::Kind::Pose, frame, is_over, settings, line, body),
+                .tick(jog::JogKind::Joint, frame, self.port, settings, body),
+            TARGET_POSE => travel.tick(
+                target::TargetKind::Pose,
+                frame,
+                is_over,
+                settings,
+                line,
+                body,
+            ),
             WRITE => self.write.tick(frame, is_over, settings, body),
             VOICE => {
                 let under_way = UnderWay {
@@ -369,30 +371,37 @@ impl Firmware {
                 };
                 self.spoken.tick(is_over, under_way, settings, line, body)
             }
-            TARGET_JOINTS => {
-                travel.tick(target::Kind::Joints, frame, is_over, settings, line, body)
-            }
+            TARGET_JOINTS => travel.tick(
+                target::TargetKind::Joints,
+                frame,
+                is_over,
+                settings,
+                line,
+                body,
+            ),
             LINEAR_JOG => self
                 .jog
-                .tick(jog::Kind::Linear, frame, self.port, settings, body),
-            GESTURE => self
-                .follow
-                .tick(follow::Kind::Gesture, frame, is_over, settings, body),
+                .tick(jog::JogKind::Linear, frame, self.port, settings, body),
+            GESTURE => {
+                self.follow
+                    .tick(follow::FollowKind::Gesture, frame, is_over, settings, body)
+            }
             CONFIGURATION => {
                 settings.configure(frame, body);
                 in_force.state = IDLE;
-                Outcome::OVER
+                TickOutcome::OVER
             }
             ADJUSTMENT => {
                 settings.adjust(frame);
                 in_force.state = IDLE;
-                Outcome::OVER
+                TickOutcome::OVER
             }
-            STATE_15 => self
-                .follow
-                .tick(follow::Kind::Joints, frame, is_over, settings, body),
-            _ if is_over => Outcome::OVER,
-            state => Outcome::hangs(Hang::State(state)),
+            STATE_15 => {
+                self.follow
+                    .tick(follow::FollowKind::Joints, frame, is_over, settings, body)
+            }
+            _ if is_over => TickOutcome::OVER,
+            state => TickOutcome::hangs(Hang::State(state)),
         }
     }
 

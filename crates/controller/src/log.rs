@@ -17,7 +17,7 @@ pub struct Counters {
     pub refused: u64,
     /// Statuses sent.
     pub statuses: u64,
-    /// Statuses lost because nobody fetched them.
+    /// Statuses that were lost because they were not fetched.
     pub lost_statuses: u64,
 }
 

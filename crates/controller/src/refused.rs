@@ -1,4 +1,4 @@
-//! What a controller does not do.
+//! The reasons why a controller does not do what it is told.
 
 use dobot_arm::Unreachable;
 use dobot_trajectory::TrajectoryError;
@@ -11,7 +11,7 @@ use dobot_wire::ParseError;
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Refused {
-    /// The packet is none of the protocol's, or breaks a range of its table.
+    /// The packet is not one of the protocol, or breaks a range of its table.
     #[error("a packet was refused: {0}")]
     Unreadable(ParseError),
     /// The queue was full.
@@ -78,13 +78,13 @@ impl From<TrajectoryError> for Refused {
 #[non_exhaustive]
 pub enum Hang {
     /// An unknown state.
-    #[error("state {0} is none; 1 to 10 and 15 are allowed")]
+    #[error("state {0} is unknown; 1 to 10 and 15 are allowed")]
     State(i16),
     /// An unknown moving mode.
-    #[error("moving mode {0} is none; 0, 1 and 2 are allowed")]
+    #[error("moving mode {0} is unknown; 0, 1 and 2 are allowed")]
     MovingMode(i16),
     /// An unknown axis of a jog.
-    #[error("axis {0} of a jog is none; 0 to 14 are allowed")]
+    #[error("axis {0} of a jog is unknown; 0 to 14 are allowed")]
     JogAxis(i16),
     /// State 5 without a word before.
     #[error("state 5 came in floats; voice is text between B5 and 5B, over Bluetooth")]

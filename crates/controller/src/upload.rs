@@ -19,12 +19,13 @@ pub struct Upload {
     pub bytes: [u8; PACKET_LEN],
 }
 
-/// Statuses sent that nobody has fetched yet.
-pub(crate) type Uploads = Deque<Upload, UPLOADS_LEN>;
+/// Statuses that were sent and not yet fetched.
+#[derive(Debug, Default)]
+pub(crate) struct Uploads(Deque<Upload, UPLOADS_LEN>);
 
 /// Which control ticks send a status.
 #[derive(Debug)]
-pub(crate) enum Schedule {
+pub(crate) enum StatusSchedule {
     Usb {
         /// From one status to the next.
         period_ms: u32,
@@ -37,7 +38,7 @@ pub(crate) enum Schedule {
     },
 }
 
-impl Schedule {
+impl StatusSchedule {
     pub(crate) const fn new(port: Port, period: Duration) -> Self {
         match port {
             Port::Usb => Self::Usb {
@@ -95,14 +96,20 @@ impl Schedule {
     }
 }
 
-/// Queues a status to be fetched; the oldest is lost where nobody fetches.
-pub(crate) fn push(uploads: &mut Uploads, upload: Upload, log: &mut Log) {
-    log.counters.statuses += 1;
-    if uploads.is_full() {
-        uploads.pop_front();
-        log.counters.lost_statuses += 1;
+impl Uploads {
+    /// Queues a status to be fetched; the oldest is lost where there is no room.
+    pub(crate) fn push(&mut self, upload: Upload, log: &mut Log) {
+        log.counters.statuses += 1;
+        if self.0.is_full() {
+            self.0.pop_front();
+            log.counters.lost_statuses += 1;
+        }
+        self.0.push_back(upload).expect("room was made just above");
     }
-    uploads.push_back(upload).expect("room was made just above");
+
+    pub(crate) fn pop(&mut self) -> Option<Upload> {
+        self.0.pop_front()
+    }
 }
 
 const TICK_MS: u32 = TICK.subsec_millis();

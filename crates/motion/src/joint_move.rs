@@ -1,8 +1,8 @@
 //! All joints at once (MOVJ).
 
-use dobot_arm::{Degrees, Joints};
+use dobot_arm::Joints;
 
-use crate::pace::Pace;
+use crate::pace::MovePace;
 use crate::plan_error::finite;
 use crate::{PlanError, Profile, Speeds};
 
@@ -35,17 +35,21 @@ impl JointMove {
     /// [`PlanError`] where an angle is not finite or a speed or acceleration is not positive.
     pub fn new(from: Joints, to: Joints, speeds: &Speeds) -> Result<Self, PlanError> {
         speeds.check()?;
-        let [base, rear, fore, servo] = ways(&from, &to);
+        let [base, rear, fore, servo] = [
+            to.base - from.base,
+            to.rear - from.rear,
+            to.fore - from.fore,
+            to.servo - from.servo,
+        ]
+        .map(|way| way.0);
         finite("base angle's way", base)?;
         finite("rear arm angle's way", rear)?;
         finite("forearm angle's way", fore)?;
         finite("servo angle's way", servo)?;
         let joints_deg = base.abs().max(rear.abs()).max(fore.abs());
-        let pace = Pace::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(Pace::of(
-            servo.abs(),
-            speeds.servo_deg_s,
-            speeds.servo_deg_s2,
-        ));
+        let pace = MovePace::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(
+            MovePace::of(servo.abs(), speeds.servo_deg_s, speeds.servo_deg_s2),
+        );
         Ok(Self {
             from,
             to,
@@ -59,14 +63,7 @@ impl JointMove {
         if t_s >= self.profile.duration_s() {
             return self.to;
         }
-        let share = self.profile.distance_at(t_s);
-        let [base, rear, fore, servo] = ways(&self.from, &self.to);
-        Joints {
-            base: self.from.base + Degrees(base * share),
-            rear: self.from.rear + Degrees(rear * share),
-            fore: self.from.fore + Degrees(fore * share),
-            servo: self.from.servo + Degrees(servo * share),
-        }
+        self.from.towards(&self.to, self.profile.distance_at(t_s))
     }
 
     /// How long it takes.
@@ -80,13 +77,4 @@ impl JointMove {
     pub const fn target(&self) -> Joints {
         self.to
     }
-}
-
-fn ways(from: &Joints, to: &Joints) -> [f64; 4] {
-    [
-        to.base.0 - from.base.0,
-        to.rear.0 - from.rear.0,
-        to.fore.0 - from.fore.0,
-        to.servo.0 - from.servo.0,
-    ]
 }

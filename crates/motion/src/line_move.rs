@@ -2,7 +2,7 @@
 
 use dobot_arm::Pose;
 
-use crate::pace::Pace;
+use crate::pace::MovePace;
 use crate::plan_error::finite;
 use crate::{PlanError, Profile, Speeds};
 
@@ -29,7 +29,7 @@ impl LineMove {
         let turn_deg = (to.rotation - from.rotation).abs().0;
         finite("length of the line", length_mm)?;
         finite("turn of the tool", turn_deg)?;
-        let pace = Pace::of(length_mm, speeds.line_mm_s, speeds.line_mm_s2).with(Pace::of(
+        let pace = MovePace::of(length_mm, speeds.line_mm_s, speeds.line_mm_s2).with(MovePace::of(
             turn_deg,
             speeds.servo_deg_s,
             speeds.servo_deg_s2,

@@ -184,7 +184,7 @@ fn a_reversed_jog_runs_through_rest() {
 
 /// What a profile was asked for.
 #[derive(Clone, Copy, Debug)]
-struct Asked {
+struct ProfileLimits {
     distance: f64,
     start: f64,
     end: f64,
@@ -192,7 +192,7 @@ struct Asked {
     acceleration: f64,
 }
 
-impl Asked {
+impl ProfileLimits {
     fn planned(self) -> (Self, Profile) {
         let Self {
             distance,
@@ -206,13 +206,13 @@ impl Asked {
     }
 }
 
-fn profiles() -> impl Strategy<Value = (Asked, Profile)> {
+fn profiles() -> impl Strategy<Value = (ProfileLimits, Profile)> {
     let distances = prop_oneof![Just(0.0), 1e-6..1e-2, 0.01..10.0, 10.0..2000.0];
     let shares = || prop_oneof![Just(0.0), 0.0..1.0, Just(1.0)];
     (distances, shares(), shares(), 0.1..500.0, 1.0..2000.0).prop_map(
         |(distance, start, end, max_speed, acceleration)| {
             let [start, end] = [start * max_speed, end * max_speed];
-            Asked {
+            ProfileLimits {
                 distance,
                 start,
                 end,
@@ -224,9 +224,9 @@ fn profiles() -> impl Strategy<Value = (Asked, Profile)> {
     )
 }
 
-fn rest_to_rest() -> impl Strategy<Value = (Asked, Profile)> {
+fn rest_to_rest() -> impl Strategy<Value = (ProfileLimits, Profile)> {
     (1e-6..2000.0, 0.1..500.0, 1.0..2000.0).prop_map(|(distance, max_speed, acceleration)| {
-        Asked {
+        ProfileLimits {
             distance,
             start: 0.0,
             end: 0.0,

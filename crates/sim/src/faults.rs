@@ -1,21 +1,21 @@
-//! What goes wrong, in words: `drop=1%`, `reset@12s`.
+//! Faults, and how they are written: `drop=1%`, `reset@12s`.
 
+mod fault_state;
 mod parse;
 mod schedule;
 mod struck;
-mod trouble;
 mod when;
 
 use std::fmt;
 use std::time::Duration;
 
+pub(crate) use fault_state::FaultState;
 pub use parse::FaultError;
-pub(crate) use schedule::{Direction, Order, Schedule};
-pub use struck::{Struck, What};
-pub(crate) use trouble::Trouble;
+pub(crate) use schedule::{ArmOrder, FaultSchedule, LineDirection};
+pub use struck::{FaultEffect, Struck};
 
 use crate::Joint;
-use when::{Time, When};
+use when::{FaultTime, Time};
 
 /// Something that goes wrong with a virtual arm, on demand.
 ///
@@ -53,20 +53,20 @@ use when::{Time, When};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fault {
-    kind: Kind,
-    when: When,
+    kind: FaultKind,
+    when: FaultTime,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum FaultKind {
     Bytes {
         damage: Damage,
         amount: Amount,
-        way: Way,
+        way: Directions,
     },
     Delay {
         longest: Duration,
-        way: Way,
+        way: Directions,
     },
     Withhold,
     Close,
@@ -105,7 +105,7 @@ enum Amount {
 
 /// Which bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
+enum Directions {
     Both,
     To,
     From,
@@ -121,19 +121,19 @@ pub(crate) struct Tilt {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.kind {
-            Kind::Bytes {
+            FaultKind::Bytes {
                 damage,
                 amount,
                 way,
             } => write!(f, "{}={amount}{way}", damage.name()),
-            Kind::Delay { longest, way } => write!(f, "delay={}{way}", Time(longest)),
-            Kind::Withhold => f.write_str("withhold"),
-            Kind::Close => f.write_str("close"),
-            Kind::Reset(tilt) => write!(f, "reset{tilt}"),
-            Kind::Power(tilt) => write!(f, "power{tilt}"),
-            Kind::Lose { joint, amount } => write!(f, "lose={joint}:{amount}"),
-            Kind::Backlash { joint, deg } => write!(f, "backlash={joint}:{deg}"),
-            Kind::Zero { joint, deg } => write!(f, "zero={joint}:{deg}"),
+            FaultKind::Delay { longest, way } => write!(f, "delay={}{way}", Time(longest)),
+            FaultKind::Withhold => f.write_str("withhold"),
+            FaultKind::Close => f.write_str("close"),
+            FaultKind::Reset(tilt) => write!(f, "reset{tilt}"),
+            FaultKind::Power(tilt) => write!(f, "power{tilt}"),
+            FaultKind::Lose { joint, amount } => write!(f, "lose={joint}:{amount}"),
+            FaultKind::Backlash { joint, deg } => write!(f, "backlash={joint}:{deg}"),
+            FaultKind::Zero { joint, deg } => write!(f, "zero={joint}:{deg}"),
         }?;
         self.when.fmt(f)
     }
@@ -149,11 +149,13 @@ impl Damage {
     }
 }
 
-impl Way {
-    const fn includes(self, direction: Direction) -> bool {
+impl Directions {
+    const fn includes(self, direction: LineDirection) -> bool {
         matches!(
             (self, direction),
-            (Self::Both, _) | (Self::To, Direction::ToArm) | (Self::From, Direction::FromArm)
+            (Self::Both, _)
+                | (Self::To, LineDirection::ToArm)
+                | (Self::From, LineDirection::FromArm)
         )
     }
 }
@@ -167,7 +169,7 @@ impl fmt::Display for Amount {
     }
 }
 
-impl fmt::Display for Way {
+impl fmt::Display for Directions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Both => "",

@@ -32,7 +32,7 @@ impl InProcess {
         arm.handle_open(now);
     }
 
-    /// The arm, to look at; nobody else gets it meanwhile.
+    /// The arm, to look at it; it is locked meanwhile.
     pub fn arm(&self) -> MutexGuard<'_, VirtualArm> {
         self.arm.lock().unwrap_or_else(PoisonError::into_inner)
     }

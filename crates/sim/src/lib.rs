@@ -34,18 +34,16 @@ mod trace;
 mod virtual_arm;
 pub mod world;
 
-pub use faults::{Fault, FaultError, Struck, What};
+pub use faults::{Fault, FaultEffect, FaultError, Struck};
 pub use in_process::InProcess;
 pub use line::Line;
 pub use mechanics::{Joint, Mechanics};
 pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
 pub use pty::{Pty, PtyClient};
-pub use script::{Problem, Script, ScriptError, ScriptLine, Start};
+pub use script::{Script, ScriptError, ScriptLine, ScriptProblem, Start};
 pub use serve::{DEFAULT_TCP, DEFAULT_WORLD, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
 pub use speed::{Speed, SpeedError};
-pub use trace::{
-    Comparison, Deviation, Difference, Tolerance, Trace, TraceError, TracedStatus, TracedTick,
-};
+pub use trace::{Comparison, Deviation, Trace, TraceError, TracedStatus, TracedTick};
 pub use virtual_arm::{Sample, VirtualArm};

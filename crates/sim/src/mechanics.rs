@@ -70,7 +70,7 @@ impl Mechanics {
         self.backlash_deg[joint as usize] = backlash_deg;
     }
 
-    /// Turns the joints on by so many degrees, where they stay askew: nobody knows of it.
+    /// Turns the joints on by so many degrees, where they stay; the controller does not know it.
     pub(crate) fn set_zeros(&mut self, zeros_deg: [f64; 4]) {
         for (joint, zero_deg) in zeros_deg.into_iter().enumerate() {
             self.from_deg[joint] += zero_deg;

@@ -79,12 +79,7 @@ impl Plot<'_> {
     }
 
     fn angles(&self, sheet: &mut Sheet, time: &Axis) {
-        let chart = Chart {
-            title: "Joint angles",
-            unit: "°",
-            top: 572.0,
-            height: 190.0,
-        };
+        let chart = Chart::new("Joint angles", "°", [572.0, 190.0]);
         let curves = JOINTS.map(|(joint, name, color)| Curve {
             name,
             color,
@@ -94,12 +89,7 @@ impl Plot<'_> {
     }
 
     fn speeds(&self, sheet: &mut Sheet, time: &Axis) {
-        let chart = Chart {
-            title: "Joint speeds",
-            unit: "°/s",
-            top: 812.0,
-            height: 160.0,
-        };
+        let chart = Chart::new("Joint speeds", "°/s", [812.0, 160.0]);
         let curves = JOINTS.map(|(joint, name, color)| Curve {
             name,
             color,
@@ -116,12 +106,7 @@ impl Plot<'_> {
     }
 
     fn tool_speed(&self, sheet: &mut Sheet, time: &Axis) {
-        let chart = Chart {
-            title: "Tool speed",
-            unit: "mm/s",
-            top: 1022.0,
-            height: 130.0,
-        };
+        let chart = Chart::new("Tool speed", "mm/s", [1022.0, 130.0]);
         let points = self.over_time(|it, before| {
             if is_set_anew(it, before) {
                 f64::NAN

@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use dobot_controller::Port;
 
-pub use self::error::{Problem, ScriptError};
-use self::words::{Words, bytes, packet, start, tilt, voice};
+pub use self::error::{ScriptError, ScriptProblem};
+use self::words::{LineWords, bytes, packet, start, tilt, voice};
 
 /// What is sent to an arm, and when, as text; `vectors/traces/` holds some.
 ///
@@ -74,7 +74,7 @@ impl Script {
     ///
     /// # Errors
     ///
-    /// [`ScriptError`] for the first line that is none: its number, what was found and what is
+    /// [`ScriptError`] for the first bad line: its number, what was found and what is
     /// allowed.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
         let mut draft = Draft::default();
@@ -108,8 +108,8 @@ struct Draft {
 }
 
 impl Draft {
-    fn read(&mut self, line: &str) -> Result<(), Problem> {
-        let mut words = Words::of(line);
+    fn read(&mut self, line: &str) -> Result<(), ScriptProblem> {
+        let mut words = LineWords::of(line);
         match words.next() {
             None => Ok(()),
             Some(word) if word.starts_with('#') => Ok(()),
@@ -125,7 +125,7 @@ impl Draft {
                 Ok(())
             }
             Some(_) => {
-                let mut words = Words::of(line);
+                let mut words = LineWords::of(line);
                 let start = self.start(&mut words)?;
                 self.push(start, packet(words)?);
                 Ok(())
@@ -133,7 +133,7 @@ impl Draft {
         }
     }
 
-    fn directive(&mut self, name: &str, mut words: Words<'_>) -> Result<(), Problem> {
+    fn directive(&mut self, name: &str, mut words: LineWords<'_>) -> Result<(), ScriptProblem> {
         match name {
             "!end" => once(&mut self.end, "!end", words.time()?)?,
             "!pose" => once(
@@ -142,16 +142,16 @@ impl Draft {
                 (tilt(&mut words)?, tilt(&mut words)?),
             )?,
             "!port" => once(&mut self.port, "!port", words.port()?)?,
-            _ => return Err(Problem::Directive { found: name.into() }),
+            _ => return Err(ScriptProblem::Directive(name.into())),
         }
         words.end()
     }
 
-    fn start(&mut self, words: &mut Words<'_>) -> Result<Start, Problem> {
+    fn start(&mut self, words: &mut LineWords<'_>) -> Result<Start, ScriptProblem> {
         let start = start(words)?;
         if let Start::At(at) = start {
             if at < self.latest {
-                return Err(Problem::Backwards {
+                return Err(ScriptProblem::Backwards {
                     found_ms: at.as_secs_f64() * 1e3,
                     latest_ms: self.latest.as_secs_f64() * 1e3,
                 });
@@ -177,10 +177,10 @@ impl Draft {
     }
 }
 
-fn once<T>(place: &mut Option<T>, name: &'static str, value: T) -> Result<(), Problem> {
+fn once<T>(place: &mut Option<T>, name: &'static str, value: T) -> Result<(), ScriptProblem> {
     match place.replace(value) {
         None => Ok(()),
-        Some(_) => Err(Problem::Twice { name }),
+        Some(_) => Err(ScriptProblem::Twice(name)),
     }
 }
 

@@ -21,10 +21,10 @@ use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
-/// Whoever comes first has the arm until he leaves. Another one is turned away on TCP; on the virtual serial port, which cannot turn anybody away, he meets a line where nobody
-/// speaks or listens until the arm is free.
+/// The first client has the arm until it leaves. Another one is turned away on TCP. The virtual serial
+/// port cannot turn a client away: there the line is silent until the arm is free.
 ///
-/// Nothing that the arm sent before a client came is kept for him. The virtual serial port keeps
+/// Nothing that the arm sent before a client came is kept for it. The virtual serial port keeps
 /// this promise from the moment on that the client before has been seen to leave
 /// ([`ServerEvent::Disconnected`]).
 #[derive(Debug)]
@@ -375,7 +375,7 @@ async fn accept(listener: Option<&TcpListener>) -> (TcpStream, SocketAddr) {
     }
 }
 
-/// Reads from whoever has the arm.
+/// Reads from the client that has the arm.
 async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<usize> {
     match client {
         Some(client) => client.read(buffer).await,

@@ -74,7 +74,7 @@ pub fn simulate_watched(
     if script.port == Port::Bluetooth && personality == Personality::Specification {
         return Err(SimulateError::NoBluetooth { personality });
     }
-    let mut run = Run::new(script, personality);
+    let mut run = ScriptRun::new(script, personality);
     while let Some(at) = run.tick() {
         watch(at, &run.controller);
     }
@@ -82,7 +82,7 @@ pub fn simulate_watched(
 }
 
 /// A script under way.
-struct Run<'a> {
+struct ScriptRun<'a> {
     controller: Controller,
     feed: Feed<'a>,
     port: Port,
@@ -97,7 +97,7 @@ struct Run<'a> {
     refused: Vec<(Duration, Refused)>,
 }
 
-impl<'a> Run<'a> {
+impl<'a> ScriptRun<'a> {
     fn new(script: &'a Script, personality: Personality) -> Self {
         let controller = Controller::power_up(PowerUp {
             port: script.port,

@@ -7,7 +7,7 @@ mod read;
 use dobot_arm::TICK;
 use dobot_controller::Outputs;
 
-pub use self::compare::{Comparison, Deviation, Difference, Tolerance};
+pub use self::compare::{Comparison, Deviation};
 use self::number::{push_float, push_int};
 pub use self::read::TraceError;
 

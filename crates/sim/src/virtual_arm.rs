@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, PowerUp, Refused};
 
-use crate::faults::{Direction, Order, Tilt, Trouble};
+use crate::faults::{ArmOrder, FaultState, LineDirection, Tilt};
 use crate::world::{Actuators, Happened, World};
 use crate::{Fault, Line, Mechanics, Struck};
 
@@ -23,7 +23,7 @@ pub struct VirtualArm {
     ticks: u32,
     to_arm: Line,
     from_arm: Line,
-    trouble: Option<Box<Trouble>>,
+    faults: Option<Box<FaultState>>,
     now: Duration,
     /// When something last happened: up to then the way is recorded.
     last_event: Duration,
@@ -64,7 +64,7 @@ impl VirtualArm {
             started: Duration::ZERO,
             to_arm: line.clone(),
             from_arm: line,
-            trouble: None,
+            faults: None,
             now: Duration::ZERO,
             last_event: Duration::ZERO,
             recorder: None,
@@ -78,8 +78,8 @@ impl VirtualArm {
     /// same.
     #[must_use]
     pub fn with_faults(mut self, power_up: PowerUp, faults: &[Fault], seed: u64) -> Self {
-        let trouble = Trouble::new(power_up, faults, seed, &mut self.mechanics);
-        self.trouble = Some(Box::new(trouble));
+        let faults = FaultState::new(power_up, faults, seed, &mut self.mechanics);
+        self.faults = Some(Box::new(faults));
         self.strike(Duration::ZERO);
         self
     }
@@ -146,14 +146,14 @@ impl VirtualArm {
     /// Whether the arm's port is there, to be opened or open.
     #[must_use]
     pub fn has_port(&self) -> bool {
-        self.trouble.as_ref().is_none_or(|it| it.has_port)
+        self.faults.as_ref().is_none_or(|it| it.has_port)
     }
 
     /// Takes that a client opens the port.
     pub fn handle_open(&mut self, now: Duration) {
         self.handle_time(now);
-        if let Some(trouble) = &mut self.trouble {
-            trouble.schedule.handle_open(now);
+        if let Some(faults) = &mut self.faults {
+            faults.schedule.handle_open(now);
             self.strike(now);
         }
     }
@@ -186,13 +186,13 @@ impl VirtualArm {
     /// Takes the bytes that have arrived from the arm by now.
     pub fn poll_bytes(&mut self, bytes: &mut Vec<u8>) {
         self.judge(self.now);
-        match &mut self.trouble {
+        match &mut self.faults {
             None => {
                 self.from_arm.receive(self.now, bytes);
             }
-            Some(trouble) => {
-                let schedule = &mut trouble.schedule;
-                while let Some((_, byte)) = schedule.pop(Direction::FromArm, self.now) {
+            Some(faults) => {
+                let schedule = &mut faults.schedule;
+                while let Some((_, byte)) = schedule.pop(LineDirection::FromArm, self.now) {
                     bytes.push(byte);
                 }
             }
@@ -212,7 +212,7 @@ impl VirtualArm {
 
     /// Which fault struck since the last call; only the last few are kept.
     pub fn poll_struck(&mut self) -> Option<Struck> {
-        self.trouble.as_mut()?.schedule.poll_struck()
+        self.faults.as_mut()?.schedule.poll_struck()
     }
 
     /// When something next happens.
@@ -236,16 +236,16 @@ impl VirtualArm {
     /// When a fault next begins or ends at a time.
     #[must_use]
     pub fn poll_fault(&self) -> Duration {
-        let next = |it: &Trouble| it.schedule.poll_wakeup();
-        self.trouble.as_deref().map_or(Duration::MAX, next)
+        let next = |it: &FaultState| it.schedule.poll_wakeup();
+        self.faults.as_deref().map_or(Duration::MAX, next)
     }
 
     /// When the bytes that are on their way from the arm have arrived.
     fn next_bytes(&self) -> Option<Duration> {
         let burst = self.from_arm.next_burst();
-        let late = self.trouble.as_ref().and_then(|trouble| {
-            let schedule = &trouble.schedule;
-            schedule.next_late(Direction::FromArm, self.now)
+        let late = self.faults.as_ref().and_then(|faults| {
+            let schedule = &faults.schedule;
+            schedule.next_late(LineDirection::FromArm, self.now)
         });
         burst.into_iter().chain(late).min()
     }
@@ -268,8 +268,8 @@ impl VirtualArm {
     }
 
     fn is_spoken_to(&self) -> bool {
-        let late = |it: &Trouble| it.schedule.keeps(Direction::ToArm);
-        self.to_arm.next_burst().is_some() || self.trouble.as_deref().is_some_and(late)
+        let late = |it: &FaultState| it.schedule.keeps(LineDirection::ToArm);
+        self.to_arm.next_burst().is_some() || self.faults.as_deref().is_some_and(late)
     }
 
     /// Gives the controller the bytes that arrive before `time`: one that arrives in the very
@@ -301,17 +301,17 @@ impl VirtualArm {
     }
 
     fn next_byte(&mut self, before: Duration) -> Option<(Duration, u8)> {
-        match &mut self.trouble {
+        match &mut self.faults {
             None => self.to_arm.pop(before),
-            Some(trouble) => trouble.schedule.pop(Direction::ToArm, before),
+            Some(faults) => faults.schedule.pop(LineDirection::ToArm, before),
         }
     }
 
     /// Lets the faults judge the bytes that have arrived, before one of them begins or ends.
     fn judge(&mut self, by: Duration) {
-        if let Some(trouble) = &mut self.trouble {
+        if let Some(faults) = &mut self.faults {
             let lines = [&mut self.to_arm, &mut self.from_arm];
-            trouble.schedule.judge(lines, by, trouble.has_port);
+            faults.schedule.judge(lines, by, faults.has_port);
         }
     }
 
@@ -334,8 +334,8 @@ impl VirtualArm {
 
     fn tick(&mut self, at: Duration) {
         self.controller.handle_time(at.saturating_sub(self.started));
-        let withheld = |it: &Trouble| it.schedule.withholds();
-        let withheld = self.trouble.as_deref().is_some_and(withheld);
+        let withheld = |it: &FaultState| it.schedule.withholds();
+        let withheld = self.faults.as_deref().is_some_and(withheld);
         while let Some(upload) = self.controller.poll_bytes() {
             if !withheld {
                 let leaves = self.started.saturating_add(upload.at);
@@ -379,25 +379,25 @@ impl VirtualArm {
     /// Drives the machine with what the control tick sent.
     fn drive(&mut self, at: Duration) {
         let outputs = self.controller.outputs();
-        let pulses = match &mut self.trouble {
+        let pulses = match &mut self.faults {
             None => outputs.pulses,
-            Some(trouble) => trouble.schedule.make(outputs.pulses, at),
+            Some(faults) => faults.schedule.make(outputs.pulses, at),
         };
         self.mechanics.handle_tick(at, pulses, outputs.head_servo);
     }
 
     /// Does what the faults of this moment want.
     fn strike(&mut self, at: Duration) {
-        while let Some(trouble) = &mut self.trouble
-            && let Some(order) = trouble.handle_time(at, &self.controller)
+        while let Some(faults) = &mut self.faults
+            && let Some(order) = faults.handle_time(at, &self.controller)
         {
             match order {
-                Order::ClosePort => trouble.has_port = false,
-                Order::AllowPort => trouble.has_port = true,
-                Order::Reset(_) if self.started == Duration::MAX => {}
-                Order::Reset(tilt) => self.stop(at, tilt, at.saturating_add(START)),
-                Order::PowerOff(tilt) => self.stop(at, tilt, Duration::MAX),
-                Order::PowerOn => self.started = at.saturating_add(START),
+                ArmOrder::ClosePort => faults.has_port = false,
+                ArmOrder::AllowPort => faults.has_port = true,
+                ArmOrder::Reset(_) if self.started == Duration::MAX => {}
+                ArmOrder::Reset(tilt) => self.stop(at, tilt, at.saturating_add(START)),
+                ArmOrder::PowerOff(tilt) => self.stop(at, tilt, Duration::MAX),
+                ArmOrder::PowerOn => self.started = at.saturating_add(START),
             }
         }
     }
@@ -406,8 +406,8 @@ impl VirtualArm {
     fn stop(&mut self, at: Duration, tilt: Tilt, started: Duration) {
         self.mechanics.halt(at);
         self.from_arm.cut(at);
-        if let Some(trouble) = &mut self.trouble {
-            self.controller = trouble.start_anew(at, &self.controller, &self.mechanics, tilt);
+        if let Some(faults) = &mut self.faults {
+            self.controller = faults.start_anew(at, &self.controller, &self.mechanics, tilt);
         }
         self.ticks = 0;
         self.started = started;

@@ -50,7 +50,7 @@ use dobot_geometry::direction;
 use self::contact::{Contacts, Scenery};
 use self::grip::Grip;
 use self::marks::{Burns, Ink};
-use self::moment::Moment;
+use self::moment::ArmMoment;
 use self::place::{rounded, rounded_place};
 use self::tip::Tip;
 
@@ -67,7 +67,7 @@ pub use dobot_geometry::Point;
 pub struct World {
     scene: Scene,
     /// Where the arm was last, and when; nothing before it was told first.
-    arm: Option<Moment>,
+    arm: Option<ArmMoment>,
     grip: Grip,
     /// The object that was last found too heavy or not under the cup, until the tool is elsewhere.
     refused: Option<usize>,
@@ -125,7 +125,7 @@ impl World {
     /// exact enough. Time does not go back. Angles that are not numbers are told as
     /// [`Event::Lost`] and leave the arm where it was.
     pub fn handle_arm(&mut self, at: Duration, joints: &Joints, actuators: Actuators) {
-        let to = Moment {
+        let to = ArmMoment {
             at,
             joints: *joints,
             actuators,
@@ -154,7 +154,7 @@ impl World {
         self.arm = Some(to);
     }
 
-    /// What happened since the last call, in its order; of what nobody asks for, the last 100 are
+    /// What happened since the last call, in its order; of the events that are not asked for, the last 100 are
     /// kept.
     pub fn poll_event(&mut self) -> Option<Happened> {
         self.untold.pop_front()
@@ -191,7 +191,7 @@ impl World {
     }
 
     /// Goes a short way, on which everything changes evenly.
-    fn advance(&mut self, from: &Moment, to: &Moment) {
+    fn advance(&mut self, from: &ArmMoment, to: &ArmMoment) {
         self.grip.carry(&mut self.scene.objects, &to.tip);
         match self.scene.tool.kind {
             ToolKind::Pen { .. } => self.draw(from, to),
@@ -210,14 +210,14 @@ impl World {
         self.touch(to);
     }
 
-    fn draw(&mut self, from: &Moment, to: &Moment) {
+    fn draw(&mut self, from: &ArmMoment, to: &ArmMoment) {
         match self.ink.draw(&from.tip, &to.tip) {
             Some(at) => self.mark(to.at, at),
             None => self.off_paper = false,
         }
     }
 
-    fn burn(&mut self, from: &Moment, to: &Moment, power_w: Option<f64>) {
+    fn burn(&mut self, from: &ArmMoment, to: &ArmMoment, power_w: Option<f64>) {
         let Some(power_w) = power_w else {
             self.burns.stop();
             self.off_paper = false;
@@ -249,7 +249,7 @@ impl World {
     }
 
     /// The suction cup holds what its whole face covers while the pump runs.
-    fn suck(&mut self, now: &Moment, radius_mm: f64) {
+    fn suck(&mut self, now: &ArmMoment, radius_mm: f64) {
         if !now.actuators.pump {
             self.release(now);
             return;
@@ -291,7 +291,7 @@ impl World {
     }
 
     /// The fingers hold what they close on, and let go where they open.
-    fn grasp(&mut self, from: &Moment, to: &Moment) {
+    fn grasp(&mut self, from: &ArmMoment, to: &ArmMoment) {
         let tool = self.scene.tool;
         let [from_mm, to_mm] = [from, to].map(|it| tool.opening_mm(it.actuators.gripper_deg));
         if to_mm > from_mm {
@@ -331,7 +331,7 @@ impl World {
         highest.map(|(i, _)| i)
     }
 
-    fn take(&mut self, object: usize, now: &Moment) {
+    fn take(&mut self, object: usize, now: &ArmMoment) {
         let lifts_g = self.scene.tool.lifts_g();
         let event = self
             .grip
@@ -340,7 +340,7 @@ impl World {
         self.tell(now.at, event);
     }
 
-    fn release(&mut self, now: &Moment) {
+    fn release(&mut self, now: &ArmMoment) {
         self.refused = None;
         self.held_mm = 0.0;
         if let Some(event) = self.grip.release(&mut self.scene.objects) {
@@ -348,7 +348,7 @@ impl World {
         }
     }
 
-    fn touch(&mut self, now: &Moment) {
+    fn touch(&mut self, now: &ArmMoment) {
         let mut events = Vec::new();
         let scenery = Scenery {
             tool: &self.scene.tool,

@@ -8,7 +8,7 @@ use common::{button, completed, move_to, ms, playback, program, run};
 use dobot_arm::Joints;
 use dobot_client::{Connection, Event, LinkError, Peer};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Fault, InProcess, Line, VirtualArm, What};
+use dobot_sim::{Fault, FaultEffect, InProcess, Line, VirtualArm};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MovingMode, Status};
 use proptest::prelude::*;
 
@@ -343,16 +343,21 @@ mod link {
     fn hits_are_told_at_one_ten_a_hundred_and_at_the_end() {
         let mut arm = faulty(&["drop=100%:from@0s..10s"], 0);
         listen(&mut arm, s(20));
-        let hits: Vec<What> = std::iter::from_fn(|| arm.poll_struck())
+        let hits: Vec<FaultEffect> = std::iter::from_fn(|| arm.poll_struck())
             .map(|it| it.what)
             .collect();
         // Statuses are sent from 60 ms on, every 80 ms: of the 125 by then the last one comes whole.
         let by_ten_seconds = 124 * 42;
         assert_eq!(
             hits[..4],
-            [What::Hit(1), What::Hit(10), What::Hit(100), What::Hit(1000)]
+            [
+                FaultEffect::Hit(1),
+                FaultEffect::Hit(10),
+                FaultEffect::Hit(100),
+                FaultEffect::Hit(1000)
+            ]
         );
-        let What::Over(hits) = hits[4] else {
+        let FaultEffect::Over(hits) = hits[4] else {
             panic!("{hits:?}");
         };
         assert!(

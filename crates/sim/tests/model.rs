@@ -13,12 +13,12 @@ use proptest::prelude::*;
 
 /// What a chain of commands comes to on an arm: where it rests, and when its last motion began to
 /// rest.
-struct Lab {
+struct TestArm {
     controller: Controller,
     now: Duration,
 }
 
-impl Lab {
+impl TestArm {
     fn power_up(personality: Personality) -> Self {
         let power_up = PowerUp {
             personality,
@@ -108,7 +108,7 @@ proptest! {
         commands in prop::collection::vec(command(), 1..8),
     ) {
         let personality = if stock { Personality::Firmware11 } else { Personality::Specification };
-        let mut lab = Lab::power_up(personality);
+        let mut lab = TestArm::power_up(personality);
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let mut model = Model::new(personality.dialect(), &status);
         for command in commands {
@@ -137,7 +137,7 @@ proptest! {
 fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
     let personality = Personality::Firmware11;
     for (max_speed_mm_s, arrives) in [(50.0, false), (95.0, false), (105.0, true), (150.0, true)] {
-        let mut lab = Lab::power_up(personality);
+        let mut lab = TestArm::power_up(personality);
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let model = Model::new(personality.dialect(), &status);
         let rapid = Command::from(WriteVector {
@@ -171,7 +171,7 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
         ..WriteVector::by(0.0, y_mm, 0.0, speed)
     };
     for speed in [1.0, 1.5, 2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
-        let mut lab = Lab::power_up(personality);
+        let mut lab = TestArm::power_up(personality);
         let status = lab.wait(Duration::from_millis(100)).expect("it was told");
         let mut model = Model::new(personality.dialect(), &status);
         for command in [vector(40.0, true, speed), vector(7.3, false, speed)].map(Command::from) {

@@ -22,7 +22,7 @@ const PACKET: Duration = Duration::from_micros(43_680);
 const DEAF: Duration = Duration::from_secs(2);
 
 /// What a session hears of a script that the twin carries out.
-struct Told {
+struct SessionInput {
     power_up: PowerUp,
     /// The statuses, each with the tick that sent it.
     statuses: Vec<(u32, Frame)>,
@@ -31,7 +31,7 @@ struct Told {
     commands: Vec<Command>,
 }
 
-impl Told {
+impl SessionInput {
     fn by(script: &Script) -> Self {
         let mut joints = Vec::new();
         let watch = |at, controller: &Controller| joints.push(controller.joints_at(at));
@@ -123,7 +123,7 @@ fn a_reset_at_every_tick_of_every_recorded_trace_is_noticed() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../vectors/traces");
         let text = std::fs::read_to_string(format!("{folder}/{name}.script")).expect("it is there");
         let script: Script = text.parse().expect("it is a script");
-        let (here, _) = Told::by(&script).reset_in_each_tick(&name);
+        let (here, _) = SessionInput::by(&script).reset_in_each_tick(&name);
         noticed += here;
     }
     assert!(noticed > 10_000, "{noticed}");

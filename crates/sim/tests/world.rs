@@ -11,7 +11,7 @@ use dobot_sim::{Line, VirtualArm};
 use proptest::prelude::*;
 
 /// An arm in a world, told where to go.
-struct Lab {
+struct WorldTest {
     world: World,
     scene: Scene,
     now: Duration,
@@ -20,7 +20,7 @@ struct Lab {
     events: Vec<String>,
 }
 
-impl Lab {
+impl WorldTest {
     /// The tip stands 30 mm above the table at x 200.
     fn new(scene: &str) -> Self {
         let scene = Scene::parse(scene).unwrap();
@@ -147,7 +147,7 @@ fn at(found: Point, x: f64, y: f64, tolerance: f64) {
 
 #[test]
 fn a_pen_draws_where_it_is_down_and_only_there() {
-    let lab = Lab::new("[pen]")
+    let lab = WorldTest::new("[pen]")
         .go(200.0, 10.0, 0.0, 20.0)
         .go(200.0, 60.0, 0.0, 40.0)
         .go(240.0, 60.0, 0.0, 40.0)
@@ -175,7 +175,7 @@ fn a_pen_draws_where_it_is_down_and_only_there() {
 
 #[test]
 fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_told_once() {
-    Lab::new("[pen]\n[paper]\nx_mm = [150, 250]\ny_mm = [-50, 50]")
+    WorldTest::new("[pen]\n[paper]\nx_mm = [150, 250]\ny_mm = [-50, 50]")
         .go(200.0, 0.0, -1.9, 40.0)
         .go(200.0, 80.0, -1.9, 40.0)
         .go(200.0, 0.0, -1.9, 40.0)
@@ -187,7 +187,7 @@ fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_told_once() {
 
 #[test]
 fn a_pressed_pen_is_told_again_each_time_it_is_twice_as_deep() {
-    let lab = Lab::new("[pen]").go(200.0, 0.0, -20.0, 10.0);
+    let lab = WorldTest::new("[pen]").go(200.0, 0.0, -20.0, 10.0);
     assert_eq!(lab.events.len(), 4, "{:?}", lab.events);
 }
 
@@ -205,7 +205,7 @@ at_mm = [240, -60]
 
 #[test]
 fn a_cube_is_picked_up_carried_turned_and_put_on_another_one() {
-    let lab = Lab::new(CUBES)
+    let lab = WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 24.0, 40.0)
         .pump(true)
@@ -234,7 +234,7 @@ fn what_stands_on_a_cube_is_lifted_with_it_and_falls_with_it() {
         "{CUBES}[[cylinder]]\nname = \"pin\"\ndiameter_mm = 4\nheight_mm = 10\nat_mm = [209, 51]\non = \"red\"\n[[box]]\nsize_mm = [4, 4, 4]\nat_mm = [210, 69]\non = \"red\""
     );
     let stack = stack.replace("[suction-cup]", "[suction-cup]\ndiameter_mm = 8");
-    let lab = Lab::new(&stack)
+    let lab = WorldTest::new(&stack)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 25.0, 40.0)
         .pump(true)
@@ -252,7 +252,7 @@ fn what_stands_on_a_cube_is_lifted_with_it_and_falls_with_it() {
 
 #[test]
 fn the_pump_lifts_nothing_where_the_cup_touches_nothing() {
-    let lab = Lab::new(CUBES)
+    let lab = WorldTest::new(CUBES)
         .go(200.0, 60.0, 29.0, 40.0)
         .pump(true)
         .go(200.0, 60.0, 60.0, 40.0)
@@ -263,7 +263,7 @@ fn the_pump_lifts_nothing_where_the_cup_touches_nothing() {
 
 #[test]
 fn a_pump_that_runs_already_picks_up_what_the_cup_is_lowered_on() {
-    Lab::new(CUBES)
+    WorldTest::new(CUBES)
         .pump(true)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 25.0, 40.0)
@@ -273,12 +273,12 @@ fn a_pump_that_runs_already_picks_up_what_the_cup_is_lowered_on() {
 #[test]
 fn a_cup_over_an_edge_draws_air() {
     // 25 mm wide: 12.5 less the 10 of the cup leave 2.5 on each side.
-    Lab::new(CUBES)
+    WorldTest::new(CUBES)
         .go(205.0, 60.0, 25.0, 100.0)
         .pump(true)
         .go(205.0, 60.0, 60.0, 100.0)
         .tells(&["red is not held: the cup stands 2.5 mm over its edge"]);
-    Lab::new(CUBES)
+    WorldTest::new(CUBES)
         .go(202.4, 60.0, 25.0, 100.0)
         .pump(true)
         .tells(&["picked up red"]);
@@ -287,7 +287,7 @@ fn a_cup_over_an_edge_draws_air() {
 #[test]
 fn what_is_too_heavy_stays() {
     let heavy = CUBES.replace("at_mm = [200", "mass_g = 501\nat_mm = [200");
-    let lab = Lab::new(&heavy)
+    let lab = WorldTest::new(&heavy)
         .go(200.0, 60.0, 25.0, 100.0)
         .pump(true)
         .wait_ms(200)
@@ -298,11 +298,11 @@ fn what_is_too_heavy_stays() {
 
 #[test]
 fn a_tool_or_a_load_that_runs_into_something_is_told() {
-    Lab::new(CUBES)
+    WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(200.0, 60.0, 20.0, 10.0)
         .tells(&["the suction cup is 3.."]);
-    Lab::new(CUBES)
+    WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(200.0, 60.0, 25.0, 40.0)
         .pump(true)
@@ -313,7 +313,7 @@ fn a_tool_or_a_load_that_runs_into_something_is_told() {
 
 #[test]
 fn an_end_of_the_tool_in_the_table_is_told() {
-    Lab::new("[suction-cup]")
+    WorldTest::new("[suction-cup]")
         .go(200.0, 0.0, -4.0, 10.0)
         .tells(&["the suction cup is 3.."]);
 }
@@ -331,7 +331,7 @@ at_mm = [200, 60]
 
 #[test]
 fn a_gripper_holds_what_is_narrower_than_its_opening_and_drops_it_when_it_opens() {
-    let lab = Lab::new(GRIPPER)
+    let lab = WorldTest::new(GRIPPER)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 5.0, 40.0)
         .gripper(40.0)
@@ -353,7 +353,7 @@ fn a_gripper_holds_what_is_narrower_than_its_opening_and_drops_it_when_it_opens(
 #[test]
 fn a_gripper_runs_into_what_is_wider_than_its_opening_and_holds_nothing() {
     // Across the fingers the rod is 60 mm long when the tool is turned by 90 degrees.
-    let lab = Lab::new(GRIPPER)
+    let lab = WorldTest::new(GRIPPER)
         .turn(90.0)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 28.0, 40.0)
@@ -369,11 +369,11 @@ fn a_gripper_runs_into_what_is_wider_than_its_opening_and_holds_nothing() {
 
 #[test]
 fn fingers_that_close_above_or_beside_an_object_hold_nothing() {
-    Lab::new(GRIPPER)
+    WorldTest::new(GRIPPER)
         .go(200.0, 60.0, 31.0, 100.0)
         .gripper(90.0)
         .tells(&[]);
-    Lab::new(GRIPPER)
+    WorldTest::new(GRIPPER)
         .go(250.0, 60.0, 60.0, 100.0)
         .go(250.0, 60.0, 10.0, 100.0)
         .gripper(90.0)
@@ -385,7 +385,7 @@ const LASER: &str = "[laser]\npower_w = 0.5";
 
 #[test]
 fn the_dose_of_a_burn_is_power_by_speed() {
-    let lab = Lab::new(LASER)
+    let lab = WorldTest::new(LASER)
         .go(200.0, 0.0, 25.0, 40.0)
         .laser(true)
         .go(200.0, 50.0, 25.0, 10.0)
@@ -406,7 +406,7 @@ fn the_dose_of_a_burn_is_power_by_speed() {
 
 #[test]
 fn a_standing_laser_burns_a_hole_and_is_told_as_dangerous() {
-    let lab = Lab::new(LASER)
+    let lab = WorldTest::new(LASER)
         .go(200.0, 0.0, 25.0, 40.0)
         .laser(true)
         .wait_ms(480)
@@ -420,7 +420,7 @@ fn a_standing_laser_burns_a_hole_and_is_told_as_dangerous() {
 
 #[test]
 fn burns_of_different_speeds_are_kept_apart() {
-    let lab = Lab::new(LASER)
+    let lab = WorldTest::new(LASER)
         .go(200.0, 0.0, 25.0, 40.0)
         .laser(true)
         .go(200.0, 30.0, 25.0, 5.0)
@@ -433,7 +433,7 @@ fn burns_of_different_speeds_are_kept_apart() {
 
 #[test]
 fn angles_that_are_no_numbers_are_told_once_and_leave_the_world_as_it_was() {
-    let mut lab = Lab::new(CUBES);
+    let mut lab = WorldTest::new(CUBES);
     let before = lab.state();
     for ms in 1..4 {
         let joints = Joints::new(f64::NAN, 45.0, 45.0, 0.0);
@@ -447,7 +447,7 @@ fn angles_that_are_no_numbers_are_told_once_and_leave_the_world_as_it_was() {
 
 #[test]
 fn a_state_comes_back_from_json_as_it_was_and_makes_the_same_picture() {
-    let lab = Lab::new(CUBES)
+    let lab = WorldTest::new(CUBES)
         .go(200.0, 60.0, 25.0, 40.0)
         .pump(true)
         .go(220.0, 0.0, 50.0, 40.0);
@@ -461,7 +461,7 @@ fn a_state_comes_back_from_json_as_it_was_and_makes_the_same_picture() {
 #[test]
 fn an_hour_of_writing_is_a_few_points_and_the_same_every_time() {
     let drawn = || {
-        let mut lab = Lab::new("[pen]").go(200.0, -50.0, 0.0, 40.0);
+        let mut lab = WorldTest::new("[pen]").go(200.0, -50.0, 0.0, 40.0);
         for line in 0..40 {
             let x = 200.0 + f64::from(line);
             lab = lab.go(x, 50.0, 0.0, 40.0).go(x + 1.0, -50.0, 0.0, 40.0);

@@ -4,7 +4,7 @@ use dobot_arm::Unreachable;
 use dobot_motion::PlanError;
 use dobot_wire::ParseError;
 
-/// Why a command leads nowhere, or to where nobody knows.
+/// Why a command leads nowhere, or to a place that is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TrajectoryError {

@@ -6,7 +6,7 @@ use dobot_motion::{JointMove, Speeds};
 use dobot_wire::{Gesture, MouseMove};
 
 use crate::followed::{Before, Behind, hand_sample, mouse_sample};
-use crate::way::Way;
+use crate::motion::Motion;
 use crate::{Model, Place, Trajectory, TrajectoryError};
 
 /// Swings the base, and changes reach and height, by what a mouse tells.
@@ -130,8 +130,8 @@ fn followed(
         servo_deg_s2: NO_RAMP_DEG_S2,
         ..Speeds::STOCK
     };
-    let way = Way::Joints(JointMove::new(from, end, &even)?);
-    let trajectory = Trajectory::moving(way, Place::at_joints(end, model.tool), model);
+    let motion = Motion::Joints(JointMove::new(from, end, &even)?);
+    let trajectory = Trajectory::moving(motion, Place::at_joints(end, model.tool), model);
     // With a whole number of ticks, rounding decides whether it is one less.
     let clear = libm::fabs(period_s / TICK_S - ticks) > 2.0 * ROUNDING || period_s == FOLLOW_S;
     Ok(Trajectory {

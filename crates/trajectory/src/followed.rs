@@ -8,7 +8,7 @@ use dobot_wire::{Gesture, MouseMove};
 /// leaves in its places stays there, and the first nine averages of a hand reach one place of that.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Followed {
-    row: Option<Row>,
+    row: Option<FollowedInput>,
     /// Another command came behind the row.
     is_over: bool,
     samples: [[f32; 3]; SAMPLES],
@@ -18,7 +18,7 @@ pub(crate) struct Followed {
 
 /// What is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Row {
+enum FollowedInput {
     Mouse,
     Hand,
 }
@@ -42,14 +42,14 @@ impl Followed {
     }
 
     pub(crate) fn take_mouse(&mut self, by: &MouseMove) {
-        self.take(Row::Mouse, mouse_sample(by));
+        self.take(FollowedInput::Mouse, mouse_sample(by));
     }
 
     pub(crate) fn take_hand(&mut self, hand: &Gesture) {
-        self.take(Row::Hand, hand_sample(hand));
+        self.take(FollowedInput::Hand, hand_sample(hand));
     }
 
-    fn take(&mut self, row: Row, sample: [f32; 3]) {
+    fn take(&mut self, row: FollowedInput, sample: [f32; 3]) {
         self.count = self.len(row, Before::AsSent);
         (self.row, self.is_over) = (Some(row), false);
         if usize::from(self.count) == SAMPLES {
@@ -62,7 +62,7 @@ impl Followed {
     }
 
     /// How many samples the next packet of a row finds.
-    fn len(&self, row: Row, before: Before) -> u8 {
+    fn len(&self, row: FollowedInput, before: Before) -> u8 {
         let goes_on = match before {
             Before::AsSent => !self.is_over,
             Before::Another => false,
@@ -77,7 +77,7 @@ impl Followed {
 
     /// Each sample before counts together with the new one, which counts once more.
     pub(crate) fn mouse_average(&self, sample: [f32; 3], before: Before) -> [f32; 3] {
-        let len = self.len(Row::Mouse, before);
+        let len = self.len(FollowedInput::Mouse, before);
         core::array::from_fn(|axis| {
             let new = sample[axis];
             let row = self.samples[..usize::from(len)].iter();
@@ -93,7 +93,7 @@ impl Followed {
         before: Before,
         behind: Behind,
     ) -> [f32; 3] {
-        let len = self.len(Row::Hand, before);
+        let len = self.len(FollowedInput::Hand, before);
         let (row, left) = self.samples.split_at(usize::from(len));
         let behind = match (behind, left.first()) {
             (Behind::AsSent, Some(left)) => *left,

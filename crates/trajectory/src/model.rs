@@ -6,7 +6,7 @@ use dobot_wire::{
 };
 
 use crate::followed::Followed;
-use crate::left::Left;
+use crate::left_speed::LeftSpeed;
 use crate::settings::tool_named;
 use crate::{Button, JogTrajectory, Place, Settings, Trajectory};
 
@@ -51,7 +51,7 @@ pub struct Model {
     /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
     pub(crate) knows_place: bool,
     /// What the last vector left.
-    pub(crate) left: Left,
+    pub(crate) left: LeftSpeed,
     /// The jog that goes on, or whose speed the arm keeps.
     pub(crate) jog: Option<JogTrajectory>,
     /// The pause that begins anew as long as nothing follows, in seconds (note N47).
@@ -76,7 +76,7 @@ pub(crate) enum Lines {
 }
 
 impl Model {
-    /// An arm that tells a status and has been configured by nobody: stock settings, and the suction
+    /// An arm that tells a status and has not been configured: stock settings, and the suction
     /// cup unless the status is that of a laser. What others told it before is not known.
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
@@ -86,7 +86,7 @@ impl Model {
         model
     }
 
-    /// An arm that stands at a place and has been configured by nobody: stock settings, suction cup.
+    /// An arm that stands at a place and has not been configured: stock settings, suction cup.
     #[must_use]
     pub fn standing(dialect: Dialect, place: Place) -> Self {
         Self {
@@ -99,7 +99,7 @@ impl Model {
             dialect,
             is_bluetooth: false,
             knows_place: true,
-            left: Left::NOTHING,
+            left: LeftSpeed::NOTHING,
             jog: None,
             idle_pause_s: 0.0,
             followed: Followed::default(),
@@ -118,7 +118,7 @@ impl Model {
         self.jog = self.jog.filter(|_| self.dialect.keeps_jog_speed);
     }
 
-    /// Takes note that nobody knows any more where the arm is, until it is seen at rest.
+    /// Takes note that it is unknown where the arm is, until it is seen at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
         self.left = self.left.perhaps();

@@ -9,10 +9,10 @@ use dobot_wire::{
 use crate::follow::{gestured, moused};
 use crate::lifts::Lifts;
 use crate::model::Lines;
+use crate::motion::Motion;
 use crate::place::position;
 use crate::settings::tool_named;
 use crate::vector::vector;
-use crate::way::Way;
 use crate::{Button, JogTrajectory, Model, Place, Trajectory, TrajectoryError};
 
 /// Plans a command from where the arm is.
@@ -23,16 +23,9 @@ fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError>
                 position: position(it.x_mm, it.y_mm, it.z_mm),
                 rotation: Degrees(it.rotation_deg.into()),
             });
-            Ok(target
-                .trajectory(model, it.mode)?
-                .pausing(model.pause_s(command)))
+            target.trajectory(model, it.mode, command)
         }
-        Command::MoveJoints(it) => {
-            let target = Target::Joints(joints(it));
-            Ok(target
-                .trajectory(model, it.mode)?
-                .pausing(model.pause_s(command)))
-        }
+        Command::MoveJoints(it) => Target::Joints(joints(it)).trajectory(model, it.mode, command),
         Command::WriteVector(it) if it.stop => Ok(still(model)),
         Command::WriteVector(it) => vector(it, model),
         Command::MouseMove(it) => mouse(it, model),
@@ -64,29 +57,35 @@ impl Target {
         }
     }
 
-    fn trajectory(self, model: &Model, mode: MovingMode) -> Result<Trajectory, TrajectoryError> {
+    fn trajectory(
+        self,
+        model: &Model,
+        mode: MovingMode,
+        command: &Command,
+    ) -> Result<Trajectory, TrajectoryError> {
         let to = self.place(model)?;
         let speeds = model.settings.move_speeds();
         let height = model.settings.jump_height;
         let from = model.place;
-        let way = match mode {
-            MovingMode::Jump if model.dialect.jumps_by_joints => Way::Lifts(Lifts::new(
+        let motion = match mode {
+            MovingMode::Jump if model.dialect.jumps_by_joints => Motion::Lifts(Lifts::new(
                 from, to.pose, to.joints, height, &speeds, model.tool,
             )?),
-            MovingMode::Jump => Way::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
+            MovingMode::Jump => Motion::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
             MovingMode::MovL => line(model, to.pose)?,
-            MovingMode::MovJ => Way::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
+            MovingMode::MovJ => Motion::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
         };
         Ok(Trajectory {
+            pause_s: model.pause_s(command),
             // It says itself where it ends, from wherever.
             knows_end: true,
-            ..Trajectory::moving(way, to, model)
+            ..Trajectory::moving(motion, to, model)
         })
     }
 }
 
 /// A straight line, and how the tool turns on it.
-fn line(model: &Model, to: Pose) -> Result<Way, TrajectoryError> {
+fn line(model: &Model, to: Pose) -> Result<Motion, TrajectoryError> {
     let from = model.place.pose;
     let length_mm = from.position.distance(to.position).0;
     if model.dialect.loses_pose_on_the_spot && model.knows_place && length_mm < ON_THE_SPOT_MM {
@@ -102,7 +101,7 @@ fn line(model: &Model, to: Pose) -> Result<Way, TrajectoryError> {
         ..to
     };
     let line = LineMove::new(from, held, &model.settings.move_speeds())?;
-    Ok(Way::Line(line, to.rotation))
+    Ok(Motion::Line(line, to.rotation))
 }
 
 /// Whether a straight line begins where the arm is.
@@ -124,7 +123,7 @@ fn mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
         rotation: Degrees(by.rotation_deg.into()),
     };
     Trajectory::relative(
-        Way::Line(
+        Motion::Line(
             LineMove::new(from, to, &model.settings.move_speeds())?,
             to.rotation,
         ),
@@ -161,7 +160,7 @@ fn straight(to: Position, model: &Model) -> Result<Trajectory, TrajectoryError> 
         ..from
     };
     let line = LineMove::new(from, to, &model.settings.move_speeds())?;
-    Trajectory::relative(Way::Line(line, to.rotation), model)
+    Trajectory::relative(Motion::Line(line, to.rotation), model)
 }
 
 /// A button pressed; while an arm jogs it goes on from the speed that it has.
@@ -170,18 +169,18 @@ fn pressed(command: &Command, model: &Model) -> Result<Trajectory, TrajectoryErr
         Some(jog) if jog.axis() == axis || model.dialect.keeps_jog_speed => jog.target_speed(),
         _ => 0.0,
     };
-    let way = match Button::of(command) {
+    let motion = match Button::of(command) {
         Some(Button::Held { axis, share }) => {
-            Way::Jog(JogTrajectory::start(model, axis, share, speed(axis))?)
+            Motion::Jog(JogTrajectory::start(model, axis, share, speed(axis))?)
         }
         Some(Button::Released) => match &model.jog {
-            Some(jog) => Way::RunDown(jog.release(model, f64::MAX)?),
-            None => Way::Still,
+            Some(jog) => Motion::RunDown(jog.release(model, f64::MAX)?),
+            None => Motion::Still,
         },
-        _ => Way::Still,
+        _ => Motion::Still,
     };
-    let goes_on = matches!(way, Way::Jog(_) | Way::RunDown(_));
-    let trajectory = Trajectory::moving(way, model.place, model);
+    let goes_on = matches!(motion, Motion::Jog(_) | Motion::RunDown(_));
+    let trajectory = Trajectory::moving(motion, model.place, model);
     Ok(Trajectory {
         knows_end: trajectory.knows_end && !goes_on,
         burns: model.begun(command).laser && goes_on,
@@ -198,13 +197,13 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
             place.check()?;
             return Ok(Trajectory {
                 knows_end: true,
-                ..Trajectory::moving(Way::Still, place, model)
+                ..Trajectory::moving(Motion::Still, place, model)
             });
         }
         Configuration::EndEffector { tool } => Place::at_joints(joints, tool_named(tool)),
         _ => model.place,
     };
-    Ok(Trajectory::moving(Way::Still, to, model))
+    Ok(Trajectory::moving(Motion::Still, to, model))
 }
 
 impl Model {
@@ -283,7 +282,7 @@ fn joints(target: &MoveJoints) -> Joints {
 }
 
 fn still(model: &Model) -> Trajectory {
-    Trajectory::moving(Way::Still, model.place, model)
+    Trajectory::moving(Motion::Still, model.place, model)
 }
 
 /// A status says where the arm is to that much.

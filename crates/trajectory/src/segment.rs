@@ -1,6 +1,6 @@
 //! How a trajectory runs: what changes evenly on which part of it.
 
-use crate::way::Way;
+use crate::motion::Motion;
 use crate::{JogAxis, Trajectory};
 
 /// What changes evenly with the share of the way: all of it at one pace, whatever the pace is.
@@ -31,23 +31,23 @@ impl Trajectory {
     #[must_use]
     pub fn segments(&self) -> [Segment; 3] {
         let whole = |until_s, bend| [Segment { until_s, bend }; 3];
-        match &self.way {
-            Way::Still | Way::Jog(_) => whole(0.0, Bend::Joints),
-            Way::Joints(it) => whole(it.duration_s(), Bend::Joints),
-            Way::Stroke { stroke, .. } => whole(stroke.duration_s(), Bend::Line),
-            Way::RunDown(it) => whole(it.change_s(), bend_of(it.axis())),
-            Way::Lifts(it) => it.ends_s().map(|until_s| Segment {
+        match &self.motion {
+            Motion::Still | Motion::Jog(_) => whole(0.0, Bend::Joints),
+            Motion::Joints(it) => whole(it.duration_s(), Bend::Joints),
+            Motion::Stroke { stroke, .. } => whole(stroke.duration_s(), Bend::Line),
+            Motion::RunDown(it) => whole(it.change_s(), bend_of(it.axis())),
+            Motion::Lifts(it) => it.ends_s().map(|until_s| Segment {
                 until_s,
                 bend: Bend::Joints,
             }),
-            Way::Jump(it) => {
+            Motion::Jump(it) => {
                 let [up_s, across_s] = it.corners_s();
                 [up_s, across_s, it.duration_s()].map(|until_s| Segment {
                     until_s,
                     bend: Bend::Around,
                 })
             }
-            Way::Line(it, _) => turning_at_the_end(it.duration_s()),
+            Motion::Line(it, _) => turning_at_the_end(it.duration_s()),
         }
     }
 }

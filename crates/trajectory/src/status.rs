@@ -1,4 +1,4 @@
-//! What an arm tells of itself.
+//! The status that an arm sends.
 
 use dobot_wire::{Status, single};
 

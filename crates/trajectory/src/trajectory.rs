@@ -3,14 +3,14 @@
 use dobot_arm::{Position, Tool, Unreachable};
 
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
-use crate::left::Left;
-use crate::way::Way;
+use crate::left_speed::LeftSpeed;
+use crate::motion::Motion;
 use crate::{JogTrajectory, Model, Place, TrajectoryError};
 
 /// Where a command leads: the whole way, as a pure function of the time since it began.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory {
-    pub(crate) way: Way,
+    pub(crate) motion: Motion,
     pub(crate) from: Place,
     pub(crate) tool: Tool,
     /// Where the way ends, as well as it can be told.
@@ -22,19 +22,19 @@ pub struct Trajectory {
     /// Whether it ends where it says.
     pub(crate) knows_end: bool,
     /// What a vector leaves for the next one.
-    pub(crate) left: Option<Left>,
+    pub(crate) left: Option<LeftSpeed>,
 }
 
 impl Trajectory {
     /// A way of an arm from where it is.
-    pub(crate) fn moving(way: Way, to: Place, model: &Model) -> Self {
+    pub(crate) fn moving(motion: Motion, to: Place, model: &Model) -> Self {
         Self {
-            way,
+            motion,
             from: model.place,
             tool: model.tool,
             to,
             pause_s: 0.0,
-            burns: model.laser && way != Way::Still,
+            burns: model.laser && motion != Motion::Still,
             is_exact: model.knows_place,
             knows_end: model.knows_place,
             left: None,
@@ -42,22 +42,18 @@ impl Trajectory {
     }
 
     /// A way by so much from wherever the arm is.
-    pub(crate) fn relative(way: Way, model: &Model) -> Result<Self, TrajectoryError> {
-        let to = way
+    pub(crate) fn relative(motion: Motion, model: &Model) -> Result<Self, TrajectoryError> {
+        let to = motion
             .place_at(f64::MAX, model.tool)
             .unwrap_or(Ok(model.place));
         Ok(match to {
-            Ok(to) => Self::moving(way, to, model),
+            Ok(to) => Self::moving(motion, to, model),
             Err(error) => {
                 // The arm cannot be there at all: where the way leaves the limits says more.
-                Self::moving(way, model.place, model).check()?;
+                Self::moving(motion, model.place, model).check()?;
                 return Err(error.into());
             }
         })
-    }
-
-    pub(crate) fn pausing(self, pause_s: f64) -> Self {
-        Self { pause_s, ..self }
     }
 
     /// How long motion and pause take, in seconds; `None` for a jog, which goes on until told
@@ -70,7 +66,7 @@ impl Trajectory {
     /// How long the motion takes, in seconds; `None` for a jog.
     #[must_use]
     pub const fn motion_s(&self) -> Option<f64> {
-        self.way.duration_s()
+        self.motion.duration_s()
     }
 
     /// How long the arm waits behind the motion, in seconds.
@@ -86,7 +82,9 @@ impl Trajectory {
     ///
     /// [`Unreachable`] where a way leads through a place in which the arm cannot be at all.
     pub fn place_at(&self, t_s: f64) -> Result<Place, Unreachable> {
-        self.way.place_at(t_s, self.tool).unwrap_or(Ok(self.from))
+        self.motion
+            .place_at(t_s, self.tool)
+            .unwrap_or(Ok(self.from))
     }
 
     /// Where the command ends. `None` where that cannot be told: of a jog and its release, of a step
@@ -106,8 +104,8 @@ impl Trajectory {
     /// From where to where it goes, if that is known and its way is a straight line.
     #[must_use]
     pub const fn line(&self) -> Option<(Position, Position)> {
-        match self.way {
-            Way::Line(..) | Way::Stroke { .. } if self.is_exact && self.knows_end => {
+        match self.motion {
+            Motion::Line(..) | Motion::Stroke { .. } if self.is_exact && self.knows_end => {
                 Some((self.from.pose.position, self.to.pose.position))
             }
             _ => None,
@@ -129,8 +127,8 @@ impl Trajectory {
     /// The jog that it is.
     #[must_use]
     pub const fn jog(&self) -> Option<JogTrajectory> {
-        match self.way {
-            Way::Jog(jog) => Some(jog),
+        match self.motion {
+            Motion::Jog(jog) => Some(jog),
             _ => None,
         }
     }
@@ -175,7 +173,7 @@ impl Trajectory {
         while index <= samples {
             let t_s = duration_s * (index / samples);
             match self
-                .way
+                .motion
                 .place_at(t_s, self.tool)
                 .map(|it| it.and_then(|place| place.check()))
             {

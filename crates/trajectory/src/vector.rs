@@ -5,9 +5,9 @@ use dobot_motion::{Cut, Stroke, StrokeSpeeds};
 use dobot_wire::{WriteMode, WriteVector};
 
 use crate::error::MOST_COUNTED_S;
-use crate::left::{CREEPS_MM_S, Left};
+use crate::left_speed::{CREEPS_MM_S, LeftSpeed};
+use crate::motion::Motion;
 use crate::place::position;
-use crate::way::Way;
 use crate::{Model, Place, Trajectory, TrajectoryError};
 
 /// Plans a vector from where the arm is.
@@ -34,12 +34,12 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
         cut.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
     }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
-    let way = Way::Stroke {
+    let motion = Motion::Stroke {
         stroke,
         rotation: from.rotation,
         held_z: is_flat.then_some(from.position.z),
     };
-    let trajectory = Trajectory::relative(way, model)?;
+    let trajectory = Trajectory::relative(motion, model)?;
     let length_mm = by.length().0;
     Ok(Trajectory {
         knows_end: trajectory.knows_end
@@ -133,8 +133,8 @@ impl Cuts {
         Ok(())
     }
 
-    fn left(&self) -> Left {
-        Left {
+    fn left(&self) -> LeftSpeed {
+        LeftSpeed {
             believed_mm_s: self.believed.end_mm_s,
             perhaps_mm_s: self.perhaps.map(|it| it.map(|cut| cut.end_mm_s)),
         }
@@ -196,7 +196,7 @@ fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, Traject
     })
 }
 
-/// A vector of half that length or less is none (note N16); the rest is for rounding.
+/// A vector of half that length or less does not move the arm (note N16); the rest is for rounding.
 const NO_LENGTH_MM: f64 = 0.0002;
 /// So far a vector may go back before it goes on: less than a tick's way at 40 mm/s.
 const BACK_MM: f32 = 0.5;
@@ -218,7 +218,7 @@ mod tests {
         // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
         let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
-        model.left = Left::known(0.8);
+        model.left = LeftSpeed::known(0.8);
         let rapid = Command::from(WriteVector {
             mode: WriteMode::Laser,
             start_speed_mm_s: 34.0,
@@ -236,7 +236,7 @@ mod tests {
      {
         let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
-        model.left = Left::known(40.0);
+        model.left = LeftSpeed::known(40.0);
         // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
         let mut vector = WriteVector {
             mode: WriteMode::Laser,
@@ -257,7 +257,7 @@ mod tests {
         (vector.y_mm, vector.max_speed_mm_s, vector.end_speed_mm_s) = (-0.4, 1.0, 0.0);
         let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
         assert_eq!(trajectory.end(), None);
-        model.left = Left::known(0.5);
+        model.left = LeftSpeed::known(0.5);
         let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
         assert!(trajectory.end().is_some());
     }
@@ -268,7 +268,7 @@ mod tests {
         // ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2 are 99 mm.
         let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
-        model.left = Left::known(57.5);
+        model.left = LeftSpeed::known(57.5);
         let rapid = WriteVector {
             mode: WriteMode::Laser,
             ..WriteVector::by(0.0, 26.764, 0.0, 150.0)
@@ -293,7 +293,7 @@ mod tests {
         let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.settings.write_acceleration_mm_s2 = 200.0;
-        model.left = Left::known(-0.9);
+        model.left = LeftSpeed::known(-0.9);
         let vector = Command::from(WriteVector {
             end_speed_mm_s: 1.0,
             ..WriteVector::by(0.3, 0.0, 0.0, 10.0)

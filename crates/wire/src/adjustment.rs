@@ -28,12 +28,13 @@ impl PlaybackAdjustment {
     /// [`ParseError::OutOfRange`] where a float breaks its range in Table 3.9.
     pub fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
         TABLE.state(frame, Self::STATE, "10")?;
-        TABLE.code(frame, 2, "mode", &[()], "0")?;
+        TABLE.float(frame, 2, "mode").code(&[()], "0")?;
         let (speed, acceleration) = dialect.adjustment_floats();
+        let percent = |n, name| TABLE.float(frame, n, name).percent();
         Ok(Self {
-            speed_percent: TABLE.percent(frame, speed, "playback speed")?,
-            acceleration_percent: TABLE.percent(frame, acceleration, "playback acceleration")?,
-            teach_speed_percent: TABLE.percent(frame, 5, "teaching speed")?,
+            speed_percent: percent(speed, "playback speed")?,
+            acceleration_percent: percent(acceleration, "playback acceleration")?,
+            teach_speed_percent: percent(5, "teaching speed")?,
         })
     }
 

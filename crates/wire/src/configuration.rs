@@ -140,7 +140,7 @@ impl Configuration {
             parse_initial_angles,
             parse_end_effector,
         ];
-        let parse = TABLE.code(frame, 2, "mode", &modes, "0 to 4")?;
+        let parse = TABLE.float(frame, 2, "mode").code(&modes, "0 to 4")?;
         parse(frame, dialect)
     }
 
@@ -201,7 +201,9 @@ impl EndEffector {
     fn parse(frame: &Frame) -> Result<Self, ParseError> {
         let choices = [Self::SuctionCup, Self::Gripper, Self::Laser];
         let allowed = "0 (suction cup), 1 (gripper) or 2 (laser)";
-        TABLE.code(frame, 3, "end effector", &choices, allowed)
+        TABLE
+            .float(frame, 3, "end effector")
+            .code(&choices, allowed)
     }
 
     fn emit(self) -> f32 {
@@ -232,29 +234,29 @@ fn parse_playback(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseErro
     ];
     Ok(Configuration::playback(
         parse_speeds(frame, names)?,
-        TABLE.pause(frame, 9, "default pause time")?,
-        TABLE.not_negative(frame, 10, "JUMP height")?,
+        TABLE.float(frame, 9, "default pause time").pause()?,
+        TABLE.float(frame, 10, "JUMP height").not_negative()?,
     ))
 }
 
 fn parse_speeds(frame: &Frame, names: [&'static str; 6]) -> Result<[f32; 6], ParseError> {
     let mut speeds = [0.0; 6];
     for (i, name) in names.into_iter().enumerate() {
-        speeds[i] = TABLE.positive(frame, i + 3, name)?;
+        speeds[i] = TABLE.float(frame, i + 3, name).positive()?;
     }
     Ok(speeds)
 }
 
 fn parse_writing(frame: &Frame, _: &Dialect) -> Result<Configuration, ParseError> {
     Ok(Configuration::Writing {
-        acceleration_mm_s2: TABLE.positive(frame, 3, "writing acceleration")?,
+        acceleration_mm_s2: TABLE.float(frame, 3, "writing acceleration").positive()?,
     })
 }
 
 fn parse_initial_angles(frame: &Frame, dialect: &Dialect) -> Result<Configuration, ParseError> {
     Ok(Configuration::InitialAngles {
-        rear_deg: dialect.initial_rear(TABLE.finite(frame, 3, "joint2 angle")?),
-        fore_deg: TABLE.finite(frame, 4, "joint3 angle")?,
+        rear_deg: dialect.initial_rear(TABLE.float(frame, 3, "joint2 angle").finite()?),
+        fore_deg: TABLE.float(frame, 4, "joint3 angle").finite()?,
     })
 }
 

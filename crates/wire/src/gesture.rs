@@ -34,10 +34,10 @@ impl Gesture {
     pub fn parse(frame: &Frame, _: &Dialect) -> Result<Self, ParseError> {
         TABLE.state(frame, Self::STATE, "8")?;
         Ok(Self {
-            x: TABLE.finite(frame, 3, "X")?,
-            y: TABLE.finite(frame, 4, "Y")?,
-            z: TABLE.finite(frame, 5, "Z")?,
-            grab: TABLE.switch(frame, 7, "isGrab")?,
+            x: TABLE.float(frame, 3, "X").finite()?,
+            y: TABLE.float(frame, 4, "Y").finite()?,
+            z: TABLE.float(frame, 5, "Z").finite()?,
+            grab: TABLE.float(frame, 7, "isGrab").switch()?,
         })
     }
 

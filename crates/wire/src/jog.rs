@@ -5,9 +5,10 @@ use crate::{Frame, ParseError};
 
 /// Reads the axis, one of all in the order of their codes, and the speed.
 pub(crate) fn parse<A: Copy>(frame: &Frame, axes: &[A; 15]) -> Result<(A, f32), ParseError> {
-    let axis = Table("Table 2.5").code(frame, 2, "Axis", axes, "0 to 14")?;
+    let axis = Table("Table 2.5").float(frame, 2, "Axis");
+    let axis = axis.code(axes, "0 to 14")?;
     let moves = whole_number(frame.float(2)).is_some_and(moves);
-    Ok((axis, TABLE.jog_speed(frame, moves)?))
+    Ok((axis, TABLE.float(frame, 8, "StarVel").jog_speed(moves)?))
 }
 
 pub(crate) fn emit(state: f32, code: u8, speed_percent: f32) -> Frame {

@@ -1,4 +1,4 @@
-//! What a stock arm takes though no table allows it.
+//! The values that a stock arm takes although no table allows them.
 
 use crate::{Frame, ParseError};
 
@@ -107,10 +107,9 @@ const ALL: &[Leniency] = &[
     Leniency {
         states: &[3, 6],
         names: &["isGrab"],
-        when: |_, _| true,
         effect: "leaves pump and gripper as they are",
         instead: Instead::Tool,
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[1, 8],
@@ -123,26 +122,23 @@ const ALL: &[Leniency] = &[
     Leniency {
         states: &[3, 6],
         names: &["GripperValue"],
-        when: |_, _| true,
         effect: "drives the gripper's servo against its end",
         instead: Instead::Nearest(-90.0, 90.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[3, 6],
         names: &["PauseTime"],
         when: |_, found| found < 0.0,
         effect: "does not pause",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[2, 7],
         names: &["StarVel"],
         when: |frame, _| !is_press(frame),
         effect: "does not look at it, for nothing is to move",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[2, 7],
@@ -172,33 +168,25 @@ const ALL: &[Leniency] = &[
         states: &[4],
         names: &["isLaser"],
         when: |frame, _| whole(frame.float(2)) == 0,
-        effect: "does not look at it",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[4],
         names: &["isLaser"],
-        when: |_, _| true,
         effect: "leaves the laser as it is",
-        instead: Instead::Value(0.0),
         is_harmless: false, // It may burn, and the acceleration is another one (note N48).
+        ..OVERLOOKED
     },
     Leniency {
         states: &[4],
         names: &["stop"],
-        when: |_, _| true,
         effect: "does not stop",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[4],
         names: &["StartVel"],
-        when: |_, _| true,
-        effect: "does not look at it",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[9],
@@ -218,26 +206,19 @@ const ALL: &[Leniency] = &[
     Leniency {
         states: &[9],
         names: &["default pause time"],
-        when: |_, _| true,
-        effect: "does not look at it",
         instead: Instead::InForce,
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[10],
         names: &["mode"],
-        when: |_, _| true,
-        effect: "does not look at it",
-        instead: Instead::Value(0.0),
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[10],
         names: &["teaching speed"],
-        when: |_, _| true,
-        effect: "does not look at it",
         instead: Instead::InForce,
-        is_harmless: true,
+        ..OVERLOOKED
     },
     Leniency {
         states: &[10],
@@ -256,6 +237,16 @@ const ALL: &[Leniency] = &[
         is_harmless: false, // A sign of floats in the wrong place (note N6).
     },
 ];
+
+/// A stock arm does not look at this value, whatever it is.
+const OVERLOOKED: Leniency = Leniency {
+    states: &[],
+    names: &[],
+    when: |_, _| true,
+    effect: "does not look at it",
+    instead: Instead::Value(0.0),
+    is_harmless: true,
+};
 
 #[cfg(test)]
 mod tests {

@@ -37,11 +37,11 @@ impl MouseMove {
     pub fn parse(frame: &Frame, _: &Dialect) -> Result<Self, ParseError> {
         TABLE.state(frame, Self::STATE, "1")?;
         Ok(Self {
-            y: TABLE.finite(frame, 3, "Y")?,
-            x: TABLE.finite(frame, 4, "X")?,
-            z: TABLE.finite(frame, 5, "Z")?,
-            rotation_deg: TABLE.finite(frame, 6, "RHead")?,
-            suction: TABLE.switch(frame, 7, "isGrab")?,
+            y: TABLE.float(frame, 3, "Y").finite()?,
+            x: TABLE.float(frame, 4, "X").finite()?,
+            z: TABLE.float(frame, 5, "Z").finite()?,
+            rotation_deg: TABLE.float(frame, 6, "RHead").finite()?,
+            suction: TABLE.float(frame, 7, "isGrab").switch()?,
         })
     }
 

@@ -61,14 +61,14 @@ impl MoveJoints {
     pub fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
         TABLE.state(frame, Self::STATE, "6")?;
         Ok(Self {
-            base_deg: TABLE.finite(frame, 3, "Joint1 angle")?,
-            rear_deg: TABLE.finite(frame, 4, "Joint2 angle")?,
-            fore_deg: TABLE.finite(frame, 5, "Joint3 angle")?,
-            servo_deg: TABLE.finite(frame, 6, "RHead")?,
-            suction: TABLE.switch(frame, 7, "isGrab")?,
+            base_deg: TABLE.float(frame, 3, "Joint1 angle").finite()?,
+            rear_deg: TABLE.float(frame, 4, "Joint2 angle").finite()?,
+            fore_deg: TABLE.float(frame, 5, "Joint3 angle").finite()?,
+            servo_deg: TABLE.float(frame, 6, "RHead").finite()?,
+            suction: TABLE.float(frame, 7, "isGrab").switch()?,
             mode: MovingMode::parse(frame, dialect)?,
-            gripper_deg: TABLE.gripper(frame, 9)?,
-            pause_s: TABLE.pause(frame, 10, "PauseTime")?,
+            gripper_deg: TABLE.float(frame, 9, "GripperValue").gripper()?,
+            pause_s: TABLE.float(frame, 10, "PauseTime").pause()?,
         })
     }
 

@@ -68,14 +68,14 @@ impl MoveTo {
     pub fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
         TABLE.state(frame, Self::STATE, "3")?;
         Ok(Self {
-            x_mm: TABLE.finite(frame, 3, "X")?,
-            y_mm: TABLE.finite(frame, 4, "Y")?,
-            z_mm: TABLE.finite(frame, 5, "Z")?,
-            rotation_deg: TABLE.finite(frame, 6, "RHead")?,
-            suction: TABLE.switch(frame, 7, "isGrab")?,
+            x_mm: TABLE.float(frame, 3, "X").finite()?,
+            y_mm: TABLE.float(frame, 4, "Y").finite()?,
+            z_mm: TABLE.float(frame, 5, "Z").finite()?,
+            rotation_deg: TABLE.float(frame, 6, "RHead").finite()?,
+            suction: TABLE.float(frame, 7, "isGrab").switch()?,
             mode: MovingMode::parse(frame, dialect)?,
-            gripper_deg: TABLE.gripper(frame, 9)?,
-            pause_s: TABLE.pause(frame, 10, "PauseTime")?,
+            gripper_deg: TABLE.float(frame, 9, "GripperValue").gripper()?,
+            pause_s: TABLE.float(frame, 10, "PauseTime").pause()?,
         })
     }
 

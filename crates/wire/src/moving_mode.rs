@@ -21,13 +21,13 @@ impl MovingMode {
     /// Reads float 8.
     pub(crate) fn parse(frame: &Frame, dialect: &Dialect) -> Result<Self, ParseError> {
         if dialect.codes_movj_before_movl {
-            let allowed = "0 (jump), 1 (joint) or 2 (linear)";
+            let float = Table("note N2").float(frame, 8, "MovingMode");
             let choices = [Self::Jump, Self::MovJ, Self::MovL];
-            return Table("note N2").code(frame, 8, "MovingMode", &choices, allowed);
+            return float.code(&choices, "0 (jump), 1 (joint) or 2 (linear)");
         }
-        let allowed = "0 (jump), 1 (linear) or 2 (joint)";
+        let float = Table("Table 3.7").float(frame, 8, "MovingMode");
         let choices = [Self::Jump, Self::MovL, Self::MovJ];
-        Table("Table 3.7").code(frame, 8, "MovingMode", &choices, allowed)
+        float.code(&choices, "0 (jump), 1 (linear) or 2 (joint)")
     }
 
     /// Writes float 8.

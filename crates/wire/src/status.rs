@@ -52,16 +52,16 @@ impl Status {
     /// [`ParseError::OutOfRange`] where a float is not finite, or isGrab not 0 or 1 (Table 2.3).
     pub fn parse(frame: &Frame) -> Result<Self, ParseError> {
         Ok(Self {
-            x_mm: TABLE.finite(frame, 1, "X")?,
-            y_mm: TABLE.finite(frame, 2, "Y")?,
-            z_mm: TABLE.finite(frame, 3, "Z")?,
-            rotation_deg: TABLE.finite(frame, 4, "rHead")?,
-            base_deg: TABLE.finite(frame, 5, "baseAngle")?,
-            rear_deg: TABLE.finite(frame, 6, "longArmAngle")?,
-            fore_deg: TABLE.finite(frame, 7, "shortArmAngle")?,
-            servo_deg: TABLE.finite(frame, 8, "pawArmAngle")?,
-            suction: TABLE.switch(frame, 9, "isGrab")?,
-            gripper_deg: TABLE.finite(frame, 10, "GripperAngle")?,
+            x_mm: TABLE.float(frame, 1, "X").finite()?,
+            y_mm: TABLE.float(frame, 2, "Y").finite()?,
+            z_mm: TABLE.float(frame, 3, "Z").finite()?,
+            rotation_deg: TABLE.float(frame, 4, "rHead").finite()?,
+            base_deg: TABLE.float(frame, 5, "baseAngle").finite()?,
+            rear_deg: TABLE.float(frame, 6, "longArmAngle").finite()?,
+            fore_deg: TABLE.float(frame, 7, "shortArmAngle").finite()?,
+            servo_deg: TABLE.float(frame, 8, "pawArmAngle").finite()?,
+            suction: TABLE.float(frame, 9, "isGrab").switch()?,
+            gripper_deg: TABLE.float(frame, 10, "GripperAngle").finite()?,
         })
     }
 

@@ -8,7 +8,30 @@ use crate::{Frame, ParseError};
 #[derive(Clone, Copy)]
 pub(crate) struct Table(pub(crate) &'static str);
 
+/// A float of a frame, with the name that it has in a table.
+pub(crate) struct Float {
+    table: &'static str,
+    number: usize,
+    name: &'static str,
+    found: f32,
+}
+
 impl Table {
+    /// Float `number` of a frame, which has this name here.
+    pub(crate) const fn float(self, frame: &Frame, number: usize, name: &'static str) -> Float {
+        self.value(number, name, frame.float(number))
+    }
+
+    /// Something found in float `number`, or made of it.
+    pub(crate) const fn value(self, number: usize, name: &'static str, found: f32) -> Float {
+        Float {
+            table: self.0,
+            number,
+            name,
+            found,
+        }
+    }
+
     /// Checks that float 1 holds this state.
     pub(crate) fn state(
         self,
@@ -16,169 +39,94 @@ impl Table {
         state: f32,
         allowed: &'static str,
     ) -> Result<(), ParseError> {
-        let found = frame.float(1);
-        if found == state {
-            return Ok(());
-        }
-        Err(self.out_of_range(1, "state", found, allowed))
+        let float = self.float(frame, 1, "state");
+        float.only(|found| found == state, allowed).map(|_| ())
+    }
+}
+
+impl Float {
+    /// One that only has to be finite.
+    pub(crate) fn finite(self) -> Result<f32, ParseError> {
+        self.only(f32::is_finite, "a finite number")
     }
 
-    /// A float that only has to be finite.
-    pub(crate) fn finite(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.only(frame, n, name, f32::is_finite, "a finite number")
+    /// One above 0.
+    pub(crate) fn positive(self) -> Result<f32, ParseError> {
+        let good = |found: f32| found > 0.0 && found.is_finite();
+        self.only(good, "a finite number above 0")
     }
 
-    /// A float above 0.
-    pub(crate) fn positive(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.only(
-            frame,
-            n,
-            name,
-            |found| found > 0.0 && found.is_finite(),
-            "a finite number above 0",
-        )
-    }
-
-    /// A float of 0 or above.
-    pub(crate) fn not_negative(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.only(
-            frame,
-            n,
-            name,
-            |found| found >= 0.0 && found.is_finite(),
-            "a finite number of 0 or above",
-        )
+    /// One of 0 or above.
+    pub(crate) fn not_negative(self) -> Result<f32, ParseError> {
+        let good = |found: f32| found >= 0.0 && found.is_finite();
+        self.only(good, "a finite number of 0 or above")
     }
 
     /// A percentage above 0 (note N15).
-    pub(crate) fn percent(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.only(
-            frame,
-            n,
-            name,
-            |found| found > 0.0 && found <= 100.0,
-            "above 0 to 100 (percent)",
-        )
+    pub(crate) fn percent(self) -> Result<f32, ParseError> {
+        let good = |found| found > 0.0 && found <= 100.0;
+        self.only(good, "above 0 to 100 (percent)")
     }
 
     /// The speed of a jog: a release or a switch needs none (note N13).
-    pub(crate) fn jog_speed(self, frame: &Frame, moves: bool) -> Result<f32, ParseError> {
-        let (range, allowed) = if moves {
-            (1.0..=100.0, "1 to 100 (percent)")
+    pub(crate) fn jog_speed(self, moves: bool) -> Result<f32, ParseError> {
+        if moves {
+            self.within(1.0..=100.0, "1 to 100 (percent)")
         } else {
-            (0.0..=100.0, "0 to 100 (percent)")
-        };
-        self.within(frame, 8, "StarVel", range, allowed)
+            self.within(0.0..=100.0, "0 to 100 (percent)")
+        }
     }
 
     /// The gripper's angle of a target.
-    pub(crate) fn gripper(self, frame: &Frame, n: usize) -> Result<f32, ParseError> {
-        self.within(
-            frame,
-            n,
-            "GripperValue",
-            -90.0..=90.0,
-            "-90 to 90 (degrees)",
-        )
+    pub(crate) fn gripper(self) -> Result<f32, ParseError> {
+        self.within(-90.0..=90.0, "-90 to 90 (degrees)")
     }
 
     /// A pause in seconds (note N10).
-    pub(crate) fn pause(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.within(frame, n, name, 0.0..=655.0, "0 to 655 (seconds)")
-    }
-
-    /// A float within a range.
-    pub(crate) fn within(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-        range: RangeInclusive<f32>,
-        allowed: &'static str,
-    ) -> Result<f32, ParseError> {
-        self.only(frame, n, name, |found| range.contains(&found), allowed)
+    pub(crate) fn pause(self) -> Result<f32, ParseError> {
+        self.within(0.0..=655.0, "0 to 655 (seconds)")
     }
 
     /// A switch: exactly 0 (off) or 1 (on) (note N6).
-    pub(crate) fn switch(
-        self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
-    ) -> Result<bool, ParseError> {
-        self.code(frame, n, name, &[false, true], "0 (off) or 1 (on)")
+    pub(crate) fn switch(self) -> Result<bool, ParseError> {
+        self.code(&[false, true], "0 (off) or 1 (on)")
     }
 
     /// A code: exactly the index of one of `choices` (note N6).
     pub(crate) fn code<T: Copy>(
         self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
         choices: &[T],
         allowed: &'static str,
     ) -> Result<T, ParseError> {
-        let found = frame.float(n);
-        whole_number(found)
+        whole_number(self.found)
             .and_then(|index| choices.get(usize::from(index)).copied())
-            .ok_or_else(|| self.out_of_range(n, name, found, allowed))
+            .ok_or_else(|| self.out_of_range(allowed))
     }
 
-    /// The error that this table signs.
-    pub(crate) const fn out_of_range(
-        self,
-        float: usize,
-        name: &'static str,
-        found: f32,
-        allowed: &'static str,
-    ) -> ParseError {
-        ParseError::OutOfRange {
-            float,
-            name,
-            found,
-            allowed,
-            table: self.0,
-        }
+    fn within(self, range: RangeInclusive<f32>, allowed: &'static str) -> Result<f32, ParseError> {
+        self.only(|found| range.contains(&found), allowed)
     }
 
-    fn only(
+    pub(crate) fn only(
         self,
-        frame: &Frame,
-        n: usize,
-        name: &'static str,
         good: impl FnOnce(f32) -> bool,
         allowed: &'static str,
     ) -> Result<f32, ParseError> {
-        let found = frame.float(n);
-        if good(found) {
-            return Ok(found);
+        if good(self.found) {
+            return Ok(self.found);
         }
-        Err(self.out_of_range(n, name, found, allowed))
+        Err(self.out_of_range(allowed))
+    }
+
+    /// The error that the table signs.
+    const fn out_of_range(&self, allowed: &'static str) -> ParseError {
+        ParseError::OutOfRange {
+            float: self.number,
+            name: self.name,
+            found: self.found,
+            allowed,
+            table: self.table,
+        }
     }
 }
 

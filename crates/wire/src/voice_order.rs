@@ -52,6 +52,28 @@ impl VoiceOrder {
         ("ninety", 90),
     ];
 
+    /// The words of stock arms, and what each orders; a direction by one millimetre.
+    pub const WORDS: [(&str, Self); 8] = [
+        ("ahead", step([1.0, 0.0, 0.0])),
+        ("back", step([-1.0, 0.0, 0.0])),
+        ("left", step([0.0, 1.0, 0.0])),
+        ("right", step([0.0, -1.0, 0.0])),
+        ("up", step([0.0, 0.0, 1.0])),
+        ("down", step([0.0, 0.0, -1.0])),
+        ("catch", Self::Catch),
+        ("release", Self::Release),
+    ];
+
+    /// The same so many times as far; `None` for a move by nothing.
+    #[must_use]
+    pub fn times(self, number: u16) -> Option<Self> {
+        let Self::Move { x_mm, y_mm, z_mm } = self else {
+            return Some(self);
+        };
+        let by = [x_mm, y_mm, z_mm].map(|mm| mm * f32::from(number));
+        (number > 0).then_some(step(by))
+    }
+
     /// Reads the text; `None` where it orders nothing: no word of the list or more than one, or a
     /// direction without a number.
     ///
@@ -61,12 +83,12 @@ impl VoiceOrder {
     pub fn parse(voice: &Voice) -> Option<Self> {
         let text = voice.text().ok()?;
         let words = || text.split(|letter: char| !letter.is_ascii_alphabetic());
-        let mut orders = words().filter_map(|word| find(&ORDERS, word));
+        let mut orders = words().filter_map(|word| find(&Self::WORDS, word));
         let order = orders.next()?;
         if orders.next().is_some() {
             return None;
         }
-        order(words().fold(0, add_number))
+        order.times(words().fold(0, add_number))
     }
 }
 
@@ -83,28 +105,9 @@ fn find<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
     list.iter().find(is_word).map(|&(_, meaning)| meaning)
 }
 
-fn step(mm: u16, [x, y, z]: [f32; 3]) -> Option<VoiceOrder> {
-    let mm = f32::from(mm);
-    (mm > 0.0).then_some(VoiceOrder::Move {
-        x_mm: x * mm,
-        y_mm: y * mm,
-        z_mm: z * mm,
-    })
+const fn step([x_mm, y_mm, z_mm]: [f32; 3]) -> VoiceOrder {
+    VoiceOrder::Move { x_mm, y_mm, z_mm }
 }
-
-type Order = fn(u16) -> Option<VoiceOrder>;
-
-/// The words of stock arms.
-const ORDERS: [(&str, Order); 8] = [
-    ("ahead", |mm| step(mm, [1.0, 0.0, 0.0])),
-    ("back", |mm| step(mm, [-1.0, 0.0, 0.0])),
-    ("left", |mm| step(mm, [0.0, 1.0, 0.0])),
-    ("right", |mm| step(mm, [0.0, -1.0, 0.0])),
-    ("up", |mm| step(mm, [0.0, 0.0, 1.0])),
-    ("down", |mm| step(mm, [0.0, 0.0, -1.0])),
-    ("catch", |_| Some(VoiceOrder::Catch)),
-    ("release", |_| Some(VoiceOrder::Release)),
-];
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]

@@ -77,12 +77,12 @@ impl WriteVector {
         let stop = parse_stop(frame, dialect)?;
         let vector = Self {
             mode: WriteMode::parse(frame)?,
-            x_mm: dialect.write_x(TABLE.finite(frame, 3, "X")?),
-            y_mm: TABLE.finite(frame, 4, "Y")?,
-            z_mm: TABLE.finite(frame, 5, "Z")?,
-            laser: TABLE.switch(frame, 7, "isLaser")?,
-            start_speed_mm_s: TABLE.not_negative(frame, 8, "StartVel")?,
-            end_speed_mm_s: TABLE.not_negative(frame, 9, "EndVel")?,
+            x_mm: dialect.write_x(TABLE.float(frame, 3, "X").finite()?),
+            y_mm: TABLE.float(frame, 4, "Y").finite()?,
+            z_mm: TABLE.float(frame, 5, "Z").finite()?,
+            laser: TABLE.float(frame, 7, "isLaser").switch()?,
+            start_speed_mm_s: TABLE.float(frame, 8, "StartVel").not_negative()?,
+            end_speed_mm_s: TABLE.float(frame, 9, "EndVel").not_negative()?,
             max_speed_mm_s: parse_max_speed(frame, stop)?,
             stop,
         };
@@ -111,11 +111,9 @@ impl WriteVector {
     /// The longest of the three parts must be longer than what a stock arm takes for nothing.
     fn check_length(&self) -> Result<(), ParseError> {
         let longest = self.x_mm.abs().max(self.y_mm.abs()).max(self.z_mm.abs());
-        if self.stop || longest > SHORTEST_MM {
-            return Ok(());
-        }
-        let allowed = "more than 0.0001 (mm)";
-        Err(Table("note N16").out_of_range(3, "longest of X, Y, Z", longest, allowed))
+        let float = Table("note N16").value(3, "longest of X, Y, Z", longest);
+        let good = |longest| self.stop || longest > SHORTEST_MM;
+        float.only(good, "more than 0.0001 (mm)").map(|_| ())
     }
 }
 
@@ -146,7 +144,9 @@ pub enum WriteMode {
 impl WriteMode {
     fn parse(frame: &Frame) -> Result<Self, ParseError> {
         let choices = [Self::Writing, Self::Laser];
-        TABLE.code(frame, 2, "mode", &choices, "0 (writing) or 1 (laser)")
+        TABLE
+            .float(frame, 2, "mode")
+            .code(&choices, "0 (writing) or 1 (laser)")
     }
 
     fn emit(self) -> f32 {
@@ -156,17 +156,18 @@ impl WriteMode {
 
 fn parse_stop(frame: &Frame, dialect: &Dialect) -> Result<bool, ParseError> {
     if dialect.has_write_stop {
-        return Table("note N7").switch(frame, 6, "stop");
+        return Table("note N7").float(frame, 6, "stop").switch();
     }
-    TABLE.code(frame, 6, "reserved", &[false], "0")
+    TABLE.float(frame, 6, "reserved").code(&[false], "0")
 }
 
 /// A stop needs no speed.
 fn parse_max_speed(frame: &Frame, stop: bool) -> Result<f32, ParseError> {
+    let speed = TABLE.float(frame, 10, "MaxVel");
     if stop {
-        TABLE.not_negative(frame, 10, "MaxVel")
+        speed.not_negative()
     } else {
-        TABLE.positive(frame, 10, "MaxVel")
+        speed.positive()
     }
 }
 

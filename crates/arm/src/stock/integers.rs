@@ -1,6 +1,6 @@
 //! The integers of the stock controller's processor.
 
-/// The integer part of a number; 0 for one that is none or does not fit in 32 bits.
+/// The integer part of a number; 0 for NaN and for a number that does not fit in 32 bits.
 #[expect(clippy::cast_possible_truncation, reason = "that is the point")]
 #[must_use]
 pub const fn whole(value: f32) -> i32 {

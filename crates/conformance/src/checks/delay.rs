@@ -8,15 +8,15 @@ use crate::checks::link::hindrance;
 use crate::checks::settings::{reach_of, show_tool, tool_frame};
 use crate::hindrance::Hindrance;
 use crate::latency::{Latency, MOST};
+use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
 use crate::packet::jog;
-use crate::rig::{ANSWER, BYTE, Rig, Trouble};
-use crate::seen::Seen;
-use crate::way::PERIOD_S;
+use crate::rig::{ANSWER, BYTE, CheckError, Rig};
+use crate::timed_status::TimedStatus;
 
 /// Something that shows in the status at once, moves nothing and can be taken back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sign {
+enum VisibleChange {
     /// The end effector: X and Y change by 5.5 mm.
     Tool,
     /// The pump, for a controller that takes no end effector.
@@ -24,15 +24,15 @@ enum Sign {
 }
 
 /// Changes something that shows, and takes it back, a few times; how soon does it show?
-pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    let start = rig.start.ok_or(Trouble::Homeless)?;
+pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
+    let start = rig.start.ok_or(CheckError::Homeless)?;
     if let Some(why) = hindrance(&start) {
         return Ok(forbidden(rig, why));
     }
     let mut answers = Vec::new();
     let mut lost = 0;
-    let mut sign_used = Sign::Tool;
-    for sign in [Sign::Tool, Sign::Pump] {
+    let mut sign_used = VisibleChange::Tool;
+    for sign in [VisibleChange::Tool, VisibleChange::Pump] {
         lost = 0;
         sign_used = sign;
         while answers.len() < ANSWERS && lost < MOST_LOST {
@@ -49,11 +49,11 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, Trouble> {
             break;
         }
     }
-    if sign_used == Sign::Pump {
+    if sign_used == VisibleChange::Pump {
         rig.send(jog(2.0, PUMP_OFF, 0.0)).await?;
     }
     show_tool(rig, true).await?;
-    let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(Trouble::Unanswered)?;
+    let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(CheckError::Unanswered)?;
     rig.latency = Some(latency);
     if latency.most > MOST {
         return Ok(forbidden(rig, Hindrance::Slow(latency.most)));
@@ -71,15 +71,15 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, Trouble> {
 /// Sends one sign, and waits for the first status that shows it.
 async fn answer(
     rig: &mut Rig,
-    sign: Sign,
+    sign: VisibleChange,
     changes: bool,
     phase_ms: u64,
     patience: Duration,
-) -> Result<Option<Duration>, Trouble> {
+) -> Result<Option<Duration>, CheckError> {
     // At another time between two statuses than the one before.
     rig.next_status().await?;
     rig.pass(phase_ms).await?;
-    let start = rig.start.ok_or(Trouble::Homeless)?;
+    let start = rig.start.ok_or(CheckError::Homeless)?;
     let mark = rig.seen.len();
     let arrived = rig.now() + BYTE * u32::try_from(PACKET_LEN).unwrap_or(u32::MAX);
     rig.send(sign.packet(rig, changes)).await?;
@@ -95,7 +95,7 @@ async fn answer(
     }
 }
 
-impl Sign {
+impl VisibleChange {
     fn packet(self, rig: &Rig, changes: bool) -> Frame {
         match self {
             Self::Tool => tool_frame(rig, !changes),
@@ -112,7 +112,7 @@ impl Sign {
 }
 
 /// By how much statuses came earlier or later than every 80 ms (note N20).
-fn jitter(seen: &[Seen]) -> Duration {
+fn jitter(seen: &[TimedStatus]) -> Duration {
     let Some(first) = seen.first() else {
         return Duration::ZERO;
     };

@@ -7,13 +7,13 @@ use dobot_client::position;
 use dobot_wire::Status;
 
 use crate::flow::{BLOCKER, Flow, NEAR_MM, STEPS};
+use crate::observed_motion::off_segment;
 use crate::outcome::Outcome;
 use crate::packet::vector;
-use crate::rig::{Rig, Trouble};
-use crate::way::off_segment;
+use crate::rig::{CheckError, Rig};
 
 /// Sends a slow vector and eight more behind it; are statuses withheld?
-pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let mark = rig.seen.len();
     rig.send(vector(BLOCKER, 0.0, 3.0)).await?;

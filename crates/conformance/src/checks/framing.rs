@@ -2,13 +2,15 @@
 //!
 //! The packets set the end effector: that shows in X and Y at once, and nothing moves.
 
+use dobot_wire::Status;
+
 use crate::checks::settings::{other_tool, reach_of, show_tool};
 use crate::outcome::Outcome;
-use crate::packet::target;
-use crate::rig::{Rig, Trouble, distance};
+use crate::packet::angles;
+use crate::rig::{CheckError, Rig, distance};
 
 /// Noise, then a packet.
-pub(crate) async fn noise(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn noise(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let packet = other_tool(rig).to_bytes();
     let bytes = [&NOISE, packet.as_slice()].concat();
     let obeyed = obeys(rig, &[&bytes]).await?;
@@ -23,7 +25,7 @@ pub(crate) async fn noise(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A packet with a wrong tail, and a whole one.
-pub(crate) async fn tail(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn tail(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let mut packet = other_tool(rig).to_bytes();
     packet[41] = 0x5B;
     let obeyed = obeys(rig, &[&packet]).await?;
@@ -39,7 +41,7 @@ pub(crate) async fn tail(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A packet in two pieces, with a pause in between.
-pub(crate) async fn pieces(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn pieces(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let packet = other_tool(rig).to_bytes();
     let (first, second) = packet.split_at(17);
     let obeyed = obeys(rig, &[first, second]).await?;
@@ -50,7 +52,7 @@ pub(crate) async fn pieces(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Half a packet, then whole ones: how many of them are lost?
-pub(crate) async fn truncated(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn truncated(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let packet = other_tool(rig).to_bytes();
     rig.send_raw(&packet[..20]).await?;
     let lost = lost_until_obeyed(rig).await?;
@@ -61,10 +63,13 @@ pub(crate) async fn truncated(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Two packets without a gap: the end effector, and a turn of the base.
-pub(crate) async fn pair(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn pair(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
-    let angles = [home.base_deg + 1.0, home.rear_deg, home.fore_deg];
-    let turn = target(6.0, angles, home.servo_deg, 1.0, &home);
+    let goal = Status {
+        base_deg: home.base_deg + 1.0,
+        ..home
+    };
+    let turn = angles(&goal, 1.0);
     let bytes = [other_tool(rig).to_bytes(), turn.to_bytes()].concat();
     rig.send_raw(&bytes).await?;
     let now = rig.settled().await?;
@@ -77,7 +82,7 @@ pub(crate) async fn pair(rig: &mut Rig) -> Result<Outcome, Trouble> {
 
 /// Sends bytes that hold one packet, 150 ms between them, and tells whether it was obeyed. The end
 /// effector is set again afterwards.
-async fn obeys(rig: &mut Rig, parts: &[&[u8]]) -> Result<bool, Trouble> {
+async fn obeys(rig: &mut Rig, parts: &[&[u8]]) -> Result<bool, CheckError> {
     let before = rig.settled().await?;
     for (index, part) in parts.iter().enumerate() {
         if index > 0 {
@@ -95,7 +100,7 @@ async fn obeys(rig: &mut Rig, parts: &[&[u8]]) -> Result<bool, Trouble> {
 }
 
 /// How many whole packets are lost before one is obeyed; none where none is.
-async fn lost_until_obeyed(rig: &mut Rig) -> Result<Option<u32>, Trouble> {
+async fn lost_until_obeyed(rig: &mut Rig) -> Result<Option<u32>, CheckError> {
     for lost in 0..TRIES {
         let packet = other_tool(rig).to_bytes();
         if obeys(rig, &[&packet]).await? {

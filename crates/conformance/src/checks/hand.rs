@@ -4,10 +4,10 @@ use dobot_wire::{Frame, Status, Voice};
 
 use crate::checks::settings::reach_of;
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Trouble, distance, moved, off};
+use crate::rig::{CheckError, Rig, distance, moved, off};
 
 /// A hand position: the place itself, or a scaled one in front of the arm.
-pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let goal = moved(&home, [3.0, 4.0, 5.0]);
     let hand = match rig.leaning() {
@@ -22,8 +22,7 @@ pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, Trouble> {
     };
     let [x, y, z] = hand;
     let frame = Frame::ZERO.with(1, 8.0).with(3, x).with(4, y).with(5, z);
-    rig.send(frame).await?;
-    let there = rig.settled().await?;
+    let (there, _) = rig.carry_out(frame).await?;
     rig.be_gentle().await?;
     let off = off(&there, goal);
     let specification = rig.leaning() == Some(0);
@@ -41,7 +40,7 @@ fn scaled([x, y, z]: [f32; 3]) -> [f32; 3] {
 }
 
 /// Increments: millimetres of Y, X and Z, or a swing of the base, reach and height.
-pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let turn = match rig.leaning() {
         Some(0) => home.rotation_deg,
@@ -60,8 +59,7 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
         .with(4, x)
         .with(5, z)
         .with(6, turn);
-    rig.send(frame).await?;
-    let there = rig.settled().await?;
+    let (there, _) = rig.carry_out(frame).await?;
     rig.be_gentle().await?;
     let by = |value: f64, expected: f64| (value - expected).abs() < NEAR_MM;
     let rise = f64::from(there.z_mm - home.z_mm);
@@ -80,7 +78,7 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A spoken order, which a stock arm hears on its Bluetooth port only.
-pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let Ok(order) = Voice::new("up five") else {
         return Ok(Outcome::NotTried("the order does not fit a packet".into()));

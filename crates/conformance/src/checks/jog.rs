@@ -2,14 +2,14 @@
 
 use dobot_wire::Status;
 
+use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
 use crate::packet::jog;
-use crate::rig::{Rig, Trouble};
-use crate::way::PERIOD_S;
+use crate::rig::{CheckError, Rig};
 
 /// A pair of buttons, and what they move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Axis {
+pub(crate) struct JogButtons {
     state: f32,
     /// The button that moves it forward; the next one moves it back.
     plus: f32,
@@ -20,19 +20,25 @@ pub(crate) struct Axis {
     unit: &'static str,
 }
 
-pub(crate) const BASE: Axis = joint(1.0, 0, 20.0);
-pub(crate) const REAR: Axis = joint(3.0, 1, 20.0);
-pub(crate) const FORE: Axis = joint(5.0, 2, 20.0);
-pub(crate) const SERVO: Axis = joint(7.0, 3, 20.0);
-pub(crate) const GRIPPER: Axis = joint(11.0, 4, 20.0);
-pub(crate) const X: Axis = line(1.0, 0, 10.0, "mm");
-pub(crate) const Y: Axis = line(3.0, 1, 10.0, "mm");
-pub(crate) const Z: Axis = line(5.0, 2, 10.0, "mm");
-pub(crate) const LINE_SERVO: Axis = line(7.0, 3, 20.0, "degrees");
-pub(crate) const LINE_GRIPPER: Axis = line(11.0, 4, 20.0, "degrees");
+pub(crate) const BASE: JogButtons = joint(1.0, 0);
+pub(crate) const REAR: JogButtons = joint(3.0, 1);
+pub(crate) const FORE: JogButtons = joint(5.0, 2);
+pub(crate) const SERVO: JogButtons = joint(7.0, 3);
+pub(crate) const GRIPPER: JogButtons = joint(11.0, 4);
+pub(crate) const X: JogButtons = along(1.0, 0);
+pub(crate) const Y: JogButtons = along(3.0, 1);
+pub(crate) const Z: JogButtons = along(5.0, 2);
+pub(crate) const LINE_SERVO: JogButtons = JogButtons {
+    state: LINES,
+    ..SERVO
+};
+pub(crate) const LINE_GRIPPER: JogButtons = JogButtons {
+    state: LINES,
+    ..GRIPPER
+};
 
 /// Whether the arm stands still after a release, and stays so.
-pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let before = rig.settled().await?;
     rig.send(jog(2.0, 1.0, 20.0)).await?;
     rig.pass(300).await?;
@@ -53,7 +59,7 @@ pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Both buttons of an axis: only that axis moves, there and back.
-pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> {
+pub(crate) async fn axis(rig: &mut Rig, axis: JogButtons) -> Result<Outcome, CheckError> {
     let before = numbers(axis, &rig.settled().await?);
     let there = numbers(axis, &press(rig, axis, axis.plus).await?);
     let back = numbers(axis, &press(rig, axis, axis.plus + 1.0).await?);
@@ -70,9 +76,9 @@ pub(crate) async fn axis(rig: &mut Rig, axis: Axis) -> Result<Outcome, Trouble> 
 }
 
 /// The speed of the base while its button is held, in degrees per second.
-pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, Trouble> {
+pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, CheckError> {
     let mark = rig.seen.len();
-    let axis = Axis { percent, ..BASE };
+    let axis = JogButtons { percent, ..BASE };
     hold(rig, axis, BASE.plus, LONGER_MS).await?;
     let steps = rig.seen[mark..].windows(2);
     let mut steps: Vec<f64> = steps
@@ -86,11 +92,10 @@ pub(crate) async fn steady_speed(rig: &mut Rig, percent: f32) -> Result<f64, Tro
 }
 
 /// The pump, on and off.
-pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    rig.send(jog(2.0, 9.0, 0.0)).await?;
-    let on = rig.settled().await?.suction;
-    rig.send(jog(2.0, 10.0, 0.0)).await?;
-    let off = !rig.settled().await?.suction;
+pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, CheckError> {
+    let (with, _) = rig.carry_out(jog(2.0, 9.0, 0.0)).await?;
+    let (without, _) = rig.carry_out(jog(2.0, 10.0, 0.0)).await?;
+    let (on, off) = (with.suction, !without.suction);
     let found = match (on, off) {
         (true, true) => "on, then off",
         (false, _) => "it does not go on",
@@ -100,7 +105,7 @@ pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// The laser, on and off: a status does not show it, nor may it show anything else.
-pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let before = rig.settled().await?;
     rig.send(jog(2.0, 13.0, 0.0)).await?;
     rig.send(jog(2.0, 14.0, 0.0)).await?;
@@ -116,11 +121,11 @@ pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Holds a button for a moment; the arm rests afterwards.
-async fn press(rig: &mut Rig, axis: Axis, button: f32) -> Result<Status, Trouble> {
+async fn press(rig: &mut Rig, axis: JogButtons, button: f32) -> Result<Status, CheckError> {
     hold(rig, axis, button, HOLD_MS).await
 }
 
-async fn hold(rig: &mut Rig, axis: Axis, button: f32, ms: u64) -> Result<Status, Trouble> {
+async fn hold(rig: &mut Rig, axis: JogButtons, button: f32, ms: u64) -> Result<Status, CheckError> {
     rig.send(jog(axis.state, button, axis.percent)).await?;
     rig.pass(ms).await?;
     rig.send(jog(axis.state, 0.0, 0.0)).await?;
@@ -131,7 +136,7 @@ async fn hold(rig: &mut Rig, axis: Axis, button: f32, ms: u64) -> Result<Status,
 }
 
 /// What a jog of this kind may move: joints, or coordinates; and the gripper.
-fn numbers(axis: Axis, it: &Status) -> [f32; 5] {
+fn numbers(axis: JogButtons, it: &Status) -> [f32; 5] {
     if axis.state == JOINTS {
         [
             it.base_deg,
@@ -146,7 +151,7 @@ fn numbers(axis: Axis, it: &Status) -> [f32; 5] {
 }
 
 /// How far the numbers move that should not.
-fn strays(axis: Axis, from: [f32; 5], to: [f32; 5]) -> f32 {
+fn strays(axis: JogButtons, from: [f32; 5], to: [f32; 5]) -> f32 {
     let pairs = from.into_iter().zip(to).enumerate();
     let others = pairs.filter(|(index, _)| *index != axis.index);
     others
@@ -154,23 +159,23 @@ fn strays(axis: Axis, from: [f32; 5], to: [f32; 5]) -> f32 {
         .fold(0.0, f32::max)
 }
 
-const fn joint(plus: f32, index: usize, percent: f32) -> Axis {
-    Axis {
+/// A joint at 20 %, unless something else is said.
+const fn joint(plus: f32, index: usize) -> JogButtons {
+    JogButtons {
         state: JOINTS,
         plus,
         index,
-        percent,
+        percent: 20.0,
         unit: "degrees",
     }
 }
 
-const fn line(plus: f32, index: usize, percent: f32, unit: &'static str) -> Axis {
-    Axis {
+const fn along(plus: f32, index: usize) -> JogButtons {
+    JogButtons {
         state: LINES,
-        plus,
-        index,
-        percent,
-        unit,
+        percent: 10.0,
+        unit: "mm",
+        ..joint(plus, index)
     }
 }
 

@@ -3,21 +3,18 @@
 use dobot_wire::Status;
 
 use crate::outcome::Outcome;
-use crate::packet::{JUMP_MM, playback, target};
-use crate::rig::{Rig, Trouble, moved, off};
-use crate::seen::Seen;
+use crate::packet::{JUMP_MM, playback, point};
+use crate::rig::{CheckError, Rig, moved, off};
+use crate::timed_status::TimedStatus;
 
 /// A JUMP of 6 mm, 5 mm high.
-pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
-    let point = moved(&home, [0.0, 6.0, 0.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let heights = rig.seen[mark..].iter().map(|it| it.status.z_mm - home.z_mm);
+    let goal = moved(&home, [0.0, 6.0, 0.0]);
+    let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
+    let heights = seen.iter().map(|it| it.status.z_mm - home.z_mm);
     let height = heights.fold(0.0, f32::max);
-    let off = off(&there, point);
+    let off = off(&there, goal);
     Ok(Outcome::of(
         off < NEAR_MM && (height - JUMP_MM).abs() < 0.3,
         format!("{height:.2} mm up, as set 5; {off:.3} mm off the point"),
@@ -26,23 +23,20 @@ pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, Trouble> {
 
 /// A JUMP to a higher place. By the document it goes across above the higher end, on a stock arm from
 /// as far above the one end to as far above the other.
-pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
-    let point = moved(&home, [0.0, WIDE_MM, RISE_MM]);
+    let goal = moved(&home, [0.0, WIDE_MM, RISE_MM]);
     // So slow that some statuses tell of the way across.
     rig.send(playback([5.0, 25.0], [20.0, 100.0], 0.0, JUMP_MM))
         .await?;
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, 0.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
     rig.be_gentle().await?;
-    let seen = rig.seen[mark..].iter();
-    let places: Vec<_> = seen.filter_map(|it| Across::of(&home, it)).collect();
+    let places = seen.iter().filter_map(|it| Across::of(&home, it));
+    let places: Vec<_> = places.collect();
     let Some((first, last)) = places.first().zip(places.last()) else {
         return Ok(Outcome::Differs("no status tells of a way across".into()));
     };
-    let arrived = off(&there, point) < NEAR_MM;
+    let arrived = off(&there, goal) < NEAR_MM;
     let few = places.len() < FEW;
     let along = |height: fn(f32) -> f32| {
         let mut places = places.iter();
@@ -56,7 +50,7 @@ pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, Trouble> {
             places.len(),
             first.height_mm,
             last.height_mm,
-            off(&there, point)
+            off(&there, goal)
         ),
     ))
 }
@@ -72,7 +66,7 @@ struct Across {
 
 impl Across {
     /// `None` above the ends: up and down are not quite upright on a stock arm.
-    fn of(home: &Status, seen: &Seen) -> Option<Self> {
+    fn of(home: &Status, seen: &TimedStatus) -> Option<Self> {
         let share = (seen.status.y_mm - home.y_mm) / WIDE_MM;
         (0.1..0.9).contains(&share).then_some(Self {
             share,

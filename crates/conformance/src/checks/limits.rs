@@ -1,22 +1,21 @@
 //! Limits, as far as they can be tried without harm.
 
 use crate::outcome::Outcome;
-use crate::packet::{jog as button, target};
-use crate::rig::{Rig, Trouble, turned};
+use crate::packet::{jog as button, point};
+use crate::rig::{CheckError, Rig, turned};
 
 /// A point three times as far away. By joints a stock arm does not set out for it; in a straight
 /// line it would, and lose its pose (note N34).
-pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let Some(mode) = rig.joint_mode else {
         return Ok(Outcome::NotTried(
             "only a move by joints is safe, and which mode that is is not known".into(),
         ));
     };
-    let point = [home.x_mm * 3.0, home.y_mm * 3.0, home.z_mm];
-    rig.send(target(3.0, point, home.rotation_deg, mode, &home))
-        .await?;
-    let moved = turned(&rig.settled().await?, &home);
+    let beyond = [home.x_mm * 3.0, home.y_mm * 3.0, home.z_mm];
+    let (there, _) = rig.carry_out(point(beyond, mode, &home)).await?;
+    let moved = turned(&there, &home);
     Ok(Outcome::of(
         moved < 0.01,
         format!("it moved by {moved:.3} degrees"),
@@ -24,7 +23,7 @@ pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// The servo is jogged to its end and beyond.
-pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(button(2.0, 7.0, 100.0)).await?;
     rig.pass(4000).await?;
     rig.send(button(2.0, 0.0, 0.0)).await?;

@@ -6,13 +6,13 @@ use dobot_arm::{Degrees, Joints, Limits, Pose, Position, inverse};
 use dobot_wire::{PACKET_LEN, Status};
 
 use crate::hindrance::Hindrance;
+use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
-use crate::rig::{Rig, Trouble, disagreement, joints, lenient, tool_of, turned};
-use crate::seen::Seen;
-use crate::way::PERIOD_S;
+use crate::rig::{CheckError, Rig, disagreement, joints, lenient, tool_of, turned};
+use crate::timed_status::TimedStatus;
 
 /// Listens, and tells what does not belong to statuses.
-pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let began = rig.now();
     while rig.seen.is_empty() && rig.now() < began + FIRST_STATUS {
         rig.pass(LISTEN_MS / 8).await?;
@@ -83,7 +83,8 @@ pub(crate) fn pose(rig: &Rig) -> Outcome {
 
 /// Whether the arm stands still, where it may stand and where the checks have room.
 pub(crate) fn start(rig: &mut Rig) -> Outcome {
-    let (Some(first), Some(Seen { status, .. })) = (rig.seen.first(), rig.seen.last()) else {
+    let (Some(first), Some(TimedStatus { status, .. })) = (rig.seen.first(), rig.seen.last())
+    else {
         return Outcome::NotTried("no status came that can be trusted".into());
     };
     let turned = turned(&first.status, status);

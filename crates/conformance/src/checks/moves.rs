@@ -3,24 +3,22 @@
 use dobot_wire::Status;
 
 use crate::checks::settings::show_tool;
+use crate::observed_motion::ObservedMotion;
 use crate::outcome::Outcome;
 use crate::packet::{
-    JUMP_MM, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, gentle, percent, playback, target, teach,
-    writing,
+    JUMP_MM, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, percent, playback, point,
+    teach, writing,
 };
-use crate::rig::{Rig, Trouble, distance, moved, off, turned};
-use crate::way::Way;
+use crate::rig::{CheckError, Rig, distance, moved, off, turned};
 
 /// Sets slow speeds and lifts the arm to where all checks begin.
-pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    let start = rig.start.ok_or(Trouble::Homeless)?;
+pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, CheckError> {
+    let start = rig.start.ok_or(CheckError::Homeless)?;
     rig.settings().await?;
-    let point = moved(&start, [0.0, 0.0, LIFT_MM]);
+    let above = moved(&start, [0.0, 0.0, LIFT_MM]);
     rig.moved = true;
-    rig.send(target(3.0, point, start.rotation_deg, 1.0, &start))
-        .await?;
-    let there = rig.settled().await?;
-    let off = off(&there, point);
+    let (there, _) = rig.carry_out(point(above, 1.0, &start)).await?;
+    let off = off(&there, above);
     if off < NEAR_MM {
         rig.home = Some(there);
     }
@@ -31,7 +29,7 @@ pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// The same point by mode 1 and by mode 2: which way is straight?
-pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, CheckError> {
     // So slow that some statuses tell of the way, and never at the largest speed: where one joint
     // reaches it and the others do not, a stock arm strays from the way of all joints together.
     rig.send(playback([200.0, 20.0], [200.0, 60.0], 0.0, JUMP_MM))
@@ -58,16 +56,13 @@ pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Whether a mode goes straight or by joints, if one of the two.
-async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
+async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, CheckError> {
     let home = rig.home()?;
-    let point = moved(&home, [-4.0, 7.0, 5.0]);
-    let mark = rig.seen.len();
-    rig.send(target(3.0, point, home.rotation_deg, mode, &home))
-        .await?;
-    let there = rig.settled().await?;
-    let way = Way::new(&rig.seen[mark..]);
+    let goal = moved(&home, [-4.0, 7.0, 5.0]);
+    let (there, seen) = rig.carry_out(point(goal, mode, &home)).await?;
+    let way = ObservedMotion::new(&seen);
     let (line, joints) = (way.off_line_mm(), way.off_joints_mm(rig.tool()));
-    if off(&there, point) > NEAR_MM {
+    if off(&there, goal) > NEAR_MM {
         return Ok(None);
     }
     Ok(match (line < ON_THE_WAY_MM, joints < ON_THE_WAY_MM) {
@@ -78,7 +73,7 @@ async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, Trouble> {
 }
 
 /// Joint angles by mode 1, and back by mode 2.
-pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let there = Status {
         base_deg: home.base_deg + 1.5,
@@ -94,17 +89,14 @@ pub(crate) async fn joints(rig: &mut Rig) -> Result<Outcome, Trouble> {
         if turned(&now, &goal) < 1.0 {
             break;
         }
-        let angles = [goal.base_deg, goal.rear_deg, goal.fore_deg];
-        rig.send(target(6.0, angles, goal.servo_deg, mode, &goal))
-            .await?;
-        now = rig.settled().await?;
+        (now, _) = rig.carry_out(angles(&goal, mode)).await?;
         worst = worst.max(turned(&now, &goal));
     }
     Ok(Outcome::of(worst < 0.02, format!("{worst:.4} degrees off")))
 }
 
 /// A pause of one second between two moves.
-pub(crate) async fn pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn pause(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let rest = rest_s(rig, 1.0).await?;
     Ok(Outcome::of(
         (rest - 1.0).abs() < 0.17,
@@ -113,7 +105,7 @@ pub(crate) async fn pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Whether the pause of 9/1 counts for moves that have none.
-pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(gentle(0.8)).await?;
     let rest = rest_s(rig, 0.0).await?;
     rig.be_gentle().await?;
@@ -125,41 +117,37 @@ pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Two moves: how long does the arm rest after the first, which has this pause?
-async fn rest_s(rig: &mut Rig, pause_s: f32) -> Result<f64, Trouble> {
+async fn rest_s(rig: &mut Rig, pause_s: f32) -> Result<f64, CheckError> {
     let home = rig.home()?;
     let mark = rig.seen.len();
     let points = [[0.0, 3.0, 0.0], [0.0, 3.0, 3.0]].map(|by| moved(&home, by));
-    for (point, pause_s) in points.into_iter().zip([pause_s, 0.0]) {
-        let packet = target(3.0, point, home.rotation_deg, 1.0, &home);
-        rig.send(packet.with(10, pause_s)).await?;
+    for (goal, pause_s) in points.into_iter().zip([pause_s, 0.0]) {
+        rig.send(point(goal, 1.0, &home).with(10, pause_s)).await?;
     }
     // The arm rests in between: wait for the second point.
     let until = rig.now() + std::time::Duration::from_secs(6);
     while off(&rig.next_status().await?, points[1]) > NEAR_MM && rig.now() < until {}
     rig.settled().await?;
-    Ok(Way::new(&rig.seen[mark..]).rest_s(points[0]))
+    Ok(ObservedMotion::new(&rig.seen[mark..]).rest_s(points[0]))
 }
 
 /// Pump and gripper, once there.
-pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let grabbing = Status {
         suction: true,
         gripper_deg: home.gripper_deg + 5.0,
         ..home
     };
-    let point = moved(&home, [0.0, 4.0, 0.0]);
+    let goal = moved(&home, [0.0, 4.0, 0.0]);
     let mark = rig.seen.len();
-    let packet = target(3.0, point, home.rotation_deg, 1.0, &grabbing);
-    rig.send(packet.with(10, 0.2)).await?;
+    rig.send(point(goal, 1.0, &grabbing).with(10, 0.2)).await?;
     rig.settled().await?;
     rig.pass(300).await?;
     let there = rig.next_status().await?;
     let mut on_the_way = rig.seen[mark..].iter().map(|it| &it.status);
-    let early = on_the_way.any(|it| it.suction && off(it, point) > NEAR_MM);
-    let angles = [home.base_deg, home.rear_deg, home.fore_deg];
-    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
-        .await?;
+    let early = on_the_way.any(|it| it.suction && off(it, goal) > NEAR_MM);
+    rig.send(angles(&home, 1.0)).await?;
     // A stock arm takes it up only when its pause is over once more (note N47).
     rig.expect_later(300);
     rig.settled().await?;
@@ -181,8 +169,8 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Goes back to where the arm stood, and sets what was changed to what a stock arm has.
-pub(crate) async fn back(rig: &mut Rig) -> Result<Outcome, Trouble> {
-    let start = rig.start.ok_or(Trouble::Homeless)?;
+pub(crate) async fn back(rig: &mut Rig) -> Result<Outcome, CheckError> {
+    let start = rig.start.ok_or(CheckError::Homeless)?;
     rig.be_gentle().await?;
     show_tool(rig, true).await?;
     let there = rig.go_to(&start).await?;

@@ -5,16 +5,16 @@ use dobot_arm::{FOREARM, REAR_ARM};
 use dobot_wire::{Frame, Status, single};
 
 use crate::checks::settings::reach_of;
+use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
 use crate::packet::{configuration, jog};
-use crate::rig::{Rig, Trouble};
-use crate::seen::Seen;
-use crate::way::PERIOD_S;
+use crate::rig::{CheckError, Rig};
+use crate::timed_status::TimedStatus;
 
 /// A joint jog that a linear release ends, and the other way round. By the document it runs down
 /// where it is; a stock arm runs down the axis of the same number there, Z for the forearm, with the
 /// acceleration of the button that was held.
-pub(crate) async fn other_kind(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn other_kind(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     if home.fore_deg.abs() < LEVEL_DEG {
         return Ok(Outcome::NotTried(format!(
@@ -55,7 +55,7 @@ pub(crate) async fn other_kind(rig: &mut Rig) -> Result<Outcome, Trouble> {
 
 /// Another acceleration (9/0) between press and release: the run-down keeps that of the press. By the
 /// document it begins with the setting, on a stock arm, which stops dead there, with the release.
-pub(crate) async fn other_settings(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn other_settings(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let start = rig.settled().await?;
     rig.send(servo_ramp(SLOW_SERVO)).await?;
     let mark = rig.seen.len();
@@ -91,7 +91,7 @@ async fn press(
     rig: &mut Rig,
     [state, button]: [f32; 2],
     by: f32,
-) -> Result<Option<Status>, Trouble> {
+) -> Result<Option<Status>, CheckError> {
     rig.send(jog(state, button, PERCENT)).await?;
     rig.pass(HOLD_MS).await?;
     rig.send(jog(by, 0.0, 0.0)).await?;
@@ -121,7 +121,7 @@ fn fore_at(home: &Status, there: &Status) -> f32 {
 }
 
 /// How far the servo still went after the last status at its full speed.
-fn braked_deg(seen: &[Seen]) -> f32 {
+fn braked_deg(seen: &[TimedStatus]) -> f32 {
     let full = SPEED_SERVO * single(PERIOD_S) * 0.9;
     let steps = seen.windows(2);
     let mut at_speed = steps.filter(|it| it[1].status.servo_deg - it[0].status.servo_deg >= full);

@@ -4,16 +4,16 @@ use dobot_arm::Tool;
 use dobot_wire::{Frame, Status};
 
 use crate::checks::jog::steady_speed;
+use crate::observed_motion::ObservedMotion;
 use crate::outcome::Outcome;
 use crate::packet::{
-    LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, configuration, percent, playback,
-    target, teach, tool as tool_packet, vector, writing as acceleration,
+    LASER, STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, SUCTION_CUP, angles as to_angles, configuration,
+    percent, playback, point, teach, tool as tool_packet, vector, writing as acceleration,
 };
-use crate::rig::{Rig, Trouble, distance, moved, off};
-use crate::way::Way;
+use crate::rig::{CheckError, Rig, distance, moved, off};
 
 /// Another end effector: X and Y change by 5.5 mm of reach, and nothing moves.
-pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let before = rig.settled().await?;
     show_tool(rig, false).await?;
     let other = rig.settled().await?;
@@ -47,7 +47,7 @@ pub(crate) fn tool_frame(rig: &Rig, own: bool) -> Frame {
 }
 
 /// Sets the end effector: the arm's own, or the other one.
-pub(crate) async fn show_tool(rig: &mut Rig, own: bool) -> Result<(), Trouble> {
+pub(crate) async fn show_tool(rig: &mut Rig, own: bool) -> Result<(), CheckError> {
     rig.send(tool_frame(rig, own)).await
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn reach_of(status: &Status) -> f64 {
 }
 
 /// The joint speed of teaching, and the share of it that a jog asks for.
-pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(teach(24.0)).await?;
     let speed = steady_speed(rig, 20.0).await?;
     rig.send(teach(STOCK_TEACH_DEG_S)).await?;
@@ -67,17 +67,17 @@ pub(crate) async fn jog(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Slow moves take as long as they should, straight or by joints.
-pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(playback([2.0, 20.0], [10.0, 100.0], 0.0, 5.0))
         .await?;
     let home = rig.home()?;
-    let mark = rig.seen.len();
-    let angles = [home.base_deg + TURN_DEG, home.rear_deg, home.fore_deg];
-    rig.send(target(6.0, angles, home.servo_deg, 1.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let goal = Status {
+        base_deg: home.base_deg + TURN_DEG,
+        ..home
+    };
+    let (there, seen) = rig.carry_out(to_angles(&goal, 1.0)).await?;
     rig.be_gentle().await?;
-    let took = Way::new(&rig.seen[mark..]).duration_s();
+    let took = ObservedMotion::new(&seen).duration_s();
     // Half of what was set (50 %): 1 degree/s and 10 degrees/s², or 5 mm/s and 50 mm/s².
     let joints = trapezoid_s(TURN_DEG.into(), 1.0, 10.0);
     let line = trapezoid_s(distance(&home, &there), 5.0, 50.0);
@@ -91,13 +91,11 @@ pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A vector with a low acceleration takes as long as it should.
-pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(acceleration(20.0)).await?;
-    let mark = rig.seen.len();
-    rig.send(vector([0.0, 5.0, 0.0], 0.0, 20.0)).await?;
-    rig.settled().await?;
+    let (_, seen) = rig.carry_out(vector([0.0, 5.0, 0.0], 0.0, 20.0)).await?;
     rig.send(acceleration(STOCK_WRITING_MM_S2)).await?;
-    let took = Way::new(&rig.seen[mark..]).duration_s();
+    let took = ObservedMotion::new(&seen).duration_s();
     let expected = trapezoid_s(5.0, 20.0, 20.0);
     Ok(Outcome::of(
         (took - expected).abs() < SLACK_S,
@@ -106,7 +104,7 @@ pub(crate) async fn writing(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// The initial angles. They make the base angle 0 too, so the base is turned to 0 before.
-pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     if home.base_deg.abs() > ROOM_DEG {
         return Ok(Outcome::NotTried(format!(
@@ -136,7 +134,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
         }
     }
     if (rig.settled().await?.rear_deg - before.rear_deg).abs() > 0.001 {
-        return Err(Trouble::Untrue);
+        return Err(CheckError::Untrue);
     }
     let found = format!(
         "float 3 of {told:.3} makes the rear arm {:.3} degrees, from {:.3}",
@@ -146,37 +144,33 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// Tells the arm its initial angles: a float 3, and the forearm as it is.
-async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, Trouble> {
-    rig.send(configuration(3.0, &[float_3, now.fore_deg]))
-        .await?;
-    rig.settled().await
+async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, CheckError> {
+    let packet = configuration(3.0, &[float_3, now.fore_deg]);
+    Ok(rig.carry_out(packet).await?.0)
 }
 
 /// Which of the two percentages slows a move down: that of the speed leaves a move with one speed
 /// for most of its time, that of the acceleration one that only gathers speed and loses it.
-pub(crate) async fn percentages(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn percentages(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(playback([5.0, 25.0], [20.0, 100.0], 0.0, 5.0))
         .await?;
     rig.send(percent(100.0, 20.0)).await?;
     let home = rig.home()?;
-    let mark = rig.seen.len();
-    let point = moved(&home, [0.0, 8.0, 0.0]);
-    rig.send(target(3.0, point, home.rotation_deg, 1.0, &home))
-        .await?;
-    let there = rig.settled().await?;
+    let goal = moved(&home, [0.0, 8.0, 0.0]);
+    let (there, seen) = rig.carry_out(point(goal, 1.0, &home)).await?;
     rig.be_gentle().await?;
     rig.send(percent(50.0, 50.0)).await?;
-    let way = Way::new(&rig.seen[mark..]);
+    let way = ObservedMotion::new(&seen);
     let mean = distance(&home, &there) / way.duration_s().max(0.01);
     let ratio = way.peak_mm_s() / mean;
-    let arrived = off(&there, point) < 0.1;
+    let arrived = off(&there, goal) < 0.1;
     Ok(Outcome::vote(
         arrived && ratio < 1.35,
         arrived && (1.55..2.4).contains(&ratio),
         if arrived {
             format!("100 and 20: the move is {ratio:.2} times as fast at its peak as on average")
         } else {
-            format!("100 and 20: the move ends {:.2} mm off", off(&there, point))
+            format!("100 and 20: the move ends {:.2} mm off", off(&there, goal))
         },
     ))
 }

@@ -2,18 +2,18 @@
 
 use std::time::Duration;
 
+use crate::observed_motion::periods;
 use crate::outcome::Outcome;
-use crate::packet::{JUMP_MM, playback, target};
-use crate::rig::{Rig, Trouble};
-use crate::seen::Seen;
-use crate::way::periods;
+use crate::packet::{JUMP_MM, angles, playback};
+use crate::rig::{CheckError, Rig};
+use crate::timed_status::TimedStatus;
 use dobot_arm::TICK_S;
-use dobot_wire::single;
+use dobot_wire::{Status, single};
 
 /// A turn of the base whose time is whole ticks but for rounding, and one back that waits for it. By
 /// the document the second begins in that very moment. A stock arm, which calculates in single
 /// precision, takes one tick more, and one to notice the end (note N45).
-pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let Some(mode) = rig.joint_mode else {
         return Ok(Outcome::NotTried(
             "which mode goes by joints is not known".into(),
@@ -36,10 +36,9 @@ pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, Trouble> {
     .await?;
     rig.settled().await?;
     let mark = rig.seen.len();
-    for base in [base_deg, home.base_deg] {
-        let angles = [base, home.rear_deg, home.fore_deg];
-        rig.send(target(6.0, angles, home.servo_deg, mode, &home))
-            .await?;
+    for base_deg in [base_deg, home.base_deg] {
+        let goal = Status { base_deg, ..home };
+        rig.send(angles(&goal, mode)).await?;
     }
     rig.settled().await?;
     rig.be_gentle().await?;
@@ -95,8 +94,8 @@ fn stock_ticks(way_deg: f32) -> u8 {
 
 /// How many ticks lie between the beginnings of two turns, there and back. On a steady line the times
 /// of statuses count them, else their number.
-fn apart(seen: &[Seen], from_deg: f32, to_deg: f32, steady: bool) -> Option<f64> {
-    let gone = |it: &Seen| it.status.base_deg - from_deg;
+fn apart(seen: &[TimedStatus], from_deg: f32, to_deg: f32, steady: bool) -> Option<f64> {
+    let gone = |it: &TimedStatus| it.status.base_deg - from_deg;
     let numbered = || seen.iter().enumerate();
     // The farthest status: before it the first turn, behind it the second one.
     let (turned, _) = numbered().max_by(|(_, a), (_, b)| gone(a).total_cmp(&gone(b)))?;

@@ -4,10 +4,10 @@ use dobot_wire::Frame;
 
 use crate::outcome::Outcome;
 use crate::packet::{STOCK_WRITING_MM_S2, vector, writing};
-use crate::rig::{Rig, Trouble, tells_no_pose};
+use crate::rig::{CheckError, Rig, tells_no_pose};
 
 /// A write vector without length: refused, or the end of the pose.
-pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(vector([0.0; 3], 0.0, 10.0)).await?;
     rig.react().await?;
     let (bytes, statuses) = (rig.raw.len(), rig.seen.len());
@@ -26,7 +26,7 @@ pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// An unknown state: refused, or the end of the queue.
-pub(crate) async fn unknown_state(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn unknown_state(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(Frame::ZERO).await?;
     for _ in 0..5 {
         rig.send(writing(STOCK_WRITING_MM_S2)).await?;

@@ -1,18 +1,17 @@
 //! Write vectors (state 4).
 
 use crate::checks::settings::trapezoid_s;
+use crate::observed_motion::ObservedMotion;
 use crate::outcome::Outcome;
 use crate::packet::{STOCK_WRITING_MM_S2, vector as vector_packet, writing};
-use crate::rig::{Rig, Trouble, distance, moved, off};
-use crate::way::Way;
+use crate::rig::{CheckError, Rig, distance, moved, off};
 
 /// A vector along all axes: where does it lead, and is it straight?
-pub(crate) async fn vector(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn vector(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
-    let mark = rig.seen.len();
-    rig.send(vector_packet([5.0, 4.0, 3.0], 0.0, 10.0)).await?;
-    let there = rig.settled().await?;
-    let strays = Way::new(&rig.seen[mark..]).off_line_mm();
+    let packet = vector_packet([5.0, 4.0, 3.0], 0.0, 10.0);
+    let (there, seen) = rig.carry_out(packet).await?;
+    let strays = ObservedMotion::new(&seen).off_line_mm();
     let straight = strays < 0.02;
     let leads = |by| straight && off(&there, moved(&home, by)) < 0.05;
     let [x, y, z] = [
@@ -30,14 +29,13 @@ pub(crate) async fn vector(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A vector that is to start with its largest speed and end at rest.
-pub(crate) async fn start_speed(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn start_speed(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     rig.send(writing(10.0)).await?;
-    let mark = rig.seen.len();
-    rig.send(vector_packet([0.0, 4.5, 0.0], 9.0, 9.0)).await?;
-    let there = rig.settled().await?;
+    let packet = vector_packet([0.0, 4.5, 0.0], 9.0, 9.0);
+    let (there, seen) = rig.carry_out(packet).await?;
     rig.send(writing(STOCK_WRITING_MM_S2)).await?;
-    let way = Way::new(&rig.seen[mark..]);
+    let way = ObservedMotion::new(&seen);
     let (mean, took) = (way.mean_progress().unwrap_or_default(), way.duration_s());
     let length = distance(&home, &there);
     let arrived = (length - 4.5).abs() < 0.05;
@@ -59,10 +57,10 @@ pub(crate) async fn start_speed(rig: &mut Rig) -> Result<Outcome, Trouble> {
 }
 
 /// A vector that float 6 stops.
-pub(crate) async fn stop(rig: &mut Rig) -> Result<Outcome, Trouble> {
+pub(crate) async fn stop(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
-    rig.send(vector_packet([0.0, 4.0, 0.0], 0.0, 10.0).with(6, 1.0))
-        .await?;
-    let moved = distance(&rig.settled().await?, &home);
+    let packet = vector_packet([0.0, 4.0, 0.0], 0.0, 10.0).with(6, 1.0);
+    let (there, _) = rig.carry_out(packet).await?;
+    let moved = distance(&there, &home);
     Ok(Outcome::of(moved < 0.02, format!("it moved {moved:.3} mm")))
 }

@@ -8,16 +8,14 @@ use dobot_client::Peer;
 use dobot_sim::InProcess;
 use dobot_wire::{Frame, PACKET_LEN};
 
-/// Changes the bytes of one send on their way to the arm; the time is that of the arm.
-pub(crate) type ToArm = Box<dyn FnMut(Duration, &mut Vec<u8>) + Send>;
-/// Changes a status on its way from the arm, or drops it.
-pub(crate) type FromArm = Box<dyn FnMut(Frame) -> Option<Vec<u8>> + Send>;
-
 /// A virtual arm, and what is wrong with it.
 pub(crate) struct Broken {
     arm: InProcess,
-    to_arm: ToArm,
-    from_arm: FromArm,
+    /// Changes the bytes of one send on their way to the arm; the time is that of the arm.
+    #[expect(clippy::type_complexity, reason = "it is written here alone")]
+    to_arm: Box<dyn FnMut(Duration, &mut Vec<u8>) + Send>,
+    /// Changes a status on its way from the arm, or drops it.
+    from_arm: Box<dyn FnMut(Frame) -> Option<Vec<u8>> + Send>,
     /// Statuses leave no sooner than this after each other.
     period: Duration,
     /// Whether it tells where it is even while the queue is full.

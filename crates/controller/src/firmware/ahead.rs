@@ -1,6 +1,6 @@
 //! The inverse kinematics of a straight way, a tick ahead.
 
-use dobot_arm::stock::{Joints, Pose, inverse};
+use dobot_arm::stock::{StockJoints, StockPose, inverse};
 
 /// The angles for the place to which the next tick of a straight way will probably lead.
 ///
@@ -15,7 +15,7 @@ struct Stop {
     place: [f32; 3],
     tool_mm: f32,
     /// All but that of the servo.
-    joints: Joints,
+    joints: StockJoints,
 }
 
 impl Ahead {
@@ -25,7 +25,7 @@ impl Ahead {
         place: [f32; 3],
         next: Option<[f32; 3]>,
         tool_mm: f32,
-    ) -> Joints {
+    ) -> StockJoints {
         let joints = match &self.0 {
             Some(stop) if stop.is_for(place, tool_mm) => stop.joints,
             _ => Stop::new(place, tool_mm).joints,
@@ -37,7 +37,7 @@ impl Ahead {
 
 impl Stop {
     fn new(place @ [x_mm, y_mm, z_mm]: [f32; 3], tool_mm: f32) -> Self {
-        let pose = Pose {
+        let pose = StockPose {
             x_mm,
             y_mm,
             z_mm,

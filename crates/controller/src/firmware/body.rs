@@ -1,6 +1,6 @@
 //! What the stock controller believes of the arm, and the one way to move it.
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse, reach, sensed};
+use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, reach, sensed};
 use dobot_arm::{TICK, Tool};
 use dobot_wire::single;
 
@@ -14,9 +14,9 @@ use crate::outputs::{Hands, servo_value};
     reason = "each is a flag of the stock controller's own"
 )]
 pub(crate) struct Body {
-    pub(crate) joints: Joints,
+    pub(crate) joints: StockJoints,
     /// What follows from the joint angles, up to date at the end of each tick.
-    pub(crate) pose: Pose,
+    pub(crate) pose: StockPose,
     pub(crate) gripper_deg: f32,
     /// From the wrist to the tool.
     pub(crate) tool_mm: f32,
@@ -40,12 +40,12 @@ impl Body {
     /// Believes the sensors: that of the rear arm tells its angle from level.
     pub(crate) fn power_up(rear_deg: f64, fore_deg: f64) -> Self {
         Self {
-            joints: Joints {
+            joints: StockJoints {
                 rear_deg: 90.0 - sensed(90.0 - rear_deg),
                 fore_deg: sensed(fore_deg),
-                ..Joints::default()
+                ..StockJoints::default()
             },
-            pose: Pose::default(),
+            pose: StockPose::default(),
             gripper_deg: 0.0,
             tool_mm: LONG_TOOL_MM,
             hands: Hands {
@@ -66,13 +66,13 @@ impl Body {
     }
 
     /// Moves all joints at these speeds (degrees per second: base, rear, fore, servo) for a tick, or
-    /// not at all where a limit forbids it (note N42). What is not a number passes every limit.
+    /// not at all where a limit forbids it (note N42). An angle that is not a number passes every limit.
     #[must_use]
     pub(crate) fn advance(&mut self, speeds: [f32; 4]) -> bool {
         self.is_driven = true;
         let [base, rear, fore, servo] = speeds.map(|speed| speed * PERIOD_S);
         let from = self.joints;
-        let candidate = Joints {
+        let candidate = StockJoints {
             base_deg: from.base_deg + base,
             rear_deg: from.rear_deg + rear,
             fore_deg: from.fore_deg + fore,
@@ -95,7 +95,7 @@ impl Body {
 
     /// Moves all joints to where the inverse kinematics say, within a tick.
     #[must_use]
-    pub(crate) fn advance_to(&mut self, pose: Pose) -> bool {
+    pub(crate) fn advance_to(&mut self, pose: StockPose) -> bool {
         self.turn_to(inverse(pose, self.tool_mm))
     }
 
@@ -104,13 +104,13 @@ impl Body {
     #[must_use]
     pub(crate) fn advance_along(&mut self, place: [f32; 3], next: Option<[f32; 3]>) -> bool {
         let to = self.ahead.solve(place, next, self.tool_mm);
-        self.turn_to(Joints {
+        self.turn_to(StockJoints {
             servo_deg: self.pose.rotation_deg - to.base_deg,
             ..to
         })
     }
 
-    fn turn_to(&mut self, to: Joints) -> bool {
+    fn turn_to(&mut self, to: StockJoints) -> bool {
         let from = self.joints;
         self.advance([
             (to.base_deg - from.base_deg) / PERIOD_S,
@@ -136,7 +136,7 @@ impl Body {
 
     /// Believes other angles from now on.
     pub(crate) const fn set_arms(&mut self, base_deg: f32, rear_deg: f32, fore_deg: f32) {
-        self.joints = Joints {
+        self.joints = StockJoints {
             base_deg,
             rear_deg,
             fore_deg,
@@ -171,9 +171,9 @@ impl Body {
         self.hands.head_servo = servo_value(servo_deg.clamp(-90.0, 90.0));
     }
 
-    /// Whether nobody knows any more where the arm is.
+    /// Whether it is unknown where the arm is.
     pub(crate) const fn is_lost(&self) -> bool {
-        let Joints {
+        let StockJoints {
             base_deg,
             rear_deg,
             fore_deg,
@@ -187,7 +187,7 @@ impl Body {
 }
 
 /// Whether angles are beyond a hard limit and on their way further out.
-fn is_beyond(joints: &Joints, [base, rear, fore, servo]: [f32; 4]) -> bool {
+fn is_beyond(joints: &StockJoints, [base, rear, fore, servo]: [f32; 4]) -> bool {
     let beyond = |angle: f32, speed: f32, [low, high]: [f32; 2]| {
         (angle > high && speed > 0.0) || (angle < low && speed < 0.0)
     };
@@ -198,7 +198,7 @@ fn is_beyond(joints: &Joints, [base, rear, fore, servo]: [f32; 4]) -> bool {
 }
 
 /// Whether angles are outside of the soft limits.
-fn is_outside(joints: &Joints, pose: Pose) -> bool {
+fn is_outside(joints: &StockJoints, pose: StockPose) -> bool {
     let reach_mm = reach(pose);
     // What is not a number is neither.
     let is_far = reach_mm > REACH_MM[1];

@@ -1,12 +1,12 @@
 //! States 1, 8 and 15 of the stock controller: mouse, gesture and a third one that follow a moving
 //! target (note N49).
 
-use dobot_arm::stock::{Joints, Pose, inverse, is_out_of_reach, reach, short};
+use dobot_arm::stock::{StockJoints, StockPose, inverse, is_out_of_reach, reach, short};
 use dobot_wire::Frame;
 
-use super::Outcome;
+use super::TickOutcome;
 use super::body::{Body, FORE_DEG, PERIOD_S, REAR_DEG};
-use super::settings::Settings;
+use super::settings::StockSettings;
 use crate::{Hang, Refused};
 
 /// What follows, and what it remembers.
@@ -22,7 +22,7 @@ pub(crate) struct Follow {
 
 /// What is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum FollowKind {
     Mouse,
     Gesture,
     Joints,
@@ -49,16 +49,16 @@ impl Follow {
     /// A tick of following.
     pub(crate) fn tick(
         &mut self,
-        kind: Kind,
+        kind: FollowKind,
         frame: &Frame,
         is_over: bool,
-        settings: &mut Settings,
+        settings: &mut StockSettings,
         body: &mut Body,
-    ) -> Outcome {
-        if kind != Kind::Joints {
+    ) -> TickOutcome {
+        if kind != FollowKind::Joints {
             grab(frame.float(7), body);
         }
-        if kind == Kind::Mouse {
+        if kind == FollowKind::Mouse {
             let servo_deg = frame.float(6);
             if (-90.0..=90.0).contains(&servo_deg) {
                 body.set_servo(servo_deg);
@@ -66,7 +66,7 @@ impl Follow {
             }
         }
         if is_over {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         if !self.is_planned {
             self.is_planned = true;
@@ -77,41 +77,41 @@ impl Follow {
         self.go(body)
     }
 
-    fn go(&mut self, body: &mut Body) -> Outcome {
+    fn go(&mut self, body: &mut Body) -> TickOutcome {
         if self.ticks_left <= 0 {
-            return Outcome::GOES_ON;
+            return TickOutcome::GOES_ON;
         }
         let [base, rear, fore] = self.speeds;
         if !body.advance([base, rear, fore, 0.0]) {
-            return Outcome::over(false);
+            return TickOutcome::over(false);
         }
         self.ticks_left -= 1;
         if self.ticks_left == 0 {
-            Outcome::OVER
+            TickOutcome::OVER
         } else {
-            Outcome::GOES_ON
+            TickOutcome::GOES_ON
         }
     }
 
     /// Sets speeds and ticks, unless the command is over or hangs before it moves.
     fn plan(
         &mut self,
-        kind: Kind,
+        kind: FollowKind,
         frame: &Frame,
-        settings: &mut Settings,
+        settings: &mut StockSettings,
         body: &Body,
-    ) -> Result<(), Outcome> {
+    ) -> Result<(), TickOutcome> {
         let sample = [3, 4, 5].map(|n| frame.float(n));
         self.ticks_left = 0;
         settings.joint_speeds = [FOLLOW_DEG_S; 4];
         settings.joint_accelerations = [match kind {
-            Kind::Mouse => MOUSE_DEG_S2,
-            Kind::Gesture | Kind::Joints => GESTURE_DEG_S2,
+            FollowKind::Mouse => MOUSE_DEG_S2,
+            FollowKind::Gesture | FollowKind::Joints => GESTURE_DEG_S2,
         }; 4];
         let (to, period_s) = match kind {
-            Kind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
-            Kind::Gesture => self.gestured(sample, settings, body)?,
-            Kind::Joints => (self.history.told(sample), JOINTS_S),
+            FollowKind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
+            FollowKind::Gesture => self.gestured(sample, settings, body)?,
+            FollowKind::Joints => (self.history.told(sample), JOINTS_S),
         };
         let from = body.joints;
         let ways = [
@@ -120,7 +120,7 @@ impl Follow {
             to.fore_deg - from.fore_deg,
         ];
         if ways.iter().all(|way| way.abs() < NO_WAY_DEG) {
-            return Err(Outcome::hangs(Hang::NothingToFollow));
+            return Err(TickOutcome::hangs(Hang::NothingToFollow));
         }
         self.speeds = ways.map(|way| way / period_s);
         self.ticks_left = short(period_s / PERIOD_S);
@@ -130,19 +130,19 @@ impl Follow {
     fn moused(
         &mut self,
         sample: [f32; 3],
-        settings: &Settings,
+        settings: &StockSettings,
         body: &Body,
-    ) -> Result<Joints, Outcome> {
+    ) -> Result<StockJoints, TickOutcome> {
         let [swing, longer, higher] = self.history.mouse_average(sample);
         let z_mm = body.pose.z_mm + higher;
-        let pose = Pose {
+        let pose = StockPose {
             x_mm: reach(body.pose) + longer,
             y_mm: 0.0,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
             rotation_deg: 0.0,
         };
         let arms = solve(pose, body)?;
-        Ok(Joints {
+        Ok(StockJoints {
             base_deg: body.joints.base_deg - swing,
             ..arms
         })
@@ -151,9 +151,9 @@ impl Follow {
     fn gestured(
         &mut self,
         sample: [f32; 3],
-        settings: &Settings,
+        settings: &StockSettings,
         body: &Body,
-    ) -> Result<(Joints, f32), Outcome> {
+    ) -> Result<(StockJoints, f32), TickOutcome> {
         let [x, y, z] = self.history.hand_average(sample);
         let (x_mm, y_mm) = (230.0 + 0.5 * x, y);
         let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
@@ -168,7 +168,7 @@ impl Follow {
         } else {
             GESTURE_S
         };
-        let pose = Pose {
+        let pose = StockPose {
             x_mm,
             y_mm,
             z_mm: clamp(z_mm, settings.lowest_mm, HIGHEST_MM),
@@ -205,7 +205,7 @@ impl History {
     }
 
     /// The average of the angles told before: the newest one does not count yet.
-    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> Joints {
+    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> StockJoints {
         let sample = [
             clamp(rear, REAR_DEG[0], REAR_DEG[1]),
             clamp(fore, FORE_DEG[0], FORE_DEG[1]),
@@ -214,7 +214,7 @@ impl History {
         let [rear_deg, fore_deg, base_deg] = self
             .sums_before(sample, [0.0; 3])
             .map(|sum| sum / f32::from(self.count));
-        Joints {
+        StockJoints {
             base_deg,
             rear_deg,
             fore_deg,
@@ -248,14 +248,14 @@ impl History {
 }
 
 /// Arm angles for a pose; those of a rear arm too far back are brought to its limit.
-fn solve(pose: Pose, body: &Body) -> Result<Joints, Outcome> {
+fn solve(pose: StockPose, body: &Body) -> Result<StockJoints, TickOutcome> {
     let mut joints = inverse(pose, body.tool_mm);
     if is_out_of_reach(pose, body.tool_mm)
         || joints.rear_deg > REAR_DEG[1]
         || joints.fore_deg < FORE_DEG[0]
         || joints.fore_deg > FORE_DEG[1]
     {
-        return Err(Outcome::over_with(Refused::OutOfReach));
+        return Err(TickOutcome::over_with(Refused::OutOfReach));
     }
     if joints.rear_deg < REAR_DEG[0] {
         joints.rear_deg = REAR_DEG[0];

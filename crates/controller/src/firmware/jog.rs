@@ -3,9 +3,9 @@
 use dobot_arm::stock::short;
 use dobot_wire::Frame;
 
-use super::Outcome;
+use super::TickOutcome;
 use super::body::{Body, PERIOD_S};
-use super::settings::{Ramp, Settings};
+use super::settings::{RampSettings, StockSettings};
 use crate::outputs::servo_value;
 use crate::{Hang, Port};
 
@@ -23,7 +23,7 @@ pub(crate) struct Jog {
 
 /// Which of the two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum JogKind {
     Joint,
     Linear,
 }
@@ -41,12 +41,12 @@ impl Jog {
     /// A tick of a jog. It is finished in every tick, so that what waits replaces it.
     pub(crate) fn tick(
         &mut self,
-        kind: Kind,
+        kind: JogKind,
         frame: &Frame,
         port: Port,
-        settings: &Settings,
+        settings: &StockSettings,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         let outcome = match short(frame.float(2)) {
             0 => self.release(kind, body),
             9 => return press(body, |body| body.grab(true, body.gripper_deg)),
@@ -54,14 +54,14 @@ impl Jog {
             13 => return press(body, |body| body.hands.laser = true),
             14 => return press(body, |body| body.hands.laser = false),
             axis @ (1..=8 | 11 | 12) => {
-                let axis = if kind == Kind::Joint && port == Port::Bluetooth {
+                let axis = if kind == JogKind::Joint && port == Port::Bluetooth {
                     exchanged(axis)
                 } else {
                     axis
                 };
                 self.hold(kind, axis, frame.float(8), settings, body)
             }
-            axis => Outcome::hangs(Hang::JogAxis(axis)),
+            axis => TickOutcome::hangs(Hang::JogAxis(axis)),
         };
         body.turn_head(body.joints.servo_deg);
         body.hands.gripper_servo = servo_value(body.gripper_deg);
@@ -70,12 +70,12 @@ impl Jog {
 
     fn hold(
         &mut self,
-        kind: Kind,
+        kind: JogKind,
         axis: i16,
         percent: f32,
-        settings: &Settings,
+        settings: &StockSettings,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         self.axis = axis;
         let ramp = ramp(kind, axis, settings);
         let max = ramp.speed * (percent / 100.0);
@@ -94,13 +94,13 @@ impl Jog {
                 -max
             };
         }
-        Outcome::over(self.advance(kind, body))
+        TickOutcome::over(self.advance(kind, body))
     }
 
     /// Runs the speed down; only then the command is over.
-    fn release(&mut self, kind: Kind, body: &mut Body) -> Outcome {
+    fn release(&mut self, kind: JogKind, body: &mut Body) -> TickOutcome {
         if self.speed == 0.0 {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         let change = self.acceleration * PERIOD_S;
         let is_plus = self.axis % 2 == 1;
@@ -111,19 +111,19 @@ impl Jog {
         };
         if !runs {
             self.speed = 0.0;
-            return Outcome::over(self.advance(kind, body));
+            return TickOutcome::over(self.advance(kind, body));
         }
         self.speed += if is_plus { -change } else { change };
         let advanced = self.advance(kind, body);
         self.is_refused |= !advanced;
         if self.is_refused {
-            Outcome::over(advanced)
+            TickOutcome::over(advanced)
         } else {
-            Outcome::GOES_ON
+            TickOutcome::GOES_ON
         }
     }
 
-    fn advance(&self, kind: Kind, body: &mut Body) -> bool {
+    fn advance(&self, kind: JogKind, body: &mut Body) -> bool {
         let speed = self.speed;
         let mut pose = body.pose;
         match (kind, self.axis) {
@@ -131,29 +131,29 @@ impl Jog {
                 body.gripper_deg += speed * PERIOD_S;
                 return true;
             }
-            (Kind::Joint, 1 | 2) => return body.advance([speed, 0.0, 0.0, 0.0]),
-            (Kind::Joint, 3 | 4) => return body.advance([0.0, speed, 0.0, 0.0]),
-            (Kind::Joint, 5 | 6) => return body.advance([0.0, 0.0, speed, 0.0]),
-            (Kind::Joint, _) => return body.advance([0.0, 0.0, 0.0, speed]),
-            (Kind::Linear, 1 | 2) => pose.x_mm += speed * PERIOD_S,
-            (Kind::Linear, 3 | 4) => pose.y_mm += speed * PERIOD_S,
-            (Kind::Linear, 5 | 6) => pose.z_mm += speed * PERIOD_S,
-            (Kind::Linear, _) => pose.rotation_deg += speed * PERIOD_S,
+            (JogKind::Joint, 1 | 2) => return body.advance([speed, 0.0, 0.0, 0.0]),
+            (JogKind::Joint, 3 | 4) => return body.advance([0.0, speed, 0.0, 0.0]),
+            (JogKind::Joint, 5 | 6) => return body.advance([0.0, 0.0, speed, 0.0]),
+            (JogKind::Joint, _) => return body.advance([0.0, 0.0, 0.0, speed]),
+            (JogKind::Linear, 1 | 2) => pose.x_mm += speed * PERIOD_S,
+            (JogKind::Linear, 3 | 4) => pose.y_mm += speed * PERIOD_S,
+            (JogKind::Linear, 5 | 6) => pose.z_mm += speed * PERIOD_S,
+            (JogKind::Linear, _) => pose.rotation_deg += speed * PERIOD_S,
         }
         body.advance_to(pose)
     }
 }
 
-fn press(body: &mut Body, button: impl Fn(&mut Body)) -> Outcome {
+fn press(body: &mut Body, button: impl Fn(&mut Body)) -> TickOutcome {
     button(body);
-    Outcome::OVER
+    TickOutcome::OVER
 }
 
-const fn ramp(kind: Kind, axis: i16, settings: &Settings) -> Ramp {
+const fn ramp(kind: JogKind, axis: i16, settings: &StockSettings) -> RampSettings {
     match (axis, kind) {
         (7 | 8 | 11 | 12, _) => settings.jog_servo,
-        (_, Kind::Joint) => settings.jog_joint,
-        (_, Kind::Linear) => settings.jog_line,
+        (_, JogKind::Joint) => settings.jog_joint,
+        (_, JogKind::Linear) => settings.jog_line,
     }
 }
 

@@ -1,10 +1,10 @@
 //! MOVJ of the stock controller: all joints start and arrive together (note N45).
 
-use dobot_arm::stock::Joints;
+use dobot_arm::stock::StockJoints;
 
 use super::Progress;
 use super::body::{Body, PERIOD_S};
-use super::settings::Ramp;
+use super::settings::RampSettings;
 
 /// A way of all joints to some angles.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ struct Axis {
 
 impl JointWay {
     /// Plans a way from where the body is.
-    pub(crate) fn plan(body: &Body, to: Joints, ramps: &[Ramp; 4]) -> Self {
+    pub(crate) fn plan(body: &Body, to: StockJoints, ramps: &[RampSettings; 4]) -> Self {
         let (from, to) = (angles(body.joints), angles(to));
         let ways: [f32; 4] = core::array::from_fn(|axis| to[axis] - from[axis]);
         let alone = |axis: usize| time_alone(ways[axis].abs(), ramps[axis]);
@@ -68,7 +68,7 @@ impl JointWay {
 
 impl Axis {
     /// Stretches the way of one joint to the time that the slowest one takes.
-    fn plan(way: f32, target_deg: f32, ramp: Ramp, total_s: f32) -> Self {
+    fn plan(way: f32, target_deg: f32, ramp: RampSettings, total_s: f32) -> Self {
         let (distance, sign) = (way.abs(), if way < 0.0 { -1.0 } else { 1.0 });
         let even_speed = 2.0 * distance / total_s;
         let (ramp_s, cruise_s, peak) = if even_speed <= ramp.speed {
@@ -107,10 +107,10 @@ impl Axis {
 /// How long a joint would take by itself.
 fn time_alone(
     distance: f32,
-    Ramp {
+    RampSettings {
         speed,
         acceleration,
-    }: Ramp,
+    }: RampSettings,
 ) -> f32 {
     if distance > speed * speed / acceleration {
         2.0 * (speed / acceleration) + (distance - speed * speed / acceleration) / speed
@@ -119,7 +119,7 @@ fn time_alone(
     }
 }
 
-const fn angles(joints: Joints) -> [f32; 4] {
+const fn angles(joints: StockJoints) -> [f32; 4] {
     [
         joints.base_deg,
         joints.rear_deg,

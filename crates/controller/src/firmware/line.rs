@@ -1,15 +1,15 @@
 //! MOVL of the stock controller: a straight line (note N46).
 
-use dobot_arm::stock::Pose;
+use dobot_arm::stock::StockPose;
 
 use super::Progress;
 use super::body::{Body, PERIOD_S};
-use super::settings::Ramp;
+use super::settings::RampSettings;
 
 /// A straight line. There is but one: what a line that was cut short has travelled, the next one
 /// begins with.
 #[derive(Debug, Default)]
-pub(crate) struct Line {
+pub(crate) struct StraightLine {
     start: [f32; 3],
     direction: [f32; 3],
     length: f32,
@@ -32,13 +32,13 @@ struct Stride {
     is_done: bool,
 }
 
-impl Line {
+impl StraightLine {
     /// Plans a line from where the body is. One without length has no direction: its parts are not
     /// numbers.
-    pub(crate) fn plan(&mut self, from: Pose, [x, y, z]: [f32; 3], ramp: Ramp) {
+    pub(crate) fn plan(&mut self, from: StockPose, [x, y, z]: [f32; 3], ramp: RampSettings) {
         let [dx, dy, dz] = [x - from.x_mm, y - from.y_mm, z - from.z_mm];
         let length = libm::sqrtf(dx * dx + dy * dy + dz * dz);
-        let Ramp {
+        let RampSettings {
             speed,
             acceleration,
         } = ramp;

@@ -1,10 +1,10 @@
-//! What a tick comes to.
+//! The outcome of a tick.
 
 use crate::{Hang, Refused};
 
 /// What a tick of a command comes to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Outcome {
+pub(crate) struct TickOutcome {
     pub(crate) is_over: bool,
     pub(crate) notice: Option<Refused>,
 }
@@ -19,7 +19,7 @@ pub(crate) enum Progress {
     CutShort,
 }
 
-impl Outcome {
+impl TickOutcome {
     pub(crate) const GOES_ON: Self = Self {
         is_over: false,
         notice: None,

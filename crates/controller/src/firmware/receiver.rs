@@ -25,7 +25,7 @@ pub(crate) struct Receiver {
 
 /// What was found in the receive buffer.
 #[derive(Debug)]
-pub(crate) enum Found {
+pub(crate) enum Received {
     /// A packet with a right tail.
     Frame(Frame),
     /// Forty bytes of text with a right tail, over Bluetooth.
@@ -84,7 +84,7 @@ impl Receiver {
     }
 
     /// Looks at the buffer; `None` when there is nothing more to be found in it now.
-    pub(crate) fn look(&mut self) -> Option<Found> {
+    pub(crate) fn look(&mut self) -> Option<Received> {
         let header = match self.header {
             Some(header) => header,
             None => self.hunt()?,
@@ -97,7 +97,7 @@ impl Receiver {
         if self.ring.len() > BODY_LEN && self.port == Port::Usb {
             // The bytes stay, and the hunt goes on inside of them.
             self.skipped += 1;
-            return Some(Found::TooLong);
+            return Some(Received::TooLong);
         }
         Some(self.take_packet(header))
     }
@@ -118,18 +118,18 @@ impl Receiver {
         header
     }
 
-    fn take_packet(&mut self, header: u8) -> Found {
+    fn take_packet(&mut self, header: u8) -> Received {
         let (text, tail) = (&self.ring[..BODY_LEN - 1], self.ring[BODY_LEN - 1]);
         let found = match (header, tail) {
             (HEADER, TAIL) => {
                 let mut packet = [HEADER; PACKET_LEN];
                 packet[1..].copy_from_slice(&self.ring[..BODY_LEN]);
-                Found::Frame(Frame::from_bytes(&packet).expect("so delimited"))
+                Received::Frame(Frame::from_bytes(&packet).expect("so delimited"))
             }
-            (VOICE_HEADER, VOICE_TAIL) => Found::Voice(text.try_into().expect("as many")),
+            (VOICE_HEADER, VOICE_TAIL) => Received::Voice(text.try_into().expect("as many")),
             _ => {
                 self.skipped += PACKET_LEN as u64;
-                Found::BadTail { header }
+                Received::BadTail { header }
             }
         };
         self.discard(BODY_LEN);

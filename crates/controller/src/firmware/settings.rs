@@ -8,16 +8,16 @@ use super::body::{Body, LASER_MM, LONG_TOOL_MM};
 /// Speeds and accelerations, in degrees, millimetres and seconds. Nothing is checked: a zero is
 /// taken as it comes.
 #[derive(Debug)]
-pub(crate) struct Settings {
+pub(crate) struct StockSettings {
     /// Of the joints in moves: base, rear, fore, servo.
     pub(crate) joint_speeds: [f32; 4],
     pub(crate) joint_accelerations: [f32; 4],
-    pub(crate) line: Ramp,
+    pub(crate) line: RampSettings,
     pub(crate) speed_ratio: f32,
     pub(crate) acceleration_ratio: f32,
-    pub(crate) jog_joint: Ramp,
-    pub(crate) jog_servo: Ramp,
-    pub(crate) jog_line: Ramp,
+    pub(crate) jog_joint: RampSettings,
+    pub(crate) jog_servo: RampSettings,
+    pub(crate) jog_line: RampSettings,
     pub(crate) write_acceleration: f32,
     pub(crate) jump_height_mm: f32,
     /// The lowest target of mouse and gesture, by tool.
@@ -26,12 +26,12 @@ pub(crate) struct Settings {
 
 /// A speed and the acceleration up to it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ramp {
+pub(crate) struct RampSettings {
     pub(crate) speed: f32,
     pub(crate) acceleration: f32,
 }
 
-impl Settings {
+impl StockSettings {
     pub(crate) fn new() -> Self {
         Self {
             joint_speeds: [200.0; 4],
@@ -77,15 +77,15 @@ impl Settings {
     }
 
     /// The joints' speeds and accelerations in moves.
-    pub(crate) fn joint_ramps(&self) -> [Ramp; 4] {
-        core::array::from_fn(|axis| Ramp {
+    pub(crate) fn joint_ramps(&self) -> [RampSettings; 4] {
+        core::array::from_fn(|axis| RampSettings {
             speed: self.joint_speeds[axis] * self.speed_ratio,
             acceleration: self.joint_accelerations[axis] * self.acceleration_ratio,
         })
     }
 
-    pub(crate) fn line_ramp(&self) -> Ramp {
-        Ramp {
+    pub(crate) fn line_ramp(&self) -> RampSettings {
+        RampSettings {
             speed: self.line.speed * self.speed_ratio,
             acceleration: self.line.acceleration * self.acceleration_ratio,
         }
@@ -103,8 +103,8 @@ impl Settings {
     }
 }
 
-const fn ramp(speed: f32, acceleration: f32) -> Ramp {
-    Ramp {
+const fn ramp(speed: f32, acceleration: f32) -> RampSettings {
+    RampSettings {
         speed,
         acceleration,
     }

@@ -3,33 +3,24 @@
 use dobot_wire::VoiceOrder;
 
 use super::follow::CLOSED_DEG;
-use super::line::Line;
-use super::settings::Settings;
-use super::target::Going;
-use super::{Body, Outcome, Printer, Progress};
+use super::line::StraightLine;
+use super::settings::StockSettings;
+use super::target::MoveShape;
+use super::{Body, Printer, Progress, TickOutcome};
 use crate::Hang;
 
 /// The words that were understood last, and what becomes of them.
 #[derive(Debug, Default)]
 pub(crate) struct Spoken {
-    order: Option<Order>,
+    order: Option<VoiceOrder>,
     is_planned: bool,
-}
-
-/// What was understood.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Order {
-    /// By so many millimetres.
-    Move([f32; 3]),
-    Catch,
-    Release,
 }
 
 /// What else goes on while an order is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnderWay {
     /// The way to a target.
-    pub(crate) way: Option<Going>,
+    pub(crate) way: Option<MoveShape>,
     /// A text of which the rest is still to come.
     pub(crate) text: bool,
     /// This is the first tick of a command from the queue.
@@ -38,8 +29,8 @@ pub(crate) struct UnderWay {
 
 /// What was found in a text.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Words {
-    order: Option<Order>,
+pub(crate) struct SpokenWords {
+    order: Option<VoiceOrder>,
     /// The words that were recognised, and the sum of the numbers.
     word: &'static str,
     numbers: [&'static str; 4],
@@ -52,7 +43,7 @@ impl Spoken {
     }
 
     /// Takes another text; returns whether it orders anything.
-    pub(crate) fn hear(&mut self, words: &Words) -> bool {
+    pub(crate) fn hear(&mut self, words: &SpokenWords) -> bool {
         if words.order.is_some() {
             self.order = words.order;
         }
@@ -65,50 +56,50 @@ impl Spoken {
         &mut self,
         is_over: bool,
         under_way: UnderWay,
-        settings: &Settings,
-        line: &mut Line,
+        settings: &StockSettings,
+        line: &mut StraightLine,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         if is_over {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         let Some(order) = self.order else {
             body.repeats = under_way.text;
-            return Outcome::hangs_if(!under_way.text, Hang::NothingSaid);
+            return TickOutcome::hangs_if(!under_way.text, Hang::NothingSaid);
         };
-        if under_way.way == Some(Going::ByJoints) {
+        if under_way.way == Some(MoveShape::ByJoints) {
             // It counts as planned already, and there is no line to go.
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         match order {
-            _ if under_way.way == Some(Going::Line) => {}
-            Order::Catch => {
+            _ if under_way.way == Some(MoveShape::Line) => {}
+            VoiceOrder::Catch => {
                 body.repeats = !under_way.fetched;
                 body.grab(true, CLOSED_DEG);
-                return Outcome::OVER;
+                return TickOutcome::OVER;
             }
-            Order::Release => {
+            VoiceOrder::Release => {
                 body.repeats = !under_way.fetched;
                 body.grab(false, 0.0);
-                return Outcome::OVER;
+                return TickOutcome::OVER;
             }
-            Order::Move(_) if self.is_planned => {}
-            Order::Move([dx, dy, dz]) => {
+            VoiceOrder::Move { .. } if self.is_planned => {}
+            VoiceOrder::Move { x_mm, y_mm, z_mm } => {
                 let from = body.pose;
-                let to = [from.x_mm + dx, from.y_mm + dy, from.z_mm + dz];
+                let to = [from.x_mm + x_mm, from.y_mm + y_mm, from.z_mm + z_mm];
                 line.plan(from, to, settings.line);
                 self.is_planned = true;
             }
         }
         match line.tick(body) {
-            Progress::GoesOn => Outcome::GOES_ON,
-            Progress::Arrived => Outcome::OVER,
-            Progress::CutShort => Outcome::over(false),
+            Progress::GoesOn => TickOutcome::GOES_ON,
+            Progress::Arrived => TickOutcome::OVER,
+            Progress::CutShort => TickOutcome::over(false),
         }
     }
 }
 
-impl Words {
+impl SpokenWords {
     /// Finds words anywhere in a text, inside of others too; what follows a zero is not read.
     pub(crate) fn find(text: &[u8]) -> Self {
         let text = text.split(|&byte| byte == 0).next().unwrap_or_default();
@@ -122,8 +113,10 @@ impl Words {
         let (teens, tens) = tens.split_at(10);
         let numbers = [&HUNDREDS[..], teens, tens, ones].map(first);
         let sum = numbers.iter().map(|(_, value)| value).sum();
-        let word = ORDERS.into_iter().find(|(word, _)| contains(text, word));
-        let (word, order) = word.map_or(("", None), |(word, order)| (word, order(f32::from(sum))));
+        // The first one that is found counts.
+        let mut words = VoiceOrder::WORDS.into_iter();
+        let word = words.find(|(word, _)| contains(text, word));
+        let (word, order) = word.map_or(("", None), |(word, order)| (word, order.times(sum)));
         Self {
             order,
             word,
@@ -149,24 +142,5 @@ fn contains(text: &[u8], word: &str) -> bool {
         part[0].to_ascii_lowercase() == word.as_bytes()[0] && part[1..] == word.as_bytes()[1..]
     })
 }
-
-fn step(by: [f32; 3]) -> Option<Order> {
-    (by != [0.0; 3]).then_some(Order::Move(by))
-}
-
-/// What a word orders together with a number.
-type Meaning = fn(f32) -> Option<Order>;
-
-/// The first one that is found counts.
-const ORDERS: [(&str, Meaning); 8] = [
-    ("ahead", |mm| step([mm, 0.0, 0.0])),
-    ("back", |mm| step([-mm, 0.0, 0.0])),
-    ("left", |mm| step([0.0, mm, 0.0])),
-    ("right", |mm| step([0.0, -mm, 0.0])),
-    ("up", |mm| step([0.0, 0.0, mm])),
-    ("down", |mm| step([0.0, 0.0, -mm])),
-    ("catch", |_| Some(Order::Catch)),
-    ("release", |_| Some(Order::Release)),
-];
 
 const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];

@@ -1,20 +1,20 @@
 //! States 3 and 6 of the stock controller: targets, with a pause and a tool at their end (notes N45
 //! to N47).
 
-use dobot_arm::stock::{Joints, Pose, forward, inverse, is_out_of_reach, short};
+use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, is_out_of_reach, short};
 use dobot_wire::Frame;
 
 use super::body::{Body, FORE_DEG, REAR_DEG};
 use super::joint_way::JointWay;
-use super::line::Line;
-use super::settings::Settings;
-use super::{Outcome, Progress};
+use super::line::StraightLine;
+use super::settings::StockSettings;
+use super::{Progress, TickOutcome};
 use crate::{Hang, Refused};
 
 /// The way to a target, and the pause at its end.
 #[derive(Debug, Default)]
 pub(crate) struct Travel {
-    way: Option<Way>,
+    way: Option<TargetMove>,
     pause: Option<Pause>,
     /// Whether pump and gripper obey the command in force: from the middle of a pause on until the
     /// next way is planned.
@@ -22,16 +22,16 @@ pub(crate) struct Travel {
 }
 
 #[derive(Debug)]
-enum Way {
+enum TargetMove {
     Joints(JointWay),
     /// Along the one line that there is; then the servo turns to this angle.
-    Line(End),
+    Line(ServoEnd),
     Jump(Jump),
 }
 
 /// How the angle of the servo at the end of a line is told.
 #[derive(Clone, Copy, Debug)]
-enum End {
+enum ServoEnd {
     Rotation(f32),
     Servo(f32),
 }
@@ -39,7 +39,7 @@ enum End {
 /// Lift, across and down, each a way of all joints.
 #[derive(Debug)]
 struct Jump {
-    targets: [Pose; 3],
+    targets: [StockPose; 3],
     next: usize,
     phase: Option<JointWay>,
 }
@@ -52,14 +52,14 @@ struct Pause {
 
 /// Whether a target is given as a pose or as joint angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TargetKind {
     Pose,
     Joints,
 }
 
 /// How a way goes that is under way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Going {
+pub(crate) enum MoveShape {
     /// Straight.
     Line,
     /// Joint by joint: a MOVJ or a JUMP.
@@ -74,10 +74,10 @@ impl Travel {
     }
 
     /// The way that is under way.
-    pub(crate) const fn going(&self) -> Option<Going> {
+    pub(crate) const fn going(&self) -> Option<MoveShape> {
         match (&self.way, &self.pause) {
-            (Some(Way::Line(_)), None) => Some(Going::Line),
-            (Some(Way::Joints(_) | Way::Jump(_)), None) => Some(Going::ByJoints),
+            (Some(TargetMove::Line(_)), None) => Some(MoveShape::Line),
+            (Some(TargetMove::Joints(_) | TargetMove::Jump(_)), None) => Some(MoveShape::ByJoints),
             _ => None,
         }
     }
@@ -85,7 +85,9 @@ impl Travel {
     /// Whether a phase of a JUMP began in this tick.
     pub(crate) fn begins_phase(&self) -> bool {
         match (&self.way, &self.pause) {
-            (Some(Way::Jump(jump)), None) => jump.phase.as_ref().is_some_and(JointWay::is_begun),
+            (Some(TargetMove::Jump(jump)), None) => {
+                jump.phase.as_ref().is_some_and(JointWay::is_begun)
+            }
             _ => false,
         }
     }
@@ -93,23 +95,23 @@ impl Travel {
     /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
     pub(crate) fn tick(
         &mut self,
-        kind: Kind,
+        kind: TargetKind,
         frame: &Frame,
         is_over: bool,
-        settings: &Settings,
-        line: &mut Line,
+        settings: &StockSettings,
+        line: &mut StraightLine,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         let outcome = match short(frame.float(8)) {
             // A jump that is over is over; behind the others the pause begins anew (note N47).
-            JUMP if is_over => Outcome::OVER,
+            JUMP if is_over => TickOutcome::OVER,
             MOVJ | MOVL if is_over => {
                 self.pause = Some(Pause::default());
                 self.wait(frame)
             }
             JUMP | MOVJ | MOVL if self.pause.is_some() => self.wait(frame),
             JUMP | MOVJ | MOVL => self.travel(kind, frame, settings, line, body),
-            other => Outcome::hangs(Hang::MovingMode(other)),
+            other => TickOutcome::hangs(Hang::MovingMode(other)),
         };
         if self.acts {
             act(frame, body);
@@ -120,27 +122,27 @@ impl Travel {
 
     fn travel(
         &mut self,
-        kind: Kind,
+        kind: TargetKind,
         frame: &Frame,
-        settings: &Settings,
-        line: &mut Line,
+        settings: &StockSettings,
+        line: &mut StraightLine,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         let way = match self.way.take() {
             Some(way) => way,
-            None => match Way::plan(kind, frame, settings, line, body) {
+            None => match TargetMove::plan(kind, frame, settings, line, body) {
                 Some(way) => {
                     self.acts = false;
                     way
                 }
-                None => return Outcome::over_with(Refused::OutOfReach),
+                None => return TickOutcome::over_with(Refused::OutOfReach),
             },
         };
         let way = self.way.insert(way);
         let progress = way.tick(settings, line, body);
         if progress == Progress::GoesOn {
             let endless = !way.total_s(line).is_finite();
-            return Outcome::hangs_if(endless, Hang::NeverArrives);
+            return TickOutcome::hangs_if(endless, Hang::NeverArrives);
         }
         self.pause = Some(Pause::default());
         let waiting = self.wait(frame);
@@ -151,47 +153,47 @@ impl Travel {
     }
 
     /// A tick of the pause: the tool acts in the middle of it, the command is over at its end.
-    fn wait(&mut self, frame: &Frame) -> Outcome {
+    fn wait(&mut self, frame: &Frame) -> TickOutcome {
         let pause_s = frame.float(10);
         let Some(pause) = &mut self.pause else {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         };
         pause.ticks = pause.ticks.wrapping_add(1);
         let ticks = f32::from(pause.ticks);
         self.acts |= ticks > 25.0 * pause_s;
         if ticks > 50.0 * pause_s {
             self.clear();
-            Outcome::OVER
+            TickOutcome::OVER
         } else {
-            Outcome::GOES_ON
+            TickOutcome::GOES_ON
         }
     }
 }
 
-impl Way {
+impl TargetMove {
     /// Plans the way to a target; `None` where a MOVJ does not reach it.
     fn plan(
-        kind: Kind,
+        kind: TargetKind,
         frame: &Frame,
-        settings: &Settings,
-        line: &mut Line,
+        settings: &StockSettings,
+        line: &mut StraightLine,
         body: &Body,
     ) -> Option<Self> {
         let f = |n| frame.float(n);
-        let joints = Joints {
+        let joints = StockJoints {
             base_deg: f(3),
             rear_deg: f(4),
             fore_deg: f(5),
             servo_deg: f(6),
         };
         let pose = match kind {
-            Kind::Pose => Pose {
+            TargetKind::Pose => StockPose {
                 x_mm: f(3),
                 y_mm: f(4),
                 z_mm: f(5),
                 rotation_deg: f(6),
             },
-            Kind::Joints => forward(joints, body.tool_mm),
+            TargetKind::Joints => forward(joints, body.tool_mm),
         };
         match (short(f(8)), kind) {
             (MOVL, _) => {
@@ -201,8 +203,8 @@ impl Way {
                     settings.line_ramp(),
                 );
                 Some(Self::Line(match kind {
-                    Kind::Pose => End::Rotation(f(6)),
-                    Kind::Joints => End::Servo(f(6)),
+                    TargetKind::Pose => ServoEnd::Rotation(f(6)),
+                    TargetKind::Joints => ServoEnd::Servo(f(6)),
                 }))
             }
             (JUMP, _) => Some(Self::Jump(Jump::plan(
@@ -210,19 +212,24 @@ impl Way {
                 pose,
                 settings.jump_height_mm,
             ))),
-            (_, Kind::Joints) => Some(Self::joints(joints, settings, body)),
-            (_, Kind::Pose) => Some(Self::joints(solve(pose, body)?, settings, body)),
+            (_, TargetKind::Joints) => Some(Self::joints(joints, settings, body)),
+            (_, TargetKind::Pose) => Some(Self::joints(solve(pose, body)?, settings, body)),
         }
     }
 
     /// The servo goes with the rear arm's acceleration.
-    fn joints(to: Joints, settings: &Settings, body: &Body) -> Self {
+    fn joints(to: StockJoints, settings: &StockSettings, body: &Body) -> Self {
         let mut ramps = settings.joint_ramps();
         ramps[3].acceleration = ramps[1].acceleration;
         Self::Joints(JointWay::plan(body, to, &ramps))
     }
 
-    fn tick(&mut self, settings: &Settings, line: &mut Line, body: &mut Body) -> Progress {
+    fn tick(
+        &mut self,
+        settings: &StockSettings,
+        line: &mut StraightLine,
+        body: &mut Body,
+    ) -> Progress {
         match self {
             Self::Joints(way) => {
                 let progress = way.tick(body);
@@ -235,8 +242,8 @@ impl Way {
                 let progress = line.tick(body);
                 if progress == Progress::Arrived {
                     body.set_servo(match *end {
-                        End::Rotation(rotation_deg) => rotation_deg - body.joints.base_deg,
-                        End::Servo(servo_deg) => servo_deg,
+                        ServoEnd::Rotation(rotation_deg) => rotation_deg - body.joints.base_deg,
+                        ServoEnd::Servo(servo_deg) => servo_deg,
                     });
                 }
                 progress
@@ -245,7 +252,7 @@ impl Way {
         }
     }
 
-    fn total_s(&self, line: &Line) -> f32 {
+    fn total_s(&self, line: &StraightLine) -> f32 {
         match self {
             Self::Joints(way) => way.total_s,
             Self::Line(_) => line.total_s,
@@ -255,8 +262,8 @@ impl Way {
 }
 
 impl Jump {
-    fn plan(from: Pose, to: Pose, height_mm: f32) -> Self {
-        let lifted = |pose: Pose| Pose {
+    fn plan(from: StockPose, to: StockPose, height_mm: f32) -> Self {
+        let lifted = |pose: StockPose| StockPose {
             z_mm: pose.z_mm + height_mm,
             ..pose
         };
@@ -269,7 +276,7 @@ impl Jump {
 
     /// One tick further. The next phase begins in the very tick in which the end of the last one is
     /// noticed; one whose end is out of reach takes no time.
-    fn tick(&mut self, settings: &Settings, body: &mut Body) -> Progress {
+    fn tick(&mut self, settings: &StockSettings, body: &mut Body) -> Progress {
         loop {
             if let Some(phase) = &mut self.phase
                 && phase.tick(body) == Progress::GoesOn
@@ -287,7 +294,7 @@ impl Jump {
 }
 
 /// The joint angles for a pose, if a MOVJ may go there.
-pub(crate) fn solve(pose: Pose, body: &Body) -> Option<Joints> {
+pub(crate) fn solve(pose: StockPose, body: &Body) -> Option<StockJoints> {
     let joints = inverse(pose, body.tool_mm);
     let refused = is_out_of_reach(pose, body.tool_mm)
         || joints.rear_deg < REAR_DEG[0]

@@ -4,10 +4,10 @@ use dobot_arm::stock::short;
 use dobot_motion::Cut;
 use dobot_wire::Frame;
 
-use super::Outcome;
+use super::TickOutcome;
 use super::body::{Body, PERIOD_S};
 use super::line::moved;
-use super::settings::Settings;
+use super::settings::StockSettings;
 use crate::Hang;
 
 /// The vector that is being written, and the speed that the last one left.
@@ -49,16 +49,16 @@ impl Write {
         &mut self,
         frame: &Frame,
         is_over: bool,
-        settings: &Settings,
+        settings: &StockSettings,
         body: &mut Body,
-    ) -> Outcome {
+    ) -> TickOutcome {
         if is_over {
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
         let is_laser = short(frame.float(2)) == LASER;
         let outcome = if frame.float(6) == 1.0 {
             body.hands.laser = false;
-            Outcome::OVER
+            TickOutcome::OVER
         } else {
             if !self.is_planned {
                 self.plan(frame, settings, body);
@@ -72,7 +72,7 @@ impl Write {
         outcome
     }
 
-    fn plan(&mut self, frame: &Frame, settings: &Settings, body: &Body) {
+    fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &Body) {
         let f = |n| frame.float(n);
         let mode = short(f(2));
         if mode == WRITING || mode == LASER {
@@ -105,19 +105,19 @@ impl Write {
 
     /// One tick further. With all ticks used up the vector is over in that same tick, and the next
     /// one moves in the next.
-    fn go(&mut self, body: &mut Body) -> Outcome {
+    fn go(&mut self, body: &mut Body) -> TickOutcome {
         self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
         let left = self.gait.ticks_left();
         self.next = (left != 0).then(|| self.step(self.gait));
         let place = |it: &Gait| moved(self.start, it.travelled);
         if !body.advance_along(place(&self.gait), self.next.as_ref().map(place)) {
-            return Outcome::over(false);
+            return TickOutcome::over(false);
         }
         if left == 0 {
             self.stored_speed = self.end_speed;
-            return Outcome::OVER;
+            return TickOutcome::OVER;
         }
-        Outcome::hangs_if(left < 0, Hang::NeverArrives)
+        TickOutcome::hangs_if(left < 0, Hang::NeverArrives)
     }
 
     /// A tick further.

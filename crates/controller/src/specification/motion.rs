@@ -1,4 +1,4 @@
-//! What is going on.
+//! The motion that is going on.
 
 use core::time::Duration;
 

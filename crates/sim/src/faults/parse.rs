@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
-use super::when::{When, time, unsigned};
-use super::{Amount, Damage, Fault, Kind, Tilt, Way};
+use super::when::{FaultTime, time, unsigned};
+use super::{Amount, Damage, Directions, Fault, FaultKind, Tilt};
 use crate::Joint;
 
 impl FromStr for Fault {
@@ -27,7 +27,7 @@ impl FromStr for Fault {
             kind: form.name,
             allowed: form.values,
         })?;
-        let when = when.map_or(Some(When::ALWAYS), When::parse);
+        let when = when.map_or(Some(FaultTime::ALWAYS), FaultTime::parse);
         match when.filter(|when| form.times.allow(when)) {
             Some(when) => Ok(Self { kind, when }),
             None => Err(FaultError::BadTime {
@@ -80,7 +80,7 @@ pub enum FaultError {
 /// How one kind of fault is written.
 struct Form {
     name: &'static str,
-    parse: fn(&str) -> Option<Kind>,
+    parse: fn(&str) -> Option<FaultKind>,
     values: &'static str,
     times: Times,
 }
@@ -95,12 +95,12 @@ enum Times {
 }
 
 impl Times {
-    fn allow(self, when: &When) -> bool {
+    fn allow(self, when: &FaultTime) -> bool {
         match self {
             Self::Any => !when.is_open(),
             Self::Window => !when.is_open() && when.end.is_some(),
-            Self::Moment => when.end.is_none() && *when != When::ALWAYS,
-            Self::None => *when == When::ALWAYS,
+            Self::Moment => when.end.is_none() && *when != FaultTime::ALWAYS,
+            Self::None => *when == FaultTime::ALWAYS,
         }
     }
 
@@ -120,39 +120,39 @@ impl Times {
     }
 }
 
-fn bytes(damage: Damage, value: &str) -> Option<Kind> {
+fn bytes(damage: Damage, value: &str) -> Option<FaultKind> {
     let (amount, way) = split_way(value)?;
     let amount = parse_amount(amount)?;
-    Some(Kind::Bytes {
+    Some(FaultKind::Bytes {
         damage,
         amount,
         way,
     })
 }
 
-fn delay(value: &str) -> Option<Kind> {
+fn delay(value: &str) -> Option<FaultKind> {
     let (longest, way) = split_way(value)?;
     let longest = time(longest).filter(|it| !it.is_zero() && it.as_secs() <= LONGEST_DELAY_S)?;
-    Some(Kind::Delay { longest, way })
+    Some(FaultKind::Delay { longest, way })
 }
 
-fn lose(value: &str) -> Option<Kind> {
+fn lose(value: &str) -> Option<FaultKind> {
     let (joint, amount) = value.split_once(':')?;
     let joint = parse_joint(joint).filter(|&it| it != Joint::Servo)?;
     let amount = parse_amount(amount)?;
-    Some(Kind::Lose { joint, amount })
+    Some(FaultKind::Lose { joint, amount })
 }
 
-fn backlash(value: &str) -> Option<Kind> {
+fn backlash(value: &str) -> Option<FaultKind> {
     let (joint, deg) = joint_angle(value)?;
     (0.0..=MOST_BACKLASH_DEG)
         .contains(&deg)
-        .then_some(Kind::Backlash { joint, deg })
+        .then_some(FaultKind::Backlash { joint, deg })
 }
 
-fn zero(value: &str) -> Option<Kind> {
+fn zero(value: &str) -> Option<FaultKind> {
     let (joint, deg) = joint_angle(value)?;
-    Some(Kind::Zero { joint, deg })
+    Some(FaultKind::Zero { joint, deg })
 }
 
 fn tilt(value: &str) -> Option<Tilt> {
@@ -167,15 +167,15 @@ fn tilt(value: &str) -> Option<Tilt> {
     Some(tilt)
 }
 
-fn nothing(kind: Kind, value: &str) -> Option<Kind> {
+fn nothing(kind: FaultKind, value: &str) -> Option<FaultKind> {
     value.is_empty().then_some(kind)
 }
 
-fn split_way(value: &str) -> Option<(&str, Way)> {
+fn split_way(value: &str) -> Option<(&str, Directions)> {
     match value.split_once(':') {
-        None => Some((value, Way::Both)),
-        Some((value, "to")) => Some((value, Way::To)),
-        Some((value, "from")) => Some((value, Way::From)),
+        None => Some((value, Directions::Both)),
+        Some((value, "to")) => Some((value, Directions::To)),
+        Some((value, "from")) => Some((value, Directions::From)),
         Some(_) => None,
     }
 }
@@ -204,77 +204,68 @@ fn parse_joint(text: &str) -> Option<Joint> {
     Joint::ALL.into_iter().find(|it| it.name() == text)
 }
 
+const fn form(
+    name: &'static str,
+    parse: fn(&str) -> Option<FaultKind>,
+    values: &'static str,
+    times: Times,
+) -> Form {
+    Form {
+        name,
+        parse,
+        values,
+        times,
+    }
+}
+
 /// All kinds of faults.
 const FORMS: [Form; 11] = [
-    Form {
-        name: "drop",
-        parse: |value| bytes(Damage::Drop, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "flip",
-        parse: |value| bytes(Damage::Flip, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "duplicate",
-        parse: |value| bytes(Damage::Duplicate, value),
-        values: BYTES,
-        times: Times::Any,
-    },
-    Form {
-        name: "delay",
-        parse: delay,
-        values: "a time of up to 60 s, as in delay=50ms or delay=50ms:from",
-        times: Times::Any,
-    },
-    Form {
-        name: "withhold",
-        parse: |value| nothing(Kind::Withhold, value),
-        values: "no value, as in withhold@10s..12s",
-        times: Times::Any,
-    },
-    Form {
-        name: "close",
-        parse: |value| nothing(Kind::Close, value),
-        values: "no value, as in close@12s..14s",
-        times: Times::Window,
-    },
-    Form {
-        name: "reset",
-        parse: |value| tilt(value).map(Kind::Reset),
-        values: TILT,
-        times: Times::Moment,
-    },
-    Form {
-        name: "power",
-        parse: |value| tilt(value).map(Kind::Power),
-        values: TILT,
-        times: Times::Window,
-    },
-    Form {
-        name: "lose",
-        parse: lose,
-        values: "base, rear or fore with a share of its pulses above 0 and up to 100 % or a number of them from 1 on, as in lose=fore:1% or lose=rear:30",
-        times: Times::Any,
-    },
-    Form {
-        name: "backlash",
-        parse: backlash,
-        values: "base, rear, fore or servo with degrees from 0 to 10, as in backlash=base:0.3",
-        times: Times::None,
-    },
-    Form {
-        name: "zero",
-        parse: zero,
-        values: "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2",
-        times: Times::None,
-    },
+    form("drop", |it| bytes(Damage::Drop, it), BYTES, Times::Any),
+    form("flip", |it| bytes(Damage::Flip, it), BYTES, Times::Any),
+    form(
+        "duplicate",
+        |it| bytes(Damage::Duplicate, it),
+        BYTES,
+        Times::Any,
+    ),
+    form("delay", delay, DELAY, Times::Any),
+    form(
+        "withhold",
+        |it| nothing(FaultKind::Withhold, it),
+        WITHHOLD,
+        Times::Any,
+    ),
+    form(
+        "close",
+        |it| nothing(FaultKind::Close, it),
+        CLOSE,
+        Times::Window,
+    ),
+    form(
+        "reset",
+        |it| tilt(it).map(FaultKind::Reset),
+        TILT,
+        Times::Moment,
+    ),
+    form(
+        "power",
+        |it| tilt(it).map(FaultKind::Power),
+        TILT,
+        Times::Window,
+    ),
+    form("lose", lose, LOSE, Times::Any),
+    form("backlash", backlash, BACKLASH, Times::None),
+    form("zero", zero, ZERO, Times::None),
 ];
 
 const BYTES: &str = "a share of the bytes above 0 and up to 100 % or a number of them from 1 on, then :to or :from for one way, as in drop=1% or drop=3:to";
+const DELAY: &str = "a time of up to 60 s, as in delay=50ms or delay=50ms:from";
+const WITHHOLD: &str = "no value, as in withhold@10s..12s";
+const CLOSE: &str = "no value, as in close@12s..14s";
+const LOSE: &str = "base, rear or fore with a share of its pulses above 0 and up to 100 % or a number of them from 1 on, as in lose=fore:1% or lose=rear:30";
+const BACKLASH: &str =
+    "base, rear, fore or servo with degrees from 0 to 10, as in backlash=base:0.3";
+const ZERO: &str = "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2";
 const TILT: &str = "nothing, or what rear and fore read too much, from -90 to 90 degrees, as in reset=rear:1.5,fore:-0.8@open";
 const LONGEST_DELAY_S: u64 = 60;
 const MOST_BACKLASH_DEG: f64 = 10.0;
@@ -287,7 +278,7 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::super::when::{End, Moment};
+    use super::super::when::{FaultEnd, FaultMoment};
     use super::*;
 
     #[test]
@@ -383,26 +374,30 @@ mod tests {
         (0_u64..3_600_000_000_000).prop_map(Duration::from_micros)
     }
 
-    fn moments() -> impl Strategy<Value = Moment> {
+    fn moments() -> impl Strategy<Value = FaultMoment> {
         prop_oneof![
-            times().prop_map(Moment::Time),
-            (1..u64::MAX).prop_map(Moment::Packet),
-            (1..u64::MAX).prop_map(Moment::Status),
-            Just(Moment::Open),
+            times().prop_map(FaultMoment::Time),
+            (1..u64::MAX).prop_map(FaultMoment::Packet),
+            (1..u64::MAX).prop_map(FaultMoment::Status),
+            Just(FaultMoment::Open),
         ]
     }
 
-    fn whens() -> impl Strategy<Value = When> {
-        let ends = prop_oneof![moments().prop_map(End::At), times().prop_map(End::After)];
-        (moments(), proptest::option::of(ends)).prop_map(|(begin, end)| When { begin, end })
+    fn whens() -> impl Strategy<Value = FaultTime> {
+        let ends = prop_oneof![
+            moments().prop_map(FaultEnd::At),
+            times().prop_map(FaultEnd::After)
+        ];
+        (moments(), proptest::option::of(ends)).prop_map(|(begin, end)| FaultTime { begin, end })
     }
 
-    fn kinds() -> impl Strategy<Value = Kind> {
+    fn kinds() -> impl Strategy<Value = FaultKind> {
         let amounts = prop_oneof![
             (1e-12..=100.0).prop_map(Amount::Percent),
             (1..u32::MAX).prop_map(Amount::Count),
         ];
-        let ways = proptest::sample::select(vec![Way::Both, Way::To, Way::From]);
+        let ways =
+            proptest::sample::select(vec![Directions::Both, Directions::To, Directions::From]);
         let joints = proptest::sample::select(Joint::ALL.to_vec());
         let damages = proptest::sample::select(vec![Damage::Drop, Damage::Flip, Damage::Duplicate]);
         let tilts = || {
@@ -411,21 +406,22 @@ mod tests {
         };
         prop_oneof![
             (damages, amounts.clone(), ways.clone()).prop_map(|(damage, amount, way)| {
-                Kind::Bytes {
+                FaultKind::Bytes {
                     damage,
                     amount,
                     way,
                 }
             }),
             ((1_u64..60_000_000).prop_map(Duration::from_micros), ways)
-                .prop_map(|(longest, way)| Kind::Delay { longest, way }),
-            Just(Kind::Withhold),
-            Just(Kind::Close),
-            tilts().prop_map(Kind::Reset),
-            tilts().prop_map(Kind::Power),
-            (joints.clone(), amounts).prop_map(|(joint, amount)| Kind::Lose { joint, amount }),
-            (joints.clone(), 0.0..=10.0).prop_map(|(joint, deg)| Kind::Backlash { joint, deg }),
-            (joints, -90.0..=90.0).prop_map(|(joint, deg)| Kind::Zero { joint, deg }),
+                .prop_map(|(longest, way)| FaultKind::Delay { longest, way }),
+            Just(FaultKind::Withhold),
+            Just(FaultKind::Close),
+            tilts().prop_map(FaultKind::Reset),
+            tilts().prop_map(FaultKind::Power),
+            (joints.clone(), amounts).prop_map(|(joint, amount)| FaultKind::Lose { joint, amount }),
+            (joints.clone(), 0.0..=10.0)
+                .prop_map(|(joint, deg)| FaultKind::Backlash { joint, deg }),
+            (joints, -90.0..=90.0).prop_map(|(joint, deg)| FaultKind::Zero { joint, deg }),
         ]
     }
 
@@ -433,17 +429,17 @@ mod tests {
         #[test]
         fn what_is_read_is_what_was_written((kind, when) in (kinds(), whens())) {
             // A kind and a time that do not go together are refused; one of these goes with each.
-            let window = When::parse("1s..+1s").unwrap();
-            let open = When::parse("open").unwrap();
+            let window = FaultTime::parse("1s..+1s").unwrap();
+            let open = FaultTime::parse("open").unwrap();
             let mut read = 0;
-            for when in [when, When::ALWAYS, window, open] {
+            for when in [when, FaultTime::ALWAYS, window, open] {
                 let fault = Fault { kind, when };
                 if let Ok(found) = fault.to_string().parse::<Fault>() {
                     prop_assert_eq!(found, fault);
                     read += 1;
                 }
             }
-            let servo_pulses = matches!(kind, Kind::Lose { joint: Joint::Servo, .. });
+            let servo_pulses = matches!(kind, FaultKind::Lose { joint: Joint::Servo, .. });
             prop_assert_eq!(read == 0, servo_pulses, "{:?}", kind);
         }
 

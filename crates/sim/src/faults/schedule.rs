@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use dobot_random::Random;
 
-use super::when::{End, Moment};
-use super::{Amount, Damage, Fault, Kind, Struck, Tilt, What};
+use super::when::{FaultEnd, FaultMoment};
+use super::{Amount, Damage, Fault, FaultEffect, FaultKind, Struck, Tilt};
 use crate::{Line, Mechanics};
 
 /// All faults of a virtual arm, as an engine.
@@ -14,24 +14,24 @@ use crate::{Line, Mechanics};
 /// Bytes and pulses are judged one by one in the order in which they arrive, at the time at which
 /// they do, so that it does not matter how time is sliced or how bytes are chunked.
 #[derive(Debug)]
-pub(crate) struct Schedule {
-    entries: Vec<Entry>,
+pub(crate) struct FaultSchedule {
+    entries: Vec<ScheduledFault>,
     /// Bytes that were judged and wait to be fetched, in either direction.
     judged: [VecDeque<(Duration, u8)>; 2],
-    orders: VecDeque<Order>,
+    orders: VecDeque<ArmOrder>,
     struck: VecDeque<Struck>,
 }
 
 /// Where bytes travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Direction {
+pub(crate) enum LineDirection {
     ToArm,
     FromArm,
 }
 
 /// What is to happen to the arm as a whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Order {
+pub(crate) enum ArmOrder {
     ClosePort,
     AllowPort,
     Reset(Tilt),
@@ -48,7 +48,7 @@ pub(crate) struct Counted {
 
 /// One fault and how far it is.
 #[derive(Debug)]
-struct Entry {
+struct ScheduledFault {
     fault: Fault,
     phase: Phase,
     /// Bytes, in either direction, or pulses that are still to be hit.
@@ -61,14 +61,14 @@ struct Entry {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Phase {
     Waiting,
-    Acting { until: Option<Moment> },
+    Acting { until: Option<FaultMoment> },
     Over,
 }
 
-impl Schedule {
+impl FaultSchedule {
     /// Prepares faults; the same ones with the same seed do the same.
     pub(crate) fn new(faults: &[Fault], seed: u64) -> Self {
-        let entry = |(number, &fault)| Entry::new(fault, seed, number);
+        let entry = |(number, &fault)| ScheduledFault::new(fault, seed, number);
         Self {
             entries: (0..).zip(faults).map(entry).collect(),
             judged: [VecDeque::new(), VecDeque::new()],
@@ -83,8 +83,8 @@ impl Schedule {
         let mut zeros_deg = [0.0; 4];
         for entry in &self.entries {
             match entry.fault.kind {
-                Kind::Backlash { joint, deg } => machine.set_backlash(joint, deg),
-                Kind::Zero { joint, deg } => zeros_deg[joint as usize] += deg,
+                FaultKind::Backlash { joint, deg } => machine.set_backlash(joint, deg),
+                FaultKind::Zero { joint, deg } => zeros_deg[joint as usize] += deg,
                 _ => {}
             }
         }
@@ -95,10 +95,10 @@ impl Schedule {
     /// Takes the passing of time, and what has been counted by then.
     pub(crate) fn handle_time(&mut self, now: Duration, counted: Counted) {
         let reached = |moment| match moment {
-            Moment::Time(at) => at <= now,
-            Moment::Packet(number) => counted.packets >= number,
-            Moment::Status(number) => counted.statuses >= number,
-            Moment::Open => false,
+            FaultMoment::Time(at) => at <= now,
+            FaultMoment::Packet(number) => counted.packets >= number,
+            FaultMoment::Status(number) => counted.statuses >= number,
+            FaultMoment::Open => false,
         };
         for number in 0..self.entries.len() {
             if self.entries[number].phase == Phase::Waiting
@@ -117,7 +117,7 @@ impl Schedule {
     /// Takes that a client opens the port.
     pub(crate) fn handle_open(&mut self, now: Duration) {
         for number in 0..self.entries.len() {
-            if self.entries[number].fault.when.begin == Moment::Open {
+            if self.entries[number].fault.when.begin == FaultMoment::Open {
                 self.begin(number, now);
             }
         }
@@ -125,12 +125,16 @@ impl Schedule {
 
     /// When a fault next begins or ends at a time.
     pub(crate) fn poll_wakeup(&self) -> Duration {
-        let next = self.entries.iter().filter_map(Entry::next_time).min();
+        let next = self
+            .entries
+            .iter()
+            .filter_map(ScheduledFault::next_time)
+            .min();
         next.unwrap_or(Duration::MAX)
     }
 
     /// What is to happen to the arm.
-    pub(crate) fn poll_order(&mut self) -> Option<Order> {
+    pub(crate) fn poll_order(&mut self) -> Option<ArmOrder> {
         self.orders.pop_front()
     }
 
@@ -141,7 +145,7 @@ impl Schedule {
 
     /// Whether statuses are withheld.
     pub(crate) fn withholds(&self) -> bool {
-        let withholds = |it: &Entry| it.fault.kind == Kind::Withhold && it.acts();
+        let withholds = |it: &ScheduledFault| it.fault.kind == FaultKind::Withhold && it.acts();
         self.entries.iter().any(withholds)
     }
 
@@ -153,20 +157,20 @@ impl Schedule {
             let next = [to_arm.next_byte(), from_arm.next_byte()];
             let [to, from] = next.map(|it| it.unwrap_or(Duration::MAX));
             let (direction, line) = if to <= from {
-                (Direction::ToArm, &mut *to_arm)
+                (LineDirection::ToArm, &mut *to_arm)
             } else {
-                (Direction::FromArm, &mut *from_arm)
+                (LineDirection::FromArm, &mut *from_arm)
             };
             let Some((arrival, byte)) = line.pop(by) else {
                 return;
             };
-            if direction == Direction::ToArm || has_port {
+            if direction == LineDirection::ToArm || has_port {
                 self.judge_byte(direction, arrival, byte);
             }
         }
     }
 
-    fn judge_byte(&mut self, direction: Direction, arrival: Duration, byte: u8) {
+    fn judge_byte(&mut self, direction: LineDirection, arrival: Duration, byte: u8) {
         let mut bytes = vec![byte];
         let mut delay = Duration::ZERO;
         for number in 0..self.entries.len() {
@@ -182,19 +186,19 @@ impl Schedule {
     }
 
     /// Takes the next byte that has come through by then, and tells when it did.
-    pub(crate) fn pop(&mut self, direction: Direction, by: Duration) -> Option<(Duration, u8)> {
+    pub(crate) fn pop(&mut self, direction: LineDirection, by: Duration) -> Option<(Duration, u8)> {
         let judged = &mut self.judged[direction as usize];
         judged.front().filter(|it| it.0 <= by)?;
         judged.pop_front()
     }
 
     /// Whether bytes wait to be fetched.
-    pub(crate) fn keeps(&self, direction: Direction) -> bool {
+    pub(crate) fn keeps(&self, direction: LineDirection) -> bool {
         !self.judged[direction as usize].is_empty()
     }
 
     /// When a byte comes through that is late.
-    pub(crate) fn next_late(&self, direction: Direction, now: Duration) -> Option<Duration> {
+    pub(crate) fn next_late(&self, direction: LineDirection, now: Duration) -> Option<Duration> {
         let judged = &self.judged[direction as usize];
         let next = judged.partition_point(|&(at, _)| at <= now);
         judged.get(next).map(|&(at, _)| at)
@@ -205,7 +209,7 @@ impl Schedule {
         let mut made = pulses;
         for number in 0..self.entries.len() {
             let entry = &mut self.entries[number];
-            if let Kind::Lose { joint, amount } = entry.fault.kind
+            if let FaultKind::Lose { joint, amount } = entry.fault.kind
                 && entry.acts()
             {
                 let before = entry.hits;
@@ -220,24 +224,27 @@ impl Schedule {
     fn begin(&mut self, number: usize, now: Duration) {
         let entry = &mut self.entries[number];
         let end = entry.fault.when.end.map(|end| match end {
-            End::At(moment) => moment,
-            End::After(lasts) => Moment::Time(now + lasts),
+            FaultEnd::At(moment) => moment,
+            FaultEnd::After(lasts) => FaultMoment::Time(now + lasts),
         });
         entry.phase = Phase::Acting { until: end };
         match entry.fault.kind {
-            Kind::Close => self.orders.push_back(Order::ClosePort),
-            Kind::Power(tilt) => self.orders.push_back(Order::PowerOff(tilt)),
-            Kind::Reset(tilt) => {
+            FaultKind::Close => self.orders.push_back(ArmOrder::ClosePort),
+            FaultKind::Power(tilt) => self.orders.push_back(ArmOrder::PowerOff(tilt)),
+            FaultKind::Reset(tilt) => {
                 entry.phase = Phase::Over;
-                self.orders.push_back(Order::Reset(tilt));
+                self.orders.push_back(ArmOrder::Reset(tilt));
             }
             // What it hits is told when it does.
-            Kind::Bytes { .. } | Kind::Lose { .. } | Kind::Backlash { .. } | Kind::Zero { .. } => {
+            FaultKind::Bytes { .. }
+            | FaultKind::Lose { .. }
+            | FaultKind::Backlash { .. }
+            | FaultKind::Zero { .. } => {
                 return;
             }
-            Kind::Delay { .. } | Kind::Withhold => {}
+            FaultKind::Delay { .. } | FaultKind::Withhold => {}
         }
-        self.tell(number, now, What::Began);
+        self.tell(number, now, FaultEffect::Began);
     }
 
     fn end(&mut self, number: usize, now: Duration) {
@@ -245,22 +252,22 @@ impl Schedule {
         entry.phase = Phase::Over;
         let hits = entry.hits;
         match entry.fault.kind {
-            Kind::Close => self.orders.push_back(Order::AllowPort),
-            Kind::Power(_) => self.orders.push_back(Order::PowerOn),
+            FaultKind::Close => self.orders.push_back(ArmOrder::AllowPort),
+            FaultKind::Power(_) => self.orders.push_back(ArmOrder::PowerOn),
             _ => {}
         }
-        self.tell(number, now, What::Over(hits));
+        self.tell(number, now, FaultEffect::Over(hits));
     }
 
     /// Tells the 1st, 10th, 100th ... hit.
     fn tell_hits(&mut self, number: usize, before: u64, at: Duration) {
         let hits = self.entries[number].hits;
         if hits > before && before.checked_ilog10() != hits.checked_ilog10() {
-            self.tell(number, at, What::Hit(10_u64.pow(hits.ilog10())));
+            self.tell(number, at, FaultEffect::Hit(10_u64.pow(hits.ilog10())));
         }
     }
 
-    fn tell(&mut self, number: usize, at: Duration, what: What) {
+    fn tell(&mut self, number: usize, at: Duration, what: FaultEffect) {
         if self.struck.len() == STRUCK_LEN {
             self.struck.pop_front();
         }
@@ -269,10 +276,10 @@ impl Schedule {
     }
 }
 
-impl Entry {
+impl ScheduledFault {
     fn new(fault: Fault, seed: u64, number: u64) -> Self {
         let left = match fault.kind {
-            Kind::Bytes { amount, .. } | Kind::Lose { amount, .. } => match amount {
+            FaultKind::Bytes { amount, .. } | FaultKind::Lose { amount, .. } => match amount {
                 Amount::Count(count) => count,
                 Amount::Percent(_) => 0,
             },
@@ -294,10 +301,10 @@ impl Entry {
 
     fn next_time(&self) -> Option<Duration> {
         match (self.phase, self.fault.when.begin) {
-            (Phase::Waiting, Moment::Time(at))
+            (Phase::Waiting, FaultMoment::Time(at))
             | (
                 Phase::Acting {
-                    until: Some(Moment::Time(at)),
+                    until: Some(FaultMoment::Time(at)),
                 },
                 _,
             ) => Some(at),
@@ -306,17 +313,17 @@ impl Entry {
     }
 
     /// Does to bytes what it does, and says how late they are.
-    fn judge(&mut self, direction: Direction, bytes: &mut Vec<u8>) -> Duration {
+    fn judge(&mut self, direction: LineDirection, bytes: &mut Vec<u8>) -> Duration {
         if !self.acts() {
             return Duration::ZERO;
         }
         match self.fault.kind {
-            Kind::Bytes {
+            FaultKind::Bytes {
                 damage,
                 amount,
                 way,
             } if way.includes(direction) => self.damage(direction as usize, damage, amount, bytes),
-            Kind::Delay { longest, way } if way.includes(direction) => {
+            FaultKind::Delay { longest, way } if way.includes(direction) => {
                 return self.late(direction as usize, longest);
             }
             _ => {}

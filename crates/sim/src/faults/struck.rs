@@ -1,4 +1,4 @@
-//! What is told of a fault.
+//! The news of a fault: it began, it hit, it is over.
 
 use std::fmt;
 use std::time::Duration;
@@ -13,13 +13,13 @@ pub struct Struck {
     /// The fault.
     pub fault: Fault,
     /// What it did.
-    pub what: What,
+    pub what: FaultEffect,
 }
 
 /// What a fault did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum What {
+pub enum FaultEffect {
     /// It began, or happened in a moment.
     Began,
     /// It has hit that many bytes or pulses by now; told at 1, 10, 100 and so on.
@@ -33,11 +33,11 @@ impl fmt::Display for Struck {
         let Self { at, fault, what } = self;
         let at_s = at.as_secs_f64();
         match what {
-            What::Began => write!(f, "{at_s:.3} s: fault {fault}"),
-            What::Hit(1) => write!(f, "{at_s:.3} s: fault {fault} hit for the first time"),
-            What::Hit(hits) => write!(f, "{at_s:.3} s: fault {fault} has hit {hits} times"),
-            What::Over(0) => write!(f, "{at_s:.3} s: fault {fault} is over"),
-            What::Over(hits) => {
+            FaultEffect::Began => write!(f, "{at_s:.3} s: fault {fault}"),
+            FaultEffect::Hit(1) => write!(f, "{at_s:.3} s: fault {fault} hit for the first time"),
+            FaultEffect::Hit(hits) => write!(f, "{at_s:.3} s: fault {fault} has hit {hits} times"),
+            FaultEffect::Over(0) => write!(f, "{at_s:.3} s: fault {fault} is over"),
+            FaultEffect::Over(hits) => {
                 write!(f, "{at_s:.3} s: fault {fault} is over, with {hits} hits")
             }
         }

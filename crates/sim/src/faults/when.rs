@@ -5,14 +5,14 @@ use std::time::Duration;
 
 /// From when to when a fault acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct When {
-    pub(crate) begin: Moment,
-    pub(crate) end: Option<End>,
+pub(crate) struct FaultTime {
+    pub(crate) begin: FaultMoment,
+    pub(crate) end: Option<FaultEnd>,
 }
 
 /// A moment in the life of a virtual arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Moment {
+pub(crate) enum FaultMoment {
     /// So long after the first power-up.
     Time(Duration),
     /// When that many packets have been received whole.
@@ -25,16 +25,16 @@ pub(crate) enum Moment {
 
 /// When a fault ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
-    At(Moment),
+pub(crate) enum FaultEnd {
+    At(FaultMoment),
     /// So long after it began.
     After(Duration),
 }
 
-impl When {
+impl FaultTime {
     /// From power-up on, for ever.
     pub(crate) const ALWAYS: Self = Self {
-        begin: Moment::Time(Duration::ZERO),
+        begin: FaultMoment::Time(Duration::ZERO),
         end: None,
     };
 
@@ -42,45 +42,47 @@ impl When {
     pub(crate) fn parse(text: &str) -> Option<Self> {
         let Some((begin, end)) = text.split_once("..") else {
             return Some(Self {
-                begin: Moment::parse(text)?,
+                begin: FaultMoment::parse(text)?,
                 end: None,
             });
         };
         let when = Self {
-            begin: Moment::parse(begin)?,
-            end: Some(End::parse(end)?),
+            begin: FaultMoment::parse(begin)?,
+            end: Some(FaultEnd::parse(end)?),
         };
         when.has_length().then_some(when)
     }
 
     /// Whether it begins at each opening of the port.
     pub(crate) fn is_open(&self) -> bool {
-        self.begin == Moment::Open || self.end == Some(End::At(Moment::Open))
+        self.begin == FaultMoment::Open || self.end == Some(FaultEnd::At(FaultMoment::Open))
     }
 
     fn has_length(&self) -> bool {
         match (self.begin, self.end) {
-            (_, Some(End::After(lasts))) => !lasts.is_zero(),
-            (Moment::Time(begin), Some(End::At(Moment::Time(end)))) => begin < end,
-            (Moment::Packet(begin), Some(End::At(Moment::Packet(end))))
-            | (Moment::Status(begin), Some(End::At(Moment::Status(end)))) => begin < end,
+            (_, Some(FaultEnd::After(lasts))) => !lasts.is_zero(),
+            (FaultMoment::Time(begin), Some(FaultEnd::At(FaultMoment::Time(end)))) => begin < end,
+            (FaultMoment::Packet(begin), Some(FaultEnd::At(FaultMoment::Packet(end))))
+            | (FaultMoment::Status(begin), Some(FaultEnd::At(FaultMoment::Status(end)))) => {
+                begin < end
+            }
             _ => true,
         }
     }
 }
 
-impl fmt::Display for When {
+impl fmt::Display for FaultTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.end {
             None if *self == Self::ALWAYS => Ok(()),
             None => write!(f, "@{}", self.begin),
-            Some(End::At(end)) => write!(f, "@{}..{end}", self.begin),
-            Some(End::After(lasts)) => write!(f, "@{}..+{}", self.begin, Time(lasts)),
+            Some(FaultEnd::At(end)) => write!(f, "@{}..{end}", self.begin),
+            Some(FaultEnd::After(lasts)) => write!(f, "@{}..+{}", self.begin, Time(lasts)),
         }
     }
 }
 
-impl Moment {
+impl FaultMoment {
     fn parse(text: &str) -> Option<Self> {
         if text == "open" {
             return Some(Self::Open);
@@ -95,7 +97,7 @@ impl Moment {
     }
 }
 
-impl fmt::Display for Moment {
+impl fmt::Display for FaultMoment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Time(at) => Time(*at).fmt(f),
@@ -106,11 +108,11 @@ impl fmt::Display for Moment {
     }
 }
 
-impl End {
+impl FaultEnd {
     fn parse(text: &str) -> Option<Self> {
         match text.strip_prefix('+') {
             Some(lasts) => time(lasts).map(Self::After),
-            None => Moment::parse(text).map(Self::At),
+            None => FaultMoment::parse(text).map(Self::At),
         }
     }
 }
@@ -187,10 +189,10 @@ mod tests {
     #[test]
     fn a_window_without_length_is_none() {
         for text in ["12s..12s", "12s..3s", "packet5..packet5", "open..+0s"] {
-            assert_eq!(When::parse(text), None, "{text}");
+            assert_eq!(FaultTime::parse(text), None, "{text}");
         }
         for text in ["12s..13s", "packet5..packet6", "status3..2s", "2s..+1ms"] {
-            assert!(When::parse(text).is_some(), "{text}");
+            assert!(FaultTime::parse(text).is_some(), "{text}");
         }
     }
 
@@ -204,7 +206,7 @@ mod tests {
             "status1.5",
             "pack1",
         ] {
-            assert_eq!(Moment::parse(text), None, "{text}");
+            assert_eq!(FaultMoment::parse(text), None, "{text}");
         }
     }
 }

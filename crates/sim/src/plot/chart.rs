@@ -8,10 +8,10 @@ use super::{GRID, HEADING, LASER, LETTERS, LOST, PANEL, PLAIN, PUMP, QUIET};
 
 /// A chart of some curves over time.
 pub(super) struct Chart {
-    pub(super) title: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) top: f64,
-    pub(super) height: f64,
+    title: &'static str,
+    unit: &'static str,
+    top: f64,
+    height: f64,
 }
 
 /// A curve: seconds and values.
@@ -22,6 +22,19 @@ pub(super) struct Curve {
 }
 
 impl Chart {
+    pub(super) const fn new(
+        title: &'static str,
+        unit: &'static str,
+        [top, height]: [f64; 2],
+    ) -> Self {
+        Self {
+            title,
+            unit,
+            top,
+            height,
+        }
+    }
+
     pub(super) fn draw(&self, sheet: &mut Sheet, time: &Axis, curves: &[Curve], lost: &[[f64; 2]]) {
         let values = curves.iter().flat_map(|it| &it.points).map(|it| it[1]);
         let axis = Axis::around(values.chain([0.0]), 1.0, [self.top + self.height, self.top]);

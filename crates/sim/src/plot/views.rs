@@ -36,7 +36,7 @@ impl View {
     fn draw(&self, sheet: &mut Sheet, snapshots: &[Snapshot]) {
         let axes = self.scales();
         self.frame(sheet, &axes);
-        let kinds = snapshots.iter().map(Kind::of);
+        let kinds = snapshots.iter().map(ToolUse::of);
         let points = self
             .points
             .iter()
@@ -104,13 +104,13 @@ impl View {
 
 /// What the tool does on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum ToolUse {
     Free,
     Pump,
     Laser,
 }
 
-impl Kind {
+impl ToolUse {
     const fn of(snapshot: &Snapshot) -> Self {
         match snapshot {
             Snapshot { laser: true, .. } => Self::Laser,
@@ -145,7 +145,7 @@ fn points(snapshots: &[Snapshot], seen: impl Fn([f64; 3]) -> [f64; 2]) -> Vec<[f
 
 /// The way in strokes of one kind, without points nearer to each other than a part of a pixel,
 /// and without those that are none.
-fn strokes(pixels: &[([f64; 2], Kind)]) -> Vec<(Vec<[f64; 2]>, Kind)> {
+fn strokes(pixels: &[([f64; 2], ToolUse)]) -> Vec<(Vec<[f64; 2]>, ToolUse)> {
     let known = pixels.chunk_by(|a, b| a.0[0].is_finite() == b.0[0].is_finite());
     let mut strokes = Vec::new();
     for run in known.filter(|run| run[0].0[0].is_finite()) {
@@ -178,13 +178,13 @@ fn thinned(from: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 
 
 fn legend(sheet: &mut Sheet, snapshots: &[Snapshot]) {
     let names = [
-        (Kind::Free, "the tool's way"),
-        (Kind::Pump, "with the pump on"),
-        (Kind::Laser, "with the laser on"),
+        (ToolUse::Free, "the tool's way"),
+        (ToolUse::Pump, "with the pump on"),
+        (ToolUse::Laser, "with the laser on"),
     ];
     let mut x = LEFT;
     for (kind, name) in names {
-        if snapshots.iter().any(|it| Kind::of(it) == kind) {
+        if snapshots.iter().any(|it| ToolUse::of(it) == kind) {
             sheet.line([x, LEGEND], [x + 26.0, LEGEND], &kind.look());
             sheet.text([x + 34.0, LEGEND + 4.5], Anchor::Left, &PLAIN, name);
             x += 170.0;

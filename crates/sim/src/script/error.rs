@@ -1,4 +1,4 @@
-//! What can be wrong with a script.
+//! The errors of a script.
 
 use dobot_wire::ParseError;
 use thiserror::Error;
@@ -10,59 +10,36 @@ pub struct ScriptError {
     /// The line's number; the first is 1.
     pub line: usize,
     /// What is wrong with it.
-    pub problem: Problem,
+    pub problem: ScriptProblem,
 }
 
 /// What is wrong with a line of a script.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum Problem {
-    /// It begins with a word that begins no line.
+pub enum ScriptProblem {
+    /// No line begins with this word.
     #[error(
-        "the line begins with `{found}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"
+        "the line begins with `{0}`; allowed are a time in milliseconds, `credit`, `raw`, `voice`, `!end`, `!pose`, `!port` and `#`"
     )]
-    Beginning {
-        /// The word.
-        found: String,
-    },
-    /// It is a directive that nobody knows.
-    #[error(
-        "the directive is `{found}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`"
-    )]
-    Directive {
-        /// The directive.
-        found: String,
-    },
-    /// A directive stands for the second time.
-    #[error("`{name}` stands here for the second time; allowed is once")]
-    Twice {
-        /// The directive.
-        name: &'static str,
-    },
-    /// A word that has to be there is missing.
-    #[error("the line ends where {wanted} is due")]
-    Missing {
-        /// What is missing.
-        wanted: &'static str,
-    },
-    /// There are words too many.
-    #[error("behind the line's end stands `{found}`; allowed is nothing more")]
-    TooMuch {
-        /// The first of them.
-        found: String,
-    },
-    /// A time is none.
-    #[error("the time is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
-    Time {
-        /// The word.
-        found: String,
-    },
-    /// The end of the run is no time.
-    #[error("the end is `{found}`; allowed are 0 to {LONGEST_MS} milliseconds")]
-    End {
-        /// The word.
-        found: String,
-    },
+    Beginning(String),
+    /// The directive is unknown.
+    #[error("the directive is `{0}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`")]
+    Directive(String),
+    /// This directive stands for the second time.
+    #[error("`{0}` stands here for the second time; allowed is once")]
+    Twice(&'static str),
+    /// This has to be there and is missing.
+    #[error("the line ends where {0} is due")]
+    Missing(&'static str),
+    /// There are too many words; this is the first of them.
+    #[error("behind the line's end stands `{0}`; allowed is nothing more")]
+    TooMuch(String),
+    /// A word is not a time.
+    #[error("the time is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
+    Time(String),
+    /// The end of the run is not a time.
+    #[error("the end is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds")]
+    End(String),
     /// A line is to be sent before one that stands above it.
     #[error(
         "the time is {found_ms} ms; lines are sent in order, and after one at {latest_ms} ms that time or a later one is allowed"
@@ -73,25 +50,16 @@ pub enum Problem {
         /// The latest time above, in milliseconds.
         latest_ms: f64,
     },
-    /// What a tilt sensor reads is no angle.
-    #[error("the tilt sensor's angle is `{found}`; allowed are -180 to 180 degrees")]
-    Tilt {
-        /// The word.
-        found: String,
-    },
-    /// A port is none.
-    #[error("the port is `{found}`; allowed are `usb` and `bt`")]
-    Port {
-        /// The word.
-        found: String,
-    },
-    /// A packet has more or fewer floats than ten.
-    #[error("the packet has {found} floats; allowed are 10")]
-    FloatCount {
-        /// How many.
-        found: usize,
-    },
-    /// A float of a packet is none.
+    /// A word is not an angle of a tilt sensor.
+    #[error("the tilt sensor's angle is `{0}`; allowed are -180 to 180 degrees")]
+    Tilt(String),
+    /// A word is not a port.
+    #[error("the port is `{0}`; allowed are `usb` and `bt`")]
+    Port(String),
+    /// A packet has so many floats instead of ten.
+    #[error("the packet has {0} floats; allowed are 10")]
+    FloatCount(usize),
+    /// A word of a packet is not a number.
     #[error("float {float} is `{found}`; allowed are numbers that fit four bytes, `nan` and `inf`")]
     Float {
         /// Its number; the first is 1.
@@ -99,7 +67,7 @@ pub enum Problem {
         /// The word.
         found: String,
     },
-    /// A word of a `raw` line is none.
+    /// A word of a `raw` line does not stand for bytes.
     #[error(
         "word {word} of the bytes is `{found}`; allowed are two hex digits a byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MOST_BYTES} bytes a line"
     )]

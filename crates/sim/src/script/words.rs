@@ -7,14 +7,14 @@ use dobot_controller::Port;
 use dobot_wire::{Frame, Voice};
 
 use super::Start;
-use super::error::{LONGEST_MS, MOST_BYTES, Problem};
+use super::error::{LONGEST_MS, MOST_BYTES, ScriptProblem};
 
 /// The words of a line, one after the other.
-pub(super) struct Words<'a> {
+pub(super) struct LineWords<'a> {
     rest: &'a str,
 }
 
-impl<'a> Words<'a> {
+impl<'a> LineWords<'a> {
     pub(super) fn of(line: &'a str) -> Self {
         Self {
             rest: line.trim_ascii(),
@@ -33,58 +33,58 @@ impl<'a> Words<'a> {
         self.rest
     }
 
-    pub(super) fn end(&mut self) -> Result<(), Problem> {
+    pub(super) fn end(&mut self) -> Result<(), ScriptProblem> {
         match self.next() {
             None => Ok(()),
-            Some(word) => Err(Problem::TooMuch { found: word.into() }),
+            Some(word) => Err(ScriptProblem::TooMuch(word.into())),
         }
     }
 
-    pub(super) fn time(&mut self) -> Result<Duration, Problem> {
+    pub(super) fn time(&mut self) -> Result<Duration, ScriptProblem> {
         let word = self.word("a time in milliseconds")?;
-        time(word).ok_or_else(|| Problem::End { found: word.into() })
+        time(word).ok_or_else(|| ScriptProblem::End(word.into()))
     }
 
-    pub(super) fn port(&mut self) -> Result<Port, Problem> {
+    pub(super) fn port(&mut self) -> Result<Port, ScriptProblem> {
         match self.word("`usb` or `bt`")? {
             "usb" => Ok(Port::Usb),
             "bt" => Ok(Port::Bluetooth),
-            word => Err(Problem::Port { found: word.into() }),
+            word => Err(ScriptProblem::Port(word.into())),
         }
     }
 
-    fn word(&mut self, wanted: &'static str) -> Result<&'a str, Problem> {
-        self.next().ok_or(Problem::Missing { wanted })
+    fn word(&mut self, wanted: &'static str) -> Result<&'a str, ScriptProblem> {
+        self.next().ok_or(ScriptProblem::Missing(wanted))
     }
 }
 
-pub(super) fn start(words: &mut Words<'_>) -> Result<Start, Problem> {
+pub(super) fn start(words: &mut LineWords<'_>) -> Result<Start, ScriptProblem> {
     match words.word("a time in milliseconds or `credit`")? {
         "credit" => Ok(Start::Credit),
         word => match time(word) {
             Some(at) => Ok(Start::At(at)),
             None if word.starts_with(|it: char| it.is_ascii_alphabetic() || it == '!') => {
-                Err(Problem::Beginning { found: word.into() })
+                Err(ScriptProblem::Beginning(word.into()))
             }
-            None => Err(Problem::Time { found: word.into() }),
+            None => Err(ScriptProblem::Time(word.into())),
         },
     }
 }
 
-pub(super) fn tilt(words: &mut Words<'_>) -> Result<f64, Problem> {
+pub(super) fn tilt(words: &mut LineWords<'_>) -> Result<f64, ScriptProblem> {
     let word = words.word("a tilt sensor's angle")?;
     word.parse()
         .ok()
         .filter(|it: &f64| it.abs() <= 180.0)
-        .ok_or_else(|| Problem::Tilt { found: word.into() })
+        .ok_or_else(|| ScriptProblem::Tilt(word.into()))
 }
 
 /// Ten floats as a packet.
-pub(super) fn packet(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
+pub(super) fn packet(mut words: LineWords<'_>) -> Result<Vec<u8>, ScriptProblem> {
     let mut frame = Frame::ZERO;
     for n in 1..=10 {
-        let word = words.next().ok_or(Problem::FloatCount { found: n - 1 })?;
-        let value = float(word).ok_or_else(|| Problem::Float {
+        let word = words.next().ok_or(ScriptProblem::FloatCount(n - 1))?;
+        let value = float(word).ok_or_else(|| ScriptProblem::Float {
             float: n,
             found: word.into(),
         })?;
@@ -94,15 +94,15 @@ pub(super) fn packet(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
         return Ok(frame.to_bytes().to_vec());
     }
     let more = std::iter::from_fn(|| words.next()).count();
-    Err(Problem::FloatCount { found: 10 + more })
+    Err(ScriptProblem::FloatCount(10 + more))
 }
 
 /// The bytes of a `raw` line.
-pub(super) fn bytes(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
+pub(super) fn bytes(mut words: LineWords<'_>) -> Result<Vec<u8>, ScriptProblem> {
     let mut bytes = Vec::new();
     let mut word = words.word("a byte")?;
     for number in 1.. {
-        let problem = || Problem::Bytes {
+        let problem = || ScriptProblem::Bytes {
             word: number,
             found: word.into(),
         };
@@ -115,11 +115,11 @@ pub(super) fn bytes(mut words: Words<'_>) -> Result<Vec<u8>, Problem> {
     Ok(bytes)
 }
 
-pub(super) fn voice(text: &str) -> Result<Vec<u8>, Problem> {
+pub(super) fn voice(text: &str) -> Result<Vec<u8>, ScriptProblem> {
     if text.is_empty() {
-        return Err(Problem::Missing { wanted: "a text" });
+        return Err(ScriptProblem::Missing("a text"));
     }
-    let voice = Voice::new(text).map_err(Problem::Voice)?;
+    let voice = Voice::new(text).map_err(ScriptProblem::Voice)?;
     Ok(voice.to_bytes().to_vec())
 }
 
@@ -151,7 +151,7 @@ fn hex(word: &str) -> Option<Vec<u8>> {
     bytes.filter(|it| !it.is_empty())
 }
 
-/// A number that fits four bytes, `nan` or `inf`; one that is too great is none.
+/// A number that fits four bytes, `nan` or `inf`; one that is too great is not taken.
 fn float(word: &str) -> Option<f32> {
     let float: f32 = word.parse().ok()?;
     let says_so = || word.contains(['i', 'I']);

@@ -57,7 +57,7 @@ impl<'a> Feed<'a> {
         self.lines.len() + if self.bytes.is_empty() { 0 } else { 1 }
     }
 
-    /// Whether the next line waits for a status that nobody knows of.
+    /// Whether the next line waits for a status that has not been sent.
     pub(super) fn starves(&self) -> bool {
         self.bytes.is_empty()
             && self

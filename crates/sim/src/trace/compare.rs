@@ -1,7 +1,6 @@
 //! Two traces side by side.
 
 use std::cmp::Ordering;
-use std::fmt;
 
 use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
 
@@ -37,48 +36,6 @@ pub struct Deviation {
     pub found: f64,
 }
 
-/// How far a trace may be from the one that is expected. Servos, pins and text have to be the
-/// same, and so has NaN.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
-    /// For the floats of the statuses, in millimetres and degrees.
-    pub float: f64,
-    /// For the sums of motor pulses.
-    pub sum: f64,
-}
-
-/// The first difference between a trace and the one that is expected.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Difference {
-    /// A status is not there.
-    Missing {
-        /// When it was expected, in milliseconds.
-        t_ms: i64,
-    },
-    /// A status was not expected.
-    Extra {
-        /// When it was sent, in milliseconds.
-        t_ms: i64,
-    },
-    /// A field is too far off.
-    Field(Deviation),
-    /// There are more or fewer ticks.
-    Ticks {
-        /// How many were expected.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// Something else was printed on the other port.
-    Text {
-        /// What was expected.
-        expected: String,
-        /// What was found.
-        found: String,
-    },
-}
-
 impl Trace {
     /// Measures how far this is from the trace that is expected.
     #[must_use]
@@ -107,33 +64,6 @@ impl Trace {
         }
         comparison
     }
-
-    /// The first difference from the trace that is expected, as far as it is not tolerated.
-    #[must_use]
-    pub fn first_difference(&self, expected: &Self, tolerance: &Tolerance) -> Option<Difference> {
-        let status = pairs(expected, self).find_map(|pair| match pair {
-            Pair::Missing(t_ms) => Some((t_ms, Difference::Missing { t_ms })),
-            Pair::Extra(t_ms) => Some((t_ms, Difference::Extra { t_ms })),
-            Pair::Both(floats) => tolerance.beyond(&floats),
-        });
-        let output = outputs(expected, self).find_map(|it| tolerance.beyond(&it));
-        let earliest = status.into_iter().chain(output).min_by_key(|it| it.0);
-        earliest.map(|it| it.1).or_else(|| self.other(expected))
-    }
-
-    fn other(&self, expected: &Self) -> Option<Difference> {
-        if self.ticks.len() != expected.ticks.len() {
-            return Some(Difference::Ticks {
-                expected: expected.ticks.len(),
-                found: self.ticks.len(),
-            });
-        }
-        let text = |it: &Self| String::from_utf8_lossy(&it.other_port).into_owned();
-        (self.other_port != expected.other_port).then(|| Difference::Text {
-            expected: text(expected),
-            found: text(self),
-        })
-    }
 }
 
 impl Deviation {
@@ -154,47 +84,6 @@ impl Deviation {
         }
         let size = (self.found - self.expected).abs();
         if size.is_nan() { f64::INFINITY } else { size }
-    }
-}
-
-impl Tolerance {
-    /// The first field that is too far off, and when it is.
-    fn beyond(&self, deviations: &[Deviation]) -> Option<(i64, Difference)> {
-        let beyond = deviations.iter().find(|it| it.size() > self.of(it.field));
-        beyond.map(|it| (it.t_ms, Difference::Field(*it)))
-    }
-
-    fn of(&self, field: &str) -> f64 {
-        match field {
-            "p_base" | "p_rear" | "p_fore" => 2.0 * self.sum,
-            "sum_base" | "sum_rear" | "sum_fore" => self.sum,
-            _ if STATUS_FIELDS.contains(&field) => self.float,
-            _ => 0.0,
-        }
-    }
-}
-
-impl fmt::Display for Difference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Missing { t_ms } => write!(f, "at {t_ms} ms a status is missing"),
-            Self::Extra { t_ms } => write!(f, "at {t_ms} ms a status was not expected"),
-            Self::Field(it) => write!(
-                f,
-                "at {} ms {} is {}; expected {}, off by {:.6}",
-                it.t_ms,
-                it.field,
-                it.found,
-                it.expected,
-                it.size()
-            ),
-            Self::Ticks { expected, found } => {
-                write!(f, "there are {found} ticks; expected {expected}")
-            }
-            Self::Text { expected, found } => {
-                write!(f, "the other port printed {found:?}; expected {expected:?}")
-            }
-        }
     }
 }
 

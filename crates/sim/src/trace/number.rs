@@ -1,22 +1,10 @@
-//! Numbers as text, as C's `%d` and `%.9g` write them: exact, and fast enough for millions.
+//! Numbers as text, as C's `%d` and `%.9g` write them.
+
+use std::io::Write as _;
 
 /// Appends a whole number.
 pub(super) fn push_int(text: &mut Vec<u8>, value: i64) {
-    if value < 0 {
-        text.push(b'-');
-    }
-    let mut rest = value.unsigned_abs();
-    let mut digits = [0; 20];
-    let mut first = digits.len();
-    loop {
-        first -= 1;
-        digits[first] = digit(rest);
-        rest /= 10;
-        if rest == 0 {
-            break;
-        }
-    }
-    text.extend_from_slice(&digits[first..]);
+    write!(text, "{value}").expect("a vector takes all");
 }
 
 /// Appends a float with up to nine significant digits: from them every `f32` comes back as it was.
@@ -33,118 +21,43 @@ pub(super) fn push_float(text: &mut Vec<u8>, value: f32) {
     } else if value == 0.0 {
         text.push(b'0');
     } else {
-        let (digits, exponent) = nine_digits(value.abs());
-        push_decimal(text, digits, exponent);
+        push_decimal(text, value.abs());
     }
 }
 
-/// Appends nine digits, the first of which counts so many powers of ten; zeros at the end are left
-/// out, and below the power of -4 and above that of 8 the power is told.
-fn push_decimal(text: &mut Vec<u8>, mut rest: u64, exponent: i32) {
-    let mut digits = [0; 9];
-    for place in digits.iter_mut().rev() {
-        *place = digit(rest);
-        rest /= 10;
-    }
-    let len = 1 + digits.iter().rposition(|&it| it != b'0').unwrap_or(0);
+/// Appends a positive float by its nine digits; zeros at the end are left out, and where the first
+/// digit counts a power of ten below -4 or above 8, that is told.
+fn push_decimal(text: &mut Vec<u8>, value: f32) {
+    let scientific = format!("{value:.8e}");
+    let parts = scientific.split_once('e');
+    let (digits, exponent) = parts.expect("an exponent was asked for");
+    let exponent: i32 = exponent.parse().expect("an exponent is a whole number");
+    let digits = digits.replace('.', "");
+    let len = digits.trim_end_matches('0').len();
+    let digits = digits.as_bytes();
     let size = exponent.unsigned_abs() as usize;
     match exponent {
         -4..=-1 => {
             text.extend_from_slice(&b"0.000"[..=size]);
             text.extend_from_slice(&digits[..len]);
         }
-        0..=8 => push_parts(text, &digits, size + 1, len),
+        0..=8 => push_parts(text, digits, size + 1, len),
         _ => {
-            push_parts(text, &digits, 1, len);
-            text.extend_from_slice(if exponent < 0 { b"e-" } else { b"e+" });
-            if size < 10 {
-                text.push(b'0');
-            }
-            push_int(text, i64::from(exponent.abs()));
+            push_parts(text, digits, 1, len);
+            let sign = if exponent < 0 { '-' } else { '+' };
+            write!(text, "e{sign}{size:02}").expect("a vector takes all");
         }
     }
 }
 
 /// Appends digits with a point behind so many of them.
-fn push_parts(text: &mut Vec<u8>, digits: &[u8; 9], point: usize, len: usize) {
+fn push_parts(text: &mut Vec<u8>, digits: &[u8], point: usize, len: usize) {
     text.extend_from_slice(&digits[..point]);
     if len > point {
         text.push(b'.');
         text.extend_from_slice(&digits[point..len]);
     }
 }
-
-/// The nine significant digits of a positive float, and the power of ten of the first.
-fn nine_digits(value: f32) -> (u64, i32) {
-    // 1233 / 4096 is log10(2), a little less: the guess is right or one too low.
-    let power_of_two = (value.to_bits() >> 23).cast_signed() - 127;
-    let guess = (power_of_two * 1233) >> 12;
-    [guess, guess + 1]
-        .into_iter()
-        .find_map(|exponent| Some((scaled(value, exponent)?, exponent)))
-        .map_or_else(|| by_the_library(value), rounded_up)
-}
-
-/// A value whose digits begin at this power of ten, multiplied so that nine of them are whole, and
-/// rounded; `None` where they begin elsewhere, or where the number is too great or too small.
-fn scaled(value: f32, exponent: i32) -> Option<u64> {
-    let bits = value.to_bits();
-    // The value is mantissa / 2^shift.
-    let mantissa = u128::from(bits & 0x007F_FFFF | 0x0080_0000);
-    let shift = 150_u32.checked_sub(bits >> 23).filter(|&it| it < 128)?;
-    let power = usize::try_from(8 - exponent).ok()?;
-    let whole = half_to_even(mantissa * POWERS.get(power)?, shift);
-    let digits = u64::try_from(whole).ok()?;
-    (LEAST..=10 * LEAST).contains(&digits).then_some(digits)
-}
-
-/// Divides by a power of two; what lies in the middle goes to the even side.
-const fn half_to_even(value: u128, shift: u32) -> u128 {
-    let whole = value >> shift;
-    let rest = value - (whole << shift);
-    let half = (1 << shift) >> 1;
-    let up = shift > 0 && (rest > half || (rest == half && whole & 1 == 1));
-    if up { whole + 1 } else { whole }
-}
-
-/// What was rounded up to ten digits has nine of the next power.
-const fn rounded_up((digits, exponent): (u64, i32)) -> (u64, i32) {
-    if digits == 10 * LEAST {
-        (LEAST, exponent + 1)
-    } else {
-        (digits, exponent)
-    }
-}
-
-/// For the very great and the very small.
-fn by_the_library(value: f32) -> (u64, i32) {
-    let text = format!("{value:.8e}");
-    let (digits, exponent) = text.split_once('e').expect("an exponent was asked for");
-    let digits = digits
-        .bytes()
-        .filter(u8::is_ascii_digit)
-        .fold(0, |sum, digit| sum * 10 + u64::from(digit - b'0'));
-    let exponent = exponent.parse().expect("an exponent is a whole number");
-    (digits, exponent)
-}
-
-const fn digit(number: u64) -> u8 {
-    b'0' + (number % 10) as u8
-}
-
-/// The least number of nine digits.
-const LEAST: u64 = 100_000_000;
-
-/// As many powers of ten as leave room for a mantissa.
-const POWERS: [u128; 32] = {
-    let mut powers = [1; 32];
-    let mut n = 1;
-    while n < powers.len() {
-        powers[n] = powers[n - 1] * 10;
-        n += 1;
-    }
-    powers
-};
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test fails by it")]

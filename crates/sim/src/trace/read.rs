@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
 
-/// What is wrong with the text of a trace.
+/// Why a text is not a trace.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TraceError {
@@ -46,7 +46,7 @@ impl Trace {
     ///
     /// # Errors
     ///
-    /// [`TraceError`] for the first line that is none.
+    /// [`TraceError`] for the first line that is not a line of a trace.
     pub fn parse(statuses: &str, ticks: &str, other_port: &[u8]) -> Result<Self, TraceError> {
         Ok(Self {
             statuses: rows(statuses, STATUS_FIELDS, status)?,
@@ -56,7 +56,7 @@ impl Trace {
     }
 }
 
-fn status(row: &Row<'_, 11>) -> Result<TracedStatus, TraceError> {
+fn status(row: &CsvRow<'_, 11>) -> Result<TracedStatus, TraceError> {
     let mut floats = [0.0; 10];
     for (index, float) in floats.iter_mut().enumerate() {
         *float = row.field(index + 1, "a number or `nan`")?;
@@ -67,7 +67,7 @@ fn status(row: &Row<'_, 11>) -> Result<TracedStatus, TraceError> {
     })
 }
 
-fn tick(row: &Row<'_, 12>) -> Result<TracedTick, TraceError> {
+fn tick(row: &CsvRow<'_, 12>) -> Result<TracedTick, TraceError> {
     let pin = |index| -> Result<bool, TraceError> {
         match row.words[index] {
             "0" => Ok(false),
@@ -99,13 +99,13 @@ fn tick(row: &Row<'_, 12>) -> Result<TracedTick, TraceError> {
 }
 
 /// A line of CSV.
-struct Row<'a, const N: usize> {
+struct CsvRow<'a, const N: usize> {
     line: usize,
     names: [&'static str; N],
     words: [&'a str; N],
 }
 
-impl<const N: usize> Row<'_, N> {
+impl<const N: usize> CsvRow<'_, N> {
     fn tick(&self) -> Result<u32, TraceError> {
         let allowed = "a multiple of 20 ms";
         let t_ms: u32 = self.field(0, allowed)?;
@@ -139,7 +139,7 @@ impl<const N: usize> Row<'_, N> {
 fn rows<T, const N: usize>(
     text: &str,
     names: [&'static str; N],
-    read: impl Fn(&Row<'_, N>) -> Result<T, TraceError>,
+    read: impl Fn(&CsvRow<'_, N>) -> Result<T, TraceError>,
 ) -> Result<Vec<T>, TraceError> {
     let mut lines = text.lines();
     let header = lines.next().unwrap_or_default();
@@ -160,7 +160,7 @@ fn rows<T, const N: usize>(
                     found: words.len(),
                     allowed: N,
                 })?;
-            read(&Row { line, names, words })
+            read(&CsvRow { line, names, words })
         })
         .collect()
 }

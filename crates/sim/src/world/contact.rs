@@ -1,4 +1,4 @@
-//! What is pressed into what.
+//! Contacts: the tool, or an object that it holds, is pressed into something.
 
 use dobot_geometry::{Point, direction};
 
@@ -11,19 +11,19 @@ use super::{Event, Paper, Tool};
 /// What is pressed into something else at present, and how deep it was when that was told.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
-    told: Vec<(What, With, f64)>,
+    told: Vec<(Mover, Obstacle, f64)>,
 }
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum What {
+enum Mover {
     Tool,
     Object(usize),
 }
 
 /// What is in its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum With {
+enum Obstacle {
     Table,
     Object(usize),
 }
@@ -48,7 +48,7 @@ impl Contacts {
         scenery.load(&mut now);
         now.retain(|(_, _, depth_mm)| *depth_mm > scenery.tool.give_mm);
         for contact in &mut now {
-            let same = |it: &&(What, With, f64)| (it.0, it.1) == (contact.0, contact.1);
+            let same = |it: &&(Mover, Obstacle, f64)| (it.0, it.1) == (contact.0, contact.1);
             match self.told.iter().find(same) {
                 Some(told) if contact.2 < 2.0 * told.2 => contact.2 = told.2,
                 _ => tell(scenery.event(contact)),
@@ -65,8 +65,8 @@ impl Scenery<'_> {
         [self.tip.at + across, self.tip.at - across]
     }
 
-    fn tool(&self, contacts: &mut Vec<(What, With, f64)>) {
-        contacts.push((What::Tool, With::Table, -self.tip.height_mm));
+    fn tool(&self, contacts: &mut Vec<(Mover, Obstacle, f64)>) {
+        contacts.push((Mover::Tool, Obstacle::Table, -self.tip.height_mm));
         for (i, object) in self.objects.iter().enumerate() {
             let depth_mm = object.top_mm() - self.tip.height_mm;
             if depth_mm <= 0.0 || self.grip.holds(i) {
@@ -78,37 +78,37 @@ impl Scenery<'_> {
                 .iter()
                 .any(|it| footprint.margin_mm(*it) > AT_THE_EDGE_MM)
             {
-                contacts.push((What::Tool, With::Object(i), depth_mm));
+                contacts.push((Mover::Tool, Obstacle::Object(i), depth_mm));
             }
         }
     }
 
-    fn load(&self, contacts: &mut Vec<(What, With, f64)>) {
+    fn load(&self, contacts: &mut Vec<(Mover, Obstacle, f64)>) {
         for held in self.grip.objects() {
             let object = &self.objects[held];
-            contacts.push((What::Object(held), With::Table, -object.bottom_mm));
+            contacts.push((Mover::Object(held), Obstacle::Table, -object.bottom_mm));
             for (i, other) in self.objects.iter().enumerate() {
                 if !self.grip.holds(i)
                     && let Some(depth_mm) = object.overlap_mm(other)
                 {
-                    contacts.push((What::Object(held), With::Object(i), depth_mm));
+                    contacts.push((Mover::Object(held), Obstacle::Object(i), depth_mm));
                 }
             }
         }
     }
 
-    fn event(&self, &(what, with, depth_mm): &(What, With, f64)) -> Event {
+    fn event(&self, &(what, with, depth_mm): &(Mover, Obstacle, f64)) -> Event {
         let name = |object: usize| self.objects[object].name.clone();
         let what = match what {
-            What::Tool => format!("the {}", self.tool.name()),
-            What::Object(object) => name(object),
+            Mover::Tool => format!("the {}", self.tool.name()),
+            Mover::Object(object) => name(object),
         };
         let with = match with {
-            With::Object(object) => name(object),
-            With::Table if self.paper.is_some_and(|it| it.contains(self.tip.at)) => {
+            Obstacle::Object(object) => name(object),
+            Obstacle::Table if self.paper.is_some_and(|it| it.contains(self.tip.at)) => {
                 "the paper".to_owned()
             }
-            With::Table => "the table".to_owned(),
+            Obstacle::Table => "the table".to_owned(),
         };
         Event::Collided {
             what,

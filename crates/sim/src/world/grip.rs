@@ -1,4 +1,4 @@
-//! What the tool holds.
+//! The objects that the tool holds.
 
 use dobot_geometry::{Vec2, direction};
 
@@ -11,12 +11,12 @@ use super::tip::Tip;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grip {
     /// The object in the grip first, then all that stands on it.
-    held: Vec<Held>,
+    held: Vec<HeldObject>,
 }
 
 /// An object and where it is as seen from the tip.
 #[derive(Clone, Copy, Debug)]
-struct Held {
+struct HeldObject {
     object: usize,
     offset: Vec2,
     turn_deg: f64,
@@ -101,9 +101,9 @@ impl Grip {
     }
 }
 
-fn held(object: usize, objects: &[Object], tip: &Tip) -> Held {
+fn held(object: usize, objects: &[Object], tip: &Tip) -> HeldObject {
     let it = &objects[object];
-    Held {
+    HeldObject {
         object,
         offset: (it.at_mm - tip.at).rotate_scale(direction(-tip.turn_deg)),
         turn_deg: it.turn_deg - tip.turn_deg,

@@ -1,4 +1,4 @@
-//! What pen and laser leave behind.
+//! The marks of pen and laser.
 
 use dobot_geometry::Point;
 use serde::{Deserialize, Serialize};
@@ -88,12 +88,12 @@ pub(crate) struct Burns {
     lines: Vec<(Track, f64)>,
     holes: Vec<Hole>,
     /// What goes on with the next piece.
-    going: Going,
+    going: BurnState,
 }
 
 /// What the laser is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Going {
+enum BurnState {
     /// Nothing burns.
     #[default]
     Off,
@@ -106,7 +106,7 @@ enum Going {
 impl Burns {
     /// Nothing burns here.
     pub(crate) fn stop(&mut self) {
-        self.going = Going::Off;
+        self.going = BurnState::Off;
     }
 
     /// Burns along a straight piece in so many seconds. Returns the hole that grew, and for how long
@@ -131,8 +131,8 @@ impl Burns {
 
     fn stand(&mut self, at_mm: Point, time_s: f64, power_w: f64) -> (Hole, f64) {
         let same = |it: &&mut Hole| it.at_mm.distance(at_mm) < SAME_HOLE_MM;
-        let going = self.going == Going::Hole;
-        self.going = Going::Hole;
+        let going = self.going == BurnState::Hole;
+        self.going = BurnState::Hole;
         if let Some(hole) = self.holes.last_mut().filter(|_| going).filter(same) {
             let before_s = hole.time_s;
             hole.time_s += time_s;
@@ -148,20 +148,20 @@ impl Burns {
     }
 
     fn line(&mut self, from: Point, to: Point, time_s: f64, speed_mm_s: f64) {
-        if let (Going::Line(burned_s), Some((track, mean_mm_s))) =
+        if let (BurnState::Line(burned_s), Some((track, mean_mm_s))) =
             (self.going, self.lines.last_mut())
             && (speed_mm_s / *mean_mm_s - 1.0).abs() < SAME_SPEED
         {
             track.push(to);
             let total_s = burned_s + time_s;
             *mean_mm_s = (*mean_mm_s * burned_s + speed_mm_s * time_s) / total_s;
-            self.going = Going::Line(total_s);
+            self.going = BurnState::Line(total_s);
             return;
         }
         let mut track = Track::new(from);
         track.push(to);
         self.lines.push((track, speed_mm_s));
-        self.going = Going::Line(time_s);
+        self.going = BurnState::Line(time_s);
     }
 
     pub(crate) fn burns(&self, power_w: f64) -> Vec<Burn> {

@@ -10,14 +10,14 @@ use super::{Actuators, ArmState, Tool};
 
 /// An arm at a moment.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
+pub(crate) struct ArmMoment {
     pub(crate) at: Duration,
     pub(crate) joints: Joints,
     pub(crate) actuators: Actuators,
     pub(crate) tip: Tip,
 }
 
-impl Moment {
+impl ArmMoment {
     /// Whether its angles are such that an arm can have them.
     pub(crate) fn is_somewhere(&self) -> bool {
         let Joints {
@@ -61,20 +61,13 @@ impl Moment {
             return *to;
         }
         let share = f64::from(piece) / f64::from(pieces);
-        let between = |from: f64, to: f64| from + (to - from) * share;
-        let (a, b) = (&self.joints, &to.joints);
-        let joints = Joints::new(
-            between(a.base.0, b.base.0),
-            between(a.rear.0, b.rear.0),
-            between(a.fore.0, b.fore.0),
-            between(a.servo.0, b.servo.0),
-        );
-        let gripper_deg = between(self.actuators.gripper_deg, to.actuators.gripper_deg);
+        let joints = self.joints.towards(&to.joints, share);
+        let (from_deg, to_deg) = (self.actuators.gripper_deg, to.actuators.gripper_deg);
         Self {
             at: self.at + to.at.saturating_sub(self.at).mul_f64(share),
             joints,
             actuators: Actuators {
-                gripper_deg,
+                gripper_deg: from_deg + (to_deg - from_deg) * share,
                 ..to.actuators
             },
             tip: Tip::of(&joints, tool),

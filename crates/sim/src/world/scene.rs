@@ -57,7 +57,7 @@ pub struct Paper {
     pub to_mm: Point,
 }
 
-/// Why a text is no scene. Lines count from 1.
+/// Why a text is not a scene. Lines count from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SceneError {

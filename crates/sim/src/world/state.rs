@@ -1,4 +1,4 @@
-//! What can be known of a world.
+//! The state of a world: all that can be known of it.
 
 use serde::{Deserialize, Serialize};
 

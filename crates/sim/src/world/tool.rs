@@ -1,4 +1,4 @@
-//! What is mounted at the end of the arm.
+//! The tool that is mounted at the end of the arm.
 
 use serde::{Deserialize, Serialize};
 

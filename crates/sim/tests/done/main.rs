@@ -23,7 +23,7 @@ use self::late::Late;
 
 /// What is tried: a state of the protocol, and what of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum CommandKind {
     Mouse,
     Point,
     Turn,
@@ -39,20 +39,20 @@ enum Kind {
     Percent,
 }
 
-const KINDS: [Kind; 13] = [
-    Kind::Mouse,
-    Kind::Point,
-    Kind::Turn,
-    Kind::Vector,
-    Kind::Voice,
-    Kind::Hand,
-    Kind::JointRelease,
-    Kind::LinearRelease,
-    Kind::Switch,
-    Kind::Settings,
-    Kind::Angles,
-    Kind::Tool,
-    Kind::Percent,
+const COMMAND_KINDS: [CommandKind; 13] = [
+    CommandKind::Mouse,
+    CommandKind::Point,
+    CommandKind::Turn,
+    CommandKind::Vector,
+    CommandKind::Voice,
+    CommandKind::Hand,
+    CommandKind::JointRelease,
+    CommandKind::LinearRelease,
+    CommandKind::Switch,
+    CommandKind::Settings,
+    CommandKind::Angles,
+    CommandKind::Tool,
+    CommandKind::Percent,
 ];
 
 #[derive(Debug)]
@@ -100,9 +100,9 @@ impl Dice {
         self.one_of(&[-1.0, 1.0])
     }
 
-    fn command(&mut self, kind: Kind, stock: bool) -> Command {
+    fn command(&mut self, kind: CommandKind, stock: bool) -> Command {
         match kind {
-            Kind::Mouse => {
+            CommandKind::Mouse => {
                 let most = if stock { 25.0 } else { 12.0 };
                 let [x, y, z] = [0, 1, 2].map(|_| self.sign() * self.between(3.0, most));
                 Command::from(MouseMove {
@@ -113,13 +113,13 @@ impl Dice {
                     suction: self.below(2) == 0,
                 })
             }
-            Kind::Point => Command::from(MoveTo {
+            CommandKind::Point => Command::from(MoveTo {
                 rotation_deg: self.one_of(&[0.0, 15.0]),
                 suction: self.below(2) == 0,
                 pause_s: self.pause_s(),
                 ..self.point()
             }),
-            Kind::Turn => Command::from(MoveJoints {
+            CommandKind::Turn => Command::from(MoveJoints {
                 base_deg: self.between(-30.0, 30.0),
                 rear_deg: self.between(35.0, 48.0),
                 fore_deg: self.between(38.0, 50.0),
@@ -129,27 +129,29 @@ impl Dice {
                 gripper_deg: self.between(-10.0, 10.0),
                 pause_s: self.pause_s(),
             }),
-            Kind::Vector => {
+            CommandKind::Vector => {
                 let [x_mm, y_mm] = [0, 1].map(|_| self.sign() * self.between(1.0, 15.0));
                 Command::from(WriteVector::by(x_mm, y_mm, 0.0, self.between(10.0, 60.0)))
             }
-            Kind::Voice => {
+            CommandKind::Voice => {
                 let text = self.one_of(&["left ten", "right ten", "up ten", "down ten", "catch"]);
                 Command::Voice(Voice::new(text).expect("it is short"))
             }
-            Kind::Hand => self.hand(stock),
-            Kind::JointRelease => released_joint(),
-            Kind::LinearRelease => Command::from(LinearJog::new(LinearJogAxis::Released, 0.0)),
-            Kind::Switch => self.switch(),
-            Kind::Settings => self.settings(),
-            Kind::Angles => Command::from(Configuration::InitialAngles {
+            CommandKind::Hand => self.hand(stock),
+            CommandKind::JointRelease => released_joint(),
+            CommandKind::LinearRelease => {
+                Command::from(LinearJog::new(LinearJogAxis::Released, 0.0))
+            }
+            CommandKind::Switch => self.switch(),
+            CommandKind::Settings => self.settings(),
+            CommandKind::Angles => Command::from(Configuration::InitialAngles {
                 rear_deg: self.between(40.0, 50.0),
                 fore_deg: self.between(40.0, 50.0),
             }),
-            Kind::Tool => Command::from(Configuration::EndEffector {
+            CommandKind::Tool => Command::from(Configuration::EndEffector {
                 tool: self.one_of(&[EndEffector::SuctionCup, EndEffector::Laser]),
             }),
-            Kind::Percent => Command::from(PlaybackAdjustment {
+            CommandKind::Percent => Command::from(PlaybackAdjustment {
                 speed_percent: self.between(30.0, 100.0),
                 acceleration_percent: self.between(30.0, 100.0),
                 teach_speed_percent: 100.0,
@@ -186,17 +188,17 @@ impl Dice {
     }
 
     /// A button to be held before it is released.
-    fn pressed(&mut self, kind: Kind) -> Option<Command> {
+    fn pressed(&mut self, kind: CommandKind) -> Option<Command> {
         use JointJogAxis as J;
         use LinearJogAxis as L;
         let speed_percent = self.between(10.0, 60.0);
         match kind {
-            Kind::JointRelease => {
+            CommandKind::JointRelease => {
                 let all = [J::BasePlus, J::BaseMinus, J::ServoPlus, J::GripperOpen];
                 let axis = self.one_of(&all);
                 Some(Command::from(JointJog::new(axis, speed_percent)))
             }
-            Kind::LinearRelease => {
+            CommandKind::LinearRelease => {
                 let axis = self.one_of(&[L::YPlus, L::YMinus, L::ZPlus, L::ZMinus]);
                 Some(Command::from(LinearJog::new(axis, speed_percent)))
             }
@@ -292,7 +294,7 @@ impl Trial {
     }
 
     /// Sends a command and waits for its end; panics where that is told too early, or never.
-    async fn run(&mut self, kind: Kind) {
+    async fn run(&mut self, kind: CommandKind) {
         self.connection.session_mut().confirm_pose();
         let phase = Duration::from_micros(self.dice.below(80_000));
         self.pass(phase).await;
@@ -391,18 +393,18 @@ impl Trial {
 }
 
 /// What leads somewhere and some way further, and some between that does not move the arm.
-const TOGETHER: [Kind; 7] = [
-    Kind::Point,
-    Kind::Point,
-    Kind::Turn,
-    Kind::Vector,
-    Kind::Switch,
-    Kind::Settings,
-    Kind::Percent,
+const TOGETHER: [CommandKind; 7] = [
+    CommandKind::Point,
+    CommandKind::Point,
+    CommandKind::Turn,
+    CommandKind::Vector,
+    CommandKind::Switch,
+    CommandKind::Settings,
+    CommandKind::Percent,
 ];
 
 /// One kind, or several commands in one go.
-async fn try_it(personality: Personality, kind: Option<Kind>, seed: u64) -> Duration {
+async fn try_it(personality: Personality, kind: Option<CommandKind>, seed: u64) -> Duration {
     let mut trial = Trial::new(personality, seed);
     trial.connection.next_status().await.expect("it tells");
     // Half of the sessions have seen how fast the link is.
@@ -436,9 +438,9 @@ fn whatever_is_told_to_be_over_is_over_at_any_phase_and_latency() {
         .expect("it needs nothing");
     let mut failures = Vec::new();
     for personality in Personality::ALL {
-        for kind in KINDS.map(Some).into_iter().chain([None]) {
+        for kind in COMMAND_KINDS.map(Some).into_iter().chain([None]) {
             // A stock arm hears no voice on this port (note N17).
-            if kind == Some(Kind::Voice) && personality == Personality::Firmware11 {
+            if kind == Some(CommandKind::Voice) && personality == Personality::Firmware11 {
                 continue;
             }
             let mut wrong = Vec::new();

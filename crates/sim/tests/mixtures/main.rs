@@ -12,7 +12,7 @@ use dobot_wire::Frame;
 use proptest::prelude::*;
 
 use crate::mixture::{Mixture, mixture};
-use crate::run::{Pace, Run, run};
+use crate::run::{MixtureRun, Slicing, run};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(CASES))]
@@ -20,10 +20,10 @@ proptest! {
     /// Whoever looks at it when, it does the same; and the same again.
     #[test]
     fn it_does_the_same_whoever_looks_when(mixture in mixture()) {
-        let mut by_ticks = run(&mixture, Pace::Ticks);
-        prop_assert!(by_ticks == run(&mixture, Pace::Ticks), "another time it does something else");
+        let mut by_ticks = run(&mixture, Slicing::Ticks);
+        prop_assert!(by_ticks == run(&mixture, Slicing::Ticks), "another time it does something else");
         by_ticks.rows.clear();
-        for pace in [Pace::Bytes, Pace::Chunks] {
+        for pace in [Slicing::Bytes, Slicing::Chunks] {
             let other = run(&mixture, pace);
             prop_assert!(by_ticks == other, "{pace:?}: {}", difference(&by_ticks, &other));
         }
@@ -33,7 +33,7 @@ proptest! {
     /// eight ticks (note N38).
     #[test]
     fn statuses_come_when_they_are_due(mixture in mixture()) {
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         match mixture.port {
             Port::Usb => check_usb_statuses(&run)?,
             Port::Bluetooth => check_bluetooth_statuses(&run)?,
@@ -51,7 +51,7 @@ proptest! {
     /// Position and rotation follow from the angles, unless they are lost (note N21).
     #[test]
     fn the_pose_follows_from_the_angles(mixture in mixture()) {
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         // The very first one over Bluetooth has no pose yet (note N38).
         let skipped = usize::from(mixture.port == Port::Bluetooth);
         for upload in &run.uploads[skipped..] {
@@ -69,7 +69,7 @@ proptest! {
     /// pulses below a text (notes N37, N43 and N50).
     #[test]
     fn pulses_add_up_to_the_angles(mixture in mixture()) {
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         prop_assume!(!mixture.has_text() && !may(&mixture, told_angles));
         let mut told = 0;
         for (tick, row) in run.rows.iter().enumerate() {
@@ -97,7 +97,7 @@ proptest! {
     #[test]
     fn no_joint_goes_beyond_its_hard_limit(mixture in mixture()) {
         prop_assume!(!may(&mixture, told_angles));
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         for upload in &run.uploads {
             let floats = floats(upload, mixture.port);
             for (angle, [low, high]) in floats[4..7].iter().zip(HARD_DEG) {
@@ -112,7 +112,7 @@ proptest! {
     #[test]
     fn only_what_may_switches_pump_and_laser(mixture in mixture()) {
         prop_assume!(!mixture.has_text() && !mixture.has_noise());
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         let pump: Vec<bool> = run.rows.iter().map(|row| row.outputs.pump).collect();
         let laser: Vec<bool> = run.rows.iter().map(|row| row.outputs.laser).collect();
         for (name, states, to, switches) in [
@@ -134,7 +134,7 @@ proptest! {
     #[test]
     fn the_queue_has_six_places(mixture in mixture()) {
         prop_assume!(!mixture.has_text() && !mixture.has_noise());
-        let run = run(&mixture, Pace::Ticks);
+        let run = run(&mixture, Slicing::Ticks);
         for row in &run.rows {
             prop_assert!(row.waiting <= 6, "{} wait", row.waiting);
         }
@@ -142,7 +142,7 @@ proptest! {
     }
 }
 
-fn check_usb_statuses(run: &Run) -> Result<(), TestCaseError> {
+fn check_usb_statuses(run: &MixtureRun) -> Result<(), TestCaseError> {
     let (mut ticks, mut expected) = (0, 0);
     for (tick, row) in run.rows.iter().enumerate() {
         ticks += u8::from(row.waiting < 4);
@@ -156,7 +156,7 @@ fn check_usb_statuses(run: &Run) -> Result<(), TestCaseError> {
 }
 
 /// In the first and fifth tick of eight with 1000 added to x, in the third the permit.
-fn check_bluetooth_statuses(run: &Run) -> Result<(), TestCaseError> {
+fn check_bluetooth_statuses(run: &MixtureRun) -> Result<(), TestCaseError> {
     for upload in &run.uploads {
         let x_mm = raw_floats(upload)[0];
         let tick = upload.at.as_millis() / TICK.as_millis() % 8;
@@ -243,7 +243,7 @@ fn whole(value: f32) -> i16 {
 }
 
 /// The first difference of two runs, to be read by a person.
-fn difference(a: &Run, b: &Run) -> String {
+fn difference(a: &MixtureRun, b: &MixtureRun) -> String {
     let both = a.uploads.iter().zip(&b.uploads);
     if let Some((a, b)) = both.into_iter().find(|(a, b)| a != b) {
         return format!(

@@ -9,7 +9,7 @@ use crate::mixture::Mixture;
 
 /// Who looks at the twin how often.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pace {
+pub(crate) enum Slicing {
     /// At each tick, and with each byte.
     Ticks,
     /// With each byte, and once at the end or each second.
@@ -20,7 +20,7 @@ pub(crate) enum Pace {
 
 /// What came of it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Run {
+pub(crate) struct MixtureRun {
     pub(crate) uploads: Vec<Upload>,
     pub(crate) refused: u64,
     pub(crate) packets: u64,
@@ -28,12 +28,12 @@ pub(crate) struct Run {
     pub(crate) steps: [i64; 3],
     pub(crate) other_port: Vec<u8>,
     /// A row for each tick, if each was looked at.
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<TickRow>,
 }
 
 /// What can be seen behind a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Row {
+pub(crate) struct TickRow {
     pub(crate) outputs: Outputs,
     pub(crate) steps: [i64; 3],
     /// Commands that wait, counted from outside.
@@ -42,7 +42,7 @@ pub(crate) struct Row {
     pub(crate) uploads: usize,
 }
 
-pub(crate) fn run(mixture: &Mixture, pace: Pace) -> Run {
+pub(crate) fn run(mixture: &Mixture, pace: Slicing) -> MixtureRun {
     let bytes = mixture.bytes();
     let mut it = Runner::new(mixture);
     let end = bytes.last().map_or(Duration::ZERO, |it| it.0) + WATCHED;
@@ -50,8 +50,8 @@ pub(crate) fn run(mixture: &Mixture, pace: Pace) -> Run {
     while let Some(&(at, byte)) = rest.first() {
         it.look_until(at, pace);
         let count = match pace {
-            Pace::Ticks | Pace::Bytes => 1,
-            Pace::Chunks => same_half(rest),
+            Slicing::Ticks | Slicing::Bytes => 1,
+            Slicing::Chunks => same_half(rest),
         };
         let (chunk, behind) = rest.split_at(count);
         let values: Vec<u8> = chunk.iter().map(|it| it.1).collect();
@@ -76,7 +76,7 @@ fn same_half(bytes: &[(Duration, u8)]) -> usize {
 
 struct Runner {
     controller: Controller,
-    run: Run,
+    run: MixtureRun,
     next_tick: u32,
     dropped: u64,
 }
@@ -88,28 +88,28 @@ impl Runner {
                 port: mixture.port,
                 ..PowerUp::new(Personality::Firmware11)
             }),
-            run: Run::default(),
+            run: MixtureRun::default(),
             next_tick: 0,
             dropped: 0,
         }
     }
 
-    fn look_until(&mut self, until: Duration, pace: Pace) {
+    fn look_until(&mut self, until: Duration, pace: Slicing) {
         while TICK * self.next_tick <= until {
             let at = TICK * self.next_tick;
             self.next_tick += 1;
             match pace {
-                Pace::Ticks => {
+                Slicing::Ticks => {
                     self.controller.handle_time(at);
                     self.note();
                     self.push_row();
                 }
                 // Statuses are kept for a second.
-                Pace::Bytes | Pace::Chunks if self.next_tick.is_multiple_of(50) => {
+                Slicing::Bytes | Slicing::Chunks if self.next_tick.is_multiple_of(50) => {
                     self.controller.handle_time(at);
                     self.note();
                 }
-                Pace::Bytes | Pace::Chunks => {}
+                Slicing::Bytes | Slicing::Chunks => {}
             }
         }
     }
@@ -127,7 +127,7 @@ impl Runner {
 
     fn push_row(&mut self) {
         let counters = self.controller.counters();
-        self.run.rows.push(Row {
+        self.run.rows.push(TickRow {
             outputs: self.controller.outputs(),
             steps: self.controller.steps(),
             waiting: counters.packets - self.dropped - counters.begun,
@@ -135,11 +135,11 @@ impl Runner {
         });
     }
 
-    fn finish(mut self) -> Run {
+    fn finish(mut self) -> MixtureRun {
         self.controller.handle_time(TICK * (self.next_tick - 1));
         self.note();
         let counters = self.controller.counters();
-        Run {
+        MixtureRun {
             refused: counters.refused,
             packets: counters.packets,
             begun: counters.begun,

@@ -11,21 +11,21 @@ use super::*;
 #[derive(Clone, Debug)]
 enum Step {
     Go {
-        to: Place,
+        to: SafePlace,
         mode: MovingMode,
         pause_s: f32,
     },
     Turn {
-        to: Place,
+        to: SafePlace,
         mode: MovingMode,
     },
     Write {
-        to: Place,
+        to: SafePlace,
         max_mm_s: f32,
         shares: (f32, f32),
     },
     Mouse {
-        to: Place,
+        to: SafePlace,
     },
     Voice,
     Jog {
@@ -44,20 +44,20 @@ enum Step {
     Calibrate {
         rear_deg: f32,
         fore_deg: f32,
-        then: Place,
+        then: SafePlace,
     },
 }
 
 /// A place from where all others are within reach on a straight line.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct SafePlace {
     base_deg: f64,
     reach_mm: f64,
     z_mm: f64,
     rotation_deg: f32,
 }
 
-impl Place {
+impl SafePlace {
     fn position(self) -> Position {
         Position::polar(
             dobot_arm::Millimeters(self.reach_mm),
@@ -67,9 +67,9 @@ impl Place {
     }
 }
 
-fn place() -> impl Strategy<Value = Place> {
+fn place() -> impl Strategy<Value = SafePlace> {
     (-30.0..30.0, 205.0..285.0, -40.0..25.0, -20.0..20.0_f32).prop_map(
-        |(base_deg, reach_mm, z_mm, rotation_deg)| Place {
+        |(base_deg, reach_mm, z_mm, rotation_deg)| SafePlace {
             base_deg,
             reach_mm,
             z_mm,
@@ -201,7 +201,7 @@ impl Model {
         }
     }
 
-    fn turn(&mut self, to: Place, mode: MovingMode) -> Command {
+    fn turn(&mut self, to: SafePlace, mode: MovingMode) -> Command {
         let pose = Pose {
             position: to.position(),
             rotation: dobot_arm::Degrees(to.rotation_deg.into()),
@@ -215,7 +215,7 @@ impl Model {
         Command::from(MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]).with_mode(mode))
     }
 
-    fn write(&mut self, to: Place, max_mm_s: f32, shares: (f32, f32)) -> Vec<Command> {
+    fn write(&mut self, to: SafePlace, max_mm_s: f32, shares: (f32, f32)) -> Vec<Command> {
         let by = to.position() - self.pose.position;
         if by.length().0 < 0.01 {
             return Vec::new();

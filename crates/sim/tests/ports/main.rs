@@ -24,16 +24,16 @@ use std::time::Duration;
 use common::{POWER_UP_X_MM, button, move_to, ms, virtual_arm};
 use dobot_client::{Connection, plausible};
 use dobot_controller::PowerUp;
-use dobot_sim::{Pty, Server, ServerEvent, Speed, What};
+use dobot_sim::{FaultEffect, Pty, Server, ServerEvent, Speed};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MoveTo, MovingMode, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 /// What the server tells.
-struct Told(UnboundedReceiver<ServerEvent>);
+struct ServerEvents(UnboundedReceiver<ServerEvent>);
 
-impl Told {
+impl ServerEvents {
     /// Waits for an event and skips those before it.
     async fn until(&mut self, wanted: impl Fn(&ServerEvent) -> bool) -> ServerEvent {
         loop {
@@ -54,14 +54,14 @@ impl Told {
 }
 
 /// Serves the arm while a test does something with it.
-async fn serve<F: Future<Output = ()>>(server: &mut Server, test: impl FnOnce(Told) -> F) {
+async fn serve<F: Future<Output = ()>>(server: &mut Server, test: impl FnOnce(ServerEvents) -> F) {
     let (tell, told) = unbounded_channel();
     tokio::select! {
         ended = server.run(|event| {
             // A test that has seen enough listens no more.
             let _ = tell.send(event);
         }) => panic!("the server ended: {ended:?}"),
-        () = test(Told(told)) => {}
+        () = test(ServerEvents(told)) => {}
         () = tokio::time::sleep(HANGS) => panic!("the test hangs"),
     }
 }

@@ -6,7 +6,7 @@ use super::*;
 async fn a_serial_program_moves_the_arm_leaves_and_comes_again() {
     let (mut server, path) = on_pty();
     let address = format!("serial:{path}");
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut arm = connect(&address).await;
         let status = arm.next_status().await.expect("one comes");
         #[expect(clippy::cast_possible_truncation, reason = "a status is single")]
@@ -28,7 +28,7 @@ async fn a_serial_program_moves_the_arm_leaves_and_comes_again() {
 }
 
 /// A program that sends the arm on its way and reads nothing, until the arm is there.
-async fn leave_unread(path: &str, told: &mut Told) {
+async fn leave_unread(path: &str, told: &mut ServerEvents) {
     let mut deaf = plain_open(path);
     deaf.write_all(&bytes(there())).expect("it takes them");
     deaf.write_all(&marker()).expect("it takes them");
@@ -38,7 +38,7 @@ async fn leave_unread(path: &str, told: &mut Told) {
 #[tokio::test]
 async fn a_plain_program_gets_nothing_that_was_sent_before_it_came() {
     let (mut server, path) = on_pty();
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         leave_unread(&path, &mut told).await;
         told.disconnected().await;
         // Nothing is discarded here by opening: the file is opened and read, no more.
@@ -54,7 +54,7 @@ async fn a_plain_program_gets_nothing_that_was_sent_before_it_came() {
 #[tokio::test]
 async fn a_connection_gets_nothing_that_was_sent_before_it_however_fast_it_comes() {
     let (mut server, path) = on_pty();
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         leave_unread(&path, &mut told).await;
         let mut arm = connect(&format!("serial:{path}")).await;
         let status = arm.next_status().await.expect("one comes");
@@ -66,7 +66,7 @@ async fn a_connection_gets_nothing_that_was_sent_before_it_however_fast_it_comes
 #[tokio::test]
 async fn a_program_that_writes_and_leaves_at_once_is_heard() {
     let (mut server, path) = on_pty();
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         plain_open(&path)
             .write_all(&marker())
             .expect("it takes them");
@@ -84,7 +84,7 @@ async fn a_killed_client_does_not_lock_the_next_one_out() {
     let pty = Pty::open(Some(&link)).expect("nothing is in the way");
     let mut server = Server::new(virtual_arm()).on_pty(pty);
     let path = link.to_str().expect("it is text");
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let killed = plain_open(path);
         rustix::termios::ioctl_tiocexcl(&killed).expect("it is a terminal");
         told.until(|it| *it == ServerEvent::PtyOpened).await;

@@ -11,7 +11,7 @@ async fn on_both() -> (Server, SocketAddr, String) {
 #[tokio::test]
 async fn who_has_the_serial_port_open_has_the_arm() {
     let (mut server, address, path) = on_both().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut first = connect(&format!("serial:{path}")).await;
         first.next_status().await.expect("one comes");
         let mut second = TcpStream::connect(address).await.expect("it listens");
@@ -28,7 +28,7 @@ async fn who_has_the_serial_port_open_has_the_arm() {
 #[tokio::test]
 async fn who_opens_the_serial_port_during_a_tcp_connection_gets_the_arm_after_it() {
     let (mut server, address, path) = on_both().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut first = connect(&format!("tcp:{address}")).await;
         first.next_status().await.expect("one comes");
         let mut second = plain_open(&path);

@@ -28,7 +28,7 @@ async fn a_move_is_seen_to_be_over() {
 #[tokio::test]
 async fn a_second_client_is_turned_away_until_the_first_has_left() {
     let (mut server, address) = on_tcp().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut first = connect(&format!("tcp:{address}")).await;
         first.next_status().await.expect("one comes");
         let mut second = TcpStream::connect(address).await.expect("it listens");
@@ -50,7 +50,7 @@ async fn a_second_client_is_turned_away_until_the_first_has_left() {
 #[tokio::test]
 async fn a_client_that_leaves_in_the_middle_of_a_packet_harms_nobody() {
     let (mut server, address) = on_tcp().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut torn = TcpStream::connect(address).await.expect("it listens");
         torn.write_all(&marker()[..20])
             .await
@@ -70,7 +70,7 @@ async fn a_client_that_leaves_in_the_middle_of_a_packet_harms_nobody() {
 #[tokio::test]
 async fn a_client_that_never_reads_does_not_stop_the_arm() {
     let (mut server, address) = on_tcp().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut deaf = TcpStream::connect(address).await.expect("it listens");
         deaf.write_all(&bytes(there()))
             .await
@@ -90,7 +90,7 @@ async fn a_client_that_never_reads_does_not_stop_the_arm() {
 #[tokio::test]
 async fn a_client_that_sends_faster_than_the_line_is_told_of_once_and_served_on() {
     let (mut server, address) = on_tcp().await;
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut flood = TcpStream::connect(address).await.expect("it listens");
         for _ in 0..100 {
             flood.write_all(&[0x55; 1000]).await.expect("it takes them");

@@ -13,7 +13,7 @@ async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
     let fault = "close@packet1..+3s".parse().expect("it is a fault");
     let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
     let mut server = Server::new(arm).on_tcp(listener);
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut first = connect(&format!("tcp:{address}")).await;
         first.send(idle_button()).expect("it is allowed");
         while first.next_status().await.is_ok() {}
@@ -23,7 +23,7 @@ async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
         told.until(|it| matches!(it, ServerEvent::PortClosed(_)))
             .await;
         let over = |it: &ServerEvent| {
-            matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0))
+            matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0))
         };
         told.until(over).await;
         let mut third = connect(&format!("tcp:{address}")).await;
@@ -39,7 +39,7 @@ async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
     let fault = "close@packet1..+200ms".parse().expect("it is a fault");
     let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
     let mut server = Server::new(arm).on_pty(pty);
-    serve(&mut server, async |mut told: Told| {
+    serve(&mut server, async |mut told: ServerEvents| {
         let mut first = connect(&format!("serial:{path}")).await;
         first.send(idle_button()).expect("it is allowed");
         while first.next_status().await.is_ok() {}
@@ -49,8 +49,10 @@ async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
         let ServerEvent::PtyMoved(path) = moved else {
             panic!("{moved:?}");
         };
-        told.until(|it| matches!(it, ServerEvent::Struck(struck) if struck.what == What::Over(0)))
-            .await;
+        told.until(
+            |it| matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0)),
+        )
+        .await;
         let mut second = connect(&format!("serial:{}", path.display())).await;
         second.next_status().await.expect("the arm is still there");
     })

@@ -1,4 +1,4 @@
-//! What is allowed in a scene.
+//! The checks of a scene.
 
 mod objects;
 
@@ -7,12 +7,12 @@ use std::ops::RangeInclusive;
 use dobot_geometry::Point;
 use toml::Spanned;
 
-use super::file::{self, File, Number, line};
+use super::file::{self, File, line};
 use super::{Paper, Scene, SceneError};
 use crate::world::{Tool, ToolKind};
 
 pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
-    let check = Check { text };
+    let check = SceneCheck { text };
     Ok(Scene {
         tool: check.tool(file)?,
         table_z_mm: check.table(file)?,
@@ -22,11 +22,11 @@ pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
 }
 
 /// Checks, and tells the lines of the text.
-struct Check<'a> {
+struct SceneCheck<'a> {
     text: &'a str,
 }
 
-impl Check<'_> {
+impl SceneCheck<'_> {
     fn line<T>(&self, it: &Spanned<T>) -> usize {
         line(self.text, it.span().start)
     }
@@ -57,37 +57,23 @@ impl Check<'_> {
     }
 
     fn tool(&self, file: &File) -> Result<Tool, SceneError> {
-        let tools = [
-            file.pen.as_ref().map(|it| self.pen(it)),
-            file.laser.as_ref().map(|it| self.laser(it)),
-            file.suction_cup.as_ref().map(|it| self.suction_cup(it)),
-            file.gripper.as_ref().map(|it| self.gripper(it)),
-        ];
-        let mut tools = tools.into_iter().flatten();
-        let Some(tool) = tools.next() else {
-            let found = "there is no tool".to_owned();
-            return Err(SceneError::Tools { line: 1, found });
+        let pen = file.pen.as_ref().map(|it| (self.line(it), self.pen(it)));
+        let laser = file.laser.as_ref();
+        let laser = laser.map(|it| (self.line(it), self.laser(it)));
+        let cup = file.suction_cup.as_ref();
+        let cup = cup.map(|it| (self.line(it), self.suction_cup(it)));
+        let gripper = file.gripper.as_ref();
+        let gripper = gripper.map(|it| (self.line(it), self.gripper(it)));
+        let tools = [pen, laser, cup, gripper].into_iter().flatten();
+        let mut tools: Vec<_> = tools.collect();
+        tools.sort_by_key(|(line, _)| *line);
+        let (line, found) = match (tools.get(1), tools.len()) {
+            (Some((line, _)), _) => (*line, "there is a second tool"),
+            (None, 0) => (1, "there is no tool"),
+            (None, _) => return tools.swap_remove(0).1,
         };
-        if tools.next().is_some() {
-            let found = "there is a second tool".to_owned();
-            let line = self.second_tool(file);
-            return Err(SceneError::Tools { line, found });
-        }
-        tool
-    }
-
-    fn second_tool(&self, file: &File) -> usize {
-        let mut lines: Vec<usize> = [
-            file.pen.as_ref().map(|it| self.line(it)),
-            file.laser.as_ref().map(|it| self.line(it)),
-            file.suction_cup.as_ref().map(|it| self.line(it)),
-            file.gripper.as_ref().map(|it| self.line(it)),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        lines.sort_unstable();
-        lines.get(1).copied().unwrap_or(1)
+        let found = found.to_owned();
+        Err(SceneError::Tools { line, found })
     }
 
     fn pen(&self, pen: &Spanned<file::Pen>) -> Result<Tool, SceneError> {
@@ -103,7 +89,7 @@ impl Check<'_> {
 
     fn laser(&self, laser: &Spanned<file::Laser>) -> Result<Tool, SceneError> {
         let it = laser.get_ref();
-        let optional = |number: &Option<Number>, what, range, default| {
+        let optional = |number: &Option<Spanned<f64>>, what, range, default| {
             self.optional(number.as_ref(), what, range, default)
         };
         let kind = ToolKind::Laser {
@@ -161,7 +147,7 @@ impl Check<'_> {
     fn mounted(
         &self,
         name: &str,
-        [down_z, give]: [&Option<Number>; 2],
+        [down_z, give]: [&Option<Spanned<f64>>; 2],
         [down_z_mm, give_mm]: [f64; 2],
         kind: ToolKind,
     ) -> Result<Tool, SceneError> {
@@ -180,7 +166,7 @@ impl Check<'_> {
 
     fn number(
         &self,
-        number: &Number,
+        number: &Spanned<f64>,
         what: &str,
         range: RangeInclusive<f64>,
     ) -> Result<f64, SceneError> {
@@ -189,7 +175,7 @@ impl Check<'_> {
 
     fn optional(
         &self,
-        number: Option<&Number>,
+        number: Option<&Spanned<f64>>,
         what: &str,
         range: RangeInclusive<f64>,
         default: f64,

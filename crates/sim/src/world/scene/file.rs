@@ -5,9 +5,6 @@ use toml::Spanned;
 
 use super::SceneError;
 
-/// A number and where it stands.
-pub(super) type Number = Spanned<f64>;
-
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct File {
@@ -26,7 +23,7 @@ pub(super) struct File {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Table {
-    pub(super) z_mm: Number,
+    pub(super) z_mm: Spanned<f64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -43,38 +40,38 @@ pub(super) struct Paper {
     reason = "a number carries its unit; these happen to have the same"
 )]
 pub(super) struct Pen {
-    pub(super) down_z_mm: Option<Number>,
-    pub(super) give_mm: Option<Number>,
-    pub(super) width_mm: Option<Number>,
+    pub(super) down_z_mm: Option<Spanned<f64>>,
+    pub(super) give_mm: Option<Spanned<f64>>,
+    pub(super) width_mm: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Laser {
-    pub(super) down_z_mm: Option<Number>,
-    pub(super) give_mm: Option<Number>,
-    pub(super) focus_mm: Option<Number>,
-    pub(super) depth_mm: Option<Number>,
-    pub(super) power_w: Option<Number>,
+    pub(super) down_z_mm: Option<Spanned<f64>>,
+    pub(super) give_mm: Option<Spanned<f64>>,
+    pub(super) focus_mm: Option<Spanned<f64>>,
+    pub(super) depth_mm: Option<Spanned<f64>>,
+    pub(super) power_w: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SuctionCup {
-    pub(super) down_z_mm: Option<Number>,
-    pub(super) give_mm: Option<Number>,
-    pub(super) diameter_mm: Option<Number>,
-    pub(super) lifts_g: Option<Number>,
+    pub(super) down_z_mm: Option<Spanned<f64>>,
+    pub(super) give_mm: Option<Spanned<f64>>,
+    pub(super) diameter_mm: Option<Spanned<f64>>,
+    pub(super) lifts_g: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Gripper {
-    pub(super) down_z_mm: Option<Number>,
-    pub(super) give_mm: Option<Number>,
-    pub(super) open_mm: Option<Number>,
-    pub(super) closed_mm: Option<Number>,
-    pub(super) lifts_g: Option<Number>,
+    pub(super) down_z_mm: Option<Spanned<f64>>,
+    pub(super) give_mm: Option<Spanned<f64>>,
+    pub(super) open_mm: Option<Spanned<f64>>,
+    pub(super) closed_mm: Option<Spanned<f64>>,
+    pub(super) lifts_g: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -83,8 +80,8 @@ pub(super) struct Box {
     pub(super) name: Option<Spanned<String>>,
     pub(super) size_mm: Spanned<[f64; 3]>,
     pub(super) at_mm: Spanned<[f64; 2]>,
-    pub(super) turn_deg: Option<Number>,
-    pub(super) mass_g: Option<Number>,
+    pub(super) turn_deg: Option<Spanned<f64>>,
+    pub(super) mass_g: Option<Spanned<f64>>,
     pub(super) color: Option<Spanned<String>>,
     pub(super) on: Option<Spanned<String>>,
 }
@@ -93,10 +90,10 @@ pub(super) struct Box {
 #[serde(deny_unknown_fields)]
 pub(super) struct Cylinder {
     pub(super) name: Option<Spanned<String>>,
-    pub(super) diameter_mm: Number,
-    pub(super) height_mm: Number,
+    pub(super) diameter_mm: Spanned<f64>,
+    pub(super) height_mm: Spanned<f64>,
     pub(super) at_mm: Spanned<[f64; 2]>,
-    pub(super) mass_g: Option<Number>,
+    pub(super) mass_g: Option<Spanned<f64>>,
     pub(super) color: Option<Spanned<String>>,
     pub(super) on: Option<Spanned<String>>,
 }

@@ -1,23 +1,23 @@
-//! What is allowed of objects: where they stand, on what, and not in each other.
+//! The checks of objects: where they stand, on what, and that no two are in one place.
 
 use std::ops::RangeInclusive;
 
 use dobot_geometry::Point;
 use toml::Spanned;
 
-use super::{Check, MOST_G, NEAR_MM};
+use super::{MOST_G, NEAR_MM, SceneCheck};
 use crate::world::color::{color, names};
 use crate::world::footprint::Footprint;
 use crate::world::scene::SceneError;
-use crate::world::scene::file::{self, File, Number};
+use crate::world::scene::file::{self, File};
 use crate::world::{Object, Shape};
 
 /// What the file tells of every object, whatever its shape.
-struct Thing<'a> {
+struct ObjectKeys<'a> {
     name: String,
     line: usize,
     at_mm: &'a Spanned<[f64; 2]>,
-    mass_g: Option<&'a Number>,
+    mass_g: Option<&'a Spanned<f64>>,
     color: Option<&'a Spanned<String>>,
     on: Option<&'a Spanned<String>>,
 }
@@ -29,7 +29,7 @@ struct Placed<'a> {
     on: Option<&'a Spanned<String>>,
 }
 
-impl Check<'_> {
+impl SceneCheck<'_> {
     /// The objects, in the order of the file, at their heights.
     pub(super) fn objects(&self, file: &File) -> Result<Vec<Object>, SceneError> {
         let mut placed = Vec::new();
@@ -68,7 +68,7 @@ impl Check<'_> {
         }
         let turn_deg =
             self.optional(file.turn_deg.as_ref(), &of("turn_deg"), -360.0..=360.0, 0.0)?;
-        let thing = Thing {
+        let thing = ObjectKeys {
             name,
             line: self.line(it),
             at_mm: &file.at_mm,
@@ -91,7 +91,7 @@ impl Check<'_> {
             diameter_mm: self.number(&file.diameter_mm, &of("diameter_mm"), SIZE_MM)?,
             height_mm: self.number(&file.height_mm, &of("height_mm"), SIZE_MM)?,
         };
-        let thing = Thing {
+        let thing = ObjectKeys {
             name,
             line: self.line(it),
             at_mm: &file.at_mm,
@@ -104,7 +104,7 @@ impl Check<'_> {
 
     fn place<'a>(
         &self,
-        thing: Thing<'a>,
+        thing: ObjectKeys<'a>,
         shape: Shape,
         turn_deg: f64,
     ) -> Result<Placed<'a>, SceneError> {

@@ -8,7 +8,7 @@ use crate::{JogTrajectory, Place};
 
 /// How an arm gets somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Way {
+pub(crate) enum Motion {
     /// Not at all.
     Still,
     Joints(JointMove),
@@ -28,7 +28,7 @@ pub(crate) enum Way {
     RunDown(JogTrajectory),
 }
 
-impl Way {
+impl Motion {
     /// Where the arm is after a time, if it moves.
     pub(crate) fn place_at(&self, t_s: f64, tool: Tool) -> Option<Result<Place, Unreachable>> {
         Some(match self {

@@ -1,20 +1,20 @@
-//! What the statuses of a motion tell about it.
+//! A motion as its statuses tell it.
 
-use dobot_arm::{Joints, Position, Tool, forward};
+use dobot_arm::{Position, Tool, forward};
 use dobot_client::position;
 use dobot_wire::{Dialect, Status};
 
 use crate::rig::joints;
-use crate::seen::Seen;
+use crate::timed_status::TimedStatus;
 
 /// The statuses of one motion, from rest to rest.
 #[derive(Debug)]
-pub(crate) struct Way<'s> {
-    seen: &'s [Seen],
+pub(crate) struct ObservedMotion<'s> {
+    seen: &'s [TimedStatus],
 }
 
-impl<'s> Way<'s> {
-    pub(crate) const fn new(seen: &'s [Seen]) -> Self {
+impl<'s> ObservedMotion<'s> {
+    pub(crate) const fn new(seen: &'s [TimedStatus]) -> Self {
         Self { seen }
     }
 
@@ -60,17 +60,17 @@ impl<'s> Way<'s> {
     pub(crate) fn rest_s(&self, at: [f32; 3]) -> f64 {
         let [x, y, z] = at.map(f64::from);
         let place = Position::new(x, y, z);
-        let near = |seen: &&Seen| position(&seen.status).distance(place).0 < HERE_MM;
+        let near = |seen: &&TimedStatus| position(&seen.status).distance(place).0 < HERE_MM;
         let count = self.seen.iter().filter(near).count();
         f64::from(u32::try_from(count).unwrap_or(u32::MAX)) * PERIOD_S
     }
 
     /// The statuses that tell of neither end.
-    fn under_way(&self) -> Vec<Seen> {
+    fn under_way(&self) -> Vec<TimedStatus> {
         let (Some(first), Some(last)) = (self.seen.first(), self.seen.last()) else {
             return Vec::new();
         };
-        let between = |it: &&Seen| apart(first, it) > HERE_MM && apart(last, it) > HERE_MM;
+        let between = |it: &&TimedStatus| apart(first, it) > HERE_MM && apart(last, it) > HERE_MM;
         self.seen.iter().filter(between).copied().collect()
     }
 
@@ -101,17 +101,10 @@ pub(crate) fn off_segment(from: Position, to: Position, at: &Status) -> f64 {
 fn off_joints(from: &Status, to: &Status, at: &Status, tool: Tool) -> f64 {
     let (a, b) = (joints(from), joints(to));
     let here = position(at);
-    let off = |share: f64| {
-        let between = |a: f64, b: f64| a + (b - a) * share;
-        let joints = Joints::new(
-            between(a.base.0, b.base.0),
-            between(a.rear.0, b.rear.0),
-            between(a.fore.0, b.fore.0),
-            0.0,
-        );
+    nearest(|share| {
+        let joints = a.towards(&b, share);
         forward(&joints, tool).position.distance(here).0
-    };
-    nearest(off)
+    })
 }
 
 /// The least value of a function with one valley between 0 and 1.
@@ -133,11 +126,11 @@ fn dot(a: Position, b: Position) -> f64 {
 }
 
 /// How many periods of statuses lie between two, whether all between them came or not.
-pub(crate) fn periods(a: &Seen, b: &Seen) -> f64 {
+pub(crate) fn periods(a: &TimedStatus, b: &TimedStatus) -> f64 {
     (b.at.saturating_sub(a.at).as_secs_f64() / PERIOD_S).round()
 }
 
-fn apart(a: &Seen, b: &Seen) -> f64 {
+fn apart(a: &TimedStatus, b: &TimedStatus) -> f64 {
     position(&a.status).distance(position(&b.status)).0
 }
 

@@ -1,17 +1,17 @@
-//! What a virtual arm needs to go wrong and to start anew.
+//! The state of the faults of a virtual arm, and the start of another controller.
 
 use std::time::Duration;
 
 use dobot_controller::{Controller, PowerUp};
 
 use super::schedule::Counted;
-use super::{Fault, Order, Schedule, Tilt};
+use super::{ArmOrder, Fault, FaultSchedule, Tilt};
 use crate::Mechanics;
 
 /// The faults of a virtual arm, and what it takes to start its controller anew.
 #[derive(Debug)]
-pub(crate) struct Trouble {
-    pub(crate) schedule: Schedule,
+pub(crate) struct FaultState {
+    pub(crate) schedule: FaultSchedule,
     power_up: PowerUp,
     /// How much further each joint stands than the controller believes at power-up.
     zeros_deg: [f64; 4],
@@ -21,7 +21,7 @@ pub(crate) struct Trouble {
     pub(crate) has_port: bool,
 }
 
-impl Trouble {
+impl FaultState {
     /// Fits the machine with faults, which a controller switched on so knows nothing of.
     pub(crate) fn new(
         power_up: PowerUp,
@@ -29,7 +29,7 @@ impl Trouble {
         seed: u64,
         machine: &mut Mechanics,
     ) -> Self {
-        let schedule = Schedule::new(faults, seed);
+        let schedule = FaultSchedule::new(faults, seed);
         let zeros_deg = schedule.fit(machine);
         Self {
             schedule,
@@ -41,7 +41,11 @@ impl Trouble {
     }
 
     /// Takes the passing of time; says what is to happen to the arm, if something is.
-    pub(crate) fn handle_time(&mut self, now: Duration, controller: &Controller) -> Option<Order> {
+    pub(crate) fn handle_time(
+        &mut self,
+        now: Duration,
+        controller: &Controller,
+    ) -> Option<ArmOrder> {
         self.schedule.handle_time(now, self.counted(controller));
         self.schedule.poll_order()
     }

@@ -1,16 +1,16 @@
-//! What a vector leaves for the next one.
+//! The speed that a vector leaves for the next one.
 
 /// The end speed of the last vector in mm/s, with which the next one starts where the dialect does not
-/// use its start speed (notes N5 and N48); where it does, nobody cares.
+/// use its start speed (notes N5 and N48); where it does, this has no effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Left {
+pub(crate) struct LeftSpeed {
     pub(crate) believed_mm_s: f32,
-    /// What it may be instead where nobody knows: of an arm that others used before, or behind a vector
+    /// What it may be instead where it is unknown: of an arm that others used before, or behind a vector
     /// that may have been cut short.
     pub(crate) perhaps_mm_s: Option<[f32; 3]>,
 }
 
-impl Left {
+impl LeftSpeed {
     /// At power-up.
     pub(crate) const NOTHING: Self = Self::known(0.0);
 
@@ -33,7 +33,7 @@ impl Left {
         perhaps.any(|it| f64::from(*it) < CREEPS_MM_S)
     }
 
-    /// The same, where nobody knows whether it is so.
+    /// The same, where it is unknown whether it is so.
     pub(crate) const fn perhaps(self) -> Self {
         Self {
             perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),

@@ -1,4 +1,4 @@
-//! What came.
+//! A status, and when it came.
 
 use std::time::Duration;
 
@@ -6,7 +6,7 @@ use dobot_wire::Status;
 
 /// A status and when it was there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
+pub(crate) struct TimedStatus {
     pub(crate) at: Duration,
     pub(crate) status: Status,
 }
