@@ -10,10 +10,10 @@ use dobot_record::{
 use dobot_wire::{Commands, Decoder, Dialect, Status, Statuses};
 use serde_json::json;
 
-use crate::decode::{self, Content, Place};
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::folders;
+use crate::verbs::decode::{self, Content, Place};
 
 /// List the recordings, or say what one holds
 #[derive(Debug, clap::Args)]

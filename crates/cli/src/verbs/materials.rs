@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use dobot_draw::{Material, Materials};
 use dobot_plan::DrawingTool;
 
-use crate::draw::materials;
 use crate::failure::Failure;
 use crate::output;
+use crate::verbs::draw::materials;
 
 /// List the pens and materials that `dobot draw` knows
 #[derive(Debug, clap::Args)]

@@ -15,8 +15,9 @@ use tokio::time::{Instant, sleep_until, timeout};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::log::{Shelf, no_recording, open};
-use crate::{decode, output};
+use crate::output;
+use crate::verbs::decode;
+use crate::verbs::log::{Shelf, no_recording, open};
 
 /// Play a recording back as a virtual arm, and compare what its client sends
 #[derive(Debug, clap::Args)]

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::segment::Segment;
-use crate::decode::content::Place;
-use crate::decode::input::{Chunk, Part};
+use crate::verbs::decode::content::Place;
+use crate::verbs::decode::input::{Chunk, Part};
 
 /// One way of a TCP connection.
 #[derive(Debug, Default)]

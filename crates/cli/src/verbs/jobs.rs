@@ -14,8 +14,8 @@ use crate::connect::To;
 use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
-use crate::jog::laser_seconds;
 use crate::output::{self, clock, time_left};
+use crate::verbs::jog::laser_seconds;
 
 /// List, start, pause and cancel jobs: of the station, or of an arm that is used without one
 #[derive(Debug, clap::Args)]

@@ -152,9 +152,9 @@ mod tests {
     }
 
     const SAMPLES: [&[u8]; 4] = [
-        include_bytes!("../../tests/process/samples/decode/awkward.pcapng"),
-        include_bytes!("../../tests/process/samples/decode/null-big-endian.pcap"),
-        include_bytes!("../../tests/process/samples/decode/sll2-ipv6.pcap"),
-        include_bytes!("../../tests/process/samples/decode/ethernet.pcap"),
+        include_bytes!("../../../tests/process/samples/decode/awkward.pcapng"),
+        include_bytes!("../../../tests/process/samples/decode/null-big-endian.pcap"),
+        include_bytes!("../../../tests/process/samples/decode/sll2-ipv6.pcap"),
+        include_bytes!("../../../tests/process/samples/decode/ethernet.pcap"),
     ];
 }

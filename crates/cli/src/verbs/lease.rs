@@ -12,9 +12,9 @@ use tokio::time::sleep;
 use crate::control::{arm_laser, first_state, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::jog::laser_seconds;
 use crate::output::{self, clock};
 use crate::reach::Station;
+use crate::verbs::jog::laser_seconds;
 
 /// Show, take, ask for and give control of the arm
 #[derive(Debug, clap::Args)]

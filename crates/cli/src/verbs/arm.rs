@@ -13,7 +13,7 @@ use tokio::task::JoinSet;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
-use crate::world::read_scene;
+use crate::verbs::world::read_scene;
 
 /// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]

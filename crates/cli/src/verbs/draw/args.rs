@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_draw::Options;
 
 use crate::connect::To;
-use crate::jog::laser_seconds;
+use crate::verbs::jog::laser_seconds;
 
 /// Draw a file, a picture or a text, or burn it with the laser
 #[derive(Debug, clap::Args)]

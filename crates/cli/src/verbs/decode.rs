@@ -160,11 +160,11 @@ mod tests {
     }
 
     const SAMPLES: [&[u8]; 6] = [
-        include_bytes!("../tests/process/samples/decode/awkward.pcapng"),
-        include_bytes!("../tests/process/samples/decode/sll.pcap"),
-        include_bytes!("../tests/process/samples/decode/socat.txt"),
-        include_bytes!("../tests/process/samples/decode/hexdump-C.txt"),
-        include_bytes!("../tests/process/samples/decode/python.txt"),
-        include_bytes!("../tests/process/samples/decode/packets.bin"),
+        include_bytes!("../../tests/process/samples/decode/awkward.pcapng"),
+        include_bytes!("../../tests/process/samples/decode/sll.pcap"),
+        include_bytes!("../../tests/process/samples/decode/socat.txt"),
+        include_bytes!("../../tests/process/samples/decode/hexdump-C.txt"),
+        include_bytes!("../../tests/process/samples/decode/python.txt"),
+        include_bytes!("../../tests/process/samples/decode/packets.bin"),
     ];
 }

@@ -1,0 +1,125 @@
+//! The verbs of the program, a file each: what comes behind `dobot`.
+
+mod arm;
+mod completions;
+mod confirm;
+mod conformance;
+mod decode;
+mod detect;
+mod draw;
+#[cfg(unix)]
+mod guardian;
+mod jobs;
+mod jog;
+mod lease;
+mod log;
+mod man;
+mod materials;
+mod move_;
+mod policy;
+mod ports;
+mod replay;
+#[cfg(unix)]
+mod service;
+mod set;
+mod simulate;
+mod status;
+mod stop;
+mod token;
+mod up;
+mod watch;
+mod world;
+
+use clap::Subcommand;
+
+use crate::failure::Failure;
+use crate::logging::LogFormat;
+
+/// What comes behind `dobot`.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    Up(up::Args),
+    Draw(Box<draw::Args>),
+    Materials(materials::Args),
+    Arm(arm::Args),
+    Status(status::Args),
+    Move(move_::Args),
+    Jog(jog::Args),
+    Set(set::Args),
+    Simulate(simulate::Args),
+    Decode(decode::Args),
+    World(world::Args),
+    Policy(policy::Args),
+    Ports(ports::Args),
+    Log(log::Args),
+    Replay(replay::Args),
+    Conformance(conformance::Args),
+    Stop(stop::Args),
+    Watch(watch::Args),
+    Jobs(jobs::Args),
+    Lease(lease::Args),
+    Confirm(confirm::Args),
+    Detect(detect::Args),
+    Token(token::Args),
+    #[cfg(unix)]
+    Service(service::Args),
+    Completions(completions::Args),
+    Man(man::Args),
+    #[cfg(unix)]
+    #[command(hide = true)]
+    Guardian(guardian::Args),
+}
+
+impl Verb {
+    /// How its log is written.
+    pub(crate) fn log_format(&self) -> LogFormat {
+        match self {
+            Self::Up(args) => args.log_format,
+            _ => LogFormat::Text,
+        }
+    }
+
+    /// Does it.
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Up(args) => wait_for(up::run(args)),
+            Self::Draw(args) => wait_for(draw::run(*args)),
+            Self::Materials(args) => materials::run(&args),
+            Self::Arm(args) => wait_for(arm::run(args)),
+            Self::Status(args) => wait_for(status::run(args)),
+            Self::Move(args) => wait_for(move_::run(args)),
+            Self::Jog(args) => wait_for(jog::run(args)),
+            Self::Set(args) => wait_for(set::run(args)),
+            Self::Simulate(args) => simulate::run(&args),
+            Self::Decode(args) => decode::run(&args),
+            Self::World(args) => wait_for(world::run(args)),
+            Self::Policy(args) => policy::run(&args),
+            Self::Ports(args) => ports::run(&args),
+            Self::Log(args) => log::run(&args),
+            Self::Replay(args) => wait_for(replay::run(args)),
+            Self::Conformance(args) => wait_for(conformance::run(args)),
+            Self::Stop(args) => wait_for(stop::run(args)),
+            Self::Watch(args) => wait_for(watch::run(args)),
+            Self::Jobs(args) => wait_for(jobs::run(args)),
+            Self::Lease(args) => wait_for(lease::run(args)),
+            Self::Confirm(args) => wait_for(confirm::run(args)),
+            Self::Detect(args) => wait_for(detect::run(args)),
+            Self::Token(args) => token::run(args),
+            #[cfg(unix)]
+            Self::Service(args) => service::run(args),
+            Self::Completions(args) => completions::run(&args),
+            Self::Man(args) => man::run(&args),
+            #[cfg(unix)]
+            Self::Guardian(args) => guardian::run(&args),
+        }
+    }
+}
+
+/// Runs a verb that waits for ports and for time.
+fn wait_for(verb: impl Future<Output = Result<(), Failure>>) -> Result<(), Failure> {
+    let runtime = tokio::runtime::Runtime::new()?;
+    let result = runtime.block_on(verb);
+    // A read of standard input or a port may still hang in a thread of its own.
+    runtime.shutdown_background();
+    result
+}
