@@ -1,8 +1,9 @@
 //! From an address to an arm under its rules.
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 use dobot_api::State;
 use dobot_client::Address;
 use dobot_controller::{Personality, PowerUp};
@@ -12,7 +13,6 @@ use dobot_wire::Dialect;
 
 use crate::control::first_state;
 use crate::failure::Failure;
-use crate::policy;
 use crate::reach::{Station, client_name, folders};
 
 /// Which arm, and by which way.
@@ -133,7 +133,7 @@ impl To {
     /// The policy that was given, or the default one.
     pub(crate) fn policy(&self) -> Result<Policy, Failure> {
         let file = self.policy.as_deref();
-        file.map_or_else(|| Ok(Policy::default()), policy::read)
+        file.map_or_else(|| Ok(Policy::default()), read_policy)
     }
 
     async fn open(&self, verb: &str) -> Result<StationClient, Failure> {
@@ -184,4 +184,16 @@ pub(crate) fn speaker(dialect: Dialect) -> Personality {
         .into_iter()
         .find(|it| it.dialect() == dialect)
         .expect("each dialect has a controller that speaks it")
+}
+
+/// Reads a policy file.
+pub(crate) fn read_policy(file: &Path) -> Result<Policy, Failure> {
+    let text = fs::read_to_string(file)
+        .with_context(|| format!("the policy {} cannot be read", file.display()))?;
+    Policy::from_toml(&text).map_err(|error| {
+        Failure::new(
+            anyhow!("{}: {error}", file.display()),
+            "`dobot policy` prints the default policy with every key and a comment on each",
+        )
+    })
 }

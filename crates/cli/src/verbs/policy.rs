@@ -1,7 +1,6 @@
 //! `dobot policy`: shows and checks the safety policy.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
 use clap::{Subcommand, ValueEnum};
@@ -10,6 +9,7 @@ use dobot_safety::Policy;
 use dobot_trajectory::{Model, Place};
 use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
+use crate::connect::read_policy;
 use crate::failure::Failure;
 use crate::output;
 
@@ -76,9 +76,9 @@ enum Way {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     match &args.action {
         None => print(Policy::DEFAULT_TOML)?,
-        Some(Action::Show { file }) => print(&read(file)?.to_toml())?,
+        Some(Action::Show { file }) => print(&read_policy(file)?.to_toml())?,
         Some(Action::Check { file }) => {
-            read(file)?;
+            read_policy(file)?;
             output::line(&format!("{} is a good policy", file.display()))?;
         }
         Some(Action::Schema) => print(&serde_json::to_string_pretty(&Policy::json_schema())?)?,
@@ -91,21 +91,12 @@ fn print(text: &str) -> std::io::Result<()> {
     output::line(text.trim_end())
 }
 
-/// Reads a policy file.
-pub(crate) fn read(file: &Path) -> Result<Policy, Failure> {
-    let text = fs::read_to_string(file)
-        .with_context(|| format!("the policy {} cannot be read", file.display()))?;
-    Policy::from_toml(&text).map_err(|error| {
-        Failure::new(
-            anyhow!("{}: {error}", file.display()),
-            "`dobot policy` prints the default policy with every key and a comment on each",
-        )
-    })
-}
-
 /// Whether the move is allowed, at the speeds of an arm that has just been switched on.
 fn judge(test: &Test) -> Result<String, Failure> {
-    let policy = test.policy.as_deref().map_or(Ok(Policy::default()), read)?;
+    let policy = test
+        .policy
+        .as_deref()
+        .map_or(Ok(Policy::default()), read_policy)?;
     let from = place(&test.from)
         .with_context(|| format!("the arm cannot stand at {}", told(&test.from)))?;
     let model = Model::standing(test.dialect, from);
