@@ -83,9 +83,9 @@ mod tests {
     #[test]
     fn every_file_of_the_folder_has_one_row() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/files");
-        let names = std::fs::read_dir(folder).unwrap().map(|it| {
-            let name = it.unwrap().file_name();
-            name.into_string().unwrap()
+        let names = std::fs::read_dir(folder).expect("it is there").map(|it| {
+            let name = it.expect("it is read").file_name();
+            name.into_string().expect("names are text")
         });
         let there: BTreeSet<String> = names.filter(|name| is_served(name)).collect();
         let name = |file: &File| match file.path {

@@ -86,13 +86,17 @@ mod tests {
     use super::*;
 
     fn wants(format: LogFormat, wanted: &str, target: &str, level: Level) -> bool {
-        let targets = format.targets(Ok(wanted.to_owned())).unwrap();
+        let targets = format
+            .targets(Ok(wanted.to_owned()))
+            .expect("it is understood");
         targets.would_enable(target, &level)
     }
 
     #[test]
     fn the_log_for_people_is_quiet_unless_it_is_asked_for() {
-        let quiet = LogFormat::Text.targets(Err(VarError::NotPresent)).unwrap();
+        let quiet = LogFormat::Text
+            .targets(Err(VarError::NotPresent))
+            .expect("it is understood");
         assert!(!quiet.would_enable("dobot_rules", &Level::ERROR));
         assert!(wants(LogFormat::Text, "info", "dobot_rules", Level::INFO));
         assert!(!wants(LogFormat::Text, "info", "dobot_rules", Level::DEBUG));
@@ -100,7 +104,9 @@ mod tests {
 
     #[test]
     fn the_log_of_a_service_begins_at_info() {
-        let service = LogFormat::Json.targets(Err(VarError::NotPresent)).unwrap();
+        let service = LogFormat::Json
+            .targets(Err(VarError::NotPresent))
+            .expect("it is understood");
         assert!(service.would_enable("dobot_station::http", &Level::INFO));
         assert!(!service.would_enable("dobot_station::http", &Level::DEBUG));
         assert!(!wants(LogFormat::Json, "warn", "dobot_rules", Level::INFO));
@@ -119,7 +125,7 @@ mod tests {
     fn a_level_that_there_is_not_is_told_with_those_that_there_are() {
         let problem = LogFormat::Text
             .targets(Ok("dobot_rules=loud".into()))
-            .unwrap_err();
+            .expect_err("it is not");
         assert!(
             problem.contains("\"dobot_rules=loud\"") && problem.contains("debug"),
             "{problem}"
