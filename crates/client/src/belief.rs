@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_trajectory::{Button, Model, Settings};
+use dobot_trajectory::{ArmSettings, Button, Model};
 use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::plan::Plan;
@@ -58,7 +58,10 @@ impl Belief {
 
     /// The arm turns out to speak another dialect; what stands as at power-up stands as at its own.
     pub(crate) fn set_dialect(&mut self, dialect: Dialect) {
-        let (before, after) = (Settings::stock(&self.dialect), Settings::stock(&dialect));
+        let (before, after) = (
+            ArmSettings::stock(&self.dialect),
+            ArmSettings::stock(&dialect),
+        );
         self.dialect = dialect;
         for model in self.over.iter_mut().chain(self.under_way.models()) {
             model.dialect = dialect;

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use dobot_arm::Tool;
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 use dobot_wire::{Frame, Status};
 
 /// Tells by the statuses which port of the arm this is.
@@ -84,11 +84,11 @@ fn with_pose(message: Status) -> Status {
     if pose != [0.0; 3] {
         return message;
     }
-    let joints = Place::of_status(&message).joints;
+    let joints = ArmPlace::of_status(&message).joints;
     Status {
         suction: message.suction,
         gripper_deg: message.gripper_deg,
-        ..Place::at_joints(joints, Tool::SuctionCup).status()
+        ..ArmPlace::at_joints(joints, Tool::SuctionCup).status()
     }
 }
 

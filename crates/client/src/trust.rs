@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use dobot_arm::Joints;
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 use dobot_wire::{Command, Configuration, Status};
 
 /// What shows that an arm was reset: its base angle is 0 by order, rear arm and forearm are read anew
@@ -137,8 +137,8 @@ impl Trust {
         }
         let evidence = ResetEvidence {
             silent_for: deaf.then_some(silent_for),
-            before: Place::of_status(&before).joints,
-            now: Place::of_status(status).joints,
+            before: ArmPlace::of_status(&before).joints,
+            now: ArmPlace::of_status(status).joints,
             jumped,
             base_is_zero,
         };

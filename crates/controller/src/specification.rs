@@ -8,7 +8,7 @@ mod motion;
 use core::time::Duration;
 
 use dobot_arm::{Joints, Pose, TICK, Tool, Unreachable};
-use dobot_trajectory::{Button, JogAxis, JogTrajectory, Model, Place, Trajectory};
+use dobot_trajectory::{ArmPlace, Button, JogAxis, JogTrajectory, Model, Trajectory};
 use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder, single};
 use heapless::Deque;
 
@@ -38,7 +38,7 @@ impl Specification {
             queue: Deque::new(),
             model: Model::standing(
                 Dialect::SPECIFICATION,
-                Place::at_joints(joints, Tool::SuctionCup),
+                ArmPlace::at_joints(joints, Tool::SuctionCup),
             ),
             running: None,
             stepped_to: joints,
@@ -120,7 +120,7 @@ impl Specification {
         }
     }
 
-    fn place_at(&self, at: Duration) -> Place {
+    fn place_at(&self, at: Duration) -> ArmPlace {
         self.running
             .as_ref()
             .and_then(|it| it.place_at(at))
@@ -300,7 +300,7 @@ impl Specification {
     }
 
     /// Where a jog leads, if it moves the arm, and the arm may go there.
-    fn look_ahead(&self, jog: &JogTrajectory, time: Duration) -> Result<Option<Place>, Refused> {
+    fn look_ahead(&self, jog: &JogTrajectory, time: Duration) -> Result<Option<ArmPlace>, Refused> {
         let t_s = time.as_secs_f64();
         let gripper_deg = jog.gripper_deg_at(t_s);
         if gripper_deg.abs() > GRIPPER_DEG && gripper_deg.abs() > self.model.gripper_deg.abs() {

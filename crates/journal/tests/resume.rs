@@ -8,7 +8,7 @@ use dobot_arm::{Position, Tool};
 use dobot_journal::{
     JobId, Journal, PlannedJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
 };
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Command, Dialect};
 use lab::Disk;
 use lab::program::{self, LIFT_MM, lifted};
@@ -193,7 +193,7 @@ impl Arm {
     fn model(&self, dialect: Dialect, told: &[Command]) -> Model {
         let mut pose = program::model(dialect).place.pose;
         pose.position = self.at;
-        let place = Place::at_pose(pose, Tool::SuctionCup).unwrap();
+        let place = ArmPlace::at_pose(pose, Tool::SuctionCup).unwrap();
         let model = Model::standing(dialect, place);
         let told = prelude(told, told.len());
         told.iter()

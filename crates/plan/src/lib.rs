@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use dobot_geometry::{Point, Stroke};
-//! use dobot_plan::{Machine, Paper, Pass, Pen, Plan, DrawingTool};
+//! use dobot_plan::{DrawingTool, Machine, Paper, Pass, Pen, Plan};
 //! use dobot_wire::Dialect;
 //!
 //! let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(240.0, 0.0)]);

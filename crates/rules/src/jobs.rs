@@ -9,7 +9,7 @@ use dobot_api::{ClientId, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
 use dobot_journal::{Job, JobId, Journal, JournalError, Window};
 use dobot_safety::Policy;
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
@@ -331,7 +331,10 @@ pub(crate) fn look_again(
 /// begins, so any place does.
 pub(crate) fn recovery_model(job: &Job) -> Model {
     let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
-    Model::standing(job.dialect, Place::at_joints(somewhere, Tool::SuctionCup))
+    Model::standing(
+        job.dialect,
+        ArmPlace::at_joints(somewhere, Tool::SuctionCup),
+    )
 }
 
 /// Writes the journal; a panic there is the end of the station.

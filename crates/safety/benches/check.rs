@@ -7,7 +7,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_arm::{Joints, Tool};
 use dobot_safety::Policy;
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode, WriteVector};
 
 fn main() {
@@ -107,7 +107,7 @@ fn hundred(command: fn(f64) -> Command) -> Vec<(Model, Command)> {
         .map(|index| f64::from(index) / 100.0)
         .map(|part| {
             let joints = Joints::new(40.0 * part - 20.0, 30.0 + 10.0 * part, 40.0, 0.0);
-            let place = Place::at_joints(joints, Tool::SuctionCup);
+            let place = ArmPlace::at_joints(joints, Tool::SuctionCup);
             (Model::standing(Dialect::FIRMWARE_1_1, place), command(part))
         })
         .collect()

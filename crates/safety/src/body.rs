@@ -1,7 +1,7 @@
 //! Where the parts of the arm are at one place, and what the rules measure there.
 
 use dobot_arm::{Joints, REAR_ARM, Tool};
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 
 use crate::point::{Point, distance};
 
@@ -41,7 +41,7 @@ pub(crate) enum Measure {
 pub(crate) const MEASURES: usize = 9;
 
 impl Body {
-    pub(crate) fn new(place: &Place, tool: Tool, tip_mm: f64) -> Self {
+    pub(crate) fn new(place: &ArmPlace, tool: Tool, tip_mm: f64) -> Self {
         let position = place.pose.position;
         let reach = position.reach().0;
         let (cos_base, sin_base) = if reach > 0.0 {
@@ -96,7 +96,7 @@ impl Measure {
 }
 
 /// All measures at a place, in the order of [`Measure`].
-pub(crate) fn measures(place: &Place) -> [f64; MEASURES] {
+pub(crate) fn measures(place: &ArmPlace) -> [f64; MEASURES] {
     let Joints {
         base,
         rear,

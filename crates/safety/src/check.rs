@@ -1,6 +1,6 @@
 //! The check of a command over its whole way.
 
-use dobot_trajectory::{Button, Model, Place, Trajectory, burns};
+use dobot_trajectory::{ArmPlace, Button, Model, Trajectory, burns};
 use dobot_wire::{Command, Configuration};
 
 use crate::body::measures;
@@ -87,7 +87,7 @@ impl Policy {
 }
 
 /// The value of a limit's measure farthest from what it allows, on a way given by shares of it.
-pub(crate) fn worst(limit: &Limit, place: impl Fn(f64) -> Option<Place>) -> f64 {
+pub(crate) fn worst(limit: &Limit, place: impl Fn(f64) -> Option<ArmPlace>) -> f64 {
     let excess = |value: f64| (value - limit.bounds.nearest(value)).abs();
     (0..=LOOKS)
         .filter_map(|look| place(f64::from(look) / f64::from(LOOKS)))

@@ -1,7 +1,7 @@
 //! The rules in force on a way: those of the policy, wider where the arm stands outside already.
 
 use dobot_arm::{Tool, Unreachable};
-use dobot_trajectory::{Bend, Place};
+use dobot_trajectory::{ArmPlace, Bend};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};
@@ -26,7 +26,7 @@ pub(crate) struct Fence<'a> {
 pub(crate) struct Stop {
     /// The share of the segment behind it.
     pub(crate) share: f64,
-    pub(crate) place: Place,
+    pub(crate) place: ArmPlace,
     pub(crate) measures: [f64; MEASURES],
     pub(crate) body: Body,
 }
@@ -84,7 +84,7 @@ impl<'a> Fence<'a> {
     }
 
     /// Looks at a place.
-    pub(crate) fn stop(&self, share: f64, place: Place) -> Stop {
+    pub(crate) fn stop(&self, share: f64, place: ArmPlace) -> Stop {
         Stop {
             share,
             place,

@@ -1,7 +1,7 @@
 //! The way that a jog can cover until a release is in force.
 
 use dobot_arm::{Degrees, Joints, Millimeters, Position, TICK_S};
-use dobot_trajectory::{JogAxis, JogTrajectory, Model, Place};
+use dobot_trajectory::{ArmPlace, JogAxis, JogTrajectory, Model};
 use dobot_wire::Command;
 
 use crate::check::worst;
@@ -80,7 +80,7 @@ fn run_out(jog: &JogTrajectory, speed: f64, within_s: f64) -> f64 {
 
 /// The way of an axis by so much, in degrees or mm; `None` where nothing else moves with it.
 fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
-    let Place { joints, pose } = model.place;
+    let ArmPlace { joints, pose } = model.place;
     let tool = model.tool;
     let turned = |change: fn(&mut Joints) -> &mut Degrees| {
         let mut to = joints;

@@ -1,7 +1,7 @@
 //! A segment of a way on which the same things change evenly.
 
 use dobot_arm::{Joints, Pose, Tool, Unreachable};
-use dobot_trajectory::{Bend, Place, Trajectory};
+use dobot_trajectory::{ArmPlace, Bend, Trajectory};
 
 /// A segment of a way; where on it is told by a share, 0 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -24,20 +24,20 @@ pub(crate) enum Path<'a> {
 }
 
 impl Path<'_> {
-    pub(crate) fn place_at(&self, share: f64) -> Result<Place, Unreachable> {
+    pub(crate) fn place_at(&self, share: f64) -> Result<ArmPlace, Unreachable> {
         match self {
             Self::Trajectory { trajectory, .. } => {
                 trajectory.place_at(self.time_at(share).unwrap_or_default())
             }
             Self::Joints { from, to, tool } => {
-                Ok(Place::at_joints(joints_between(from, to, share), *tool))
+                Ok(ArmPlace::at_joints(joints_between(from, to, share), *tool))
             }
             Self::Line { from, to, tool } => {
                 let pose = Pose {
                     position: from.position + (to.position - from.position) * share,
                     rotation: from.rotation + (to.rotation - from.rotation) * share,
                 };
-                Place::at_pose(pose, *tool)
+                ArmPlace::at_pose(pose, *tool)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Whether the arm may be somewhere at all.
 
 use dobot_arm::Tool;
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 
 use crate::fence::Fence;
 use crate::{Policy, Violation};
@@ -9,7 +9,7 @@ use crate::{Policy, Violation};
 impl Policy {
     /// Whether the arm may stand at a place with a tool; how it gets there is another question.
     #[must_use]
-    pub fn allows(&self, place: &Place, tool: Tool) -> bool {
+    pub fn allows(&self, place: &ArmPlace, tool: Tool) -> bool {
         self.check_place(place, tool).is_ok()
     }
 
@@ -18,7 +18,7 @@ impl Policy {
     /// # Errors
     ///
     /// [`Violation`] with the first rule that is broken there.
-    pub fn check_place(&self, place: &Place, tool: Tool) -> Result<(), Violation> {
+    pub fn check_place(&self, place: &ArmPlace, tool: Tool) -> Result<(), Violation> {
         let fence = Fence::new(self, tool, false);
         let stop = fence.stop(0.0, *place);
         let broken = fence.broken_at(&stop).next();

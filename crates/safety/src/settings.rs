@@ -1,7 +1,7 @@
 //! Speeds, accelerations and the height of a JUMP against their ceilings.
 
 use dobot_motion::Speeds;
-use dobot_trajectory::{JogAxis, Model, Settings, Trajectory};
+use dobot_trajectory::{ArmSettings, JogAxis, Model, Trajectory};
 use dobot_wire::{Command, Configuration, MovingMode, WriteVector};
 
 use crate::{Bounds, Policy, Violation};
@@ -35,7 +35,7 @@ impl Policy {
     fn check_configuration(
         &self,
         configuration: &Configuration,
-        settings: &Settings,
+        settings: &ArmSettings,
     ) -> Result<(), Violation> {
         match configuration {
             Configuration::Teach { .. } => {
@@ -50,7 +50,7 @@ impl Policy {
         }
     }
 
-    fn check_target(&self, mode: MovingMode, settings: &Settings) -> Result<(), Violation> {
+    fn check_target(&self, mode: MovingMode, settings: &ArmSettings) -> Result<(), Violation> {
         let speeds = settings.move_speeds();
         match mode {
             MovingMode::MovJ => self.check_joints(&speeds),
@@ -62,7 +62,7 @@ impl Policy {
         }
     }
 
-    fn check_vector(&self, vector: &WriteVector, settings: &Settings) -> Result<(), Violation> {
+    fn check_vector(&self, vector: &WriteVector, settings: &ArmSettings) -> Result<(), Violation> {
         let speed_mm_s = vector.max_speed_mm_s.into();
         at_most(
             "speed.writing",
@@ -203,7 +203,7 @@ impl Policy {
         self.check_servo(found)
     }
 
-    fn check_writing(&self, settings: &Settings) -> Result<(), Violation> {
+    fn check_writing(&self, settings: &ArmSettings) -> Result<(), Violation> {
         let found = settings.write_acceleration_mm_s2;
         let most = self.acceleration.writing_mm_s2;
         at_most(
@@ -215,7 +215,7 @@ impl Policy {
         )
     }
 
-    fn check_jump(&self, settings: &Settings) -> Result<(), Violation> {
+    fn check_jump(&self, settings: &ArmSettings) -> Result<(), Violation> {
         let found = settings.jump_height.0;
         at_most(
             "jump.height",

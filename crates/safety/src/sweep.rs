@@ -7,7 +7,7 @@
 //! `docs/safety.md` derives them.
 
 use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM, Tool};
-use dobot_trajectory::{Bend, Place};
+use dobot_trajectory::{ArmPlace, Bend};
 
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};
@@ -24,7 +24,12 @@ pub(crate) struct Sweep {
 
 impl Sweep {
     /// The bounds between two places; `None` where they are too far apart to tell.
-    pub(crate) fn between(bend: Bend, a: &Place, b: &Place, tool_reach_mm: f64) -> Option<Self> {
+    pub(crate) fn between(
+        bend: Bend,
+        a: &ArmPlace,
+        b: &ArmPlace,
+        tool_reach_mm: f64,
+    ) -> Option<Self> {
         match bend {
             Bend::Joints => Some(Self::of_joints(&a.joints, &b.joints)),
             Bend::Line => Flat::line(&a.pose, &b.pose)?.sweep(bend, a, b, tool_reach_mm),
@@ -120,7 +125,7 @@ impl Flat {
     }
 
     /// Reach, base angle and height change evenly.
-    fn around(a: &Place, b: &Place) -> Self {
+    fn around(a: &ArmPlace, b: &ArmPlace) -> Self {
         let (from, to) = (a.pose.position, b.pose.position);
         let reach_mm = to.reach().0 - from.reach().0;
         Self {
@@ -131,7 +136,7 @@ impl Flat {
         }
     }
 
-    fn sweep(&self, bend: Bend, a: &Place, b: &Place, tool_reach_mm: f64) -> Option<Sweep> {
+    fn sweep(&self, bend: Bend, a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64) -> Option<Sweep> {
         let fold = least_fold(a, b, tool_reach_mm, self.way_mm)?;
         // The links' ways, and their second derivatives, of which the rest follows.
         let link_mm = self.way_mm / fold;
@@ -182,8 +187,8 @@ fn turned(radius_mm: f64, way_mm: f64, way_2_mm: f64, base: f64, base_2: f64) ->
 ///
 /// The distance from pivot to wrist tells it: `d * d = 135 * 135 + 160 * 160 + 2 * 135 * 160 *
 /// sin(rear - fore)`.
-fn least_fold(a: &Place, b: &Place, tool_reach_mm: f64, way_mm: f64) -> Option<f64> {
-    let stretch_mm = |place: &Place| {
+fn least_fold(a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64, way_mm: f64) -> Option<f64> {
+    let stretch_mm = |place: &ArmPlace| {
         let position = place.pose.position;
         (position.reach().0 - tool_reach_mm).hypot(position.z.0)
     };

@@ -7,7 +7,7 @@ use dobot_wire::{Gesture, MouseMove};
 
 use crate::followed::{Before, Behind, hand_sample, mouse_sample};
 use crate::motion::Motion;
-use crate::{Model, Place, Trajectory, TrajectoryError};
+use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
 /// Swings the base, and changes reach and height, by what a mouse tells.
 pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
@@ -131,7 +131,7 @@ fn followed(
         ..Speeds::STOCK
     };
     let motion = Motion::Joints(JointMove::new(from, end, &even)?);
-    let trajectory = Trajectory::moving(motion, Place::at_joints(end, model.tool), model);
+    let trajectory = Trajectory::moving(motion, ArmPlace::at_joints(end, model.tool), model);
     // With a whole number of ticks, rounding decides whether it is one less.
     let clear = libm::fabs(period_s / TICK_S - ticks) > 2.0 * ROUNDING || period_s == FOLLOW_S;
     Ok(Trajectory {

@@ -3,13 +3,13 @@
 use dobot_arm::{Degrees, Joints, Millimeters, Tool, Unreachable};
 use dobot_motion::{PlanError, Ramp};
 
-use crate::{JogAxis, Model, Place, Settings};
+use crate::{ArmPlace, ArmSettings, JogAxis, Model};
 
 /// One axis on the move, until told otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JogTrajectory {
     axis: JogAxis,
-    from: Place,
+    from: ArmPlace,
     tool: Tool,
     from_gripper_deg: f64,
     ramp: Ramp,
@@ -97,19 +97,19 @@ impl JogTrajectory {
     /// # Errors
     ///
     /// [`Unreachable`] where the arm cannot be at all.
-    pub fn place_at(&self, t_s: f64) -> Result<Place, Unreachable> {
+    pub fn place_at(&self, t_s: f64) -> Result<ArmPlace, Unreachable> {
         let by = self.ramp.distance_at(t_s);
         let joints = |change: fn(&mut Joints) -> &mut Degrees| {
             let mut joints = self.from.joints;
             *change(&mut joints) += Degrees(by);
-            Ok(Place::at_joints(joints, self.tool))
+            Ok(ArmPlace::at_joints(joints, self.tool))
         };
         let line = |x: f64, y: f64, z: f64| {
             let mut pose = self.from.pose;
             pose.position.x += Millimeters(x * by);
             pose.position.y += Millimeters(y * by);
             pose.position.z += Millimeters(z * by);
-            Place::at_pose(pose, self.tool)
+            ArmPlace::at_pose(pose, self.tool)
         };
         match self.axis {
             JogAxis::Base => joints(|it| &mut it.base),
@@ -126,7 +126,7 @@ impl JogTrajectory {
 
 impl JogAxis {
     /// Speed and acceleration at 100 %, in degrees or millimetres.
-    const fn speeds(self, settings: &Settings) -> (f64, f64) {
+    const fn speeds(self, settings: &ArmSettings) -> (f64, f64) {
         let teach = &settings.teach;
         match self {
             Self::Base | Self::Rear | Self::Fore => (teach.joint_deg_s, teach.joint_deg_s2),

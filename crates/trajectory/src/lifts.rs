@@ -3,7 +3,7 @@
 use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
 use dobot_motion::{JointMove, Speeds};
 
-use crate::{Place, TrajectoryError};
+use crate::{ArmPlace, TrajectoryError};
 
 /// Lifts by a height where it stands, goes to that height above the target, and down.
 ///
@@ -22,7 +22,7 @@ impl Lifts {
     /// Plans the three ways. A stock arm leaves out one whose end is out of reach; here that is an
     /// error, because the tool would then go straight across.
     pub(crate) fn new(
-        from: Place,
+        from: ArmPlace,
         to: Pose,
         end: Joints,
         height: Millimeters,

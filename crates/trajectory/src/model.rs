@@ -8,15 +8,15 @@ use dobot_wire::{
 use crate::followed::Followed;
 use crate::left_speed::LeftSpeed;
 use crate::settings::tool_named;
-use crate::{Button, JogTrajectory, Place, Settings, Trajectory};
+use crate::{ArmPlace, ArmSettings, Button, JogTrajectory, Trajectory};
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
 ///
 /// ```
 /// # use dobot_arm::{Joints, Tool};
-/// # use dobot_trajectory::{Model, Place};
+/// # use dobot_trajectory::{ArmPlace, Model};
 /// # use dobot_wire::{Command, Dialect, WriteVector};
-/// let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+/// let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
 /// let model = Model::standing(Dialect::SPECIFICATION, here);
 /// let vector = Command::from(WriteVector::by(0.0, 20.0, 0.0, 40.0));
 /// let trajectory = model.trajectory(&vector)?;
@@ -33,7 +33,7 @@ use crate::{Button, JogTrajectory, Place, Settings, Trajectory};
 )]
 pub struct Model {
     /// Where the arm is.
-    pub place: Place,
+    pub place: ArmPlace,
     /// What is mounted.
     pub tool: Tool,
     /// Whether the pump runs.
@@ -43,7 +43,7 @@ pub struct Model {
     /// The gripper's angle in degrees.
     pub gripper_deg: f64,
     /// What configuration has told.
-    pub settings: Settings,
+    pub settings: ArmSettings,
     /// How the arm understands commands.
     pub dialect: Dialect,
     /// Whether it serves its Bluetooth port, on which every arm hears voice (note N38).
@@ -80,7 +80,7 @@ impl Model {
     /// cup unless the status is that of a laser. What others told it before is not known.
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
-        let mut model = Self::standing(dialect, Place::of_status(status));
+        let mut model = Self::standing(dialect, ArmPlace::of_status(status));
         model.left = model.left.perhaps();
         model.seen(status);
         model
@@ -88,14 +88,14 @@ impl Model {
 
     /// An arm that stands at a place and has not been configured: stock settings, suction cup.
     #[must_use]
-    pub fn standing(dialect: Dialect, place: Place) -> Self {
+    pub fn standing(dialect: Dialect, place: ArmPlace) -> Self {
         Self {
             place,
             tool: Tool::SuctionCup,
             suction: false,
             laser: false,
             gripper_deg: 0.0,
-            settings: Settings::stock(&dialect),
+            settings: ArmSettings::stock(&dialect),
             dialect,
             is_bluetooth: false,
             knows_place: true,
@@ -110,7 +110,7 @@ impl Model {
     /// Takes over place, pump and gripper from the status of an arm at rest, and the tool where its
     /// reach shows that it is another one.
     pub fn seen(&mut self, status: &Status) {
-        self.place = Place::of_status(status);
+        self.place = ArmPlace::of_status(status);
         self.tool = tool_of(&self.place, self.tool);
         self.suction = status.suction;
         self.gripper_deg = status.gripper_deg.into();
@@ -266,7 +266,7 @@ impl Model {
 }
 
 /// The tool by which position and angles of a status belong together.
-fn tool_of(place: &Place, believed: Tool) -> Tool {
+fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     let reach_mm = |joints: &Joints, tool| forward(joints, tool).position.reach().0;
     let told_mm = place.pose.position.reach().0;
     let off_mm = |tool| (reach_mm(&place.joints, tool) - told_mm).abs();

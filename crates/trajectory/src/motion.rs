@@ -4,7 +4,7 @@ use dobot_arm::{Degrees, Millimeters, Pose, Tool, Unreachable};
 use dobot_motion::{JointMove, Jump, LineMove, Stroke};
 
 use crate::lifts::Lifts;
-use crate::{JogTrajectory, Place};
+use crate::{ArmPlace, JogTrajectory};
 
 /// How an arm gets somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,19 +30,19 @@ pub(crate) enum Motion {
 
 impl Motion {
     /// Where the arm is after a time, if it moves.
-    pub(crate) fn place_at(&self, t_s: f64, tool: Tool) -> Option<Result<Place, Unreachable>> {
+    pub(crate) fn place_at(&self, t_s: f64, tool: Tool) -> Option<Result<ArmPlace, Unreachable>> {
         Some(match self {
             Self::Still => return None,
-            Self::Joints(it) => Ok(Place::at_joints(it.joints_at(t_s), tool)),
-            Self::Lifts(it) => Ok(Place::at_joints(it.joints_at(t_s), tool)),
+            Self::Joints(it) => Ok(ArmPlace::at_joints(it.joints_at(t_s), tool)),
+            Self::Lifts(it) => Ok(ArmPlace::at_joints(it.joints_at(t_s), tool)),
             Self::Line(it, turned) => {
                 let mut pose = it.pose_at(t_s);
                 if t_s >= it.duration_s() {
                     pose.rotation = *turned;
                 }
-                Place::at_pose(pose, tool)
+                ArmPlace::at_pose(pose, tool)
             }
-            Self::Jump(it) => Place::at_pose(it.pose_at(t_s), tool),
+            Self::Jump(it) => ArmPlace::at_pose(it.pose_at(t_s), tool),
             Self::Stroke {
                 stroke,
                 rotation,
@@ -54,7 +54,7 @@ impl Motion {
                     position,
                     rotation: *rotation,
                 };
-                Place::at_pose(pose, tool)
+                ArmPlace::at_pose(pose, tool)
             }
             Self::Jog(it) | Self::RunDown(it) => it.place_at(t_s),
         })

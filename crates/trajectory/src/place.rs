@@ -5,14 +5,14 @@ use dobot_wire::{Status, single};
 
 /// Joint angles and the pose that they lead to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct ArmPlace {
     /// The joint angles.
     pub joints: Joints,
     /// The tool's place and turn.
     pub pose: Pose,
 }
 
-impl Place {
+impl ArmPlace {
     /// Where these joint angles bring a tool.
     #[must_use]
     pub fn at_joints(joints: Joints, tool: Tool) -> Self {
@@ -24,7 +24,7 @@ impl Place {
 
     /// The place of a pose.
     ///
-    /// This is geometry only: whether the arm may be there is told by [`Place::check`].
+    /// This is geometry only: whether the arm may be there is told by [`ArmPlace::check`].
     ///
     /// # Errors
     ///

@@ -13,7 +13,7 @@ use crate::motion::Motion;
 use crate::place::position;
 use crate::settings::tool_named;
 use crate::vector::vector;
-use crate::{Button, JogTrajectory, Model, Place, Trajectory, TrajectoryError};
+use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
 
 /// Plans a command from where the arm is.
 fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError> {
@@ -45,14 +45,14 @@ enum Target {
 
 impl Target {
     /// The place of the target. One given as joint angles says more than its pose.
-    fn place(self, model: &Model) -> Result<Place, Unreachable> {
+    fn place(self, model: &Model) -> Result<ArmPlace, Unreachable> {
         match self {
             Self::Pose(pose) => Limits::STOCK
                 .solve(&pose, model.tool)
-                .map(|joints| Place { joints, pose }),
+                .map(|joints| ArmPlace { joints, pose }),
             Self::Joints(joints) => {
                 Limits::STOCK.check(&joints, model.tool)?;
-                Ok(Place::at_joints(joints, model.tool))
+                Ok(ArmPlace::at_joints(joints, model.tool))
             }
         }
     }
@@ -193,14 +193,14 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
     let to = match *configuration {
         Configuration::InitialAngles { rear_deg, fore_deg } => {
             let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
-            let place = Place::at_joints(told, model.tool);
+            let place = ArmPlace::at_joints(told, model.tool);
             place.check()?;
             return Ok(Trajectory {
                 knows_end: true,
                 ..Trajectory::moving(Motion::Still, place, model)
             });
         }
-        Configuration::EndEffector { tool } => Place::at_joints(joints, tool_named(tool)),
+        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool_named(tool)),
         _ => model.place,
     };
     Ok(Trajectory::moving(Motion::Still, to, model))

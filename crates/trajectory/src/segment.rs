@@ -81,10 +81,10 @@ mod tests {
     use dobot_wire::{Command, Dialect, MoveTo, MovingMode};
 
     use super::*;
-    use crate::{Model, Place};
+    use crate::{ArmPlace, Model};
 
     fn trajectory(dialect: Dialect, mode: MovingMode) -> Trajectory {
-        let here = Place::at_joints(Joints::new(-20.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let here = ArmPlace::at_joints(Joints::new(-20.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let target = Command::from(MoveTo {
             rotation_deg: 40.0,
             mode,

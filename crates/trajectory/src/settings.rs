@@ -6,7 +6,7 @@ use dobot_wire::{Configuration, Dialect, EndEffector, PlaybackAdjustment};
 
 /// What configuration has told an arm so far (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct ArmSettings {
     /// Speeds of the point to point moves, before the percentages.
     pub playback: Speeds,
     /// Percentage of the speeds of point to point moves, above 0 to 100.
@@ -25,7 +25,7 @@ pub struct Settings {
     pub default_pause_s: f64,
 }
 
-impl Settings {
+impl ArmSettings {
     /// The values of an arm at power-up.
     #[must_use]
     pub fn stock(dialect: &Dialect) -> Self {

@@ -2,7 +2,7 @@
 
 use dobot_wire::{Status, single};
 
-use crate::{Model, Place};
+use crate::{ArmPlace, Model};
 
 impl Model {
     /// The status that the arm of this model sends.
@@ -12,7 +12,7 @@ impl Model {
         Status {
             suction: self.suction,
             gripper_deg: single(self.gripper_deg),
-            ..Place::at_joints(self.place.joints, self.tool).status()
+            ..ArmPlace::at_joints(self.place.joints, self.tool).status()
         }
     }
 }

@@ -5,16 +5,16 @@ use dobot_arm::{Position, Tool, Unreachable};
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
 use crate::left_speed::LeftSpeed;
 use crate::motion::Motion;
-use crate::{JogTrajectory, Model, Place, TrajectoryError};
+use crate::{ArmPlace, JogTrajectory, Model, TrajectoryError};
 
 /// Where a command leads: the whole way, as a pure function of the time since it began.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory {
     pub(crate) motion: Motion,
-    pub(crate) from: Place,
+    pub(crate) from: ArmPlace,
     pub(crate) tool: Tool,
     /// Where the way ends, as well as it can be told.
-    pub(crate) to: Place,
+    pub(crate) to: ArmPlace,
     pub(crate) pause_s: f64,
     pub(crate) burns: bool,
     /// Whether it begins where the model says, and goes as planned.
@@ -27,7 +27,7 @@ pub struct Trajectory {
 
 impl Trajectory {
     /// A way of an arm from where it is.
-    pub(crate) fn moving(motion: Motion, to: Place, model: &Model) -> Self {
+    pub(crate) fn moving(motion: Motion, to: ArmPlace, model: &Model) -> Self {
         Self {
             motion,
             from: model.place,
@@ -81,7 +81,7 @@ impl Trajectory {
     /// # Errors
     ///
     /// [`Unreachable`] where a way leads through a place in which the arm cannot be at all.
-    pub fn place_at(&self, t_s: f64) -> Result<Place, Unreachable> {
+    pub fn place_at(&self, t_s: f64) -> Result<ArmPlace, Unreachable> {
         self.motion
             .place_at(t_s, self.tool)
             .unwrap_or(Ok(self.from))
@@ -91,7 +91,7 @@ impl Trajectory {
     /// from a place that is not known itself, and where rounding decides when a stock arm ends a
     /// gesture (note N49); [`Trajectory::place_at`] the end is the best guess then.
     #[must_use]
-    pub fn end(&self) -> Option<Place> {
+    pub fn end(&self) -> Option<ArmPlace> {
         self.knows_end.then_some(self.to)
     }
 

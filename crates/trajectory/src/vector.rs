@@ -8,7 +8,7 @@ use crate::error::MOST_COUNTED_S;
 use crate::left_speed::{CREEPS_MM_S, LeftSpeed};
 use crate::motion::Motion;
 use crate::place::position;
-use crate::{Model, Place, Trajectory, TrajectoryError};
+use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
 /// Plans a vector from where the arm is.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
@@ -58,7 +58,7 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
 /// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
 /// rounding could bring it out: there it is where the way leads.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
-fn stock_end(trajectory: &Trajectory, model: &Model) -> Place {
+fn stock_end(trajectory: &Trajectory, model: &Model) -> ArmPlace {
     let [from, to] = [trajectory.from, trajectory.to].map(|it| it.pose.position);
     let way = to - from;
     let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
@@ -68,7 +68,7 @@ fn stock_end(trajectory: &Trajectory, model: &Model) -> Place {
         position: Position::new(x, y, z),
         ..trajectory.to.pose
     };
-    let place = Place::at_pose(pose, model.tool).ok();
+    let place = ArmPlace::at_pose(pose, model.tool).ok();
     place
         .filter(|it| it.check().is_ok())
         .unwrap_or(trajectory.to)
@@ -216,7 +216,7 @@ mod tests {
     fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
         // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
         // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(0.8);
         let rapid = Command::from(WriteVector {
@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn where_nobody_knows_how_it_begins_a_slow_rapid_vector_is_refused_and_the_end_of_a_short_one_is_not_known()
      {
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(40.0);
         // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
@@ -266,7 +266,7 @@ mod tests {
     fn a_vector_behind_which_the_next_one_would_go_far_back_is_refused() {
         // Laser mode without the laser: one tick slower is 200 mm/s less. Begun at 57.5 mm/s, 26.76 mm take 25
         // ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2 are 99 mm.
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(57.5);
         let rapid = WriteVector {
@@ -290,7 +290,7 @@ mod tests {
     fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
         // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
         // mm/s take -16 ticks.
-        let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.settings.write_acceleration_mm_s2 = 200.0;
         model.left = LeftSpeed::known(-0.9);

@@ -1,7 +1,7 @@
 //! Where commands lead, against closed formulas.
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_trajectory::{JogAxis, Model, Place, Trajectory, TrajectoryError};
+use dobot_trajectory::{ArmPlace, JogAxis, Model, Trajectory, TrajectoryError};
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog,
     LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Status, Voice,
@@ -18,7 +18,7 @@ fn model(dialect: Dialect) -> Model {
         position: Position::new(220.0, 0.0, 20.0),
         ..dobot_arm::Pose::default()
     };
-    let place = Place::at_pose(pose, Tool::SuctionCup).expect("it is in reach");
+    let place = ArmPlace::at_pose(pose, Tool::SuctionCup).expect("it is in reach");
     Model::standing(dialect, place)
 }
 

@@ -6,7 +6,7 @@ use anyhow::{Context, anyhow};
 use clap::{Subcommand, ValueEnum};
 use dobot_arm::{Degrees, Pose, Position, Tool};
 use dobot_safety::Policy;
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
 use crate::connect::read_policy;
@@ -113,13 +113,13 @@ fn judge(test: &Test) -> Result<String, Failure> {
 }
 
 /// With the tool straight on, as it is with the servo in its middle.
-fn place(from: &[f32]) -> Result<Place, dobot_arm::Unreachable> {
+fn place(from: &[f32]) -> Result<ArmPlace, dobot_arm::Unreachable> {
     let position = position(from);
     let pose = Pose {
         position,
         rotation: position.direction(),
     };
-    Place::at_pose(pose, Tool::SuctionCup)
+    ArmPlace::at_pose(pose, Tool::SuctionCup)
 }
 
 fn command(test: &Test) -> MoveTo {

@@ -1,12 +1,12 @@
 //! The geometry that completion asks for.
 
 use dobot_arm::{Degrees, Limits, Position, Tool};
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 use dobot_wire::Status;
 
 /// Whether an arm stands so near to a limit that a tick's way further would be beyond it.
 pub(super) fn is_at_limit(status: &Status, tool: Tool) -> bool {
-    let joints = Place::of_status(status).joints;
+    let joints = ArmPlace::of_status(status).joints;
     [NEAR_DEG, -NEAR_DEG].into_iter().any(|by| {
         let mut turned = [joints; 4];
         turned[0].base += Degrees(by);

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Pose, Position, Tool, inverse};
 use dobot_client::{CommandId, Event, Session};
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 use dobot_wire::{Dialect, MoveTo, MovingMode, Status, WriteVector};
 
 pub(crate) const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
@@ -57,7 +57,7 @@ pub(crate) fn status(x_mm: f64, y_mm: f64, z_mm: f64) -> Status {
         ..Pose::default()
     };
     let joints = inverse(&pose, Tool::SuctionCup).expect("within reach");
-    Place::at_joints(joints, Tool::SuctionCup).status()
+    ArmPlace::at_joints(joints, Tool::SuctionCup).status()
 }
 
 pub(crate) fn target(mode: MovingMode, x_mm: f32, y_mm: f32) -> MoveTo {

@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use dobot_arm::Unreachable;
-use dobot_trajectory::{JogTrajectory, Place, Trajectory};
+use dobot_trajectory::{ArmPlace, JogTrajectory, Trajectory};
 use dobot_wire::Command;
 
 /// What is going on.
@@ -14,7 +14,7 @@ pub(crate) struct Running {
     /// When it is over; never, for a jog whose button is held.
     pub(crate) ends: Duration,
     /// Where a jog leads until the next tick, as far as it was looked ahead already.
-    pub(crate) ahead: Option<(Duration, Place)>,
+    pub(crate) ahead: Option<(Duration, ArmPlace)>,
 }
 
 /// The motion of a command, a jog, or the pause behind a motion.
@@ -27,7 +27,7 @@ pub(crate) enum Motion {
 
 impl Running {
     /// Where the arm is at a time; `None` while it stands.
-    pub(crate) fn place_at(&self, at: Duration) -> Option<Result<Place, Unreachable>> {
+    pub(crate) fn place_at(&self, at: Duration) -> Option<Result<ArmPlace, Unreachable>> {
         if let Some((_, place)) = self.ahead.filter(|(when, _)| *when == at) {
             return Some(Ok(place));
         }

@@ -1,7 +1,7 @@
 //! Random programs, and where they lead.
 
 use dobot_arm::{Degrees, Pose, Position, Tool};
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Command, Configuration, Dialect, MoveTo, MovingMode};
 use proptest::prelude::*;
 
@@ -16,7 +16,7 @@ pub fn model(dialect: Dialect) -> Model {
         position: Position::new(220.0, 0.0, 20.0),
         rotation: Degrees(0.0),
     };
-    Model::standing(dialect, Place::at_pose(pose, Tool::SuctionCup).unwrap())
+    Model::standing(dialect, ArmPlace::at_pose(pose, Tool::SuctionCup).unwrap())
 }
 
 /// Commands that an arm which stands as [`model`] can do: vectors long and tiny, there and back,

@@ -59,7 +59,7 @@ const KEPT: usize = 4096;
 #[cfg(test)]
 mod tests {
     use dobot_arm::{Joints, Tool};
-    use dobot_trajectory::Place;
+    use dobot_trajectory::ArmPlace;
     use proptest::prelude::*;
 
     use super::*;
@@ -67,7 +67,7 @@ mod tests {
     /// A status of an arm at power-up.
     fn status() -> [u8; 42] {
         let joints = Joints::new(0.0, 45.0, 45.0, 0.0);
-        let place = Place::at_joints(joints, Tool::SuctionCup);
+        let place = ArmPlace::at_joints(joints, Tool::SuctionCup);
         place.status().emit().to_bytes()
     }
 

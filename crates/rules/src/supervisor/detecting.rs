@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::ClientId;
 use dobot_arm::{Joints, Tool};
 use dobot_client::{Detection, Finding};
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 use dobot_wire::{Packet, Status};
 
 use super::arm::Arm;
@@ -42,7 +42,7 @@ impl Detecting {
         };
         let tool = arm.session().model().map_or(Tool::SuctionCup, |it| it.tool);
         let allowed = |joints: &Joints| {
-            let place = Place::at_joints(*joints, tool);
+            let place = ArmPlace::at_joints(*joints, tool);
             arm.policy().allows(&place, tool)
         };
         let detection = Detection::new(&status, allowed)

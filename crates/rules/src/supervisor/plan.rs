@@ -8,7 +8,7 @@ use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
-use dobot_trajectory::{Model, Place, burns};
+use dobot_trajectory::{ArmPlace, Model, burns};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
 use self::height::Height;
@@ -143,7 +143,7 @@ impl JobPlan {
             .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm));
         lowest.map_or(Ok(()), |(index, status)| {
             let tool = self.drawn_with(index).tool;
-            policy.check_place(&Place::of_status(&status), tool)
+            policy.check_place(&ArmPlace::of_status(&status), tool)
         })
     }
 
@@ -285,7 +285,7 @@ impl Look<'_> {
         (self.height.raised_mm, self.height.offset_mm) = (change.begin_mm, change.offset_mm);
         if let Some(last) = last.filter(|_| higher_mm != 0.0) {
             let status = raised(&self.model.status(), higher_mm);
-            self.model.place = Place::of_status(&status);
+            self.model.place = ArmPlace::of_status(&status);
             (last.end, last.raised_mm) = (status, change.begin_mm);
         }
     }
@@ -329,7 +329,7 @@ fn raised(status: &Status, by_mm: f64) -> Status {
     let mut model = Model::new(Dialect::SPECIFICATION, status);
     let mut pose = model.place.pose;
     pose.position.z.0 += by_mm;
-    match Place::at_pose(pose, model.tool) {
+    match ArmPlace::at_pose(pose, model.tool) {
         Ok(place) => {
             model.place = place;
             model.status()
@@ -339,8 +339,8 @@ fn raised(status: &Status, by_mm: f64) -> Status {
 }
 
 /// A place from which every target can be come to.
-fn somewhere(tool: Tool) -> Place {
-    Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool)
+fn somewhere(tool: Tool) -> ArmPlace {
+    ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool)
 }
 
 /// What is relative needs to know where it begins, wherever the arm was before: the first command

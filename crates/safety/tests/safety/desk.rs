@@ -2,7 +2,7 @@
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
 use dobot_safety::{Policy, Violation};
-use dobot_trajectory::{Model, Place, Trajectory};
+use dobot_trajectory::{ArmPlace, Model, Trajectory};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
     MovingMode, WriteVector,
@@ -23,19 +23,19 @@ impl Desk {
             position: Position::new(x, y, z),
             rotation: Degrees(y.atan2(x).to_degrees()),
         };
-        let place = Place::at_pose(pose, Tool::SuctionCup).expect("the arm can be there");
+        let place = ArmPlace::at_pose(pose, Tool::SuctionCup).expect("the arm can be there");
         Self::standing(place)
     }
 
     /// The arm stands with these joint angles in degrees, the servo at 0.
     pub(crate) fn with_joints(base: f64, rear: f64, fore: f64) -> Self {
-        Self::standing(Place::at_joints(
+        Self::standing(ArmPlace::at_joints(
             Joints::new(base, rear, fore, 0.0),
             Tool::SuctionCup,
         ))
     }
 
-    fn standing(place: Place) -> Self {
+    fn standing(place: ArmPlace) -> Self {
         Self {
             policy: Policy::default(),
             model: Model::standing(Dialect::SPECIFICATION, place),

@@ -2,7 +2,7 @@
 
 use dobot_arm::{Joints, Limits, Tool};
 use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{
     Command, Dialect, JointJogAxis, LinearJogAxis,
     MovingMode::{self, Jump, MovJ, MovL},
@@ -120,7 +120,7 @@ proptest! {
         let Ok(trajectory) = policy.check(&model, &command) else {
             return Ok(());
         };
-        let outside = |place: &Place| {
+        let outside = |place: &ArmPlace| {
             let rear = (place.joints.rear.0 - rear_max).max(0.0);
             [rear, (lowest - place.pose.position.z.0).max(0.0)]
         };
@@ -147,10 +147,10 @@ fn dialect(stock: bool) -> Dialect {
 }
 
 /// Places within the limits of the arm.
-fn places() -> impl Strategy<Value = Place> {
+fn places() -> impl Strategy<Value = ArmPlace> {
     let joints = (-135.0..135.0, -5.0..85.0, -10.0..95.0, -45.0..45.0);
     joints.prop_filter_map("beyond the limits", |(base, rear, fore, servo)| {
-        let place = Place::at_joints(Joints::new(base, rear, fore, servo), Tool::SuctionCup);
+        let place = ArmPlace::at_joints(Joints::new(base, rear, fore, servo), Tool::SuctionCup);
         let within = Limits::STOCK
             .check_at(&place.joints, place.pose.position)
             .is_ok();
@@ -160,12 +160,12 @@ fn places() -> impl Strategy<Value = Place> {
 
 fn commands() -> impl Strategy<Value = Command> {
     let modes = || prop_oneof![Just(Jump), Just(MovL), Just(MovJ)];
-    let targets = (modes(), places()).prop_map(|(mode, place): (MovingMode, Place)| {
+    let targets = (modes(), places()).prop_map(|(mode, place): (MovingMode, ArmPlace)| {
         let position = place.pose.position;
         let [x, y, z] = [position.x.0, position.y.0, position.z.0].map(single);
         Command::from(go(mode, x, y, z))
     });
-    let joints = (modes(), places()).prop_map(|(mode, place): (MovingMode, Place)| {
+    let joints = (modes(), places()).prop_map(|(mode, place): (MovingMode, ArmPlace)| {
         let it = place.joints;
         let [base, rear, fore] = [it.base.0, it.rear.0, it.fore.0].map(single);
         Command::from(turn(mode, base, rear, fore))

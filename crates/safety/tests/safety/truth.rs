@@ -2,10 +2,10 @@
 
 use dobot_arm::Tool;
 use dobot_safety::{Bounds, KeepOut, Policy};
-use dobot_trajectory::Place;
+use dobot_trajectory::ArmPlace;
 
 /// What is broken at a place with the suction cup; values and points may be out by `tolerance`.
-pub(crate) fn broken(policy: &Policy, place: &Place, tolerance: f64) -> Option<String> {
+pub(crate) fn broken(policy: &Policy, place: &ArmPlace, tolerance: f64) -> Option<String> {
     let joints = place.joints;
     let position = place.pose.position;
     let (x, y, z) = (position.x.0, position.y.0, position.z.0);
@@ -45,7 +45,7 @@ pub(crate) fn broken(policy: &Policy, place: &Place, tolerance: f64) -> Option<S
 }
 
 /// Points along rear arm, forearm, hand and tool.
-fn points(place: &Place, length: f64) -> impl Iterator<Item = [f64; 3]> {
+fn points(place: &ArmPlace, length: f64) -> impl Iterator<Item = [f64; 3]> {
     let joints = place.joints;
     let (rear, fore) = (joints.rear.0.to_radians(), joints.fore.0.to_radians());
     let base = joints.base.0.to_radians();

@@ -1,6 +1,6 @@
 use dobot_arm::{Joints, Tool};
 use dobot_safety::Policy;
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Dialect, Frame, Packet, Voice};
 
 use super::amended;
@@ -12,7 +12,7 @@ fn frame(floats: &[f32]) -> Frame {
 
 /// An arm that stands, with its pump on and its gripper at 20 degrees.
 fn model(dialect: Dialect) -> Model {
-    let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+    let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
     let mut model = Model::standing(dialect, here);
     model.suction = true;
     model.gripper_deg = 20.0;
