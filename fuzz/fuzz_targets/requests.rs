@@ -1,11 +1,11 @@
 //! Requests that anybody sends to a station: an error, or a request that is written and read again
 //! unchanged, and that the rules carry out without a panic. Jobs that are kept can be read, what
-//! reaches the arm makes sense, and at rest after a stop it is dark.
+//! reaches the arm makes sense, and when the time is over that a stop promises, it is dark.
 #![no_main]
 
 use std::time::Duration;
 
-use dobot_api::{FromClient, Request};
+use dobot_api::{FromClient, Reply, Request};
 use dobot_controller::{Personality, PowerUp};
 use dobot_rules::Rehearsal;
 use dobot_safety::Policy;
@@ -52,9 +52,11 @@ fn ask(requests: Vec<Request>) {
     }
     station.jobs().expect("what was kept can be read");
     let stop = station.ask(anna, Request::Stop { reason: None });
-    stop.expect("anyone may stop at any time");
-    // What the arm has been sent already, it finishes first.
-    station.run_for(Duration::from_secs(30));
+    let Ok(Reply::Stopping { rests_within_s }) = stop else {
+        panic!("anyone may stop at any time: {stop:?}");
+    };
+    // What the arm has been sent already, it finishes first; laser off waits behind that.
+    station.run_for(Duration::from_secs_f64(rests_within_s) + Duration::from_millis(500));
     for (at, bytes) in station.packets() {
         let mut decoder = Decoder::commands();
         let packets: Vec<Packet> = decoder.feed(bytes).collect();

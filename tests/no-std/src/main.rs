@@ -16,7 +16,7 @@ use core::time::Duration;
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
 use dobot_controller::{Controller, PowerUp};
 use dobot_motion::{LineMove, Speeds};
-use dobot_trajectory::{Model, Place};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet, Status};
 
 // The one place of the project with `unsafe`: without `std` nobody else gives the C start-up code
@@ -69,7 +69,7 @@ fn motion() -> Option<()> {
 
 /// A command leads to its target.
 fn trajectory() -> Option<()> {
-    let here = Place::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+    let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
     let trajectory = Model::standing(DIALECT, here)
         .trajectory(&TARGET.into())
         .ok()?;
