@@ -1,6 +1,5 @@
 //! Which dialect an arm speaks, by what it does.
 
-mod finding;
 mod fit;
 mod step;
 
@@ -9,9 +8,8 @@ use std::time::Duration;
 
 use dobot_arm::{Joints, Position};
 use dobot_trajectory::{Model, Trajectory, TrajectoryError};
-use dobot_wire::{Command, Dialect, Packet, Status};
+use dobot_wire::{Command, Dialect, Evidence, Finding, Packet, Status};
 
-pub use self::finding::{Evidence, Finding};
 use self::fit::{apart_mm, off_way_mm, took_s};
 use self::step::{Question, Step, steps};
 use crate::position;

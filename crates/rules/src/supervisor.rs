@@ -23,10 +23,10 @@ mod stop;
 use std::time::Duration;
 
 use dobot_api::{ArmView, ClientId, News, Notice, QueueView, Reply, State, TrustView};
-use dobot_client::{Finding, SendError, Session};
+use dobot_client::{SendError, Session};
 use dobot_safety::Policy;
 use dobot_trajectory::{LASER_OFF, Model};
-use dobot_wire::{Dialect, Packet, Status};
+use dobot_wire::{Dialect, Finding, Packet, Status};
 
 use self::arm::Arm;
 use self::commands::Commands;

@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use dobot_api::ClientId;
 use dobot_arm::{Joints, Tool};
-use dobot_client::{Detection, Finding};
+use dobot_client::Detection;
 use dobot_trajectory::Place;
-use dobot_wire::{Packet, Status};
+use dobot_wire::{Finding, Packet, Status};
 
 use super::arm::Arm;
 use super::still_moving;
