@@ -13,7 +13,7 @@ use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 use super::chance::Chance;
 use super::commands::target;
 use super::jobs::Sort;
-use super::scene::{Scene, Wrong, burns};
+use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// What became of the station.
@@ -124,14 +124,11 @@ fn of(fate: Fate, doing: Doing, times: u64) -> Guarded {
         burnt: 0,
         wrong: Vec::new(),
     };
-    for seed in 0..times {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures.wrong.push(format!(
-                "{personality}, {fate}, {doing}, seed {seed}: {wrong}"
-            ));
-        }
-    }
+    figures.wrong = each_seed(
+        times,
+        format_args!("{fate}, {doing}"),
+        |personality, seed| one(&mut figures, personality, seed),
+    );
     figures
 }
 
@@ -166,20 +163,14 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     let first = after
         .first
         .ok_or_else(|| Wrong("nothing was said".into()))?;
-    figures
-        .packet_s
-        .add(first.saturating_sub(life).as_secs_f64());
-    figures
-        .rest_s
-        .add(after.rests.saturating_sub(at).as_secs_f64());
+    figures.packet_s.add_time(life, first);
+    figures.rest_s.add_time(at, after.rests);
     figures.went_mm.add(place(&from).distance(place(&to)).0);
     figures
         .went_deg
         .add(turned(figures.doing, &from, &to).abs());
     if burnt {
-        figures
-            .lit_s
-            .add(after.lit.saturating_sub(at).as_secs_f64());
+        figures.lit_s.add_time(at, after.lit);
     }
     figures.stood_s.add(after.stood.as_secs_f64());
     figures.burnt += usize::from(after.arm.controller().outputs().laser);

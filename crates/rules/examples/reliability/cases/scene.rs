@@ -258,6 +258,20 @@ pub(crate) fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)
     })
 }
 
+/// Tries a case with each seed, on both personalities in turn; gives back what should not be, in words.
+pub(crate) fn each_seed(
+    count: u64,
+    case: impl fmt::Display,
+    mut run: impl FnMut(Personality, u64) -> Result<(), Wrong>,
+) -> Vec<String> {
+    let wrong = (0..count).filter_map(|seed| {
+        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
+        let Wrong(wrong) = run(personality, seed).err()?;
+        Some(format!("{personality}, {case}, seed {seed}: {wrong}"))
+    });
+    wrong.collect()
+}
+
 /// What switches the laser off.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 const PATIENCE: Duration = Duration::from_secs(120);

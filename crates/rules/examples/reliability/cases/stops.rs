@@ -10,7 +10,7 @@ use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Move
 
 use super::chance::Chance;
 use super::jobs::Sort;
-use super::scene::{Scene, Wrong, burns};
+use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// What the arm does when it is stopped.
@@ -90,14 +90,9 @@ fn of(doing: Doing, stops: u64) -> Stops {
         dark_s: Spread::default(),
         wrong: Vec::new(),
     };
-    for seed in 0..stops {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures
-                .wrong
-                .push(format!("{personality}, {doing}, seed {seed}: {wrong}"));
-        }
-    }
+    figures.wrong = each_seed(stops, doing, |personality, seed| {
+        one(&mut figures, personality, seed)
+    });
     figures
 }
 
@@ -145,7 +140,7 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     figures.promised_s.add(promised.as_secs_f64());
     figures.took_s.add(took_s);
     if burnt {
-        figures.dark_s.add(lit.saturating_sub(at).as_secs_f64());
+        figures.dark_s.add_time(at, lit);
     }
     // The last packets say it again, and again; they need not have been heard by then.
     let dark_by = promised.max(Duration::from_millis(200));
