@@ -18,7 +18,7 @@ use crate::Found;
 use crate::Refusal;
 use crate::arms::Arms;
 use crate::connect::{Connecting, Source};
-use crate::guardian::{Heart, take_note};
+use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message};
 use crate::jobs::{Jobs, Written, recovery_model};
 use crate::recording::Recording;
@@ -49,7 +49,7 @@ pub(crate) struct Driver {
     held_start: Option<HeldStart>,
     /// For tasks that tell the driver something.
     own: mpsc::Sender<Message>,
-    heart: Heart,
+    heartbeats: HeartbeatSender,
     ending: Option<Instant>,
     /// What failed that the arm depends on.
     failure: Option<String>,
@@ -66,7 +66,7 @@ pub(crate) struct Given {
     pub(crate) recording: Recording,
     /// For tasks that tell the driver something.
     pub(crate) own: mpsc::Sender<Message>,
-    pub(crate) heart: Heart,
+    pub(crate) heartbeats: HeartbeatSender,
 }
 
 /// A start that waits until its job has come to rest.
@@ -110,7 +110,7 @@ impl Driver {
             waiting: HashMap::new(),
             held_start: None,
             own: given.own,
-            heart: given.heart,
+            heartbeats: given.heartbeats,
             ending: None,
             failure: None,
         }
@@ -157,7 +157,7 @@ impl Driver {
             }
             let happening = self.happening().await;
             // What came meanwhile may be old: the arm comes first.
-            self.beat();
+            self.send_heartbeat();
             match happening {
                 Happening::Message(Some(message)) => self.handle(message),
                 Happening::Message(None) => self.end(),
@@ -181,7 +181,7 @@ impl Driver {
 
     /// Tells what the guardian did while this loop stood still.
     fn remember_guardian(&mut self) {
-        for line in take_note(self.heart.note()) {
+        for line in take_note(self.heartbeats.note()) {
             let now = self.now();
             self.supervisor.handle_trouble(now, line);
         }
@@ -189,13 +189,13 @@ impl Driver {
 
     /// Lets the guardian know that this loop goes round. One that stood still for longer than the
     /// guardian has patience acts as after a fault.
-    fn beat(&mut self) {
-        if let Some(silent) = self.heart.beat() {
+    fn send_heartbeat(&mut self) {
+        if let Some(silent) = self.heartbeats.send_due() {
             let now = self.now();
             self.supervisor.handle_stall(now, silent);
             self.remember_guardian();
         }
-        if let Some(trouble) = self.heart.poll_trouble() {
+        if let Some(trouble) = self.heartbeats.poll_trouble() {
             let now = self.now();
             self.supervisor.handle_trouble(now, trouble);
         }
@@ -211,7 +211,7 @@ impl Driver {
 
     /// Until when to listen, by the arm's time, and then by everybody's.
     fn wakeups(&self) -> (Duration, Instant) {
-        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
+        let within = self.heartbeats.due_in().unwrap_or(LOOK_AT_LEAST);
         let latest = Instant::now() + within.min(LOOK_AT_LEAST);
         let wanted = self.supervisor.poll_wakeup();
         if self.source.is_virtual() {
@@ -267,11 +267,11 @@ impl Driver {
 
     /// Packets leave before anything else is done, answers and recording included.
     fn send(&mut self) {
-        self.beat();
+        self.send_heartbeat();
         while let Some(packet) = self.supervisor.poll_bytes() {
             let bytes = packet.to_bytes();
             let dialect = self.supervisor.dialect().unwrap_or(Dialect::SPECIFICATION);
-            self.heart.tell(&packet, &dialect);
+            self.heartbeats.note_packet(&packet, &dialect);
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
@@ -450,7 +450,7 @@ impl Driver {
             Err(error) => error.to_string(),
         };
         self.link = None;
-        self.heart.part();
+        self.heartbeats.stop();
         let problem = format!("{problem}; the station looks for the arm again");
         self.supervisor
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
@@ -464,7 +464,7 @@ impl Driver {
         let address = found.address.to_string();
         tracing::info!(address, "the link to the arm is open");
         self.connecting = None;
-        self.heart.take_up(&found.link);
+        self.heartbeats.start(&found.link);
         self.link = Some(found.link);
         if let Some(dialect) = self.arms.dialect(&address) {
             self.supervisor.handle_known_dialect(dialect);
@@ -543,7 +543,7 @@ impl Driver {
             // A link that is broken takes nothing any more.
             let _ = link.flush().await;
         }
-        self.heart.part();
+        self.heartbeats.stop();
         let at_rest = self.supervisor.is_at_rest() || self.link.is_none();
         self.jobs.end(at_rest).await;
         self.recording.end();

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::{Jog, Request};
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_controller::Personality;
-use dobot_rules::{Beat, Guardian, Told};
+use dobot_rules::{Guardian, Hazards, Heartbeat};
 use dobot_sim::VirtualArm;
 use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
@@ -138,7 +138,7 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     begin(&mut scene, figures.doing, &mut chance)?;
     let at = scene.it.now();
     let told = told(&scene);
-    let since_beat = chance.time(BEAT);
+    let since_beat = chance.time(HEARTBEAT);
     let mut after = After {
         arm: scene.it.into_arm(),
         now: at,
@@ -150,10 +150,12 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
         joints: Joints::new(0.0, 0.0, 0.0, 0.0),
     };
     let life = at.saturating_sub(since_beat);
-    after.guardian.handle_beat(life, Beat::Lives(told));
+    after
+        .guardian
+        .handle_heartbeat(life, Heartbeat::Alive(told));
     let burnt = after.arm.controller().outputs().laser;
     let from = after.arm.mechanics().joints_at(at);
-    let mut own = own_words(figures.fate, at, told);
+    let mut own = own_packets(figures.fate, at, told);
     if figures.fate != Fate::Frozen {
         after.guardian.handle_end(at);
     }
@@ -234,21 +236,21 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 /// What the guardian knows: of every packet before it leaves.
-fn told(scene: &Scene) -> Told {
+fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
     packets
         .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-        .fold(Told::default(), |told, it| told.after(&it, &dialect))
+        .fold(Hazards::default(), |told, it| told.after(&it, &dialect))
 }
 
 /// What the station itself says in its last moment, and when.
-fn own_words(fate: Fate, at: Duration, told: Told) -> Vec<(Duration, Packet)> {
+fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet)> {
     if fate != Fate::Panicked {
         return Vec::new();
     }
     let gaps = (0..).map(|it| at + Duration::from_millis(60) * it);
-    gaps.zip(told.last_words()).collect()
+    gaps.zip(told.stop_packets()).collect()
 }
 
 /// The arm and its guardian, after the station.
@@ -377,6 +379,6 @@ fn name(axis: &impl serde::Serialize) -> String {
 }
 
 /// From one beat to the next.
-const BEAT: Duration = Duration::from_millis(80);
+const HEARTBEAT: Duration = Duration::from_millis(80);
 /// The arm is looked at so often.
 const LOOK: Duration = Duration::from_millis(5);
