@@ -122,7 +122,7 @@ mod tests {
     use super::*;
     use crate::arms::Arms;
     use crate::connect::Source;
-    use crate::driver::Given;
+    use crate::driver::DriverParts;
     use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
@@ -173,7 +173,7 @@ mod tests {
         let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
-        let driver = Driver::new(Given {
+        let driver = Driver::new(DriverParts {
             supervisor,
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),

@@ -44,7 +44,7 @@ pub(crate) struct Driver {
     to_journal: mpsc::UnboundedSender<Written>,
     recording: Recording,
     /// Answers that take their time.
-    waiting: HashMap<ClientId, Asked>,
+    waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A job that is started while it still comes to rest.
     held_start: Option<HeldStart>,
     /// For tasks that tell the driver something.
@@ -55,9 +55,9 @@ pub(crate) struct Driver {
     failure: Option<String>,
 }
 
-/// What a driver is given.
+/// The parts that a driver is made of.
 #[derive(Debug)]
-pub(crate) struct Given {
+pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
     pub(crate) ends: Ends,
     pub(crate) source: Source,
@@ -75,14 +75,11 @@ struct HeldStart {
     client: ClientId,
     job: u64,
     until: Duration,
-    reply: Asked,
+    reply: oneshot::Sender<Result<Reply, Refusal>>,
 }
 
-/// Where an answer goes.
-type Asked = oneshot::Sender<Result<Reply, Refusal>>;
-
 /// What the driver waits for.
-enum Happening {
+enum DriverEvent {
     Message(Option<Message>),
     Link(Result<bool, dobot_client::LinkError>),
     Connecting(Option<Connecting>),
@@ -91,26 +88,26 @@ enum Happening {
 }
 
 impl Driver {
-    pub(crate) fn new(given: Given) -> Self {
+    pub(crate) fn new(parts: DriverParts) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
-            supervisor: given.supervisor,
+            supervisor: parts.supervisor,
             started: Instant::now(),
-            ends: given.ends,
-            source: given.source,
-            arms: given.arms,
+            ends: parts.ends,
+            source: parts.source,
+            arms: parts.arms,
             link: None,
             address: None,
             connecting: None,
             incoming: Vec::new(),
-            jobs: given.jobs,
+            jobs: parts.jobs,
             written,
             to_journal,
-            recording: given.recording,
+            recording: parts.recording,
             waiting: HashMap::new(),
             held_start: None,
-            own: given.own,
-            heartbeats: given.heartbeats,
+            own: parts.own,
+            heartbeats: parts.heartbeats,
             ending: None,
             failure: None,
         }
@@ -155,19 +152,19 @@ impl Driver {
             if self.is_over() {
                 break;
             }
-            let happening = self.happening().await;
+            let event = self.next_event().await;
             // What came meanwhile may be old: the arm comes first.
             self.send_heartbeat();
-            match happening {
-                Happening::Message(Some(message)) => self.handle(message),
-                Happening::Message(None) => self.end(),
-                Happening::Link(outcome) => self.hear(outcome),
-                Happening::Connecting(None) => {
+            match event {
+                DriverEvent::Message(Some(message)) => self.handle(message),
+                DriverEvent::Message(None) => self.end(),
+                DriverEvent::Link(outcome) => self.handle_received(outcome),
+                DriverEvent::Connecting(None) => {
                     self.fail("the task that looks for the arm panicked".into());
                 }
-                Happening::Connecting(news) => self.follow(news),
-                Happening::Written(Some(written)) => self.note(written),
-                Happening::Written(None) | Happening::Time => {}
+                DriverEvent::Connecting(news) => self.follow(news),
+                DriverEvent::Written(Some(written)) => self.note(written),
+                DriverEvent::Written(None) | DriverEvent::Time => {}
             }
             let now = self.now();
             self.supervisor.handle_time(now);
@@ -221,18 +218,18 @@ impl Driver {
         (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
     }
 
-    async fn happening(&mut self) -> Happening {
+    async fn next_event(&mut self) -> DriverEvent {
         let (until, wakeup) = self.wakeups();
         let link = self.link.as_mut();
         tokio::select! {
             // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
             // before it says more, or is slowed down where it need not.
             biased;
-            message = self.ends.messages.recv() => Happening::Message(message),
-            written = self.written.recv() => Happening::Written(written),
-            heard = receive(link, until, &mut self.incoming) => Happening::Link(heard),
-            news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
-            () = tokio::time::sleep_until(wakeup) => Happening::Time,
+            message = self.ends.messages.recv() => DriverEvent::Message(message),
+            written = self.written.recv() => DriverEvent::Written(written),
+            heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
+            news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
+            () = tokio::time::sleep_until(wakeup) => DriverEvent::Time,
         }
     }
 
@@ -348,7 +345,12 @@ impl Driver {
         self.end();
     }
 
-    fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
+    fn ask(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
         let now = self.now();
         self.withdraw_start(&request);
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
@@ -367,8 +369,8 @@ impl Driver {
         &mut self,
         client: ClientId,
         request: Request,
-        reply: Asked,
-    ) -> Option<(Request, Asked)> {
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) -> Option<(Request, oneshot::Sender<Result<Reply, Refusal>>)> {
         if self.supervisor.check_request(client, &request).is_err() {
             return Some((request, reply));
         }
@@ -437,7 +439,7 @@ impl Driver {
         self.supervisor.planning_model()
     }
 
-    fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
+    fn handle_received(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
             self.recording.heard(now, &self.incoming);

@@ -14,7 +14,7 @@ use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
-use crate::driver::{Driver, Given};
+use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
@@ -89,7 +89,7 @@ impl Host {
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
         let heartbeats = HeartbeatSender::new(setup.guardian, note.clone(), approach.panic_stop);
-        let mut driver = Driver::new(Given {
+        let mut driver = Driver::new(DriverParts {
             supervisor,
             ends,
             source,

@@ -37,7 +37,7 @@ pub(super) struct Run {
     permit: Permit,
     pace: Pace,
     /// Given to the session and not over.
-    given: VecDeque<Given>,
+    given: VecDeque<SentCommand>,
     /// What the last command has left that is over.
     left: Left,
     tool: Tool,
@@ -60,7 +60,7 @@ pub(super) enum Wish {
 
 /// A command of the job that the session has.
 #[derive(Clone, Copy, Debug)]
-struct Given {
+struct SentCommand {
     id: CommandId,
     index: usize,
     /// What the arm has behind it.

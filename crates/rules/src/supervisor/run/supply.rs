@@ -6,7 +6,7 @@ use dobot_api::JobPhase;
 use dobot_client::CommandId;
 use dobot_wire::{Command, Status};
 
-use super::{Effect, Given, Phase, Ran, Rests, Run, Tool, Wish};
+use super::{Effect, Phase, Ran, Rests, Run, SentCommand, Tool, Wish};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 
@@ -98,7 +98,7 @@ impl Run {
     fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
         let (index, left) = (self.next, self.after(self.left(), command));
-        self.given.push_back(Given { id, index, left });
+        self.given.push_back(SentCommand { id, index, left });
         self.next += 1;
         Ok(())
     }
