@@ -51,7 +51,7 @@ impl From<JournalError> for Wrong {
 
 /// How often the commands of a job were given to the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Given {
+pub(crate) struct GivenCounts {
     /// Never.
     pub lost: usize,
     /// More often than once.
@@ -169,7 +169,7 @@ impl Scene {
     }
 
     /// What the arm was given of a job.
-    pub(crate) fn given(&self, job: &NewJob) -> Given {
+    pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
         let given = self
             .sent(self.since)
@@ -182,10 +182,10 @@ impl Scene {
             .take_while(|(a, b)| a == b)
             .count();
         if same == wanted.len() && same == given.len() {
-            return Given::default();
+            return GivenCounts::default();
         }
         // Behind the first difference it does not matter any more which it was.
-        Given {
+        GivenCounts {
             lost: wanted
                 .len()
                 .saturating_sub(given.len())
@@ -197,7 +197,7 @@ impl Scene {
     /// Whether all of a job was given once, and is on the paper.
     pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
         let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
-        if given == Given::default() && paper.is_right() {
+        if given == GivenCounts::default() && paper.is_right() {
             return Ok(());
         }
         Err(Wrong(format!("{given:?}, {paper:?}")))
