@@ -14,7 +14,7 @@ use crate::belief::Belief;
 use crate::completion::{Completion, Verdict};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
-use crate::scheme::{Heard, Scheme, plausible};
+use crate::scheme::{ReceivedStatus, Scheme, plausible};
 use crate::send_error::moves;
 use crate::trust::{DEAF, Trust};
 use crate::{Disarmed, Event, SendError};
@@ -363,7 +363,7 @@ impl Session {
         self.dispatch();
     }
 
-    fn note_status(&mut self, now: Duration, Heard { status, .. }: &Heard) {
+    fn note_status(&mut self, now: Duration, ReceivedStatus { status, .. }: &ReceivedStatus) {
         self.see_laser(status);
         self.status = Some(*status);
         self.events.push_back(Event::Status(*status));
