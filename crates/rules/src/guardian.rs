@@ -52,7 +52,7 @@ pub struct Guardian {
     hazards: Hazards,
     /// When the last heartbeat came.
     last_heartbeat: Duration,
-    phase: Phase,
+    phase: GuardianPhase,
 }
 
 /// Why the guardian speaks.
@@ -65,7 +65,7 @@ pub enum Silence {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Phase {
+enum GuardianPhase {
     Watching,
     Speaking(Speech),
     /// All is said to the arm of a station that stands still.
@@ -99,7 +99,7 @@ impl Guardian {
             now,
             hazards: Hazards::default(),
             last_heartbeat: now,
-            phase: Phase::Watching,
+            phase: GuardianPhase::Watching,
         }
     }
 
@@ -107,12 +107,12 @@ impl Guardian {
     pub fn handle_heartbeat(&mut self, now: Duration, heartbeat: Heartbeat) {
         self.now = now;
         match heartbeat {
-            _ if self.phase == Phase::Over => {}
-            Heartbeat::Goodbye => self.phase = Phase::Over,
+            _ if self.phase == GuardianPhase::Over => {}
+            Heartbeat::Goodbye => self.phase = GuardianPhase::Over,
             Heartbeat::Alive(hazards) => {
                 self.hazards = hazards;
                 self.last_heartbeat = now;
-                self.phase = Phase::Watching;
+                self.phase = GuardianPhase::Watching;
             }
         }
     }
@@ -121,18 +121,18 @@ impl Guardian {
     pub fn handle_end(&mut self, now: Duration) {
         self.now = now;
         match &mut self.phase {
-            Phase::Watching => self.speak(Silence::Ended),
-            Phase::Speaking(speech) => speech.why = Silence::Ended,
+            GuardianPhase::Watching => self.speak(Silence::Ended),
+            GuardianPhase::Speaking(speech) => speech.why = Silence::Ended,
             // The arm was told, and nothing came from the station since.
-            Phase::Spoken(_) => self.phase = Phase::Over,
-            Phase::Over => {}
+            GuardianPhase::Spoken(_) => self.phase = GuardianPhase::Over,
+            GuardianPhase::Over => {}
         }
     }
 
     /// Takes that the arm says something: it has room for a packet.
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
-        if let Phase::Speaking(speech) = &mut self.phase {
+        if let GuardianPhase::Speaking(speech) = &mut self.phase {
             speech.heard = true;
         }
     }
@@ -140,14 +140,14 @@ impl Guardian {
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if self.phase == Phase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
+        if self.phase == GuardianPhase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
             self.speak(Silence::Stalled);
         }
     }
 
     /// The packet to send now, if there is one.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        let Phase::Speaking(speech) = self.phase else {
+        let GuardianPhase::Speaking(speech) = self.phase else {
             return None;
         };
         if self.now < speech.due() {
@@ -163,9 +163,9 @@ impl Guardian {
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         match &self.phase {
-            Phase::Watching => self.last_heartbeat + Self::PATIENCE,
-            Phase::Speaking(speech) => speech.due(),
-            Phase::Spoken(_) | Phase::Over => Duration::MAX,
+            GuardianPhase::Watching => self.last_heartbeat + Self::PATIENCE,
+            GuardianPhase::Speaking(speech) => speech.due(),
+            GuardianPhase::Spoken(_) | GuardianPhase::Over => Duration::MAX,
         }
     }
 
@@ -173,9 +173,9 @@ impl Guardian {
     #[must_use]
     pub const fn silence(&self) -> Option<Silence> {
         match &self.phase {
-            Phase::Speaking(speech) => Some(speech.why),
-            Phase::Spoken(why) => Some(*why),
-            Phase::Watching | Phase::Over => None,
+            GuardianPhase::Speaking(speech) => Some(speech.why),
+            GuardianPhase::Spoken(why) => Some(*why),
+            GuardianPhase::Watching | GuardianPhase::Over => None,
         }
     }
 
@@ -194,13 +194,13 @@ impl Guardian {
     /// Whether there is nothing more to do for it.
     #[must_use]
     pub const fn is_over(&self) -> bool {
-        matches!(self.phase, Phase::Over)
+        matches!(self.phase, GuardianPhase::Over)
     }
 
     fn speak(&mut self, why: Silence) {
         // What the station said last may still be on the line, unless it was silent for long.
         let free = self.last_heartbeat + GAP;
-        self.phase = Phase::Speaking(Speech {
+        self.phase = GuardianPhase::Speaking(Speech {
             why,
             begun: self.now,
             next: self.now.max(free),
@@ -222,9 +222,9 @@ impl Speech {
         }
     }
 
-    fn after(self, now: Duration, packets: usize) -> Phase {
+    fn after(self, now: Duration, packets: usize) -> GuardianPhase {
         if self.said + 1 < packets {
-            return Phase::Speaking(Self {
+            return GuardianPhase::Speaking(Self {
                 next: now + GAP,
                 said: self.said + 1,
                 ..self
@@ -234,11 +234,11 @@ impl Speech {
         let heard_enough = rounds >= ROUNDS && self.heard;
         if heard_enough || now >= self.begun + LONGEST {
             return match self.why {
-                Silence::Ended => Phase::Over,
-                Silence::Stalled => Phase::Spoken(self.why),
+                Silence::Ended => GuardianPhase::Over,
+                Silence::Stalled => GuardianPhase::Spoken(self.why),
             };
         }
-        Phase::Speaking(Self {
+        GuardianPhase::Speaking(Self {
             next: now + AGAIN,
             said: 0,
             rounds,

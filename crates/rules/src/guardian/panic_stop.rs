@@ -12,10 +12,10 @@ use super::Hazards;
 /// The arm's port and what the arm was told, kept apart from the thread that has the arm: when that
 /// panics, laser off and the release are sent all the same, at once and without its help.
 #[derive(Debug, Default)]
-pub(crate) struct PanicStop(Mutex<Known>);
+pub(crate) struct PanicStop(Mutex<GuardedPort>);
 
 #[derive(Debug, Default)]
-struct Known {
+struct GuardedPort {
     hazards: Hazards,
     #[cfg(unix)]
     port: Option<OwnedFd>,
@@ -65,7 +65,7 @@ impl PanicStop {
     #[cfg(not(unix))]
     pub(crate) fn send(&self) {}
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Known> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, GuardedPort> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

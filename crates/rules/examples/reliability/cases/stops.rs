@@ -15,7 +15,7 @@ use super::spread::Spread;
 
 /// What the arm does when it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Doing {
+pub(crate) enum StoppedMotion {
     /// A job, from its start to its end.
     Job(Sort),
     /// Targets of a client, as many as wait.
@@ -28,7 +28,7 @@ pub(crate) enum Doing {
     Killed,
 }
 
-impl Doing {
+impl StoppedMotion {
     /// All of them.
     pub(crate) const ALL: [Self; 7] = [
         Self::Job(Sort::Pen),
@@ -41,7 +41,7 @@ impl Doing {
     ];
 }
 
-impl fmt::Display for Doing {
+impl fmt::Display for StoppedMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Job(sort) => sort.fmt(f),
@@ -57,7 +57,7 @@ impl fmt::Display for Doing {
 #[derive(Debug)]
 pub(crate) struct Stops {
     /// What the arm did.
-    pub doing: Doing,
+    pub doing: StoppedMotion,
     /// So often it was stopped.
     pub times: usize,
     /// At rest later than was promised.
@@ -76,10 +76,10 @@ pub(crate) struct Stops {
 
 /// Stops the arm so often for each doing.
 pub(crate) fn run(stops: u64) -> Vec<Stops> {
-    Doing::ALL.map(|doing| of(doing, stops)).into()
+    StoppedMotion::ALL.map(|doing| of(doing, stops)).into()
 }
 
-fn of(doing: Doing, stops: u64) -> Stops {
+fn of(doing: StoppedMotion, stops: u64) -> Stops {
     let mut figures = Stops {
         doing,
         times: 0,
@@ -100,11 +100,11 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     match figures.doing {
-        Doing::Job(sort) => work(&mut scene, sort, &mut chance)?,
-        Doing::Targets => targets(&mut scene, &mut chance)?,
-        Doing::Jog => jog(&mut scene, &mut chance)?,
-        Doing::Pausing => pause(&mut scene, &mut chance)?,
-        Doing::Killed => {
+        StoppedMotion::Job(sort) => work(&mut scene, sort, &mut chance)?,
+        StoppedMotion::Targets => targets(&mut scene, &mut chance)?,
+        StoppedMotion::Jog => jog(&mut scene, &mut chance)?,
+        StoppedMotion::Pausing => pause(&mut scene, &mut chance)?,
+        StoppedMotion::Killed => {
             let sort = chance.one(&Sort::ALL);
             work(&mut scene, sort, &mut chance)?;
             scene.it.crash(chance.time(Duration::from_millis(300)))?;
