@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use directories::ProjectDirs;
-use dobot_client::Address;
 
 /// Where a station keeps what it has to remember, and where it says that it runs.
 ///
@@ -105,11 +104,11 @@ impl Folders {
         self.data.join("tls")
     }
 
-    /// The folder of an arm that is used without a station: its jobs.
+    /// The folder of an arm that is used without a station, by the text of its address: its jobs.
     #[must_use]
-    pub fn of_arm(&self, address: &Address) -> Self {
+    pub fn of_arm(&self, address: &str) -> Self {
         let plain = |it: char| if it.is_ascii_alphanumeric() { it } else { '-' };
-        let name: String = address.to_string().chars().map(plain).collect();
+        let name: String = address.chars().map(plain).collect();
         Self::at(self.data.join("arms").join(name))
     }
 

@@ -1,6 +1,6 @@
 //! What the station answers.
 
-use dobot_client::Finding;
+use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

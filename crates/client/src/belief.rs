@@ -17,7 +17,7 @@ pub(crate) struct Belief {
     /// After all that was seen to be over; there is none before the first status.
     over: Option<Model>,
     under_way: UnderWay,
-    waiting: VecDeque<Given>,
+    waiting: VecDeque<WaitingCommand>,
     /// What releases the button that was held last. It is kept when it has been sent, for it may get
     /// lost: to an arm at rest it says nothing.
     release: Option<Command>,
@@ -28,14 +28,14 @@ pub(crate) struct Belief {
 
 /// A command that waits for its turn.
 #[derive(Clone, Debug)]
-pub(crate) struct Given {
+pub(crate) struct WaitingCommand {
     pub(crate) id: CommandId,
     pub(crate) command: Command,
     /// None before the first status.
     plan: Option<Box<Plan>>,
 }
 
-impl Given {
+impl WaitingCommand {
     /// Why it must not be sent by now.
     pub(crate) fn trap(&self) -> Option<SendError> {
         self.plan.as_ref().and_then(|it| it.trap())
@@ -145,11 +145,11 @@ impl Belief {
 
     /// Takes a command that waits behind all others, and where it leads.
     pub(crate) fn give(&mut self, id: CommandId, command: Command, plan: Option<Box<Plan>>) {
-        self.waiting.push_back(Given { id, command, plan });
+        self.waiting.push_back(WaitingCommand { id, command, plan });
     }
 
     /// The next command to send.
-    pub(crate) fn take_next(&mut self) -> Option<Given> {
+    pub(crate) fn take_next(&mut self) -> Option<WaitingCommand> {
         self.waiting.pop_front()
     }
 
@@ -159,7 +159,7 @@ impl Belief {
     }
 
     /// The same, to look at.
-    pub(crate) fn next(&self) -> Option<&Given> {
+    pub(crate) fn next(&self) -> Option<&WaitingCommand> {
         self.waiting.front()
     }
 
@@ -167,7 +167,7 @@ impl Belief {
     /// the arm comes to rest (note N34).
     pub(crate) fn waits_for_place(&self) -> bool {
         let unknown = self.after_sent().is_some_and(|it| !it.knows_place());
-        let is_line = |it: &Given| {
+        let is_line = |it: &WaitingCommand| {
             matches!(
                 it.command,
                 Command::MoveTo(MoveTo {
@@ -214,7 +214,7 @@ impl Belief {
     }
 
     /// Takes the one that was next and leaves now.
-    pub(crate) fn handle_sent(&mut self, now: Duration, given: Given) {
+    pub(crate) fn handle_sent(&mut self, now: Duration, given: WaitingCommand) {
         self.note_button(&given.command);
         if let Some(before) = self.after_sent().copied() {
             let plan = given

@@ -1,6 +1,5 @@
 //! Which dialect an arm speaks, by what it does.
 
-mod finding;
 mod fit;
 mod step;
 
@@ -9,11 +8,10 @@ use std::time::Duration;
 
 use dobot_arm::{Joints, Position};
 use dobot_trajectory::{Model, Trajectory, TrajectoryError};
-use dobot_wire::{Command, Dialect, Packet, Status};
+use dobot_wire::{Command, Dialect, Evidence, Finding, Packet, Status};
 
-pub use self::finding::{Evidence, Finding};
 use self::fit::{apart_mm, off_way_mm, took_s};
-use self::step::{Question, Step, steps};
+use self::step::{DetectionStep, Question, steps};
 use crate::position;
 
 /// Finds out which dialect an arm speaks by small slow motions, as an engine without I/O and clock.
@@ -42,7 +40,7 @@ use crate::position;
 /// ```
 #[derive(Debug)]
 pub struct Detection {
-    steps: VecDeque<Step>,
+    steps: VecDeque<DetectionStep>,
     running: Option<Running>,
     /// The arm as each dialect has it.
     models: [Model; 2],
@@ -94,7 +92,7 @@ pub enum DetectionError {
 /// A packet that left, and what was seen since.
 #[derive(Debug)]
 struct Running {
-    step: Step,
+    step: DetectionStep,
     sent: Duration,
     tries: u32,
     from: Status,
@@ -184,7 +182,7 @@ impl Detection {
         }
     }
 
-    fn start(&mut self, step: Step, now: Duration, status: &Status, tries: u32) {
+    fn start(&mut self, step: DetectionStep, now: Duration, status: &Status, tries: u32) {
         for model in &mut self.models {
             model.seen(status);
         }
@@ -349,7 +347,7 @@ enum Trouble {
 /// Follows all steps by a model, and looks whether the arm may go there.
 fn check_room(
     mut model: Model,
-    steps: &[Step],
+    steps: &[DetectionStep],
     allowed: &impl Fn(&Joints) -> bool,
 ) -> Result<(), DetectionError> {
     let no_room = |error: TrajectoryError| DetectionError::NoRoom {
@@ -374,16 +372,16 @@ fn check_room(
     Ok(())
 }
 
-fn command(model: &Model, step: &Step) -> Result<Command, TrajectoryError> {
+fn command(model: &Model, step: &DetectionStep) -> Result<Command, TrajectoryError> {
     Command::parse(&step.frame.into(), &model.dialect).map_err(TrajectoryError::Invalid)
 }
 
-fn trajectory(model: &Model, step: &Step) -> Result<Trajectory, TrajectoryError> {
+fn trajectory(model: &Model, step: &DetectionStep) -> Result<Trajectory, TrajectoryError> {
     model.trajectory(&command(model, step)?)
 }
 
 /// The model behind a step.
-fn told(model: &Model, step: &Step) -> Model {
+fn told(model: &Model, step: &DetectionStep) -> Model {
     let Ok(command) = command(model, step) else {
         return *model;
     };

@@ -42,7 +42,7 @@ mod under_way;
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use arm::Arm;
 pub use connection::{Connection, LinkError};
-pub use detection::{Detection, DetectionError, Evidence, Finding};
+pub use detection::{Detection, DetectionError};
 pub use event::{Disarmed, Event, NotReached};
 pub use link::Link;
 pub use open::OpenError;

@@ -18,7 +18,7 @@ use crate::{Address, LinkError, OpenError, Peer, open};
 /// It knows nothing about packets: [`Connection`](crate::Connection) puts a session on top of it.
 #[derive(Debug)]
 pub struct Link {
-    way: Way,
+    transport: Transport,
     /// Bytes on their way out, so that a cancelled wait tears no packet apart.
     outgoing: Vec<u8>,
     /// Bytes that a peer said before somebody waited for them.
@@ -29,17 +29,17 @@ pub struct Link {
 }
 
 /// What bytes travel over.
-enum Way {
+enum Transport {
     Stream {
         stream: Box<dyn Stream>,
         opened: Instant,
     },
-    Peer(Box<dyn Peer>, Option<Pace>),
+    Peer(Box<dyn Peer>, Option<PeerClock>),
 }
 
 /// How fast time passes for a peer that lives no faster.
 #[derive(Clone, Copy, Debug)]
-struct Pace {
+struct PeerClock {
     /// When that began, and what time it was for the peer.
     began: (Instant, Duration),
     /// So many times as fast as a clock.
@@ -96,7 +96,7 @@ impl Link {
 
     /// A link over anything that carries bytes both ways.
     pub fn over_stream(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static) -> Self {
-        Self::new(Way::Stream {
+        Self::new(Transport::Stream {
             stream: Box::new(stream),
             opened: Instant::now(),
         })
@@ -104,7 +104,7 @@ impl Link {
 
     /// A link with an arm in this process.
     pub fn over_peer(peer: impl Peer + 'static) -> Self {
-        Self::new(Way::Peer(Box::new(peer), None))
+        Self::new(Transport::Peer(Box::new(peer), None))
     }
 
     /// A link with an arm in this process that lives so many times as fast as a clock, if it is looked
@@ -116,12 +116,15 @@ impl Link {
     pub fn over_paced_peer(peer: impl Peer + 'static, times: f64) -> Self {
         assert!(times > 0.0, "time passes");
         let began = (Instant::now(), peer.now());
-        Self::new(Way::Peer(Box::new(peer), Some(Pace { began, times })))
+        Self::new(Transport::Peer(
+            Box::new(peer),
+            Some(PeerClock { began, times }),
+        ))
     }
 
-    const fn new(way: Way) -> Self {
+    const fn new(transport: Transport) -> Self {
         Self {
-            way,
+            transport,
             outgoing: Vec::new(),
             early: Vec::new(),
             #[cfg(unix)]
@@ -149,11 +152,11 @@ impl Link {
     /// The time since the link was opened, by its own clock.
     #[must_use]
     pub fn now(&self) -> Duration {
-        match &self.way {
-            Way::Stream { opened, .. } => opened.elapsed(),
-            Way::Peer(peer, None) => peer.now(),
+        match &self.transport {
+            Transport::Stream { opened, .. } => opened.elapsed(),
+            Transport::Peer(peer, None) => peer.now(),
             // Where something is due that was not heard yet, time stands still until it is.
-            Way::Peer(peer, Some(pace)) => {
+            Transport::Peer(peer, Some(pace)) => {
                 let now = pace.now();
                 if now < peer.next() { now } else { peer.now() }
             }
@@ -170,10 +173,10 @@ impl Link {
     /// What goes wrong is told by whoever waits next.
     pub fn push(&mut self) {
         let now = self.now();
-        let stream = match &mut self.way {
-            Way::Stream { stream, .. } => stream,
-            Way::Peer(_, None) => return,
-            Way::Peer(peer, Some(_)) => {
+        let stream = match &mut self.transport {
+            Transport::Stream { stream, .. } => stream,
+            Transport::Peer(_, None) => return,
+            Transport::Peer(peer, Some(_)) => {
                 // Whether it is still there, the next wait tells.
                 let _ = peer.receive(now, &mut self.early);
                 peer.send(&self.outgoing);
@@ -206,18 +209,18 @@ impl Link {
             incoming.append(&mut self.early);
             return Ok(true);
         }
-        match &mut self.way {
-            Way::Peer(peer, None) => {
+        match &mut self.transport {
+            Transport::Peer(peer, None) => {
                 peer.send(&self.outgoing);
                 self.outgoing.clear();
                 Ok(peer.receive(until, incoming))
             }
-            Way::Peer(peer, Some(pace)) => {
+            Transport::Peer(peer, Some(pace)) => {
                 let until = until.min(peer.next());
                 wait_until(pace.instant(until)).await;
                 Ok(peer.receive(until, incoming))
             }
-            Way::Stream { stream, opened } => {
+            Transport::Stream { stream, opened } => {
                 let deadline = opened.checked_add(until);
                 carry(stream, &mut self.outgoing, incoming, deadline).await
             }
@@ -231,9 +234,9 @@ impl Link {
     /// [`LinkError`] when the link does not take it.
     pub async fn flush(&mut self) -> Result<(), LinkError> {
         self.push();
-        match &mut self.way {
-            Way::Peer(peer, _) => peer.send(&self.outgoing),
-            Way::Stream { stream, .. } => {
+        match &mut self.transport {
+            Transport::Peer(peer, _) => peer.send(&self.outgoing),
+            Transport::Stream { stream, .. } => {
                 let sending = async {
                     stream.write_all(&self.outgoing).await?;
                     stream.flush().await
@@ -249,7 +252,7 @@ impl Link {
     }
 }
 
-impl Pace {
+impl PeerClock {
     fn now(&self) -> Duration {
         let (began, at) = self.began;
         at + began.elapsed().mul_f64(self.times)
@@ -264,7 +267,7 @@ impl Pace {
     }
 }
 
-impl std::fmt::Debug for Way {
+impl std::fmt::Debug for Transport {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Stream { opened, .. } => f

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_wire::{Counts, Status};
 
-use crate::scheme::Heard;
+use crate::scheme::ReceivedStatus;
 
 /// How good a link is, as far as its statuses tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,7 +71,7 @@ impl Meter {
         self.waits_since = (at_rest && moves).then_some(now);
     }
 
-    pub(crate) fn handle_status(&mut self, now: Duration, heard: &Heard, had_room: bool) {
+    pub(crate) fn handle_status(&mut self, now: Duration, heard: &ReceivedStatus, had_room: bool) {
         self.heard.push_back(now);
         while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
             self.heard.pop_front();

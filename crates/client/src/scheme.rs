@@ -10,14 +10,14 @@ use dobot_wire::{Frame, Status};
 /// Tells by the statuses which port of the arm this is.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Scheme {
-    port: Option<Served>,
+    port: Option<ServedPort>,
     /// When the last status came that was no message.
     plain: Option<Duration>,
 }
 
 /// The port that an arm serves, which it does not say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Served {
+enum ServedPort {
     /// A status every 80 ms, each of which permits a command.
     Usb,
     /// Three statuses in 160 ms: a message, a permit 40 ms later, a message 40 ms later. So the
@@ -27,7 +27,7 @@ enum Served {
 
 /// What a status is good for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Heard {
+pub(crate) struct ReceivedStatus {
     /// With the true X.
     pub(crate) status: Status,
     /// Whether it is one of those that come every 80 ms, by which all that waits is measured.
@@ -38,10 +38,10 @@ pub(crate) struct Heard {
 
 impl Scheme {
     /// Takes a status as it came.
-    pub(crate) fn take(&mut self, now: Duration, status: Status) -> Heard {
+    pub(crate) fn take(&mut self, now: Duration, status: Status) -> ReceivedStatus {
         if let Some(message) = status.message() {
-            self.port = Some(Served::Bluetooth);
-            return Heard {
+            self.port = Some(ServedPort::Bluetooth);
+            return ReceivedStatus {
                 status: with_pose(message),
                 tells: true,
                 permits: false,
@@ -49,9 +49,9 @@ impl Scheme {
         }
         let before = self.plain.replace(now);
         if self.port.is_none() && before.is_some_and(|it| now.saturating_sub(it) < TWO_IN_A_ROW) {
-            self.port = Some(Served::Usb);
+            self.port = Some(ServedPort::Usb);
         }
-        Heard {
+        ReceivedStatus {
             status,
             tells: !self.is_bluetooth(),
             permits: true,
@@ -64,7 +64,7 @@ impl Scheme {
     }
 
     pub(crate) fn is_bluetooth(&self) -> bool {
-        self.port == Some(Served::Bluetooth)
+        self.port == Some(ServedPort::Bluetooth)
     }
 }
 

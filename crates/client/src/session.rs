@@ -1,7 +1,7 @@
 //! The session engine: what to send when, and what the statuses mean.
 
 mod laser;
-mod look;
+mod queries;
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -14,7 +14,7 @@ use crate::belief::Belief;
 use crate::completion::{Completion, Verdict};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
-use crate::scheme::{Heard, Scheme, plausible};
+use crate::scheme::{ReceivedStatus, Scheme, plausible};
 use crate::send_error::moves;
 use crate::trust::{DEAF, Trust};
 use crate::{Disarmed, Event, SendError};
@@ -288,7 +288,7 @@ impl Session {
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
         self.watch_laser();
-        if now >= self.patience_ends() {
+        if now >= self.link_lost_at() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
@@ -318,22 +318,22 @@ impl Session {
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         let laser = self.laser_wakeup().unwrap_or(Duration::MAX);
-        self.patience_ends().min(laser)
+        self.link_lost_at().min(laser)
     }
 
     /// When the link is lost if no status comes.
-    fn patience_ends(&self) -> Duration {
+    fn link_lost_at(&self) -> Duration {
         if self.lost {
             return Duration::MAX;
         }
-        let patience = match self.status {
+        let timeout = match self.status {
             _ if self.opened => FIRST_STATUS,
             Some(_) if self.may_be_full() && !self.is_bluetooth() => {
                 LINK_TIMEOUT.saturating_add(self.belief.under_way().longest_silence())
             }
             Some(_) | None => LINK_TIMEOUT,
         };
-        self.heard + patience
+        self.heard + timeout
     }
 
     /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
@@ -349,7 +349,7 @@ impl Session {
         self.opened = false;
         self.meter.handle_status(now, &heard, had_room);
         if heard.tells {
-            self.tell(now, &heard);
+            self.note_status(now, &heard);
         }
         // Statuses that come in a heap, with less than half a period between them, were kept
         // somewhere on the way: only one of them is news.
@@ -362,7 +362,7 @@ impl Session {
         self.dispatch();
     }
 
-    fn tell(&mut self, now: Duration, Heard { status, .. }: &Heard) {
+    fn note_status(&mut self, now: Duration, ReceivedStatus { status, .. }: &ReceivedStatus) {
         self.see_laser(status);
         self.status = Some(*status);
         self.events.push_back(Event::Status(*status));

@@ -14,7 +14,7 @@ use crate::OpenArmError;
 use crate::arm_thread::ArmThread;
 use crate::connect::{Connecting, Source};
 use crate::finder::{Finder, Found, Search, darken};
-use crate::guardian::{LastWords, wait_for_guardian};
+use crate::guardian::{PanicStop, wait_for_guardian};
 
 /// Which arm is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub struct WantedArm {
 #[derive(Debug)]
 pub struct Approach {
     pub(crate) thread: ArmThread,
-    pub(crate) words: Arc<LastWords>,
+    pub(crate) panic_stop: Arc<PanicStop>,
     pub(crate) source: Source,
     /// The arm, or why it is not there.
     pub(crate) first: Option<Connecting>,
@@ -92,10 +92,10 @@ impl Approach {
     }
 
     fn with_source(source: Source) -> io::Result<Self> {
-        let words = Arc::new(LastWords::default());
+        let panic_stop = Arc::new(PanicStop::default());
         Ok(Self {
-            thread: ArmThread::start(words.clone())?,
-            words,
+            thread: ArmThread::start(panic_stop.clone())?,
+            panic_stop,
             source,
             first: None,
             notes: Vec::new(),

@@ -9,12 +9,12 @@ use tokio::sync::oneshot;
 
 use crate::connect::Connecting;
 use crate::driver::Driver;
-use crate::guardian::LastWords;
+use crate::guardian::PanicStop;
 
 /// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
 /// protocol, so that no packet waits until a thousand others have been told where the arm is.
 ///
-/// When it panics the last words are said from here, for nobody else is left who could.
+/// When it panics laser off and the release are sent from here, since nothing else is left that could.
 #[derive(Debug)]
 pub(crate) struct ArmThread {
     runtime: Handle,
@@ -35,7 +35,7 @@ impl ArmThread {
     /// # Errors
     ///
     /// What the operating system says.
-    pub(crate) fn start(words: Arc<LastWords>) -> io::Result<Self> {
+    pub(crate) fn start(panic_stop: Arc<PanicStop>) -> io::Result<Self> {
         let runtime = Builder::new_current_thread().enable_all().build()?;
         let handle = runtime.handle().clone();
         let (driver, given) = oneshot::channel::<(Driver, Option<Connecting>)>();
@@ -52,7 +52,7 @@ impl ArmThread {
                 })
             };
             let outcome = catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-                words.say();
+                panic_stop.send();
                 Err("the thread that has the arm panicked".to_owned())
             });
             // Nobody may be waiting for that.
@@ -122,8 +122,8 @@ mod tests {
     use super::*;
     use crate::arms::Arms;
     use crate::connect::Source;
-    use crate::driver::Given;
-    use crate::guardian::{Heart, JogKind, Told};
+    use crate::driver::DriverParts;
+    use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
     use crate::recording::Recording;
@@ -164,7 +164,7 @@ mod tests {
     /// A driver at work on a link, and the way to it.
     fn at_work(
         link: Link,
-        words: &Arc<LastWords>,
+        panic_stop: &Arc<PanicStop>,
     ) -> (ArmAtWork, tokio::sync::mpsc::Sender<Message>) {
         let folder = tempfile::tempdir().unwrap();
         let folders = Folders::at(folder.path());
@@ -173,7 +173,7 @@ mod tests {
         let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
-        let driver = Driver::new(Given {
+        let driver = Driver::new(DriverParts {
             supervisor,
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
@@ -181,7 +181,7 @@ mod tests {
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             own: own.clone(),
-            heart: Heart::new(None, folders.guardian(), words.clone()),
+            heartbeats: HeartbeatSender::new(None, folders.guardian(), panic_stop.clone()),
         });
         let found = Found {
             address: Address::Tcp {
@@ -191,7 +191,7 @@ mod tests {
             link,
             bytes: Vec::new(),
         };
-        let thread = ArmThread::start(words.clone()).unwrap();
+        let thread = ArmThread::start(panic_stop.clone()).unwrap();
         (thread.give(driver, Some(Connecting::Up(found))), own)
     }
 
@@ -206,19 +206,19 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_panic_where_the_arm_is_says_the_last_words_at_once_and_ends_the_station() {
+    async fn a_panic_where_the_arm_is_stops_the_arm_at_once_and_ends_the_station() {
         let (near, mut far) = UnixStream::pair().unwrap();
-        let words = Arc::new(LastWords::default());
-        words.note(Told {
+        let panic_stop = Arc::new(PanicStop::default());
+        panic_stop.note(Hazards {
             jog: Some(JogKind::Linear),
             burns: true,
         });
         let link = Link::over_stream(Panics).with_port(near.into());
         let began = Instant::now();
-        let (thread, _own) = at_work(link, &words);
+        let (thread, _own) = at_work(link, &panic_stop);
         let error = thread.ended().await.unwrap_err();
         assert_eq!(error, "the thread that has the arm panicked");
-        drop(words);
+        drop(panic_stop);
         let release = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
         assert_eq!(commands(&mut far), [LASER_OFF, release]);
         assert!(
@@ -230,8 +230,8 @@ mod tests {
     #[tokio::test]
     async fn a_failure_of_what_the_arm_depends_on_ends_the_station_and_is_told() {
         let (near, _far) = tokio::io::duplex(4096);
-        let words = Arc::new(LastWords::default());
-        let (thread, own) = at_work(Link::over_stream(near), &words);
+        let panic_stop = Arc::new(PanicStop::default());
+        let (thread, own) = at_work(Link::over_stream(near), &panic_stop);
         own.send(Message::Failed("the journal is gone".into()))
             .await
             .unwrap();

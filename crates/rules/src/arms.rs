@@ -5,8 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use dobot_client::Finding;
-use dobot_wire::Dialect;
+use dobot_wire::{Dialect, Finding};
 use serde::{Deserialize, Serialize};
 
 /// What is known of each arm, in a file that a person can read and change.

@@ -59,12 +59,12 @@ pub use self::local::{LocalArm, OpenArmError};
 /// # }
 /// ```
 pub struct StationClient {
-    way: Way,
+    way: ClientRoute,
     began: Instant,
 }
 
 /// Where the rules are kept.
-enum Way {
+enum ClientRoute {
     Running(Box<Remote>, StationAddress),
     Local(Box<Local>),
     Virtual(Box<InVirtualTime>),
@@ -78,7 +78,10 @@ impl StationClient {
     /// [`ConnectError`], with what to do about it.
     pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
         let remote = Remote::connect(address, name).await?;
-        Ok(Self::new(Way::Running(Box::new(remote), address.clone())))
+        Ok(Self::new(ClientRoute::Running(
+            Box::new(remote),
+            address.clone(),
+        )))
     }
 
     /// Opens the port of an arm and keeps the rules in this process, in a thread of their own: with
@@ -94,7 +97,7 @@ impl StationClient {
     /// Outside of a tokio runtime.
     pub async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
         let local = Local::open(arm, name).await?;
-        Ok(Self::new(Way::Local(Box::new(local))))
+        Ok(Self::new(ClientRoute::Local(Box::new(local))))
     }
 
     /// Keeps the rules of an arm in this process, in virtual time, which passes only while somebody
@@ -106,10 +109,10 @@ impl StationClient {
     #[must_use]
     pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let station = InVirtualTime::new(power_up, policy, name);
-        Self::new(Way::Virtual(Box::new(station)))
+        Self::new(ClientRoute::Virtual(Box::new(station)))
     }
 
-    fn new(way: Way) -> Self {
+    fn new(way: ClientRoute) -> Self {
         Self {
             way,
             began: Instant::now(),
@@ -123,9 +126,9 @@ impl StationClient {
     /// [`RemoteError::Refused`] where it is refused, and others where there is no answer.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
         match &mut self.way {
-            Way::Running(remote, _) => remote.request(request).await,
-            Way::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
-            Way::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+            ClientRoute::Running(remote, _) => remote.request(request).await,
+            ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
+            ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
         }
     }
 
@@ -136,9 +139,9 @@ impl StationClient {
     /// [`RemoteError`] where the connection is lost, or the rules are not kept any more.
     pub async fn next(&mut self) -> Result<Heard, RemoteError> {
         match &mut self.way {
-            Way::Running(remote, _) => remote.next().await,
-            Way::Local(local) => local.next().await,
-            Way::Virtual(station) => {
+            ClientRoute::Running(remote, _) => remote.next().await,
+            ClientRoute::Local(local) => local.next().await,
+            ClientRoute::Virtual(station) => {
                 // A runtime that has other work (a signal that asks to stop) gets its turn.
                 tokio::task::consume_budget().await;
                 Ok(station.next())
@@ -188,9 +191,9 @@ impl StationClient {
     /// [`JobsError`] where they cannot be had.
     pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
         match &mut self.way {
-            Way::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
-            Way::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
-            Way::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+            ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
+            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
+            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
         }
     }
 
@@ -198,17 +201,17 @@ impl StationClient {
     #[must_use]
     pub const fn id(&self) -> ClientId {
         match &self.way {
-            Way::Running(remote, _) => remote.hello().client,
-            Way::Local(local) => local.id(),
-            Way::Virtual(station) => station.id(),
+            ClientRoute::Running(remote, _) => remote.hello().client,
+            ClientRoute::Local(local) => local.id(),
+            ClientRoute::Virtual(station) => station.id(),
         }
     }
 
     /// Lets time pass by the arm's clock.
     pub async fn wait(&mut self, time: Duration) {
         match &mut self.way {
-            Way::Virtual(station) => station.wait(time),
-            Way::Running(..) | Way::Local(_) => tokio::time::sleep(time).await,
+            ClientRoute::Virtual(station) => station.wait(time),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => tokio::time::sleep(time).await,
         }
     }
 
@@ -216,8 +219,8 @@ impl StationClient {
     #[must_use]
     pub fn now(&self) -> Duration {
         match &self.way {
-            Way::Virtual(station) => station.now(),
-            Way::Running(..) | Way::Local(_) => self.began.elapsed(),
+            ClientRoute::Virtual(station) => station.now(),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => self.began.elapsed(),
         }
     }
 
@@ -225,9 +228,9 @@ impl StationClient {
     #[must_use]
     pub fn arm_address(&self) -> Option<&Address> {
         match &self.way {
-            Way::Running(..) => None,
-            Way::Local(local) => Some(local.address()),
-            Way::Virtual(_) => Some(&Address::Virtual),
+            ClientRoute::Running(..) => None,
+            ClientRoute::Local(local) => Some(local.address()),
+            ClientRoute::Virtual(_) => Some(&Address::Virtual),
         }
     }
 
@@ -235,23 +238,23 @@ impl StationClient {
     #[must_use]
     pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
         match &self.way {
-            Way::Virtual(station) => Some(station.arm()),
-            Way::Running(..) | Way::Local(_) => None,
+            ClientRoute::Virtual(station) => Some(station.arm()),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
     }
 
     /// The virtual arm, to do something to it.
     pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
         match &mut self.way {
-            Way::Virtual(station) => Some(station.arm_mut()),
-            Way::Running(..) | Way::Local(_) => None,
+            ClientRoute::Virtual(station) => Some(station.arm_mut()),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
     }
 
     /// Leaves: what it holds ends. Where the rules are kept in this process, the laser goes off, what
     /// is under way gets a moment to come to its end, and the port is closed.
     pub async fn end(self) {
-        if let Way::Local(local) = self.way {
+        if let ClientRoute::Local(local) = self.way {
             local.end().await;
         }
     }
@@ -260,9 +263,9 @@ impl StationClient {
 impl fmt::Debug for StationClient {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let way: &dyn fmt::Debug = match &self.way {
-            Way::Running(remote, _) => remote,
-            Way::Local(local) => local,
-            Way::Virtual(station) => station,
+            ClientRoute::Running(remote, _) => remote,
+            ClientRoute::Local(local) => local,
+            ClientRoute::Virtual(station) => station,
         };
         f.debug_tuple("StationClient").field(way).finish()
     }

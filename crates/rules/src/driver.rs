@@ -18,7 +18,7 @@ use crate::Found;
 use crate::Refusal;
 use crate::arms::Arms;
 use crate::connect::{Connecting, Source};
-use crate::guardian::{Heart, take_note};
+use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message};
 use crate::jobs::{Jobs, Written, recovery_model};
 use crate::recording::Recording;
@@ -44,20 +44,20 @@ pub(crate) struct Driver {
     to_journal: mpsc::UnboundedSender<Written>,
     recording: Recording,
     /// Answers that take their time.
-    waiting: HashMap<ClientId, Asked>,
+    waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A job that is started while it still comes to rest.
     held_start: Option<HeldStart>,
     /// For tasks that tell the driver something.
     own: mpsc::Sender<Message>,
-    heart: Heart,
+    heartbeats: HeartbeatSender,
     ending: Option<Instant>,
     /// What failed that the arm depends on.
     failure: Option<String>,
 }
 
-/// What a driver is given.
+/// The parts that a driver is made of.
 #[derive(Debug)]
-pub(crate) struct Given {
+pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
     pub(crate) ends: Ends,
     pub(crate) source: Source,
@@ -66,7 +66,7 @@ pub(crate) struct Given {
     pub(crate) recording: Recording,
     /// For tasks that tell the driver something.
     pub(crate) own: mpsc::Sender<Message>,
-    pub(crate) heart: Heart,
+    pub(crate) heartbeats: HeartbeatSender,
 }
 
 /// A start that waits until its job has come to rest.
@@ -75,14 +75,11 @@ struct HeldStart {
     client: ClientId,
     job: u64,
     until: Duration,
-    reply: Asked,
+    reply: oneshot::Sender<Result<Reply, Refusal>>,
 }
 
-/// Where an answer goes.
-type Asked = oneshot::Sender<Result<Reply, Refusal>>;
-
 /// What the driver waits for.
-enum Happening {
+enum DriverEvent {
     Message(Option<Message>),
     Link(Result<bool, dobot_client::LinkError>),
     Connecting(Option<Connecting>),
@@ -91,26 +88,26 @@ enum Happening {
 }
 
 impl Driver {
-    pub(crate) fn new(given: Given) -> Self {
+    pub(crate) fn new(parts: DriverParts) -> Self {
         let (to_journal, written) = mpsc::unbounded_channel();
         Self {
-            supervisor: given.supervisor,
+            supervisor: parts.supervisor,
             started: Instant::now(),
-            ends: given.ends,
-            source: given.source,
-            arms: given.arms,
+            ends: parts.ends,
+            source: parts.source,
+            arms: parts.arms,
             link: None,
             address: None,
             connecting: None,
             incoming: Vec::new(),
-            jobs: given.jobs,
+            jobs: parts.jobs,
             written,
             to_journal,
-            recording: given.recording,
+            recording: parts.recording,
             waiting: HashMap::new(),
             held_start: None,
-            own: given.own,
-            heart: given.heart,
+            own: parts.own,
+            heartbeats: parts.heartbeats,
             ending: None,
             failure: None,
         }
@@ -155,19 +152,19 @@ impl Driver {
             if self.is_over() {
                 break;
             }
-            let happening = self.happening().await;
+            let event = self.next_event().await;
             // What came meanwhile may be old: the arm comes first.
-            self.beat();
-            match happening {
-                Happening::Message(Some(message)) => self.handle(message),
-                Happening::Message(None) => self.end(),
-                Happening::Link(outcome) => self.hear(outcome),
-                Happening::Connecting(None) => {
+            self.send_heartbeat();
+            match event {
+                DriverEvent::Message(Some(message)) => self.handle(message),
+                DriverEvent::Message(None) => self.end(),
+                DriverEvent::Link(outcome) => self.handle_received(outcome),
+                DriverEvent::Connecting(None) => {
                     self.fail("the task that looks for the arm panicked".into());
                 }
-                Happening::Connecting(news) => self.follow(news),
-                Happening::Written(Some(written)) => self.note(written),
-                Happening::Written(None) | Happening::Time => {}
+                DriverEvent::Connecting(news) => self.follow(news),
+                DriverEvent::Written(Some(written)) => self.note(written),
+                DriverEvent::Written(None) | DriverEvent::Time => {}
             }
             let now = self.now();
             self.supervisor.handle_time(now);
@@ -181,7 +178,7 @@ impl Driver {
 
     /// Tells what the guardian did while this loop stood still.
     fn remember_guardian(&mut self) {
-        for line in take_note(self.heart.note()) {
+        for line in take_note(self.heartbeats.note()) {
             let now = self.now();
             self.supervisor.handle_trouble(now, line);
         }
@@ -189,13 +186,13 @@ impl Driver {
 
     /// Lets the guardian know that this loop goes round. One that stood still for longer than the
     /// guardian has patience acts as after a fault.
-    fn beat(&mut self) {
-        if let Some(silent) = self.heart.beat() {
+    fn send_heartbeat(&mut self) {
+        if let Some(silent) = self.heartbeats.send_due() {
             let now = self.now();
             self.supervisor.handle_stall(now, silent);
             self.remember_guardian();
         }
-        if let Some(trouble) = self.heart.poll_trouble() {
+        if let Some(trouble) = self.heartbeats.poll_trouble() {
             let now = self.now();
             self.supervisor.handle_trouble(now, trouble);
         }
@@ -211,7 +208,7 @@ impl Driver {
 
     /// Until when to listen, by the arm's time, and then by everybody's.
     fn wakeups(&self) -> (Duration, Instant) {
-        let within = self.heart.due_in().unwrap_or(LOOK_AT_LEAST);
+        let within = self.heartbeats.due_in().unwrap_or(LOOK_AT_LEAST);
         let latest = Instant::now() + within.min(LOOK_AT_LEAST);
         let wanted = self.supervisor.poll_wakeup();
         if self.source.is_virtual() {
@@ -221,18 +218,18 @@ impl Driver {
         (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
     }
 
-    async fn happening(&mut self) -> Happening {
+    async fn next_event(&mut self) -> DriverEvent {
         let (until, wakeup) = self.wakeups();
         let link = self.link.as_mut();
         tokio::select! {
             // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
             // before it says more, or is slowed down where it need not.
             biased;
-            message = self.ends.messages.recv() => Happening::Message(message),
-            written = self.written.recv() => Happening::Written(written),
-            heard = receive(link, until, &mut self.incoming) => Happening::Link(heard),
-            news = listen(self.connecting.as_mut()) => Happening::Connecting(news),
-            () = tokio::time::sleep_until(wakeup) => Happening::Time,
+            message = self.ends.messages.recv() => DriverEvent::Message(message),
+            written = self.written.recv() => DriverEvent::Written(written),
+            heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
+            news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
+            () = tokio::time::sleep_until(wakeup) => DriverEvent::Time,
         }
     }
 
@@ -267,11 +264,11 @@ impl Driver {
 
     /// Packets leave before anything else is done, answers and recording included.
     fn send(&mut self) {
-        self.beat();
+        self.send_heartbeat();
         while let Some(packet) = self.supervisor.poll_bytes() {
             let bytes = packet.to_bytes();
             let dialect = self.supervisor.dialect().unwrap_or(Dialect::SPECIFICATION);
-            self.heart.tell(&packet, &dialect);
+            self.heartbeats.note_packet(&packet, &dialect);
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
@@ -348,7 +345,12 @@ impl Driver {
         self.end();
     }
 
-    fn ask(&mut self, client: ClientId, request: Request, reply: Asked) {
+    fn ask(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
         let now = self.now();
         self.withdraw_start(&request);
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
@@ -367,8 +369,8 @@ impl Driver {
         &mut self,
         client: ClientId,
         request: Request,
-        reply: Asked,
-    ) -> Option<(Request, Asked)> {
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) -> Option<(Request, oneshot::Sender<Result<Reply, Refusal>>)> {
         if self.supervisor.check_request(client, &request).is_err() {
             return Some((request, reply));
         }
@@ -437,7 +439,7 @@ impl Driver {
         self.supervisor.planning_model()
     }
 
-    fn hear(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
+    fn handle_received(&mut self, outcome: Result<bool, dobot_client::LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
             self.recording.heard(now, &self.incoming);
@@ -450,7 +452,7 @@ impl Driver {
             Err(error) => error.to_string(),
         };
         self.link = None;
-        self.heart.part();
+        self.heartbeats.stop();
         let problem = format!("{problem}; the station looks for the arm again");
         self.supervisor
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
@@ -464,7 +466,7 @@ impl Driver {
         let address = found.address.to_string();
         tracing::info!(address, "the link to the arm is open");
         self.connecting = None;
-        self.heart.take_up(&found.link);
+        self.heartbeats.start(&found.link);
         self.link = Some(found.link);
         if let Some(dialect) = self.arms.dialect(&address) {
             self.supervisor.handle_known_dialect(dialect);
@@ -543,7 +545,7 @@ impl Driver {
             // A link that is broken takes nothing any more.
             let _ = link.flush().await;
         }
-        self.heart.part();
+        self.heartbeats.stop();
         let at_rest = self.supervisor.is_at_rest() || self.link.is_none();
         self.jobs.end(at_rest).await;
         self.recording.end();

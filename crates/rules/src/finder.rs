@@ -1,7 +1,7 @@
 //! Finds the arm: listens on serial ports until one of them tells where an arm is.
 
 mod candidate;
-mod in_vain;
+mod failed_attempts;
 mod listening;
 mod missed;
 mod reconnect;
@@ -15,7 +15,7 @@ use dobot_wire::Dialect;
 use tokio::time::Instant;
 
 use self::candidate::{Candidate, Choice, choose};
-use self::in_vain::InVain;
+use self::failed_attempts::FailedAttempts;
 use self::listening::Listening;
 
 pub use missed::{Missed, NothingFound};
@@ -43,7 +43,7 @@ pub use search::{Search, WhereFound};
 #[derive(Debug)]
 pub struct Finder {
     search: Search,
-    in_vain: InVain,
+    failed_attempts: FailedAttempts,
     started: Instant,
 }
 
@@ -85,7 +85,7 @@ impl Finder {
     pub fn new(search: Search) -> Self {
         Self {
             search,
-            in_vain: InVain::default(),
+            failed_attempts: FailedAttempts::default(),
             started: Instant::now(),
         }
     }
@@ -126,7 +126,7 @@ impl Finder {
             candidates,
             passed_over,
         } = choose(&self.search, ports);
-        self.in_vain.keep(&candidates);
+        self.failed_attempts.keep(&candidates);
         let mut missed = Vec::new();
         for candidate in candidates {
             match self.try_one(&candidate, &mut tell).await {
@@ -146,7 +146,7 @@ impl Finder {
         tell: &mut impl FnMut(FinderNews),
     ) -> Result<Found, Missed> {
         let now = self.started.elapsed();
-        if let Some(why) = self.in_vain.why_not(candidate, now) {
+        if let Some(why) = self.failed_attempts.reason_to_wait(candidate, now) {
             return Err(Missed::Before {
                 why: why.to_owned(),
             });
@@ -161,7 +161,7 @@ impl Finder {
             Err(missed) => missed,
         };
         tracing::debug!(address = %candidate.address, why = %missed, "no arm is heard there");
-        self.in_vain
+        self.failed_attempts
             .note(candidate, &missed, self.started.elapsed());
         tell(FinderNews::Missed {
             address: candidate.address.clone(),

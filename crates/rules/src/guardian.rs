@@ -1,12 +1,12 @@
 //! What is said to the arm when the station says nothing any more.
 
-mod beat;
 #[cfg(unix)]
 mod child;
 mod clock;
-mod heart;
-mod last_words;
+mod heartbeat;
+mod heartbeat_sender;
 mod note;
+mod panic_stop;
 #[cfg(unix)]
 mod port;
 #[cfg(unix)]
@@ -16,16 +16,16 @@ use std::time::Duration;
 
 use dobot_wire::Packet;
 
-pub use beat::{Beat, JogKind, Told};
-pub(crate) use heart::Heart;
-pub(crate) use last_words::LastWords;
+pub use heartbeat::{Hazards, Heartbeat, JogKind};
+pub(crate) use heartbeat_sender::HeartbeatSender;
 pub(crate) use note::{take_note, wait_for_guardian};
+pub(crate) use panic_stop::PanicStop;
 #[cfg(unix)]
 pub use process::guard;
 
 /// The guardian of an arm, as an engine: it owns no port, no process and no clock.
 ///
-/// The station tells it [`Beat`]s, ten in a second and more. When the station ends without a
+/// The station tells it [`Heartbeat`]s, ten in a second and more. When the station ends without a
 /// goodbye, or is silent for [`PATIENCE`](Self::PATIENCE), the guardian switches the laser off and
 /// lets go of the button that is held: at least three times, with the gap between two packets that a
 /// stock arm wants (note N26). While the station lives it says nothing.
@@ -36,11 +36,11 @@ pub use process::guard;
 ///
 /// ```
 /// use std::time::Duration;
-/// use dobot_rules::{Beat, Guardian, Told};
+/// use dobot_rules::{Heartbeat, Guardian, Hazards};
 ///
 /// let ms = Duration::from_millis;
 /// let mut guardian = Guardian::new(ms(0));
-/// guardian.handle_beat(ms(100), Beat::Lives(Told::default()));
+/// guardian.handle_heartbeat(ms(100), Heartbeat::Alive(Hazards::default()));
 /// guardian.handle_time(ms(399));
 /// assert!(guardian.poll_bytes().is_none());
 /// guardian.handle_time(ms(400));
@@ -49,10 +49,10 @@ pub use process::guard;
 #[derive(Clone, Debug)]
 pub struct Guardian {
     now: Duration,
-    told: Told,
-    /// When the last beat came.
-    beat: Duration,
-    phase: Phase,
+    hazards: Hazards,
+    /// When the last heartbeat came.
+    last_heartbeat: Duration,
+    phase: GuardianPhase,
 }
 
 /// Why the guardian speaks.
@@ -65,7 +65,7 @@ pub enum Silence {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Phase {
+enum GuardianPhase {
     Watching,
     Speaking(Speech),
     /// All is said to the arm of a station that stands still.
@@ -97,22 +97,22 @@ impl Guardian {
     pub fn new(now: Duration) -> Self {
         Self {
             now,
-            told: Told::default(),
-            beat: now,
-            phase: Phase::Watching,
+            hazards: Hazards::default(),
+            last_heartbeat: now,
+            phase: GuardianPhase::Watching,
         }
     }
 
     /// Takes what the station says. One that stood still and is back speaks for itself.
-    pub fn handle_beat(&mut self, now: Duration, beat: Beat) {
+    pub fn handle_heartbeat(&mut self, now: Duration, heartbeat: Heartbeat) {
         self.now = now;
-        match beat {
-            _ if self.phase == Phase::Over => {}
-            Beat::Goodbye => self.phase = Phase::Over,
-            Beat::Lives(told) => {
-                self.told = told;
-                self.beat = now;
-                self.phase = Phase::Watching;
+        match heartbeat {
+            _ if self.phase == GuardianPhase::Over => {}
+            Heartbeat::Goodbye => self.phase = GuardianPhase::Over,
+            Heartbeat::Alive(hazards) => {
+                self.hazards = hazards;
+                self.last_heartbeat = now;
+                self.phase = GuardianPhase::Watching;
             }
         }
     }
@@ -121,18 +121,18 @@ impl Guardian {
     pub fn handle_end(&mut self, now: Duration) {
         self.now = now;
         match &mut self.phase {
-            Phase::Watching => self.speak(Silence::Ended),
-            Phase::Speaking(speech) => speech.why = Silence::Ended,
+            GuardianPhase::Watching => self.speak(Silence::Ended),
+            GuardianPhase::Speaking(speech) => speech.why = Silence::Ended,
             // The arm was told, and nothing came from the station since.
-            Phase::Spoken(_) => self.phase = Phase::Over,
-            Phase::Over => {}
+            GuardianPhase::Spoken(_) => self.phase = GuardianPhase::Over,
+            GuardianPhase::Over => {}
         }
     }
 
     /// Takes that the arm says something: it has room for a packet.
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
-        if let Phase::Speaking(speech) = &mut self.phase {
+        if let GuardianPhase::Speaking(speech) = &mut self.phase {
             speech.heard = true;
         }
     }
@@ -140,22 +140,22 @@ impl Guardian {
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if self.phase == Phase::Watching && now >= self.beat + Self::PATIENCE {
+        if self.phase == GuardianPhase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
             self.speak(Silence::Stalled);
         }
     }
 
     /// The packet to send now, if there is one.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        let Phase::Speaking(speech) = self.phase else {
+        let GuardianPhase::Speaking(speech) = self.phase else {
             return None;
         };
         if self.now < speech.due() {
             return None;
         }
-        let words = self.told.last_words();
-        let packet = words.get(speech.said).copied();
-        self.phase = speech.after(self.now, words.len());
+        let packets = self.hazards.stop_packets();
+        let packet = packets.get(speech.said).copied();
+        self.phase = speech.after(self.now, packets.len());
         packet
     }
 
@@ -163,9 +163,9 @@ impl Guardian {
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         match &self.phase {
-            Phase::Watching => self.beat + Self::PATIENCE,
-            Phase::Speaking(speech) => speech.due(),
-            Phase::Spoken(_) | Phase::Over => Duration::MAX,
+            GuardianPhase::Watching => self.last_heartbeat + Self::PATIENCE,
+            GuardianPhase::Speaking(speech) => speech.due(),
+            GuardianPhase::Spoken(_) | GuardianPhase::Over => Duration::MAX,
         }
     }
 
@@ -173,34 +173,34 @@ impl Guardian {
     #[must_use]
     pub const fn silence(&self) -> Option<Silence> {
         match &self.phase {
-            Phase::Speaking(speech) => Some(speech.why),
-            Phase::Spoken(why) => Some(*why),
-            Phase::Watching | Phase::Over => None,
+            GuardianPhase::Speaking(speech) => Some(speech.why),
+            GuardianPhase::Spoken(why) => Some(*why),
+            GuardianPhase::Watching | GuardianPhase::Over => None,
         }
     }
 
     /// What the arm was told last that must not outlive the station.
     #[must_use]
-    pub const fn told(&self) -> Told {
-        self.told
+    pub const fn hazards(&self) -> Hazards {
+        self.hazards
     }
 
-    /// When the last beat came.
+    /// When the last heartbeat came.
     #[must_use]
-    pub const fn beat(&self) -> Duration {
-        self.beat
+    pub const fn last_heartbeat(&self) -> Duration {
+        self.last_heartbeat
     }
 
     /// Whether there is nothing more to do for it.
     #[must_use]
     pub const fn is_over(&self) -> bool {
-        matches!(self.phase, Phase::Over)
+        matches!(self.phase, GuardianPhase::Over)
     }
 
     fn speak(&mut self, why: Silence) {
         // What the station said last may still be on the line, unless it was silent for long.
-        let free = self.beat + GAP;
-        self.phase = Phase::Speaking(Speech {
+        let free = self.last_heartbeat + GAP;
+        self.phase = GuardianPhase::Speaking(Speech {
             why,
             begun: self.now,
             next: self.now.max(free),
@@ -222,9 +222,9 @@ impl Speech {
         }
     }
 
-    fn after(self, now: Duration, words: usize) -> Phase {
-        if self.said + 1 < words {
-            return Phase::Speaking(Self {
+    fn after(self, now: Duration, packets: usize) -> GuardianPhase {
+        if self.said + 1 < packets {
+            return GuardianPhase::Speaking(Self {
                 next: now + GAP,
                 said: self.said + 1,
                 ..self
@@ -234,11 +234,11 @@ impl Speech {
         let heard_enough = rounds >= ROUNDS && self.heard;
         if heard_enough || now >= self.begun + LONGEST {
             return match self.why {
-                Silence::Ended => Phase::Over,
-                Silence::Stalled => Phase::Spoken(self.why),
+                Silence::Ended => GuardianPhase::Over,
+                Silence::Stalled => GuardianPhase::Spoken(self.why),
             };
         }
-        Phase::Speaking(Self {
+        GuardianPhase::Speaking(Self {
             next: now + AGAIN,
             said: 0,
             rounds,

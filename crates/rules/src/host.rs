@@ -14,8 +14,8 @@ use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
-use crate::driver::{Driver, Given};
-use crate::guardian::{Heart, take_note};
+use crate::driver::{Driver, DriverParts};
+use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
 use crate::recording::{self, Recording};
@@ -88,8 +88,8 @@ impl Host {
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
-        let heart = Heart::new(setup.guardian, note.clone(), approach.words);
-        let mut driver = Driver::new(Given {
+        let heartbeats = HeartbeatSender::new(setup.guardian, note.clone(), approach.panic_stop);
+        let mut driver = Driver::new(DriverParts {
             supervisor,
             ends,
             source,
@@ -97,7 +97,7 @@ impl Host {
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
             own,
-            heart: heart.supervised(setup.service_manager.unwrap_or_default()),
+            heartbeats: heartbeats.supervised(setup.service_manager.unwrap_or_default()),
         });
         let notes = approach.notes.into_iter().chain(trouble);
         Ok(Self {

@@ -63,7 +63,7 @@ pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 #[cfg(unix)]
 pub use guardian::guard;
-pub use guardian::{Beat, Guardian, JogKind, Silence, Told};
+pub use guardian::{Guardian, Hazards, Heartbeat, JogKind, Silence};
 pub use handle::{Answer, Client, Ends, Handle, Message, Rules, Snapshot};
 pub use host::{Host, HostError, Setup};
 pub use refusal::{Holder, Refusal};

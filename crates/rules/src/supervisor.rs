@@ -23,10 +23,10 @@ mod stop;
 use std::time::Duration;
 
 use dobot_api::{ArmView, ClientId, News, Notice, QueueView, Reply, State, TrustView};
-use dobot_client::{Finding, SendError, Session};
+use dobot_client::{SendError, Session};
 use dobot_safety::Policy;
 use dobot_trajectory::{LASER_OFF, Model};
-use dobot_wire::{Dialect, Packet, Status};
+use dobot_wire::{Dialect, Finding, Packet, Status};
 
 use self::arm::Arm;
 use self::commands::Commands;
@@ -92,7 +92,7 @@ impl Supervisor {
     /// Takes that something of the station goes wrong, in one line.
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
-        self.tell(News::Trouble, text);
+        self.notify(News::Trouble, text);
     }
 
     /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
@@ -148,7 +148,7 @@ impl Supervisor {
         // The link first: the first packet to an arm that is heard again switches the laser off.
         // Whatever was before: a crash, another program, a cable that was out.
         if self.link.handle_status() {
-            self.tell(News::LinkUp, "the arm tells its state".into());
+            self.notify(News::LinkUp, "the arm tells its state".into());
         }
         if self.link.greet() {
             // What was said last may have got lost with the link.
@@ -168,7 +168,7 @@ impl Supervisor {
         self.halt.handle_status(rests);
         // The stop before the job: that the arm rests is told before what it means for the job.
         if self.stop.handle_status(rests) {
-            self.tell(News::AtRest, "the arm is at rest".into());
+            self.notify(News::AtRest, "the arm is at rest".into());
         }
         self.of_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job that has the arm would forbid.
@@ -208,7 +208,7 @@ impl Supervisor {
             match wish {
                 Wish::Ask(effect) => self.save.ask(effect),
                 Wish::Keep(effect) => self.save.keep_phase(effect),
-                Wish::Tell(news, text) => self.tell(news, text),
+                Wish::Notify(news, text) => self.notify(news, text),
                 Wish::Forget => self.run = None,
             }
             self.outbox.note_change();
@@ -332,8 +332,8 @@ impl Supervisor {
         seconds(unseen).max(self.detecting.motion())
     }
 
-    fn tell(&mut self, news: News, text: String) {
-        self.outbox.tell(self.arm.now(), news, text);
+    fn notify(&mut self, news: News, text: String) {
+        self.outbox.notify(self.arm.now(), news, text);
     }
 
     /// The model from which a job is planned: the arm as it will be after all that it was given.

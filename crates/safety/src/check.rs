@@ -7,7 +7,7 @@ use crate::body::measures;
 use crate::fence::Fence;
 use crate::limits::{LASER_AREA, Limit};
 use crate::path::Path;
-use crate::walk::Walk;
+use crate::path_check::PathCheck;
 use crate::{Policy, Violation};
 
 impl Policy {
@@ -49,7 +49,7 @@ impl Policy {
     ) -> Result<(), Violation> {
         let burning = trajectory.laser() || burns(command);
         let paths = paths(trajectory);
-        let mut walk = Walk::begin(Fence::new(self, model.tool, burning), &paths[0])
+        let mut walk = PathCheck::begin(Fence::new(self, model.tool, burning), &paths[0])
             .map_err(|error| Violation::of_arm(&error))?;
         let duration_s = trajectory.motion_s().unwrap_or_default();
         let place = |share: f64| trajectory.place_at(share * duration_s).ok();

@@ -23,7 +23,7 @@ pub(crate) struct Fence<'a> {
 
 /// A place on a way, and all that the rules want to know of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stop {
+pub(crate) struct PathPoint {
     /// The share of the segment behind it.
     pub(crate) share: f64,
     pub(crate) place: ArmPlace,
@@ -84,8 +84,8 @@ impl<'a> Fence<'a> {
     }
 
     /// Looks at a place.
-    pub(crate) fn stop(&self, share: f64, place: ArmPlace) -> Stop {
-        Stop {
+    pub(crate) fn stop(&self, share: f64, place: ArmPlace) -> PathPoint {
+        PathPoint {
             share,
             place,
             measures: measures(&place),
@@ -94,7 +94,7 @@ impl<'a> Fence<'a> {
     }
 
     /// The way begins here: where the arm is outside, the rules are that wide.
-    pub(crate) fn begin(&mut self, at: &Stop) {
+    pub(crate) fn begin(&mut self, at: &PathPoint) {
         for gate in &mut self.limits {
             if gate.limit.key != LASER_AREA {
                 gate.now = gate.wide_enough_for(at);
@@ -106,7 +106,7 @@ impl<'a> Fence<'a> {
     }
 
     /// The way came here: the rules become narrower, where they were too wide.
-    pub(crate) fn advance(&mut self, to: &Stop) {
+    pub(crate) fn advance(&mut self, to: &PathPoint) {
         for gate in &mut self.limits {
             let still = gate.wide_enough_for(to);
             gate.now.min = gate.now.min.max(still.min);
@@ -120,7 +120,7 @@ impl<'a> Fence<'a> {
     }
 
     /// All that forbids a place.
-    pub(crate) fn broken_at<'b>(&'b self, at: &'b Stop) -> impl Iterator<Item = Broken> + 'b {
+    pub(crate) fn broken_at<'b>(&'b self, at: &'b PathPoint) -> impl Iterator<Item = Broken> + 'b {
         let outside =
             |gate: &&'b Gate| !gate.now.contains(at.measures[gate.limit.measure as usize]);
         let limits = self.limits.iter().filter(outside);
@@ -137,7 +137,12 @@ impl<'a> Fence<'a> {
     }
 
     /// What may forbid a place between two of a segment; `None` where none is forbidden for sure.
-    pub(crate) fn broken_between(&self, bend: Bend, a: &Stop, b: &Stop) -> Option<Broken> {
+    pub(crate) fn broken_between(
+        &self,
+        bend: Bend,
+        a: &PathPoint,
+        b: &PathPoint,
+    ) -> Option<Broken> {
         let reach_mm = self.tool.reach().0;
         let Some(sweep) = Sweep::between(bend, &a.place, &b.place, reach_mm) else {
             return Some(Broken::Unclear);
@@ -158,14 +163,14 @@ impl<'a> Fence<'a> {
 }
 
 impl Gate {
-    fn wide_enough_for(&self, at: &Stop) -> Bounds {
+    fn wide_enough_for(&self, at: &PathPoint) -> Bounds {
         let value = at.measures[self.limit.measure as usize];
         let Bounds { min, max } = self.limit.bounds;
         Bounds::new(min.min(value), max.max(value)).grown(ROUNDING)
     }
 }
 
-impl Stop {
+impl PathPoint {
     /// Whether another place is so near that there is no telling between the two.
     pub(crate) fn is_next_to(&self, other: &Self) -> bool {
         let turned = |index: usize| (self.measures[index] - other.measures[index]).abs();

@@ -8,7 +8,7 @@ use crate::check::worst;
 use crate::fence::Fence;
 use crate::limits::Limit;
 use crate::path::Path;
-use crate::walk::Walk;
+use crate::path_check::PathCheck;
 use crate::{Policy, Violation};
 
 impl Policy {
@@ -60,7 +60,7 @@ impl Policy {
             return Ok(());
         };
         let fence = Fence::new(self, model.tool, burning);
-        Walk::begin(fence, &path)
+        PathCheck::begin(fence, &path)
             .map_err(|error| Violation::of_arm(&error))?
             .along(&path)
             .map_err(|breach| {

@@ -30,6 +30,7 @@ mod keep_out;
 mod laser;
 mod limits;
 mod path;
+mod path_check;
 mod place;
 mod point;
 mod policy;
@@ -39,7 +40,6 @@ mod settings;
 mod sweep;
 mod validate;
 mod violation;
-mod walk;
 
 pub use bounds::Bounds;
 pub use keep_out::{Area, Cylinder, KeepOut};

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::validate::Problem;
+use crate::validate::InvalidValue;
 
 /// Why a text is no policy: the line, what was found, what is allowed.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -25,8 +25,8 @@ impl PolicyError {
     }
 
     /// A value that is not allowed.
-    pub(crate) fn value(line: Option<usize>, problem: Problem) -> Self {
-        let Problem {
+    pub(crate) fn value(line: Option<usize>, problem: InvalidValue) -> Self {
+        let InvalidValue {
             key,
             found,
             allowed,

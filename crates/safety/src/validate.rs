@@ -8,7 +8,7 @@ use crate::policy_error::line_at;
 use crate::{Area, Bounds, KeepOut, Policy};
 
 /// A value that is not allowed.
-pub(crate) struct Problem {
+pub(crate) struct InvalidValue {
     /// Its key, with dots.
     pub(crate) key: String,
     /// The value.
@@ -18,7 +18,7 @@ pub(crate) struct Problem {
 }
 
 /// The first value that is not allowed.
-pub(crate) fn problem(policy: &Policy) -> Option<Problem> {
+pub(crate) fn problem(policy: &Policy) -> Option<InvalidValue> {
     spans(policy)
         .into_iter()
         .find_map(|(key, found, widest)| span(key, found, widest))
@@ -171,10 +171,10 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
     ]
 }
 
-fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<Problem> {
+fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<InvalidValue> {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
     if name.is_empty() || !name.chars().all(plain) {
-        return Some(Problem {
+        return Some(InvalidValue {
             key: format!("keep_out.{name}"),
             found: format!("called {name:?}"),
             allowed: "names of letters, digits, - and _".to_owned(),
@@ -193,10 +193,10 @@ fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<Problem> {
 }
 
 /// The arm's own base is always where it is: a keep-out there would forbid everything.
-fn around_the_base(name: &str, keep_out: &KeepOut, radius_mm: f64) -> Option<Problem> {
+fn around_the_base(name: &str, keep_out: &KeepOut, radius_mm: f64) -> Option<InvalidValue> {
     keep_out
         .touches(&[PIVOT, PIVOT], radius_mm + 1.0)
-        .then(|| Problem {
+        .then(|| InvalidValue {
             key: format!("keep_out.{name}"),
             found: "around the pivot of the rear arm".to_owned(),
             allowed: format!(
@@ -205,7 +205,7 @@ fn around_the_base(name: &str, keep_out: &KeepOut, radius_mm: f64) -> Option<Pro
         })
 }
 
-fn area(key: &str, area: &Area) -> Option<Problem> {
+fn area(key: &str, area: &Area) -> Option<InvalidValue> {
     let fields = [
         ("x_mm", area.x_mm),
         ("y_mm", area.y_mm),
@@ -216,23 +216,23 @@ fn area(key: &str, area: &Area) -> Option<Problem> {
         .find_map(|(field, found)| span(format!("{key}.{field}"), found, ANYWHERE))
 }
 
-fn span(key: impl Into<String>, found: Bounds, widest: Bounds) -> Option<Problem> {
+fn span(key: impl Into<String>, found: Bounds, widest: Bounds) -> Option<InvalidValue> {
     let Bounds { min, max } = found;
     if min <= max && widest.contains(min) && widest.contains(max) {
         return None;
     }
-    Some(Problem {
+    Some(InvalidValue {
         key: key.into(),
         found: format!("[{min}, {max}]"),
         allowed: format!("[min, max] with min <= max within {widest}"),
     })
 }
 
-fn number(key: impl Into<String>, found: f64, allowed: Bounds) -> Option<Problem> {
+fn number(key: impl Into<String>, found: f64, allowed: Bounds) -> Option<InvalidValue> {
     if allowed.contains(found) {
         return None;
     }
-    Some(Problem {
+    Some(InvalidValue {
         key: key.into(),
         found: found.to_string(),
         allowed: allowed.to_string(),

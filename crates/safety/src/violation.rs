@@ -8,9 +8,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::Bounds;
-use crate::fence::{Broken, Stop};
+use crate::fence::{Broken, PathPoint};
 use crate::limits::{Limit, TABLE};
-use crate::walk::Breach;
+use crate::path_check::Breach;
 
 /// Which rule forbids a command, where on its way, and what would be allowed.
 ///
@@ -64,17 +64,17 @@ impl Violation {
         allowed: Bounds,
         unit: &str,
     ) -> Self {
-        let found_here = Clear {
+        let found_here = Distinct {
             found,
             than: allowed.nearest(found),
         };
-        let least = Told(allowed.min);
+        let least = Rounded(allowed.min);
         let message = if rule == TABLE {
             format!(
                 "{name} would be {found_here}{unit}; {rule} allows {least}{unit} and more with this tool"
             )
         } else {
-            let most = Told(allowed.max);
+            let most = Rounded(allowed.max);
             format!("{name} would be {found_here}{unit}; {rule} allows {least} to {most}{unit}")
         };
         Self {
@@ -127,14 +127,14 @@ impl Violation {
     pub(crate) fn of_breach(breach: &Breach, worst: impl Fn(&Limit) -> f64) -> Self {
         let told = Self::of_broken(&breach.broken, worst);
         let nearest = position(&breach.nearest);
-        let [x, y, z] = nearest.map(Told);
+        let [x, y, z] = nearest.map(Rounded);
         let message = format!(
             "{}; the way is free for {} mm{}, as far as x {x} y {y} z {z} mm",
             told.message,
-            Told(breach.gone_mm),
+            Rounded(breach.gone_mm),
             Seconds(breach.at_s),
         );
-        let spot = |stop: Stop| Spot {
+        let spot = |stop: PathPoint| Spot {
             along_mm: breach.gone_mm,
             after_s: breach.at_s,
             ..Spot::of(&stop)
@@ -148,7 +148,7 @@ impl Violation {
     }
 
     /// A place that breaks a rule, while nothing moves.
-    pub(crate) fn of_place(broken: &Broken, stop: &Stop) -> Self {
+    pub(crate) fn of_place(broken: &Broken, stop: &PathPoint) -> Self {
         Self {
             at: Some(Box::new(Spot::of(stop))),
             ..Self::of_broken(broken, |limit| stop.measures[limit.measure as usize])
@@ -189,7 +189,7 @@ impl Judged {
 }
 
 impl Spot {
-    const fn of(stop: &Stop) -> Self {
+    const fn of(stop: &PathPoint) -> Self {
         let joints = stop.place.joints;
         Self {
             position_mm: position(stop),
@@ -200,7 +200,7 @@ impl Spot {
     }
 }
 
-const fn position(stop: &Stop) -> [f64; 3] {
+const fn position(stop: &PathPoint) -> [f64; 3] {
     let position = stop.place.pose.position;
     [position.x.0, position.y.0, position.z.0]
 }
@@ -219,9 +219,9 @@ const fn key_of(quantity: Quantity) -> &'static str {
 }
 
 /// Two decimals at most.
-struct Told(f64);
+struct Rounded(f64);
 
-impl fmt::Display for Told {
+impl fmt::Display for Rounded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // The sum turns a negative zero into zero.
         write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
@@ -229,15 +229,15 @@ impl fmt::Display for Told {
 }
 
 /// With as many decimals, from two on, as it takes to see that it is not the other one.
-struct Clear {
+struct Distinct {
     found: f64,
     than: f64,
 }
 
-impl fmt::Display for Clear {
+impl fmt::Display for Distinct {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rounded = |scale: f64| (self.found * scale).round() / scale + 0.0;
-        let than = Told(self.than).to_string();
+        let than = Rounded(self.than).to_string();
         let clear = [1e2, 1e3, 1e4].map(|scale| rounded(scale).to_string());
         let clear = clear.into_iter().find(|it| *it != than);
         f.write_str(&clear.unwrap_or_else(|| self.found.to_string()))
@@ -249,7 +249,7 @@ struct Seconds(Option<f64>);
 impl fmt::Display for Seconds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0
-            .map_or(Ok(()), |after_s| write!(f, " and {} s", Told(after_s)))
+            .map_or(Ok(()), |after_s| write!(f, " and {} s", Rounded(after_s)))
     }
 }
 

@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use dobot_arm::{Joints, Pose, Position, Tool};
-use dobot_client::{Detection, DetectionError, Finding, Peer, plausible, position};
+use dobot_client::{Detection, DetectionError, Peer, plausible, position};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{Fault, InProcess, Line, VirtualArm};
-use dobot_wire::{Command, Decoder, JointJog, JointJogAxis, Status, Statuses};
+use dobot_wire::{Command, Decoder, Finding, JointJog, JointJogAxis, Status, Statuses};
 use proptest::prelude::*;
 
 /// An arm, and what its line brings.

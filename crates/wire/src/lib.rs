@@ -30,7 +30,7 @@
 
 #![no_std]
 
-#[cfg(feature = "serde")]
+#[cfg(feature = "alloc")]
 extern crate alloc;
 
 mod adjustment;
@@ -40,6 +40,8 @@ mod decoder;
 mod dialect;
 mod direction;
 mod error;
+#[cfg(feature = "alloc")]
+mod finding;
 mod frame;
 mod gesture;
 mod jog;
@@ -66,6 +68,8 @@ pub use decoder::{Counts, Decoder, Packets};
 pub use dialect::{Dialect, UnknownDialect};
 pub use direction::{Commands, Direction, Statuses};
 pub use error::ParseError;
+#[cfg(feature = "alloc")]
+pub use finding::{Evidence, Finding};
 pub use frame::{Frame, HEADER, PACKET_LEN, TAIL};
 pub use gesture::Gesture;
 pub use joint_jog::{JointJog, JointJogAxis};

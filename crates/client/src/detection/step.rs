@@ -7,7 +7,7 @@ use dobot_wire::{
 
 /// A packet, and what is asked by it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
+pub(super) struct DetectionStep {
     pub(super) frame: Frame,
     pub(super) question: Option<Question>,
     pub(super) moves: bool,
@@ -37,11 +37,11 @@ impl Question {
 }
 
 /// All of it, from where the arm stands and back there.
-pub(super) fn steps(start: &Status) -> Vec<Step> {
+pub(super) fn steps(start: &Status) -> Vec<DetectionStep> {
     let home = [start.x_mm, start.y_mm, start.z_mm + LIFT_MM];
     let aside = [home[0] - 6.0, home[1] + 12.0, home[2] + 4.0];
     let start_point = [start.x_mm, start.y_mm, start.z_mm];
-    let ask = |question, frame| Step {
+    let ask = |question, frame| DetectionStep {
         question: Some(question),
         ..go(frame)
     };
@@ -73,16 +73,16 @@ pub(super) fn steps(start: &Status) -> Vec<Step> {
     ]
 }
 
-const fn go(frame: Frame) -> Step {
-    Step {
+const fn go(frame: Frame) -> DetectionStep {
+    DetectionStep {
         frame,
         question: None,
         moves: true,
     }
 }
 
-const fn set_frame(frame: Frame) -> Step {
-    Step {
+const fn set_frame(frame: Frame) -> DetectionStep {
+    DetectionStep {
         frame,
         question: None,
         moves: false,
@@ -90,7 +90,7 @@ const fn set_frame(frame: Frame) -> Step {
 }
 
 /// A command that means the same in all dialects.
-fn set(command: impl Into<Command>) -> Step {
+fn set(command: impl Into<Command>) -> DetectionStep {
     let command = command.into();
     debug_assert_eq!(command.dialect_dependent(), None);
     set_frame(frame(&command))

@@ -62,7 +62,7 @@ pub(super) struct Local {
 impl Local {
     /// The port first, and laser off: an arm is dark before anything is kept of it that could fail.
     pub(super) async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
-        for folders in [&arm.folders, &arm.folders.of_arm(&arm.address)] {
+        for folders in [&arm.folders, &arm.folders.of_arm(&arm.address.to_string())] {
             wait_for_guardian(&folders.guardian()).await;
         }
         let approach = Approach::to(&arm.address).await?;
@@ -128,7 +128,7 @@ fn setup(arm: &LocalArm) -> Setup {
     Setup {
         policy: arm.policy.clone(),
         dialect: arm.dialect,
-        folders: arm.folders.of_arm(&arm.address),
+        folders: arm.folders.of_arm(&arm.address.to_string()),
         common: arm.folders.clone(),
         guardian: arm.guardian.clone(),
         service_manager: None,

@@ -8,13 +8,13 @@ use std::process::{ChildStdin, Command, Stdio};
 
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 
-use super::Beat;
+use super::Heartbeat;
 
-/// The guardian as the station sees it: a child process that is told beats. When this is dropped
-/// without a goodbye, the guardian speaks.
+/// The guardian as the station sees it: a child process that receives heartbeats. When this is dropped
+/// without a goodbye, the guardian stops the arm.
 #[derive(Debug)]
 pub(super) struct Child {
-    beats: ChildStdin,
+    heartbeats: ChildStdin,
 }
 
 impl Child {
@@ -33,27 +33,27 @@ impl Child {
             // Ctrl-C is for the station, which says goodbye then.
             .process_group(0)
             .spawn()?;
-        let beats = child.stdin.take().expect("it is piped");
+        let heartbeats = child.stdin.take().expect("it is piped");
         // The arm never waits for its guardian.
-        fcntl_setfl(&beats, fcntl_getfl(&beats)? | OFlags::NONBLOCK)?;
+        fcntl_setfl(&heartbeats, fcntl_getfl(&heartbeats)? | OFlags::NONBLOCK)?;
         let waiting = std::thread::Builder::new().name("guardian".into());
         waiting.spawn(move || {
             // Otherwise the system would keep what is left of it.
             let _ = child.wait();
         })?;
-        Ok(Self { beats })
+        Ok(Self { heartbeats })
     }
 
-    /// Tells it something.
+    /// Sends it a heartbeat.
     ///
     /// # Errors
     ///
     /// What the system says when the guardian is gone.
-    pub(super) fn say(&mut self, beat: Beat) -> io::Result<()> {
-        match self.beats.write(&[beat.to_byte()]) {
+    pub(super) fn send(&mut self, heartbeat: Heartbeat) -> io::Result<()> {
+        match self.heartbeats.write(&[heartbeat.to_byte()]) {
             // It has more to read than it can: it stands still.
             Err(error) if error.kind() == ErrorKind::WouldBlock => Ok(()),
-            said => said.map(drop),
+            sent => sent.map(drop),
         }
     }
 }

@@ -11,7 +11,7 @@ use rustix::io::Errno;
 use super::clock::Clock;
 use super::note::Note;
 use super::port::{Taken, timespec, write_some, write_within};
-use super::{Beat, Guardian, JogKind, Silence, Told};
+use super::{Guardian, Hazards, Heartbeat, JogKind, Silence};
 
 /// Watches over a station until that says goodbye, or until all is said that had to be said.
 ///
@@ -58,7 +58,7 @@ struct Ready {
 
 impl Guard {
     /// Waits for what is wanted next: a beat, a port that takes or tells something, or time.
-    fn wait(&self, beats: &impl AsFd, port: &impl AsFd) -> io::Result<Ready> {
+    fn wait(&self, heartbeats: &impl AsFd, port: &impl AsFd) -> io::Result<Ready> {
         let mut wanted = PollFlags::empty();
         if self.guardian.silence().is_some() {
             wanted |= PollFlags::IN;
@@ -69,7 +69,7 @@ impl Guard {
         // A port that is gone would be ready all the time.
         let (has_port, has_beats) = (!wanted.is_empty(), !self.ended);
         let mut waited = Vec::with_capacity(2);
-        waited.extend(has_beats.then(|| PollFd::new(beats, PollFlags::IN)));
+        waited.extend(has_beats.then(|| PollFd::new(heartbeats, PollFlags::IN)));
         waited.extend(has_port.then(|| PollFd::new(port, wanted)));
         let within = self.guardian.poll_wakeup().saturating_sub(self.clock.now());
         match poll(&mut waited, Some(&timespec(within))) {
@@ -83,13 +83,13 @@ impl Guard {
         })
     }
 
-    /// Beats first: however late this process is, a station that lives is not spoken for.
-    fn step(&mut self, ready: Ready, beats: &impl AsFd, port: &impl AsFd) -> io::Result<()> {
+    /// Heartbeats come first: however late this process is, it sends nothing while the station is alive.
+    fn step(&mut self, ready: Ready, heartbeats: &impl AsFd, port: &impl AsFd) -> io::Result<()> {
         if ready.beats {
-            self.hear(beats)?;
+            self.receive_heartbeats(heartbeats)?;
         }
         self.guardian.handle_time(self.clock.now());
-        self.tell();
+        self.report();
         let mut gone = ready.port && self.follow(port);
         if let Some(packet) = self.guardian.poll_bytes()
             && self.line.is_empty()
@@ -106,14 +106,15 @@ impl Guard {
         if gone {
             // There is nobody to speak to any more.
             self.line.clear();
-            self.guardian.handle_beat(self.clock.now(), Beat::Goodbye);
+            self.guardian
+                .handle_heartbeat(self.clock.now(), Heartbeat::Goodbye);
         }
         Ok(())
     }
 
-    fn hear(&mut self, beats: &impl AsFd) -> io::Result<()> {
+    fn receive_heartbeats(&mut self, heartbeats: &impl AsFd) -> io::Result<()> {
         let mut bytes = [0; 256];
-        let read = match rustix::io::read(beats, &mut bytes) {
+        let read = match rustix::io::read(heartbeats, &mut bytes) {
             Err(Errno::AGAIN | Errno::INTR) => return Ok(()),
             read => read?,
         };
@@ -122,8 +123,11 @@ impl Guard {
             self.ended = true;
             self.guardian.handle_end(now);
         }
-        for beat in bytes[..read].iter().filter_map(|it| Beat::from_byte(*it)) {
-            self.guardian.handle_beat(now, beat);
+        for heartbeat in bytes[..read]
+            .iter()
+            .filter_map(|it| Heartbeat::from_byte(*it))
+        {
+            self.guardian.handle_heartbeat(now, heartbeat);
         }
         Ok(())
     }
@@ -143,7 +147,7 @@ impl Guard {
     }
 
     /// Says what it does where people look: on standard error, and in the note for the next start.
-    fn tell(&mut self) {
+    fn report(&mut self) {
         let silence = self.guardian.silence();
         if silence == self.told {
             return;
@@ -152,20 +156,23 @@ impl Guard {
         let Some(silence) = silence else {
             return;
         };
-        let silent = self.clock.now().saturating_sub(self.guardian.beat());
-        let text = text(silence, silent, self.guardian.told());
+        let silent = self
+            .clock
+            .now()
+            .saturating_sub(self.guardian.last_heartbeat());
+        let text = text(silence, silent, self.guardian.hazards());
         // Standard error may be gone with the station.
         let _ = writeln!(io::stderr(), "guardian: {text}");
         self.note.write(&text);
     }
 }
 
-fn text(silence: Silence, silent: Duration, told: Told) -> String {
+fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
     let why = match silence {
         Silence::Ended => "the station ended without a goodbye".to_owned(),
         Silence::Stalled => format!("the station was silent for {:.2} s", silent.as_secs_f64()),
     };
-    let button = match told.jog {
+    let button = match hazards.jog {
         None => "",
         Some(JogKind::Joint) => ", and let go of the joint jog's button",
         Some(JogKind::Linear) => ", and let go of the linear jog's button",
@@ -182,16 +189,16 @@ mod tests {
 
     #[test]
     fn what_it_did_is_told_in_one_line() {
-        let told = Told {
+        let hazards = Hazards {
             jog: Some(JogKind::Linear),
             burns: true,
         };
         assert_eq!(
-            text(Silence::Stalled, Duration::from_millis(312), told),
+            text(Silence::Stalled, Duration::from_millis(312), hazards),
             "the station was silent for 0.31 s: the guardian switched the laser off, and let go of the linear jog's button"
         );
         assert_eq!(
-            text(Silence::Ended, Duration::ZERO, Told::default()),
+            text(Silence::Ended, Duration::ZERO, Hazards::default()),
             "the station ended without a goodbye: the guardian switched the laser off"
         );
     }

@@ -2,7 +2,7 @@
 
 use dobot_api::{ClientId, Jog, News, Reply};
 
-use super::jog::{Press, Silence, Still, act, is_released, moves};
+use super::jog::{JogSilence, Press, Still, act, is_released, moves};
 use super::{Supervisor, seconds};
 use crate::refusal::Refusal;
 
@@ -83,14 +83,14 @@ impl Supervisor {
     }
 
     pub(super) fn watch_dead_man(&mut self) {
-        let Some(Silence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
+        let Some(JogSilence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
             return;
         };
         let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
         let silent_ms = lasts.as_secs_f64() * 1e3;
         let why = format!("{who} fell silent for {silent_ms:.0} ms");
         if self.withdraw(Refusal::LetGo(why.clone())) {
-            self.tell(News::DeadMan, format!("{why}: the button was released"));
+            self.notify(News::DeadMan, format!("{why}: the button was released"));
         }
     }
 

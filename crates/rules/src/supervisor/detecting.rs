@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use dobot_api::ClientId;
 use dobot_arm::{Joints, Tool};
-use dobot_client::{Detection, Finding};
+use dobot_client::Detection;
 use dobot_trajectory::ArmPlace;
-use dobot_wire::{Packet, Status};
+use dobot_wire::{Finding, Packet, Status};
 
 use super::arm::Arm;
 use super::still_moving;
@@ -15,13 +15,13 @@ use crate::refusal::Refusal;
 /// The detection that is under way, if one is, and what the last one found.
 #[derive(Debug, Default)]
 pub(super) struct Detecting {
-    under_way: Option<UnderWay>,
+    under_way: Option<RunningDetection>,
     finding: Option<Finding>,
 }
 
 /// A detection, and who asked for it.
 #[derive(Debug)]
-struct UnderWay {
+struct RunningDetection {
     client: ClientId,
     detection: Detection,
 }
@@ -47,7 +47,7 @@ impl Detecting {
         };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;
-        self.under_way = Some(UnderWay { client, detection });
+        self.under_way = Some(RunningDetection { client, detection });
         Ok(())
     }
 
@@ -69,7 +69,7 @@ impl Detecting {
         now: Duration,
         status: &Status,
     ) -> (Option<Packet>, Option<Outcome>) {
-        let Some(UnderWay { client, detection }) = &mut self.under_way else {
+        let Some(RunningDetection { client, detection }) = &mut self.under_way else {
             return (None, None);
         };
         detection.handle_status(now, status);

@@ -49,7 +49,7 @@ impl Supervisor {
         let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
         self.arm.send_at_once(LASER_OFF);
         self.withdraw(Refusal::LetGo(why.clone()));
-        self.tell(
+        self.notify(
             News::Trouble,
             format!("{why}: the laser was switched off and the button let go"),
         );
@@ -80,7 +80,7 @@ impl Supervisor {
     fn written(&mut self, effect: &Effect) {
         if self.save.handle_written(effect) {
             let text = "the journal of jobs can be written again".to_owned();
-            self.tell(News::Trouble, text);
+            self.notify(News::Trouble, text);
         }
         if let Some(run) = &mut self.run {
             run.handle_written(effect);
@@ -96,7 +96,7 @@ impl Supervisor {
             self.interrupt_run(&why);
         }
         if is_news {
-            self.tell(News::Trouble, why);
+            self.notify(News::Trouble, why);
         }
     }
 
@@ -121,7 +121,7 @@ impl Supervisor {
                     self.command_forgotten(command, &Refusal::from(reason).to_string());
                 }
                 Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
-                Event::LaserOff => self.tell(News::LaserOff, SWITCHED_OFF.into()),
+                Event::LaserOff => self.notify(News::LaserOff, SWITCHED_OFF.into()),
                 _ => {}
             }
         }
@@ -142,7 +142,7 @@ impl Supervisor {
     fn laser_disarmed(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.interrupt_burning(why);
-        self.tell(
+        self.notify(
             News::LaserDisarmed,
             format!("the laser is off and disarmed: {why}"),
         );
@@ -155,13 +155,13 @@ impl Supervisor {
         }
         let command = id.0;
         match failed {
-            None => self.tell(
+            None => self.notify(
                 News::CommandDone { command },
                 format!("command {command} is done"),
             ),
             Some(why) => {
                 self.arm.part_from_laser();
-                self.tell(
+                self.notify(
                     News::CommandFailed { command },
                     format!("command {command}: {why}"),
                 );
@@ -175,7 +175,7 @@ impl Supervisor {
         }
         if self.commands.handle_over(id) {
             let command = id.0;
-            self.tell(
+            self.notify(
                 News::CommandFailed { command },
                 format!("command {command} was not sent: {why}"),
             );
@@ -214,7 +214,7 @@ impl Supervisor {
         } else {
             format!("the pause of command {command}")
         };
-        self.tell(
+        self.notify(
             News::Pausing { command, lasts_s },
             format!("the arm waits {lasts_s} s here: {whose}"),
         );
@@ -237,7 +237,7 @@ impl Supervisor {
         let text = self.link.loss();
         self.interrupt_run(&text);
         self.end_detection("the link to the arm was lost");
-        self.tell(News::LinkLost, text);
+        self.notify(News::LinkLost, text);
     }
 
     fn notice_reset(&mut self, evidence: &str) {
@@ -249,7 +249,7 @@ impl Supervisor {
         }
         self.interrupt_run("the arm was reset");
         self.end_detection("the arm was reset");
-        self.tell(
+        self.notify(
             News::Reset,
             format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
         );

@@ -23,7 +23,7 @@ struct Held {
     said: Duration,
     /// How long its client may be silent.
     patience: Duration,
-    phase: Phase,
+    phase: JogPhase,
 }
 
 /// A button, and who presses it.
@@ -46,7 +46,7 @@ pub(super) enum Still {
 
 /// Who fell silent while a button was held.
 #[derive(Debug)]
-pub(super) struct Silence {
+pub(super) struct JogSilence {
     /// The client; else the arm.
     pub(super) client: Option<ClientId>,
     pub(super) lasts: Duration,
@@ -54,7 +54,7 @@ pub(super) struct Silence {
 
 /// What a press does.
 #[derive(Clone, Debug)]
-enum Phase {
+enum JogPhase {
     /// Nothing yet: the arm still runs down from what was before.
     Waits,
     /// The arm moves.
@@ -76,14 +76,14 @@ impl Held {
     fn falls_silent(&self) -> Option<Duration> {
         let silent = self.said + self.patience;
         match self.phase {
-            Phase::Waits => Some(silent),
-            Phase::Acts { seen } => Some(silent.min(seen + BLIND)),
-            Phase::Over { .. } => None,
+            JogPhase::Waits => Some(silent),
+            JogPhase::Acts { seen } => Some(silent.min(seen + BLIND)),
+            JogPhase::Over { .. } => None,
         }
     }
 
     const fn acts(&self) -> bool {
-        matches!(self.phase, Phase::Acts { .. })
+        matches!(self.phase, JogPhase::Acts { .. })
     }
 }
 
@@ -101,9 +101,9 @@ impl Jogging {
         let changed = held.jog != jog;
         held.jog = jog;
         Some(match &held.phase {
-            Phase::Over { why, .. } => Err(why.clone()),
-            Phase::Acts { .. } if changed => Ok(Still::OtherSpeed),
-            Phase::Acts { .. } | Phase::Waits => Ok(Still::Same),
+            JogPhase::Over { why, .. } => Err(why.clone()),
+            JogPhase::Acts { .. } if changed => Ok(Still::OtherSpeed),
+            JogPhase::Acts { .. } | JogPhase::Waits => Ok(Still::Same),
         })
     }
 
@@ -123,7 +123,7 @@ impl Jogging {
             jog: press.jog,
             said: arm.now(),
             patience: press.patience,
-            phase: pressed.unwrap_or_else(|why| Phase::Over { why, told: false }),
+            phase: pressed.unwrap_or_else(|why| JogPhase::Over { why, told: false }),
         });
         refused.map_or(Ok(held.acts()), Err)
     }
@@ -131,14 +131,14 @@ impl Jogging {
     /// The press that waits for the arm to rest.
     pub(super) fn waits(&self) -> Option<(ClientId, Jog)> {
         let held = self.held.as_ref();
-        let waits = held.filter(|it| matches!(it.phase, Phase::Waits));
+        let waits = held.filter(|it| matches!(it.phase, JogPhase::Waits));
         waits.map(|it| (it.client, it.jog))
     }
 
     /// Takes that the press that waited moves the arm now.
     pub(super) fn handle_moves(&mut self, now: Duration) {
         if let Some(held) = &mut self.held {
-            held.phase = Phase::Acts { seen: now };
+            held.phase = JogPhase::Acts { seen: now };
         }
     }
 
@@ -153,8 +153,8 @@ impl Jogging {
             return false;
         };
         let acted = held.acts();
-        if !matches!(held.phase, Phase::Over { .. }) {
-            held.phase = Phase::Over { why, told: false };
+        if !matches!(held.phase, JogPhase::Over { .. }) {
+            held.phase = JogPhase::Over { why, told: false };
         }
         acted
     }
@@ -165,7 +165,7 @@ impl Jogging {
         match &mut self.held {
             Some(Held {
                 client: whose,
-                phase: Phase::Over { why, told },
+                phase: JogPhase::Over { why, told },
                 ..
             }) if *whose == client && why == refusal => std::mem::replace(told, true),
             _ => false,
@@ -178,11 +178,11 @@ impl Jogging {
     }
 
     /// Who has fallen silent, so that the button has to be let go of.
-    pub(super) fn silence(&self, now: Duration) -> Option<Silence> {
+    pub(super) fn silence(&self, now: Duration) -> Option<JogSilence> {
         let held = self.held.as_ref()?;
         held.falls_silent().filter(|it| *it <= now)?;
         let of_client = held.said + held.patience <= now;
-        Some(Silence {
+        Some(JogSilence {
             client: of_client.then_some(held.client),
             lasts: if of_client { held.patience } else { BLIND },
         })
@@ -192,7 +192,7 @@ impl Jogging {
     /// Says what hinders whose button.
     pub(super) fn handle_status(&mut self, arm: &Arm) -> Option<(ClientId, Refusal)> {
         let (held, model) = (self.held.as_mut()?, arm.session().seen_model()?);
-        let Phase::Acts { seen } = &mut held.phase else {
+        let JogPhase::Acts { seen } = &mut held.phase else {
             return None;
         };
         *seen = arm.now();
@@ -205,14 +205,14 @@ impl Jogging {
 }
 
 /// What a new press does, if it may.
-fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<Phase, Refusal> {
+fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Refusal> {
     if !arm.session().is_moving() {
         act(arm, jog)?;
-        return Ok(Phase::Acts { seen: arm.now() });
+        return Ok(JogPhase::Acts { seen: arm.now() });
     }
     // Whoever presses while the arm is at something longer means that, and not what follows it.
     if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
-        return Ok(Phase::Waits);
+        return Ok(JogPhase::Waits);
     }
     Err(still_moving(rests_within))
 }

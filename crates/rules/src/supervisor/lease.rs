@@ -11,14 +11,14 @@ use crate::refusal::{Holder, Refusal};
 /// The clients, and the lease that one of them has.
 #[derive(Debug)]
 pub(super) struct Leases {
-    clients: HashMap<ClientId, Known>,
+    clients: HashMap<ClientId, LeaseClient>,
     next_client: u64,
     lease: Option<Lease>,
 }
 
 /// A client that is connected.
 #[derive(Debug)]
-struct Known {
+struct LeaseClient {
     name: String,
     role: Role,
     /// It speaks the arm's own protocol, which has no words for leases.
@@ -62,7 +62,7 @@ impl Leases {
         self.next_client += 1;
         self.clients.insert(
             client,
-            Known {
+            LeaseClient {
                 name: plain(name, NAME_LEN),
                 role,
                 is_program: false,

@@ -15,7 +15,7 @@ pub(super) type Answer = (ClientId, Result<Reply, Refusal>);
 #[derive(Debug)]
 pub(super) struct Outbox {
     notices: VecDeque<Notice>,
-    told: u64,
+    notice_count: u64,
     /// Statuses for raw programs, to which each one is a permit.
     statuses: VecDeque<Status>,
     answers: VecDeque<Answer>,
@@ -28,18 +28,18 @@ impl Outbox {
     pub(super) const fn new() -> Self {
         Self {
             notices: VecDeque::new(),
-            told: 0,
+            notice_count: 0,
             statuses: VecDeque::new(),
             answers: VecDeque::new(),
             changed: true,
         }
     }
 
-    pub(super) fn tell(&mut self, now: Duration, news: News, text: String) {
-        self.told += 1;
+    pub(super) fn notify(&mut self, now: Duration, news: News, text: String) {
+        self.notice_count += 1;
         self.changed = true;
         self.notices.push_back(Notice {
-            number: self.told,
+            number: self.notice_count,
             at_s: now.as_secs_f64(),
             news,
             text,

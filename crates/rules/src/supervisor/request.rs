@@ -147,7 +147,7 @@ impl Supervisor {
         let reason = reason.map(|it| plain(&it, REASON_LEN));
         let now = self.arm.now();
         if let Some(text) = self.stop.handle_stop(now, by, reason, rests_within) {
-            self.tell(News::Stopped, text);
+            self.notify(News::Stopped, text);
         }
         Reply::Stopping {
             rests_within_s: rests_within.as_secs_f64(),
@@ -158,7 +158,7 @@ impl Supervisor {
         if self.stop.reset(self.arm.now(), self.link.is_there())? {
             self.halt.forget();
             let text = format!("{} lets the arm move again", self.client_name(client));
-            self.tell(News::StopReset, text);
+            self.notify(News::StopReset, text);
         }
         Ok(Reply::Done)
     }
@@ -190,11 +190,11 @@ impl Supervisor {
                 Change::Ended { client, why } => self.lease_over(client, &why),
                 Change::Taken(client) => {
                     let text = format!("{} has control", self.client_name(client));
-                    self.tell(News::LeaseTaken { client }, text);
+                    self.notify(News::LeaseTaken { client }, text);
                 }
                 Change::Asked(client) => {
                     let text = format!("{} asks for control", self.client_name(client));
-                    self.tell(News::LeaseAsked { client }, text);
+                    self.notify(News::LeaseAsked { client }, text);
                 }
             }
         }
@@ -210,7 +210,7 @@ impl Supervisor {
         if self.commands.any_of(client) {
             self.drop_waiting(why);
         }
-        self.tell(News::LeaseFree, format!("nobody has control: {why}"));
+        self.notify(News::LeaseFree, format!("nobody has control: {why}"));
     }
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
@@ -219,7 +219,7 @@ impl Supervisor {
         self.arm.arm_laser(for_s)?;
         let name = self.client_name(client);
         let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
-        self.tell(News::LaserArmed, text);
+        self.notify(News::LaserArmed, text);
         Ok(Reply::Done)
     }
 
@@ -279,7 +279,7 @@ impl Supervisor {
         };
         let text = format!("{}: {what}", self.client_name(client));
         if self.leases.handle_amended(client, &text) {
-            self.tell(News::Amended { client }, text);
+            self.notify(News::Amended { client }, text);
         }
         sent
     }
@@ -297,7 +297,7 @@ impl Supervisor {
         let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
         let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
         let kind = refusal.kind().to_owned();
-        self.tell(News::Refused { client, kind }, text);
+        self.notify(News::Refused { client, kind }, text);
     }
 
     pub(super) fn still_moving(&self) -> Refusal {
@@ -313,7 +313,7 @@ impl Supervisor {
                 "{} confirmed where the arm stands",
                 self.client_name(client)
             );
-            self.tell(News::PoseTrusted, text);
+            self.notify(News::PoseTrusted, text);
         }
         Ok(Reply::Done)
     }
@@ -324,7 +324,7 @@ impl Supervisor {
         }
         if self.arm.session().dialect() != Some(&dialect) {
             self.arm.session_mut().set_dialect(dialect);
-            self.tell(
+            self.notify(
                 News::DialectKnown { dialect },
                 format!("the arm speaks {dialect}"),
             );

@@ -37,10 +37,10 @@ pub(super) struct Run {
     permit: Permit,
     pace: Pace,
     /// Given to the session and not over.
-    given: VecDeque<Given>,
+    given: VecDeque<SentCommand>,
     /// What the last command has left that is over.
     left: Left,
-    tool: Tool,
+    tool: ToolHeight,
     /// From where it goes on to where it rests.
     ran: Option<Ran>,
 }
@@ -53,14 +53,14 @@ pub(super) enum Wish {
     /// The journal is to keep the job's phase, however long that takes.
     Keep(Effect),
     /// Those who watch are told.
-    Tell(News, String),
+    Notify(News, String),
     /// Nobody needs the job any more.
     Forget,
 }
 
 /// A command of the job that the session has.
 #[derive(Clone, Copy, Debug)]
-struct Given {
+struct SentCommand {
     id: CommandId,
     index: usize,
     /// What the arm has behind it.
@@ -81,7 +81,7 @@ struct Left {
 
 /// Where the tool is, seen from where the job goes on.
 #[derive(Clone, Copy, Debug)]
-enum Tool {
+enum ToolHeight {
     /// This lowers it, as soon as something can be sent behind it.
     Above(Command),
     Lowering(CommandId, Command),
@@ -163,7 +163,7 @@ impl Run {
             pace,
             given: VecDeque::new(),
             left: Left::default(),
-            tool: Tool::Down,
+            tool: ToolHeight::Down,
             ran: None,
         }
     }

@@ -56,7 +56,9 @@ fn a_guardian_brings_every_motion_to_rest_and_darkens_every_light_when_the_stati
         assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
         assert!(it.packet_s.most() <= 0.4, "{} {}", it.fate, it.doing);
         // What is under way goes to its end; a button runs down from its speed within 1.2 s.
-        if it.doing != guardians::Doing::Moving && it.doing != guardians::Doing::Burning {
+        if it.doing != guardians::GuardedMotion::Moving
+            && it.doing != guardians::GuardedMotion::Burning
+        {
             let rest_s = it.rest_s.most();
             assert!(rest_s <= 0.4 + 1.2, "{} {}: {rest_s} s", it.fate, it.doing);
         }

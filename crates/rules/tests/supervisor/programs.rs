@@ -1,7 +1,7 @@
 //! Programs from 2016 at the raw port: what the arm gets of what they send.
 
 mod played;
-mod told;
+mod recorded;
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use dobot_rules::Rehearsal;
 use dobot_wire::{Command, Dialect, Frame, JointJog, LinearJog};
 
 use self::played::{Look, Seen, Served, at_a_bare_arm, at_a_station, is_trapped_by};
-use self::told::{Program, names, program};
+use self::recorded::{Program, names, program};
 use crate::drawing::rehearsal;
 use crate::releases::frame;
 
@@ -194,7 +194,10 @@ fn check_told(what: &str, program: &Program, served: &Served) {
 fn check_packets(what: &str, program: &Program, got: &[Frame]) {
     let dialect = Dialect::FIRMWARE_1_1;
     let read = |frame: &Frame| Command::parse(&(*frame).into(), &dialect).unwrap();
-    let wanted = program.packets.iter().filter_map(told::Told::sent);
+    let wanted = program
+        .packets
+        .iter()
+        .filter_map(recorded::RecordedPacket::sent);
     let wanted: Vec<Command> = wanted.map(|it| read(&it)).collect();
     let got: Vec<Command> = got.iter().map(read).collect();
     assert_eq!(

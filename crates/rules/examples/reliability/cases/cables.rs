@@ -117,9 +117,7 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
         return Err(Wrong("the laser burns on".into()));
     }
     if burnt {
-        figures
-            .dark_s
-            .add(scene.it.now().saturating_sub(back).as_secs_f64());
+        figures.dark_s.add_time(back, scene.it.now());
     }
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));

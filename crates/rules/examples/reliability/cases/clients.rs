@@ -10,11 +10,11 @@ use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
 use super::chance::Chance;
 use super::jobs::Sort;
-use super::scene::{LASER_OFF, Scene, Wrong, burns};
+use super::scene::{LASER_OFF, Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// What became of the arm when its client vanished.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Clients {
     /// How it vanished.
     pub how: &'static str,
@@ -44,25 +44,12 @@ pub(crate) fn run(times: u64) -> Vec<Clients> {
 fn of(how: &'static str, times: u64) -> Clients {
     let mut figures = Clients {
         how,
-        times: 0,
-        packet_s: Spread::default(),
-        over_s: Spread::default(),
-        went_mm: Spread::default(),
-        not_free: 0,
-        wrong: Vec::new(),
+        ..Clients::default()
     };
-    for seed in 0..times {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        let done = match how {
-            BURNING => burn(&mut figures, personality, seed),
-            _ => jog(&mut figures, personality, seed),
-        };
-        if let Err(wrong) = done {
-            figures
-                .wrong
-                .push(format!("{personality}, {how}, seed {seed}: {wrong}"));
-        }
-    }
+    figures.wrong = each_seed(times, how, |personality, seed| match how {
+        BURNING => burn(&mut figures, personality, seed),
+        _ => jog(&mut figures, personality, seed),
+    });
     figures
 }
 
@@ -86,7 +73,7 @@ fn jog(figures: &mut Clients, personality: Personality, seed: u64) -> Result<(),
     scene.it.run_for(Duration::from_secs(5));
     let first = scene.it.packets().get(before).map(|it| it.0);
     let first = first.ok_or_else(|| Wrong("nothing was sent".into()))?;
-    figures.packet_s.add(first.saturating_sub(at).as_secs_f64());
+    figures.packet_s.add_time(at, first);
     figures
         .over_s
         .add((scene.rested_s() - at.as_secs_f64()).max(0.0));
@@ -128,7 +115,7 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
         false
     };
     scene.it.run_until(at + Duration::from_secs(20), note);
-    figures.over_s.add(lit.saturating_sub(at).as_secs_f64());
+    figures.over_s.add_time(at, lit);
     note_lease(figures, &scene);
     figures.times += 1;
     Ok(())

@@ -84,9 +84,7 @@ fn wait(figures: &mut Disks, scene: &mut Scene) {
         .it
         .run_until(paused + Duration::from_secs(20), |it| !burns(it));
     if burnt {
-        figures
-            .dark_s
-            .add(scene.it.now().saturating_sub(paused).as_secs_f64());
+        figures.dark_s.add_time(paused, scene.it.now());
     }
     scene.it.run_for(Duration::from_secs(5));
 }

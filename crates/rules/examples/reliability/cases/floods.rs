@@ -9,10 +9,10 @@ use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet};
 
 use super::chance::Chance;
 use super::jobs::Sort;
-use super::scene::{Scene, Wrong};
+use super::scene::{Scene, Wrong, each_seed};
 
 /// What became of the arm and the others when somebody sent too much.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Floods {
     /// Who sent what.
     pub who: &'static str,
@@ -49,22 +49,12 @@ pub(crate) fn run(floods: u64) -> Vec<Floods> {
 fn of(who: &'static str, floods: u64) -> Floods {
     let mut figures = Floods {
         who,
-        times: 0,
-        sent: 0,
-        passed_on: 0,
-        overrun: 0,
-        most_waiting: 0,
-        not_served: 0,
-        wrong: Vec::new(),
+        ..Floods::default()
     };
-    for seed in 0..floods {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures
-                .wrong
-                .push(format!("{personality}, {who}, seed {seed}: {wrong}"));
-        }
-    }
+    let wrong = each_seed(floods, who, |personality, seed| {
+        one(&mut figures, personality, seed)
+    });
+    figures.wrong.extend(wrong);
     figures
 }
 

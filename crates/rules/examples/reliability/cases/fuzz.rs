@@ -14,7 +14,7 @@ use dobot_safety::Policy;
 use dobot_sim::{Fault, Line, VirtualArm};
 use dobot_wire::{Command, Packet};
 
-use self::asking::{Asked, Asking};
+use self::asking::{Asking, FuzzStep};
 use self::judge::Judge;
 use super::chance::Chance;
 
@@ -178,7 +178,7 @@ impl Case {
     /// Something is asked or sent, and a while passes.
     fn step(&mut self) {
         match self.asking.next(&mut self.chance, &self.it) {
-            Asked::Again(asked, times, gap) => {
+            FuzzStep::Again(asked, times, gap) => {
                 for _ in 0..times {
                     self.say((*asked).clone());
                     self.pass(gap);
@@ -198,19 +198,19 @@ impl Case {
         self.pass(pass);
     }
 
-    fn say(&mut self, asked: Asked) {
+    fn say(&mut self, asked: FuzzStep) {
         let before = self.it.now();
         let text = format!("{asked:?}");
         let taken = match asked {
-            Asked::Request(who, request) => self.ask(who, request),
-            Asked::Packet(who, packet) => self.it.send_raw(who, &packet),
-            Asked::Submit(job) => {
+            FuzzStep::Request(who, request) => self.ask(who, request),
+            FuzzStep::Packet(who, packet) => self.it.send_raw(who, &packet),
+            FuzzStep::Submit(job) => {
                 let submitted = self.it.submit(&job);
                 submitted.map(|id| self.asking.jobs.push(id))
             }
-            Asked::Start(who, id) => self.it.start(who, id).map(drop),
-            Asked::Again(..) => Ok(()),
-            Asked::Unplug(time) => {
+            FuzzStep::Start(who, id) => self.it.start(who, id).map(drop),
+            FuzzStep::Again(..) => Ok(()),
+            FuzzStep::Unplug(time) => {
                 self.it.unplug();
                 self.pass(time);
                 self.it.plug();

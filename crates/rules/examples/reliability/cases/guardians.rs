@@ -6,14 +6,14 @@ use std::time::Duration;
 use dobot_api::{Jog, Request};
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_controller::Personality;
-use dobot_rules::{Beat, Guardian, Told};
+use dobot_rules::{Guardian, Hazards, Heartbeat};
 use dobot_sim::VirtualArm;
 use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use super::chance::Chance;
 use super::commands::target;
 use super::jobs::Sort;
-use super::scene::{Scene, Wrong, burns};
+use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// What became of the station.
@@ -29,7 +29,7 @@ pub(crate) enum Fate {
 
 /// What the arm was at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Doing {
+pub(crate) enum GuardedMotion {
     Joint(JointJogAxis),
     Linear(LinearJogAxis),
     Burning,
@@ -40,7 +40,7 @@ pub(crate) enum Doing {
 #[derive(Debug)]
 pub(crate) struct Guarded {
     pub fate: Fate,
-    pub doing: Doing,
+    pub doing: GuardedMotion,
     pub times: usize,
     /// From the last sign of life to the guardian's first packet, in seconds.
     pub packet_s: Spread,
@@ -66,7 +66,7 @@ impl Fate {
     pub(crate) const ALL: [Self; 3] = [Self::Killed, Self::Frozen, Self::Panicked];
 }
 
-impl Doing {
+impl GuardedMotion {
     /// Each button of both kinds that moves the arm, a burn, a way.
     pub(crate) fn all() -> Vec<Self> {
         let joints = JointJogAxis::ALL[1..=8].iter().map(|it| Self::Joint(*it));
@@ -88,7 +88,7 @@ impl fmt::Display for Fate {
     }
 }
 
-impl fmt::Display for Doing {
+impl fmt::Display for GuardedMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Joint(axis) => write!(f, "joint jog {}", name(axis)),
@@ -101,7 +101,11 @@ impl fmt::Display for Doing {
 
 /// Each fate in each motion, so often.
 pub(crate) fn run(times: u64) -> Vec<Guarded> {
-    let of_fate = |fate| Doing::all().into_iter().map(move |doing| (fate, doing));
+    let of_fate = |fate| {
+        GuardedMotion::all()
+            .into_iter()
+            .map(move |doing| (fate, doing))
+    };
     Fate::ALL
         .into_iter()
         .flat_map(of_fate)
@@ -109,7 +113,7 @@ pub(crate) fn run(times: u64) -> Vec<Guarded> {
         .collect()
 }
 
-fn of(fate: Fate, doing: Doing, times: u64) -> Guarded {
+fn of(fate: Fate, doing: GuardedMotion, times: u64) -> Guarded {
     let mut figures = Guarded {
         fate,
         doing,
@@ -124,14 +128,11 @@ fn of(fate: Fate, doing: Doing, times: u64) -> Guarded {
         burnt: 0,
         wrong: Vec::new(),
     };
-    for seed in 0..times {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures.wrong.push(format!(
-                "{personality}, {fate}, {doing}, seed {seed}: {wrong}"
-            ));
-        }
-    }
+    figures.wrong = each_seed(
+        times,
+        format_args!("{fate}, {doing}"),
+        |personality, seed| one(&mut figures, personality, seed),
+    );
     figures
 }
 
@@ -141,7 +142,7 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     begin(&mut scene, figures.doing, &mut chance)?;
     let at = scene.it.now();
     let told = told(&scene);
-    let since_beat = chance.time(BEAT);
+    let since_beat = chance.time(HEARTBEAT);
     let mut after = After {
         arm: scene.it.into_arm(),
         now: at,
@@ -153,10 +154,12 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
         joints: Joints::new(0.0, 0.0, 0.0, 0.0),
     };
     let life = at.saturating_sub(since_beat);
-    after.guardian.handle_beat(life, Beat::Lives(told));
+    after
+        .guardian
+        .handle_heartbeat(life, Heartbeat::Alive(told));
     let burnt = after.arm.controller().outputs().laser;
     let from = after.arm.mechanics().joints_at(at);
-    let mut own = own_words(figures.fate, at, told);
+    let mut own = own_packets(figures.fate, at, told);
     if figures.fate != Fate::Frozen {
         after.guardian.handle_end(at);
     }
@@ -166,20 +169,14 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     let first = after
         .first
         .ok_or_else(|| Wrong("nothing was said".into()))?;
-    figures
-        .packet_s
-        .add(first.saturating_sub(life).as_secs_f64());
-    figures
-        .rest_s
-        .add(after.rests.saturating_sub(at).as_secs_f64());
+    figures.packet_s.add_time(life, first);
+    figures.rest_s.add_time(at, after.rests);
     figures.went_mm.add(place(&from).distance(place(&to)).0);
     figures
         .went_deg
         .add(turned(figures.doing, &from, &to).abs());
     if burnt {
-        figures
-            .lit_s
-            .add(after.lit.saturating_sub(at).as_secs_f64());
+        figures.lit_s.add_time(at, after.lit);
     }
     figures.stood_s.add(after.stood.as_secs_f64());
     figures.burnt += usize::from(after.arm.controller().outputs().laser);
@@ -192,9 +189,9 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
 }
 
 /// The arm at work, at a moment that chance chooses.
-fn begin(scene: &mut Scene, doing: Doing, chance: &mut Chance) -> Result<(), Wrong> {
+fn begin(scene: &mut Scene, doing: GuardedMotion, chance: &mut Chance) -> Result<(), Wrong> {
     match doing {
-        Doing::Burning => {
+        GuardedMotion::Burning => {
             scene.begin(&Sort::Burn.job(chance))?;
             let latest = scene.it.now() + Duration::from_secs(30);
             if !scene.it.run_until(latest, burns) {
@@ -202,18 +199,18 @@ fn begin(scene: &mut Scene, doing: Doing, chance: &mut Chance) -> Result<(), Wro
             }
             scene.it.run_for(chance.time(Duration::from_secs(2)));
         }
-        Doing::Moving => {
+        GuardedMotion::Moving => {
             let y_mm = chance.between(40.0, 90.0);
             let command = target([215.0, y_mm, 20.0]).into();
             scene.it.ask(scene.anna, Request::Command { command })?;
             scene.it.run_for(chance.time(Duration::from_secs(2)));
         }
-        Doing::Joint(axis) => {
+        GuardedMotion::Joint(axis) => {
             let speed_percent = chance.between(20.0, 100.0);
             let jog = Jog::Joint(JointJog::new(axis, speed_percent));
             hold(scene, jog, chance)?;
         }
-        Doing::Linear(axis) => {
+        GuardedMotion::Linear(axis) => {
             let speed_percent = chance.between(20.0, 100.0);
             let jog = Jog::Linear(LinearJog::new(axis, speed_percent));
             hold(scene, jog, chance)?;
@@ -243,21 +240,21 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 /// What the guardian knows: of every packet before it leaves.
-fn told(scene: &Scene) -> Told {
+fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
     packets
         .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-        .fold(Told::default(), |told, it| told.after(&it, &dialect))
+        .fold(Hazards::default(), |told, it| told.after(&it, &dialect))
 }
 
 /// What the station itself says in its last moment, and when.
-fn own_words(fate: Fate, at: Duration, told: Told) -> Vec<(Duration, Packet)> {
+fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet)> {
     if fate != Fate::Panicked {
         return Vec::new();
     }
     let gaps = (0..).map(|it| at + Duration::from_millis(60) * it);
-    gaps.zip(told.last_words()).collect()
+    gaps.zip(told.stop_packets()).collect()
 }
 
 /// The arm and its guardian, after the station.
@@ -335,7 +332,7 @@ fn parts<const N: usize>(from: [f64; N], to: [f64; N]) -> Vec<f64> {
 }
 
 /// Motion that no button asked for, in words.
-fn unasked(doing: Doing, from: &Joints, to: &Joints) -> Option<String> {
+fn unasked(doing: GuardedMotion, from: &Joints, to: &Joints) -> Option<String> {
     let joints = |it: &Joints| [it.base.0, it.rear.0, it.fore.0, it.servo.0];
     let point = |it: &Joints| {
         let place = place(it);
@@ -343,13 +340,13 @@ fn unasked(doing: Doing, from: &Joints, to: &Joints) -> Option<String> {
     };
     let turned = || parts(joints(from), joints(to));
     let (number, parts, most): (usize, Vec<f64>, f64) = match doing {
-        Doing::Joint(axis) => (axis as usize - 1, turned(), 0.05),
+        GuardedMotion::Joint(axis) => (axis as usize - 1, turned(), 0.05),
         // The servo turns as in a joint jog.
-        Doing::Linear(axis @ (LinearJogAxis::ServoPlus | LinearJogAxis::ServoMinus)) => {
+        GuardedMotion::Linear(axis @ (LinearJogAxis::ServoPlus | LinearJogAxis::ServoMinus)) => {
             (axis as usize - 1, turned(), 0.05)
         }
-        Doing::Linear(axis) => (axis as usize - 1, parts(point(from), point(to)), 0.3),
-        Doing::Burning | Doing::Moving => return None,
+        GuardedMotion::Linear(axis) => (axis as usize - 1, parts(point(from), point(to)), 0.3),
+        GuardedMotion::Burning | GuardedMotion::Moving => return None,
     };
     let (asked, sign) = (number / 2, sign(number));
     let wrong = parts.iter().enumerate().any(|(at, part)| {
@@ -363,12 +360,19 @@ const fn sign(number: usize) -> f64 {
     if number.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
-fn turned(doing: Doing, from: &Joints, to: &Joints) -> f64 {
+fn turned(doing: GuardedMotion, from: &Joints, to: &Joints) -> f64 {
     match doing {
-        Doing::Joint(JointJogAxis::BasePlus | JointJogAxis::BaseMinus) => to.base.0 - from.base.0,
-        Doing::Joint(JointJogAxis::RearPlus | JointJogAxis::RearMinus) => to.rear.0 - from.rear.0,
-        Doing::Joint(JointJogAxis::ForePlus | JointJogAxis::ForeMinus) => to.fore.0 - from.fore.0,
-        Doing::Joint(_) | Doing::Linear(LinearJogAxis::ServoPlus | LinearJogAxis::ServoMinus) => {
+        GuardedMotion::Joint(JointJogAxis::BasePlus | JointJogAxis::BaseMinus) => {
+            to.base.0 - from.base.0
+        }
+        GuardedMotion::Joint(JointJogAxis::RearPlus | JointJogAxis::RearMinus) => {
+            to.rear.0 - from.rear.0
+        }
+        GuardedMotion::Joint(JointJogAxis::ForePlus | JointJogAxis::ForeMinus) => {
+            to.fore.0 - from.fore.0
+        }
+        GuardedMotion::Joint(_)
+        | GuardedMotion::Linear(LinearJogAxis::ServoPlus | LinearJogAxis::ServoMinus) => {
             to.servo.0 - from.servo.0
         }
         _ => 0.0,
@@ -386,6 +390,6 @@ fn name(axis: &impl serde::Serialize) -> String {
 }
 
 /// From one beat to the next.
-const BEAT: Duration = Duration::from_millis(80);
+const HEARTBEAT: Duration = Duration::from_millis(80);
 /// The arm is looked at so often.
 const LOOK: Duration = Duration::from_millis(5);

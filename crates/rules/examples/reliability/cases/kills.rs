@@ -101,9 +101,7 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
         return Err(Wrong("the arm did not come to rest".into()));
     }
     if burnt {
-        figures
-            .off_after_s
-            .add(last.saturating_sub(began).as_secs_f64());
+        figures.off_after_s.add_time(began, last);
     }
     figures.burnt_at_rest += usize::from(scene.burns());
     let first = scene.sent(before).first().copied();

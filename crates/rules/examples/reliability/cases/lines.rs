@@ -6,10 +6,10 @@ use dobot_controller::Personality;
 use super::chance::Chance;
 use super::jobs::Sort;
 use super::paper::{ASIDE_MM, Paper};
-use super::scene::{Scene, Wrong};
+use super::scene::{Scene, Wrong, each_seed};
 
 /// What became of pen drawings on a bad line, with nobody who goes on with one that is paused.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Lines {
     /// What is wrong with the line.
     pub fault: &'static str,
@@ -55,24 +55,11 @@ pub(crate) fn run(drawings: u64) -> Vec<Lines> {
 fn of(fault: &'static str, drawings: u64) -> Lines {
     let mut figures = Lines {
         fault,
-        drawings: 0,
-        done: 0,
-        paused: 0,
-        spoilt: 0,
-        failed: 0,
-        silently_wrong: 0,
-        example: None,
-        reason: None,
-        wrong: Vec::new(),
+        ..Lines::default()
     };
-    for seed in 0..drawings {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures
-                .wrong
-                .push(format!("{personality}, {fault}, seed {seed}: {wrong}"));
-        }
-    }
+    figures.wrong = each_seed(drawings, fault, |personality, seed| {
+        one(&mut figures, personality, seed)
+    });
     figures
 }
 

@@ -51,7 +51,7 @@ impl From<JournalError> for Wrong {
 
 /// How often the commands of a job were given to the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Given {
+pub(crate) struct GivenCounts {
     /// Never.
     pub lost: usize,
     /// More often than once.
@@ -169,7 +169,7 @@ impl Scene {
     }
 
     /// What the arm was given of a job.
-    pub(crate) fn given(&self, job: &NewJob) -> Given {
+    pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
         let given = self
             .sent(self.since)
@@ -182,10 +182,10 @@ impl Scene {
             .take_while(|(a, b)| a == b)
             .count();
         if same == wanted.len() && same == given.len() {
-            return Given::default();
+            return GivenCounts::default();
         }
         // Behind the first difference it does not matter any more which it was.
-        Given {
+        GivenCounts {
             lost: wanted
                 .len()
                 .saturating_sub(given.len())
@@ -197,7 +197,7 @@ impl Scene {
     /// Whether all of a job was given once, and is on the paper.
     pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
         let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
-        if given == Given::default() && paper.is_right() {
+        if given == GivenCounts::default() && paper.is_right() {
             return Ok(());
         }
         Err(Wrong(format!("{given:?}, {paper:?}")))
@@ -256,6 +256,20 @@ pub(crate) fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)
         let personality = Personality::ALL[at % 2];
         (personality, Sort::ALL[at / 2 % 3], seed)
     })
+}
+
+/// Tries a case with each seed, on both personalities in turn; gives back what should not be, in words.
+pub(crate) fn each_seed(
+    count: u64,
+    case: impl fmt::Display,
+    mut run: impl FnMut(Personality, u64) -> Result<(), Wrong>,
+) -> Vec<String> {
+    let wrong = (0..count).filter_map(|seed| {
+        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
+        let Wrong(wrong) = run(personality, seed).err()?;
+        Some(format!("{personality}, {case}, seed {seed}: {wrong}"))
+    });
+    wrong.collect()
 }
 
 /// What switches the laser off.

@@ -1,6 +1,7 @@
 //! How measured times are spread.
 
 use std::fmt;
+use std::time::Duration;
 
 /// Measured values, to be told by their least, middle and greatest.
 #[derive(Clone, Debug, Default)]
@@ -10,6 +11,11 @@ impl Spread {
     /// Takes a value.
     pub(crate) fn add(&mut self, value: f64) {
         self.0.push(value);
+    }
+
+    /// Takes the time from one moment to another, in seconds.
+    pub(crate) fn add_time(&mut self, from: Duration, to: Duration) {
+        self.add(to.saturating_sub(from).as_secs_f64());
     }
 
     /// The greatest value; 0 where there is none.

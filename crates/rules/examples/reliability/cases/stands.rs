@@ -13,7 +13,7 @@ use super::chance::Chance;
 use super::commands::vector;
 use super::jobs::Sort;
 use super::light::longest_stand_s;
-use super::scene::{Scene, Wrong, burns};
+use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// Who sends what burns.
@@ -76,14 +76,11 @@ fn of(sender: Sender, link: &'static str, programs: u64) -> Stands {
         displaced: 0,
         wrong: Vec::new(),
     };
-    for seed in 0..programs {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures.wrong.push(format!(
-                "{personality}, {sender}, {link}, seed {seed}: {wrong}"
-            ));
-        }
-    }
+    figures.wrong = each_seed(
+        programs,
+        format_args!("{sender}, {link}"),
+        |personality, seed| one(&mut figures, personality, seed),
+    );
     figures
 }
 

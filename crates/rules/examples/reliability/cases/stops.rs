@@ -10,12 +10,12 @@ use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Move
 
 use super::chance::Chance;
 use super::jobs::Sort;
-use super::scene::{Scene, Wrong, burns};
+use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
 /// What the arm does when it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Doing {
+pub(crate) enum StoppedMotion {
     /// A job, from its start to its end.
     Job(Sort),
     /// Targets of a client, as many as wait.
@@ -28,7 +28,7 @@ pub(crate) enum Doing {
     Killed,
 }
 
-impl Doing {
+impl StoppedMotion {
     /// All of them.
     pub(crate) const ALL: [Self; 7] = [
         Self::Job(Sort::Pen),
@@ -41,7 +41,7 @@ impl Doing {
     ];
 }
 
-impl fmt::Display for Doing {
+impl fmt::Display for StoppedMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Job(sort) => sort.fmt(f),
@@ -57,7 +57,7 @@ impl fmt::Display for Doing {
 #[derive(Debug)]
 pub(crate) struct Stops {
     /// What the arm did.
-    pub doing: Doing,
+    pub doing: StoppedMotion,
     /// So often it was stopped.
     pub times: usize,
     /// At rest later than was promised.
@@ -76,10 +76,10 @@ pub(crate) struct Stops {
 
 /// Stops the arm so often for each doing.
 pub(crate) fn run(stops: u64) -> Vec<Stops> {
-    Doing::ALL.map(|doing| of(doing, stops)).into()
+    StoppedMotion::ALL.map(|doing| of(doing, stops)).into()
 }
 
-fn of(doing: Doing, stops: u64) -> Stops {
+fn of(doing: StoppedMotion, stops: u64) -> Stops {
     let mut figures = Stops {
         doing,
         times: 0,
@@ -90,14 +90,9 @@ fn of(doing: Doing, stops: u64) -> Stops {
         dark_s: Spread::default(),
         wrong: Vec::new(),
     };
-    for seed in 0..stops {
-        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
-        if let Err(wrong) = one(&mut figures, personality, seed) {
-            figures
-                .wrong
-                .push(format!("{personality}, {doing}, seed {seed}: {wrong}"));
-        }
-    }
+    figures.wrong = each_seed(stops, doing, |personality, seed| {
+        one(&mut figures, personality, seed)
+    });
     figures
 }
 
@@ -105,11 +100,11 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     match figures.doing {
-        Doing::Job(sort) => work(&mut scene, sort, &mut chance)?,
-        Doing::Targets => targets(&mut scene, &mut chance)?,
-        Doing::Jog => jog(&mut scene, &mut chance)?,
-        Doing::Pausing => pause(&mut scene, &mut chance)?,
-        Doing::Killed => {
+        StoppedMotion::Job(sort) => work(&mut scene, sort, &mut chance)?,
+        StoppedMotion::Targets => targets(&mut scene, &mut chance)?,
+        StoppedMotion::Jog => jog(&mut scene, &mut chance)?,
+        StoppedMotion::Pausing => pause(&mut scene, &mut chance)?,
+        StoppedMotion::Killed => {
             let sort = chance.one(&Sort::ALL);
             work(&mut scene, sort, &mut chance)?;
             scene.it.crash(chance.time(Duration::from_millis(300)))?;
@@ -145,7 +140,7 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     figures.promised_s.add(promised.as_secs_f64());
     figures.took_s.add(took_s);
     if burnt {
-        figures.dark_s.add(lit.saturating_sub(at).as_secs_f64());
+        figures.dark_s.add_time(at, lit);
     }
     // The last packets say it again, and again; they need not have been heard by then.
     let dark_by = promised.max(Duration::from_millis(200));

@@ -7,7 +7,7 @@ use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
 
 use super::watch::locate_at;
-use super::{Begun, Effect, Left, Phase, Run, Tool, Wish};
+use super::{Begun, Effect, Left, Phase, Run, ToolHeight, Wish};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 
@@ -21,7 +21,7 @@ impl Run {
         let status = arm.last();
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = located(begun, status)?;
-        let Approach { first, lower } = approach(&begun, status);
+        let JobApproach { first, lower } = approach(&begun, status);
         let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
         let left = run.left_before(paused);
         if left.is_unknown {
@@ -37,7 +37,7 @@ impl Run {
             last = Some(arm.send(&command)?);
         }
         run.phase = Phase::Approaching { last };
-        run.tool = lower.map_or(Tool::Down, Tool::Above);
+        run.tool = lower.map_or(ToolHeight::Down, ToolHeight::Above);
         let wishes = run.begins();
         Ok((run, wishes))
     }
@@ -54,7 +54,7 @@ impl Run {
         };
         [
             Wish::Keep(effect),
-            Wish::Tell(News::Job { job, phase }, text),
+            Wish::Notify(News::Job { job, phase }, text),
         ]
     }
 
@@ -79,11 +79,11 @@ fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
 
 /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
 /// and the way there. A tool that is lifted in a pause comes down from above.
-fn approach(begun: &Begun, status: Option<Status>) -> Approach {
+fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
     let mut first = prelude(begun.plan.commands(), begun.completed);
     let start = begun.plan.start_position(begun.completed);
     let (Some(start), Some(status)) = (start, status) else {
-        return Approach { first, lower: None };
+        return JobApproach { first, lower: None };
     };
     let here = position(&status);
     if start.distance(here).0 <= THERE_MM {
@@ -93,7 +93,7 @@ fn approach(begun: &Begun, status: Option<Status>) -> Approach {
         } else if may_jump(begun) {
             first.extend(settle());
         }
-        return Approach { first, lower: None };
+        return JobApproach { first, lower: None };
     }
     let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
     let above = start + Position::new(0.0, 0.0, lift_mm);
@@ -112,11 +112,11 @@ fn approach(begun: &Begun, status: Option<Status>) -> Approach {
         // Nothing comes behind it.
         first.extend(lower.take());
     }
-    Approach { first, lower }
+    JobApproach { first, lower }
 }
 
 /// The way to where a job begins or goes on.
-struct Approach {
+struct JobApproach {
     /// What has to be over before the job.
     first: Vec<Command>,
     /// What lowers the tool, right before the job.

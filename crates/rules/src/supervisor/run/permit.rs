@@ -11,14 +11,14 @@ pub(super) struct Permit {
     /// As many commands are done as the journal has it: a station that is started after a crash
     /// looks for the arm from there on.
     kept: usize,
-    asked: Option<Asked>,
+    asked: Option<PendingRequest>,
     /// The journal does not have this yet: what it changes is not sent before.
     adjustment: Option<Adjustment>,
 }
 
 /// What the journal does not have yet.
 #[derive(Debug)]
-struct Asked {
+struct PendingRequest {
     upto: usize,
     completed: usize,
 }
@@ -48,7 +48,7 @@ impl Permit {
     pub(super) fn ask(&mut self, upto: usize, completed: usize) -> bool {
         let is_more = upto > self.upto;
         if is_more {
-            self.asked = Some(Asked { upto, completed });
+            self.asked = Some(PendingRequest { upto, completed });
         }
         is_more
     }

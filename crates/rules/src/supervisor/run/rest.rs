@@ -3,7 +3,7 @@
 use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
 
-use super::{Effect, Phase, Rests, Run, Tool, Wish, straight, word};
+use super::{Effect, Phase, Rests, Run, ToolHeight, Wish, straight, word};
 use crate::supervisor::arm::Arm;
 
 impl Run {
@@ -17,7 +17,7 @@ impl Run {
             Phase::Draining { then, reason, .. } | Phase::Lifting { then, reason, .. } => {
                 *then = JobPhase::Stopped;
                 why.clone_into(reason);
-                Some(self.tell(JobPhase::Stopped, why))
+                Some(self.notify(JobPhase::Stopped, why))
             }
             Phase::Running { .. } | Phase::Approaching { .. } => None,
         }
@@ -71,7 +71,7 @@ impl Run {
         };
         // The journal keeps it as running until nothing is under way: a crash until then has to find
         // out how far the job got.
-        self.tell(then, reason)
+        self.notify(then, reason)
     }
 
     /// All was given that the job does before it rests: the tool is lifted right behind that, so that
@@ -128,10 +128,10 @@ impl Run {
         self.begun.doubt.is_none().then(|| self.certain())
     }
 
-    pub(super) fn tell(&self, phase: JobPhase, reason: &str) -> Wish {
+    pub(super) fn notify(&self, phase: JobPhase, reason: &str) -> Wish {
         let job = self.job();
         let text = format!("job {job} is {}: {reason}", word(phase));
-        Wish::Tell(News::Job { job, phase }, text)
+        Wish::Notify(News::Job { job, phase }, text)
     }
 
     /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
@@ -150,6 +150,7 @@ impl Run {
 
     /// Whether the tool is where the job goes on: not above that, on its way.
     const fn is_down(&self) -> bool {
-        !matches!(self.phase, Phase::Approaching { .. }) && !matches!(self.tool, Tool::Above(_))
+        !matches!(self.phase, Phase::Approaching { .. })
+            && !matches!(self.tool, ToolHeight::Above(_))
     }
 }

@@ -6,7 +6,7 @@ use dobot_api::JobPhase;
 use dobot_client::CommandId;
 use dobot_wire::{Command, Status};
 
-use super::{Effect, Given, Phase, Ran, Rests, Run, Tool, Wish};
+use super::{Effect, Phase, Ran, Rests, Run, SentCommand, ToolHeight, Wish};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 
@@ -19,10 +19,10 @@ impl Run {
             self.next = self.next.min(index);
         }
         // The tool is still above.
-        if let Tool::Lowering(it, command) = self.tool
+        if let ToolHeight::Lowering(it, command) = self.tool
             && it == id
         {
-            self.tool = Tool::Above(command);
+            self.tool = ToolHeight::Above(command);
         }
     }
 
@@ -37,7 +37,7 @@ impl Run {
         let of_job = self.given.iter().position(|it| it.id == id);
         let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => matches!(self.tool, Tool::Lowering(it, _) if it == id),
+            _ => matches!(self.tool, ToolHeight::Lowering(it, _) if it == id),
         };
         if let Some(at) = of_job {
             self.over(at, now, is_done);
@@ -48,7 +48,7 @@ impl Run {
         if of_way && self.is_approaching() {
             self.set_out(now);
         } else if of_way {
-            self.tool = Tool::Down;
+            self.tool = ToolHeight::Down;
         }
         false
     }
@@ -87,10 +87,10 @@ impl Run {
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
     /// makes a blot.
     fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
-        if let Tool::Above(command) = self.tool {
+        if let ToolHeight::Above(command) = self.tool {
             // Where that fails, nothing of the job is given behind it.
-            self.tool = Tool::Down;
-            self.tool = Tool::Lowering(arm.send(&command)?, command);
+            self.tool = ToolHeight::Down;
+            self.tool = ToolHeight::Lowering(arm.send(&command)?, command);
         }
         Ok(())
     }
@@ -98,7 +98,7 @@ impl Run {
     fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
         let (index, left) = (self.next, self.after(self.left(), command));
-        self.given.push_back(Given { id, index, left });
+        self.given.push_back(SentCommand { id, index, left });
         self.next += 1;
         Ok(())
     }

@@ -98,7 +98,7 @@ impl Run {
         };
         vec![
             Wish::Keep(effect),
-            Wish::Tell(News::Job { job, phase }, text),
+            Wish::Notify(News::Job { job, phase }, text),
             Wish::Forget,
         ]
     }
@@ -120,7 +120,7 @@ impl Run {
             }
         };
         let mut wishes = self.rest(arm, JobPhase::Paused, reason.clone());
-        wishes.push(self.tell(JobPhase::Paused, &reason));
+        wishes.push(self.notify(JobPhase::Paused, &reason));
         wishes
     }
 }

@@ -11,7 +11,7 @@ use dobot_safety::Policy;
 use dobot_sim::{Line, VirtualArm};
 use dobot_wire::{Decoder, Frame, Statuses};
 
-use super::told::{Program, Told, Within};
+use super::recorded::{Program, RecordedPacket, Within};
 
 const PERSONALITY: Personality = Personality::Firmware11;
 const STEP_MS: u64 = 5;
@@ -103,12 +103,12 @@ impl Seen {
 /// Plays what of a program's packets is to be played, step by step, to whoever takes them.
 struct Play<'a> {
     /// The last one first.
-    packets: Vec<&'a Told>,
+    packets: Vec<&'a RecordedPacket>,
     one_per_status: bool,
 }
 
 impl<'a> Play<'a> {
-    fn new(program: &'a Program, is_played: impl Fn(&Told) -> bool) -> Self {
+    fn new(program: &'a Program, is_played: impl Fn(&RecordedPacket) -> bool) -> Self {
         let packets = program.packets.iter().rev();
         Self {
             packets: packets.filter(|it| is_played(it)).collect(),
@@ -117,7 +117,7 @@ impl<'a> Play<'a> {
     }
 
     /// What is sent at that time, after so many statuses.
-    fn due(&mut self, now: Duration, statuses: usize) -> Vec<&'a Told> {
+    fn due(&mut self, now: Duration, statuses: usize) -> Vec<&'a RecordedPacket> {
         let most = if self.one_per_status {
             statuses
         } else {
@@ -125,7 +125,7 @@ impl<'a> Play<'a> {
         };
         let mut due = Vec::new();
         while due.len() < most {
-            let is_due = |it: &mut &Told| Duration::from_millis(it.at_ms) <= now;
+            let is_due = |it: &mut &RecordedPacket| Duration::from_millis(it.at_ms) <= now;
             match self.packets.pop_if(is_due) {
                 Some(packet) => due.push(packet),
                 None => break,
@@ -156,16 +156,19 @@ pub(super) fn at_a_bare_arm(program: &Program) -> (Seen, Vec<Refused>) {
 
 /// Whether a stock arm hangs or loses its pose by what a program sends up to a packet, and not
 /// without that one.
-pub(super) fn is_trapped_by(program: &Program, trap: &Told) -> bool {
-    let before = |it: &Told| it.refused.is_none() && it.at_ms <= trap.at_ms;
+pub(super) fn is_trapped_by(program: &Program, trap: &RecordedPacket) -> bool {
+    let before = |it: &RecordedPacket| it.refused.is_none() && it.at_ms <= trap.at_ms;
     let is_lost = |it: &Refused| matches!(it, Refused::Hangs(_) | Refused::PoseLost);
-    let with_it = |it: &Told| before(it) || std::ptr::eq(it, trap);
+    let with_it = |it: &RecordedPacket| before(it) || std::ptr::eq(it, trap);
     !at_an_arm(program, before).1.iter().any(is_lost)
         && at_an_arm(program, with_it).1.iter().any(is_lost)
 }
 
 /// What is seen of an arm, and what it did not do.
-fn at_an_arm(program: &Program, is_played: impl Fn(&Told) -> bool) -> (Seen, Vec<Refused>) {
+fn at_an_arm(
+    program: &Program,
+    is_played: impl Fn(&RecordedPacket) -> bool,
+) -> (Seen, Vec<Refused>) {
     let controller = Controller::power_up(power_up(program));
     let mut arm = VirtualArm::new(controller, Line::STOCK);
     let mut heard: Decoder<Statuses> = Decoder::statuses(plausible);
@@ -228,7 +231,7 @@ pub(super) fn at_a_station(program: &Program) -> Served {
     served
 }
 
-fn send(it: &mut Rehearsal, client: ClientId, packet: &Told) -> (bool, Vec<String>) {
+fn send(it: &mut Rehearsal, client: ClientId, packet: &RecordedPacket) -> (bool, Vec<String>) {
     let before = it.notices().len();
     let is_refused = it.send_raw(client, &packet.frame().into()).is_err();
     (is_refused, troubles(it, before))

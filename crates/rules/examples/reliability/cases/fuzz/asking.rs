@@ -16,7 +16,7 @@ use super::super::jobs::Sort;
 
 /// Something that somebody asks for or does.
 #[derive(Clone, Debug)]
-pub(crate) enum Asked {
+pub(crate) enum FuzzStep {
     Request(ClientId, Request),
     Packet(ClientId, Packet),
     /// The same again and again, so many times with so long between: a row of mouse or hand, a button
@@ -39,21 +39,21 @@ pub(crate) struct Asking {
     pub jogs: bool,
     pub dialect: Dialect,
     pub jobs: Vec<u64>,
-    pub before: Option<Asked>,
+    pub before: Option<FuzzStep>,
     /// The row of mouse or hand that goes on.
     pub row: Option<Command>,
 }
 
 impl Asking {
     /// What is asked next.
-    pub(crate) fn next(&mut self, chance: &mut Chance, it: &Rehearsal) -> Asked {
+    pub(crate) fn next(&mut self, chance: &mut Chance, it: &Rehearsal) -> FuzzStep {
         let who = chance.one(&self.people);
         let holder = it.supervisor().state().lease.map_or(who, |it| it.client);
         let who = if chance.below(10) == 0 { who } else { holder };
         let asked = match chance.below(100) {
             0..10 => match &self.before {
                 Some(before) => before.clone(),
-                None => Asked::Request(who, Request::TakeLease),
+                None => FuzzStep::Request(who, Request::TakeLease),
             },
             10..35 => self.by(chance, who, |chance| command(chance, it)),
             35..50 => {
@@ -67,16 +67,16 @@ impl Asking {
                 let gap = chance.time(Duration::from_millis(140));
                 Self::again(chance, asked, gap)
             }
-            65..70 => Asked::Request(who, Request::Release),
-            70..76 => Asked::Packet(who, packet(chance)),
+            65..70 => FuzzStep::Request(who, Request::Release),
+            70..76 => FuzzStep::Packet(who, packet(chance)),
             76..79 => self.by(chance, who, |chance| voice(chance).into()),
             79..84 => self.job(chance, who),
-            84..86 => Asked::Request(self.watcher, Request::Stop { reason: None }),
-            86..90 => Asked::Request(who, Request::ResetStop),
+            84..86 => FuzzStep::Request(self.watcher, Request::Stop { reason: None }),
+            86..90 => FuzzStep::Request(who, Request::ResetStop),
             90 if it.supervisor().is_at_rest() => {
-                Asked::Unplug(chance.time(Duration::from_secs(4)))
+                FuzzStep::Unplug(chance.time(Duration::from_secs(4)))
             }
-            _ => Asked::Request(who, self.plain(chance)),
+            _ => FuzzStep::Request(who, self.plain(chance)),
         };
         self.before = Some(asked.clone());
         asked
@@ -88,20 +88,20 @@ impl Asking {
         chance: &mut Chance,
         who: ClientId,
         command: impl FnOnce(&mut Chance) -> Command,
-    ) -> Asked {
+    ) -> FuzzStep {
         let command = command(chance);
         if chance.below(2) == 0 {
-            Asked::Request(who, Request::Command { command })
+            FuzzStep::Request(who, Request::Command { command })
         } else {
-            Asked::Packet(who, command.emit(&self.dialect))
+            FuzzStep::Packet(who, command.emit(&self.dialect))
         }
     }
 
     /// Half of the time once, else up to forty times.
-    fn again(chance: &mut Chance, asked: Asked, gap: Duration) -> Asked {
+    fn again(chance: &mut Chance, asked: FuzzStep, gap: Duration) -> FuzzStep {
         match chance.below(2) {
             0 => asked,
-            _ => Asked::Again(Box::new(asked), 2 + chance.below(39), gap),
+            _ => FuzzStep::Again(Box::new(asked), 2 + chance.below(39), gap),
         }
     }
 
@@ -116,7 +116,7 @@ impl Asking {
         command
     }
 
-    fn jog(&self, chance: &mut Chance, who: ClientId) -> Asked {
+    fn jog(&self, chance: &mut Chance, who: ClientId) -> FuzzStep {
         let percents = [100.0, 50.0, 7.3, 0.0, 1000.0, f32::NAN];
         let speed_percent = match chance.below(8) {
             0 => chance.one(&percents),
@@ -131,28 +131,28 @@ impl Asking {
             Jog::Linear(LinearJog::new(axis, speed_percent))
         };
         match chance.below(3) {
-            0 => Asked::Packet(who, jog.command().emit(&self.dialect)),
+            0 => FuzzStep::Packet(who, jog.command().emit(&self.dialect)),
             1 => {
                 let command = jog.command();
-                Asked::Request(who, Request::Command { command })
+                FuzzStep::Request(who, Request::Command { command })
             }
-            _ => Asked::Request(who, Request::Jog { jog }),
+            _ => FuzzStep::Request(who, Request::Jog { jog }),
         }
     }
 
-    fn job(&self, chance: &mut Chance, who: ClientId) -> Asked {
+    fn job(&self, chance: &mut Chance, who: ClientId) -> FuzzStep {
         let job = match self.jobs.last() {
             Some(last) if chance.below(4) > 0 => *last,
-            _ => return Asked::Submit(chance.one(&Sort::ALL).job(chance)),
+            _ => return FuzzStep::Submit(chance.one(&Sort::ALL).job(chance)),
         };
         let percent = chance.between(5.0, 205.0).into();
         let offset_mm = chance.between(-5.5, 5.5).into();
         match chance.below(6) {
-            0 => Asked::Request(who, Request::PauseJob),
-            1 => Asked::Request(who, Request::SetJobSpeed { percent }),
-            2 => Asked::Request(who, Request::SetJobHeight { offset_mm }),
-            3 => Asked::Request(who, Request::CancelJob { job }),
-            _ => Asked::Start(who, job),
+            0 => FuzzStep::Request(who, Request::PauseJob),
+            1 => FuzzStep::Request(who, Request::SetJobSpeed { percent }),
+            2 => FuzzStep::Request(who, Request::SetJobHeight { offset_mm }),
+            3 => FuzzStep::Request(who, Request::CancelJob { job }),
+            _ => FuzzStep::Start(who, job),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use dobot_arm::Unreachable;
 
-use crate::fence::{Broken, Fence, Stop};
+use crate::fence::{Broken, Fence, PathPoint};
 use crate::path::Path;
 use crate::point::distance;
 
@@ -11,25 +11,25 @@ use crate::point::distance;
 pub(crate) struct Breach {
     pub(crate) broken: Broken,
     /// The first place that is forbidden, where the arm can be there.
-    pub(crate) at: Option<Stop>,
+    pub(crate) at: Option<PathPoint>,
     /// When it would be there, where that is known.
     pub(crate) at_s: Option<f64>,
     /// The last place that is allowed.
-    pub(crate) nearest: Stop,
+    pub(crate) nearest: PathPoint,
     /// How far the tool went until there.
     pub(crate) gone_mm: f64,
 }
 
 /// A way so far.
 #[derive(Debug)]
-pub(crate) struct Walk<'a> {
+pub(crate) struct PathCheck<'a> {
     fence: Fence<'a>,
     /// Where the arm is.
-    here: Stop,
+    here: PathPoint,
     gone_mm: f64,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> PathCheck<'a> {
     /// Begins where a path does.
     pub(crate) fn begin(mut fence: Fence<'a>, path: &Path) -> Result<Self, Unreachable> {
         let here = fence.stop(0.0, path.place_at(0.0)?);
@@ -59,14 +59,14 @@ impl<'a> Walk<'a> {
         &mut self,
         path: &Path,
         share: f64,
-        to: Result<Stop, Unreachable>,
+        to: Result<PathPoint, Unreachable>,
         depth: usize,
     ) -> Result<(), Box<Breach>> {
         let broken = match &to {
             Ok(stop) => self.fence.broken_between(path.bend(), &self.here, stop),
             Err(error) => Some(Broken::Unreachable(*error)),
         };
-        let is_leaf = |stop: &Stop| self.here.is_next_to(stop) || depth == DEEPEST;
+        let is_leaf = |stop: &PathPoint| self.here.is_next_to(stop) || depth == DEEPEST;
         match (broken, to) {
             (None, Ok(stop)) => {
                 self.advance(stop);
@@ -89,17 +89,17 @@ impl<'a> Walk<'a> {
         self.go(path, share, to, depth + 1)
     }
 
-    fn look(&self, path: &Path, share: f64) -> Result<Stop, Unreachable> {
+    fn look(&self, path: &Path, share: f64) -> Result<PathPoint, Unreachable> {
         Ok(self.fence.stop(share, path.place_at(share)?))
     }
 
-    fn advance(&mut self, to: Stop) {
+    fn advance(&mut self, to: PathPoint) {
         self.gone_mm += distance(self.here.body.tool, to.body.tool);
         self.fence.advance(&to);
         self.here = to;
     }
 
-    const fn breach(&self, broken: Broken, at: Option<Stop>, at_s: Option<f64>) -> Breach {
+    const fn breach(&self, broken: Broken, at: Option<PathPoint>, at_s: Option<f64>) -> Breach {
         Breach {
             broken,
             at,

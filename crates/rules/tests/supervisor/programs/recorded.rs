@@ -24,7 +24,7 @@ pub(super) struct Program {
     /// When the arms are compared; wherever they rest, if that is not said.
     #[serde(default)]
     pub(super) looks_ms: Vec<u64>,
-    pub(super) packets: Vec<Told>,
+    pub(super) packets: Vec<RecordedPacket>,
     pub(super) end_ms: u64,
 }
 
@@ -52,7 +52,7 @@ impl Default for Within {
 /// A packet.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Told {
+pub(super) struct RecordedPacket {
     pub(super) at_ms: u64,
     #[serde(default)]
     floats: Vec<f32>,
@@ -70,7 +70,7 @@ pub(super) struct Told {
     pub(super) traps: bool,
 }
 
-impl Told {
+impl RecordedPacket {
     /// The packet as the program sends it.
     pub(super) fn frame(&self) -> Frame {
         if self.hex.is_empty() {

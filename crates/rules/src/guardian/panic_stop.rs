@@ -1,4 +1,4 @@
-//! What is said to the arm when something of the station panics.
+//! What is sent to the arm when a part of the station panics.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -7,24 +7,24 @@ use std::os::fd::OwnedFd;
 #[cfg(unix)]
 use std::time::Duration;
 
-use super::Told;
+use super::Hazards;
 
 /// The arm's port and what the arm was told, kept apart from the thread that has the arm: when that
-/// panics, laser off and the release are said all the same, at once and without its help.
+/// panics, laser off and the release are sent all the same, at once and without its help.
 #[derive(Debug, Default)]
-pub(crate) struct LastWords(Mutex<Known>);
+pub(crate) struct PanicStop(Mutex<GuardedPort>);
 
 #[derive(Debug, Default)]
-struct Known {
-    told: Told,
+struct GuardedPort {
+    hazards: Hazards,
     #[cfg(unix)]
     port: Option<OwnedFd>,
 }
 
-impl LastWords {
+impl PanicStop {
     /// Takes what the arm is told now.
-    pub(crate) fn note(&self, told: Told) {
-        self.lock().told = told;
+    pub(crate) fn note(&self, hazards: Hazards) {
+        self.lock().hazards = hazards;
     }
 
     /// Takes by which port the arm is reached; none while there is no link.
@@ -47,25 +47,25 @@ impl LastWords {
             .transpose()
     }
 
-    /// Says them, without anything that may have panicked; the guardian says them again.
+    /// Sends laser off and the release, without anything that may have panicked; the guardian sends them again.
     #[cfg(unix)]
-    pub(crate) fn say(&self) {
+    pub(crate) fn send(&self) {
         let known = self.lock();
         let Some(port) = &known.port else {
             return;
         };
-        for packet in known.told.last_words() {
+        for packet in known.hazards.stop_packets() {
             // A port that takes nothing helps nobody; the guardian tries on.
             super::port::write_within(port, &packet.to_bytes(), PATIENCE);
             std::thread::sleep(super::GAP);
         }
     }
 
-    /// Without a port there is nothing to say them to.
+    /// Without a port there is nothing to send to.
     #[cfg(not(unix))]
-    pub(crate) fn say(&self) {}
+    pub(crate) fn send(&self) {}
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Known> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, GuardedPort> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

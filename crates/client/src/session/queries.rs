@@ -1,4 +1,4 @@
-//! What a session can be asked.
+//! What can be asked of a session.
 
 use std::time::Duration;
 

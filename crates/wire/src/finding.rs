@@ -1,6 +1,10 @@
 //! What a detection found out.
 
-use dobot_wire::Dialect;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::Dialect;
 
 /// Which dialect an arm speaks, and what shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,8 +38,8 @@ impl Finding {
     }
 }
 
-impl std::fmt::Display for Evidence {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for Evidence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}: {}", self.question, self.saw, self.means)
     }
 }

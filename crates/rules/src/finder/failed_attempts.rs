@@ -1,4 +1,4 @@
-//! Ports that were tried in vain, and are left alone for a while.
+//! Ports that were tried without success, and are left alone for a while.
 
 use std::time::Duration;
 
@@ -7,10 +7,10 @@ use dobot_client::Address;
 use super::Missed;
 use super::candidate::Candidate;
 
-/// Ports that were tried in vain. To open one disturbs what is behind it, so that it is left alone for
+/// Ports that were tried without success. To open one disturbs what is behind it, so that it is left alone for
 /// a minute, or until it is plugged in again: behind it may be an arm that is switched on by then.
 #[derive(Debug, Default)]
-pub(super) struct InVain(Vec<Attempt>);
+pub(super) struct FailedAttempts(Vec<Attempt>);
 
 #[derive(Debug)]
 struct Attempt {
@@ -19,8 +19,8 @@ struct Attempt {
     why: String,
 }
 
-impl InVain {
-    /// Takes what came of a candidate. Where the port could not even be opened nothing is disturbed.
+impl FailedAttempts {
+    /// Takes the outcome of an attempt. Where the port could not even be opened nothing is disturbed.
     pub(super) fn note(&mut self, candidate: &Candidate, missed: &Missed, now: Duration) {
         self.0.retain(|it| it.address != candidate.address);
         if !candidate.sure && missed.was_open() {
@@ -32,8 +32,8 @@ impl InVain {
         }
     }
 
-    /// Why a candidate is better left alone now.
-    pub(super) fn why_not(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
+    /// Why a candidate should not be opened now, if it failed lately.
+    pub(super) fn reason_to_wait(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
         let is_recent = |it: &&Attempt| now < it.at.saturating_add(LEFT_ALONE);
         let mut attempts = self.0.iter().filter(|_| !candidate.sure);
         let attempt = attempts.find(|it| it.address == candidate.address);
@@ -76,43 +76,47 @@ mod tests {
 
     #[test]
     fn a_silent_port_is_left_alone_for_a_minute_and_the_reason_is_kept() {
-        let mut in_vain = InVain::default();
+        let mut failed_attempts = FailedAttempts::default();
         let candidate = &candidates()[0];
-        in_vain.note(candidate, &Missed::Silent, s(10));
-        let why = in_vain.why_not(candidate, s(69));
+        failed_attempts.note(candidate, &Missed::Silent, s(10));
+        let why = failed_attempts.reason_to_wait(candidate, s(69));
         assert_eq!(why, Some(Missed::Silent.to_string().as_str()));
-        assert_eq!(in_vain.why_not(candidate, s(70)), None);
+        assert_eq!(failed_attempts.reason_to_wait(candidate, s(70)), None);
     }
 
     #[test]
     fn a_port_that_was_plugged_in_again_is_tried_again() {
-        let mut in_vain = InVain::default();
+        let mut failed_attempts = FailedAttempts::default();
         let candidates = candidates();
-        in_vain.note(&candidates[0], &Missed::Silent, s(10));
-        in_vain.keep(&candidates);
-        assert!(in_vain.why_not(&candidates[0], s(11)).is_some());
-        in_vain.keep(&[]);
-        assert_eq!(in_vain.why_not(&candidates[0], s(12)), None);
+        failed_attempts.note(&candidates[0], &Missed::Silent, s(10));
+        failed_attempts.keep(&candidates);
+        assert!(
+            failed_attempts
+                .reason_to_wait(&candidates[0], s(11))
+                .is_some()
+        );
+        failed_attempts.keep(&[]);
+        assert_eq!(failed_attempts.reason_to_wait(&candidates[0], s(12)), None);
     }
 
     #[test]
     fn a_port_that_could_not_be_opened_is_tried_each_time() {
-        let mut in_vain = InVain::default();
+        let mut failed_attempts = FailedAttempts::default();
         let candidate = &candidates()[0];
         let path = "/dev/ttyUSB0".into();
         let missed = Missed::Open(OpenError::InUse { path });
-        in_vain.note(candidate, &missed, s(10));
-        assert_eq!(in_vain.why_not(candidate, s(10)), None);
+        failed_attempts.note(candidate, &missed, s(10));
+        assert_eq!(failed_attempts.reason_to_wait(candidate, s(10)), None);
     }
 
     #[test]
     fn the_port_of_the_arm_is_tried_each_time() {
-        let mut in_vain = InVain::default();
+        let mut failed_attempts = FailedAttempts::default();
         let candidate = Candidate {
             sure: true,
             ..candidates()[0].clone()
         };
-        in_vain.note(&candidate, &Missed::Silent, s(10));
-        assert_eq!(in_vain.why_not(&candidate, s(10)), None);
+        failed_attempts.note(&candidate, &Missed::Silent, s(10));
+        assert_eq!(failed_attempts.reason_to_wait(&candidate, s(10)), None);
     }
 }

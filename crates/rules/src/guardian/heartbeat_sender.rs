@@ -1,4 +1,4 @@
-//! The station's heart: it beats for the guardian, and knows when it stood still.
+//! Sends heartbeats to the guardian, and notices when the loop that sends them stood still.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,20 +10,20 @@ use dobot_wire::{Dialect, Packet};
 #[cfg(unix)]
 use super::child::Child;
 use super::clock::Clock;
-use super::{Beat, Guardian, LastWords, Told};
+use super::{Guardian, Hazards, Heartbeat, PanicStop};
 use crate::{Notification, ServiceManager};
 
-/// The heart of the thread that has the arm: as long as its loop goes round, it beats.
+/// Sends heartbeats for as long as the loop of the thread that has the arm goes round.
 #[derive(Debug)]
-pub(crate) struct Heart {
+pub(crate) struct HeartbeatSender {
     /// The program that is a guardian when it is told so; none without one.
     program: Option<PathBuf>,
     note: PathBuf,
     clock: Clock,
-    /// When it beat last, while there is an arm.
+    /// When the last heartbeat was sent, while there is an arm.
     last: Option<Duration>,
-    told: Told,
-    words: Arc<LastWords>,
+    hazards: Hazards,
+    panic_stop: Arc<PanicStop>,
     #[cfg(unix)]
     guardian: Option<Child>,
     /// When another one took the place of one that was gone.
@@ -33,38 +33,38 @@ pub(crate) struct Heart {
     /// The system that keeps the station running.
     service_manager: ServiceManager,
     /// When that was told last that this loop goes round.
-    fed: Duration,
+    reported: Duration,
 }
 
-impl Heart {
-    /// A heart that beats for a guardian, if there is a program that is one.
-    pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, words: Arc<LastWords>) -> Self {
+impl HeartbeatSender {
+    /// Sends heartbeats to a guardian, if there is a program that is one.
+    pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, panic_stop: Arc<PanicStop>) -> Self {
         Self {
             program,
             note,
             clock: Clock::new(),
             last: None,
-            told: Told::default(),
-            words,
+            hazards: Hazards::default(),
+            panic_stop,
             #[cfg(unix)]
             guardian: None,
             #[cfg(unix)]
             replaced: None,
             trouble: None,
             service_manager: ServiceManager::default(),
-            fed: Duration::ZERO,
+            reported: Duration::ZERO,
         }
     }
 
-    /// The same, beating for the system that keeps the station running, too.
+    /// The same, which also tells the system that keeps the station running.
     pub(crate) fn supervised(mut self, service_manager: ServiceManager) -> Self {
         self.service_manager = service_manager;
         self
     }
 
     /// Takes the link to an arm: from now on there is something to guard.
-    pub(crate) fn take_up(&mut self, link: &Link) {
-        self.part();
+    pub(crate) fn start(&mut self, link: &Link) {
+        self.stop();
         if let Err(error) = self.guard(link) {
             self.trouble = Some(format!(
                 "there is no guardian: {error}; if this station is killed, nobody switches the laser off"
@@ -73,50 +73,50 @@ impl Heart {
     }
 
     /// The link is gone, or the station ends as it should.
-    pub(crate) fn part(&mut self) {
+    pub(crate) fn stop(&mut self) {
         self.last = None;
         #[cfg(unix)]
         {
-            self.words.set_port(None);
+            self.panic_stop.set_port(None);
             if let Some(mut guardian) = self.guardian.take() {
                 // One that is gone needs no goodbye.
-                let _ = guardian.say(Beat::Goodbye);
+                let _ = guardian.send(Heartbeat::Goodbye);
             }
         }
     }
 
-    /// Beats, if it is time to; says how long it stood still, if it did.
-    pub(crate) fn beat(&mut self) -> Option<Duration> {
+    /// Sends a heartbeat if one is due; returns how long the loop stood still, if it did.
+    pub(crate) fn send_due(&mut self) -> Option<Duration> {
         let now = self.clock.now();
         if let Some(period) = self.service_manager.period()
-            && now >= self.fed + period
+            && now >= self.reported + period
         {
-            self.fed = now;
+            self.reported = now;
             self.service_manager.tell(Notification::Alive);
         }
         let silent = now.saturating_sub(self.last?);
         if silent >= PERIOD {
-            self.say();
+            self.send();
         }
         (silent >= Guardian::PATIENCE).then_some(silent)
     }
 
     /// Takes what the arm is told next: the guardian knows it before the arm does.
-    pub(crate) fn tell(&mut self, packet: &Packet, dialect: &Dialect) {
-        let told = self.told.after(packet, dialect);
-        if told != self.told {
-            self.told = told;
-            self.words.note(told);
+    pub(crate) fn note_packet(&mut self, packet: &Packet, dialect: &Dialect) {
+        let hazards = self.hazards.after(packet, dialect);
+        if hazards != self.hazards {
+            self.hazards = hazards;
+            self.panic_stop.note(hazards);
             if self.last.is_some() {
-                self.say();
+                self.send();
             }
         }
     }
 
-    /// How soon it has to beat again, if it has to.
+    /// How soon the next heartbeat is due, if one is.
     pub(crate) fn due_in(&self) -> Option<Duration> {
         let guardian = self.last.map(|it| it + PERIOD);
-        let service_manager = self.service_manager.period().map(|it| self.fed + it);
+        let service_manager = self.service_manager.period().map(|it| self.reported + it);
         let next = guardian.into_iter().chain(service_manager).min()?;
         Some(next.saturating_sub(self.clock.now()))
     }
@@ -137,17 +137,17 @@ impl Heart {
             // An arm in this process ends with it.
             return Ok(());
         };
-        self.words.set_port(Some(port.try_clone_to_owned()?));
+        self.panic_stop.set_port(Some(port.try_clone_to_owned()?));
         self.last = Some(self.clock.now());
-        self.start()
+        self.start_guardian()
     }
 
     /// Starts the guardian of the port, if there is a program that is one.
     #[cfg(unix)]
-    fn start(&mut self) -> std::io::Result<()> {
-        if let (Some(program), Some(port)) = (&self.program, self.words.port()?) {
+    fn start_guardian(&mut self) -> std::io::Result<()> {
+        if let (Some(program), Some(port)) = (&self.program, self.panic_stop.port()?) {
             self.guardian = Some(Child::start(program, &self.note, port)?);
-            self.say();
+            self.send();
         }
         Ok(())
     }
@@ -160,7 +160,11 @@ impl Heart {
         let now = self.clock.now();
         let before = self.replaced.replace(now);
         let lately = before.is_some_and(|it| now.saturating_sub(it) < LATELY);
-        let started = if lately { Ok(()) } else { self.start() };
+        let started = if lately {
+            Ok(())
+        } else {
+            self.start_guardian()
+        };
         self.trouble = Some(match started {
             Ok(()) if self.guardian.is_some() => {
                 format!("the guardian was gone: {gone}; another one takes its place")
@@ -180,18 +184,18 @@ impl Heart {
         Ok(())
     }
 
-    fn say(&mut self) {
+    fn send(&mut self) {
         self.last = Some(self.clock.now());
         #[cfg(unix)]
         if let Some(guardian) = &mut self.guardian
-            && let Err(error) = guardian.say(Beat::Lives(self.told))
+            && let Err(error) = guardian.send(Heartbeat::Alive(self.hazards))
         {
             self.replace(&error);
         }
     }
 }
 
-/// From one beat to the next, at the most.
+/// From one heartbeat to the next, at most.
 pub(crate) const PERIOD: Duration = Duration::from_millis(80);
 /// A guardian that is gone again so soon is not replaced once more.
 #[cfg(unix)]

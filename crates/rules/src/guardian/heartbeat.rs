@@ -5,16 +5,16 @@ use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogA
 
 /// What the station tells its guardian, a byte each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beat {
+pub enum Heartbeat {
     /// The station lives.
-    Lives(Told),
+    Alive(Hazards),
     /// The station ends as it should: nothing is left to be said.
     Goodbye,
 }
 
 /// What the arm was told that must not outlive the station.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Told {
+pub struct Hazards {
     /// The kind of the button that was pressed last. It stays when the button is let go: the release
     /// may get lost, and to say it again does nothing to an arm that stands.
     pub jog: Option<JogKind>,
@@ -31,15 +31,15 @@ pub enum JogKind {
     Linear,
 }
 
-impl Beat {
+impl Heartbeat {
     /// As a byte.
     #[must_use]
     pub const fn to_byte(self) -> u8 {
-        let told = match self {
+        let hazards = match self {
             Self::Goodbye => return b'q',
-            Self::Lives(told) => told,
+            Self::Alive(hazards) => hazards,
         };
-        match (told.jog, told.burns) {
+        match (hazards.jog, hazards.burns) {
             (None, false) => b'n',
             (None, true) => b'N',
             (Some(JogKind::Joint), false) => b'j',
@@ -60,11 +60,11 @@ impl Beat {
             _ => return None,
         };
         let burns = byte.is_ascii_uppercase();
-        Some(Self::Lives(Told { jog, burns }))
+        Some(Self::Alive(Hazards { jog, burns }))
     }
 }
 
-impl Told {
+impl Hazards {
     /// The same after a packet that goes to the arm now.
     #[must_use]
     pub fn after(self, packet: &Packet, dialect: &Dialect) -> Self {
@@ -85,16 +85,16 @@ impl Told {
         Self { jog, burns }
     }
 
-    /// The packets that bring the arm to rest and darken it, in the order in which they are said.
+    /// The packets that bring the arm to rest and darken it, in the order in which they are sent.
     #[must_use]
-    pub fn last_words(self) -> Vec<Packet> {
-        let words = match (self.jog.map(JogKind::release), self.burns) {
+    pub fn stop_packets(self) -> Vec<Packet> {
+        let commands = match (self.jog.map(JogKind::release), self.burns) {
             (None, _) => vec![LASER_OFF],
             (Some(release), true) => vec![LASER_OFF, release],
             (Some(release), false) => vec![release, LASER_OFF],
         };
         let emit = |it: Command| it.emit(&Dialect::SPECIFICATION);
-        words.into_iter().map(emit).collect()
+        commands.into_iter().map(emit).collect()
     }
 }
 
@@ -113,15 +113,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_beat_is_a_byte_of_its_own_and_is_read_back() {
+    fn every_heartbeat_is_a_byte_of_its_own_and_is_read_back() {
         let kinds = [None, Some(JogKind::Joint), Some(JogKind::Linear)];
-        let lives = kinds
+        let alive = kinds
             .into_iter()
-            .flat_map(|jog| [false, true].map(|burns| Beat::Lives(Told { jog, burns })));
-        for beat in lives.chain([Beat::Goodbye]) {
-            assert_eq!(Beat::from_byte(beat.to_byte()), Some(beat));
+            .flat_map(|jog| [false, true].map(|burns| Heartbeat::Alive(Hazards { jog, burns })));
+        for heartbeat in alive.chain([Heartbeat::Goodbye]) {
+            assert_eq!(Heartbeat::from_byte(heartbeat.to_byte()), Some(heartbeat));
         }
-        let known = (0..=u8::MAX).filter_map(Beat::from_byte).count();
+        let known = (0..=u8::MAX).filter_map(Heartbeat::from_byte).count();
         assert_eq!(known, 7);
     }
 }
