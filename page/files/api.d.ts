@@ -1425,7 +1425,8 @@ export interface components {
         QueueRules: {
             /**
              * Format: double
-             * @description How much motion may wait behind the command that runs, in s: 0 to 60.
+             * @description How long before the arm should begin a command it may be sent, in s: 0 to 60. So long after a stop
+             *     the arm may begin another motion.
              * @default 0.5
              */
             ahead_s: number;
