@@ -11,6 +11,7 @@ mod document;
 #[cfg(test)]
 mod double;
 mod gate;
+mod http_leases;
 mod listen;
 mod messages;
 mod page;
@@ -25,7 +26,6 @@ mod strict;
 mod tests;
 mod tls;
 mod tokens;
-mod visits;
 
 pub use served::{ServeError, Served, Web, serve};
 pub use tls::TlsError;

@@ -9,10 +9,10 @@ use dobot_rules::Handle;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
+use super::http_leases::HttpLeases;
 use super::listen::Seat;
 use super::rate::Addresses;
 use super::tokens::Tokens;
-use super::visits::Visits;
 
 /// What all requests share.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub(super) struct App {
     pub(super) without_token: Option<Role>,
     /// The names that the station goes by, besides its addresses.
     pub(super) names: Vec<String>,
-    pub(super) visits: Visits,
+    pub(super) http_leases: HttpLeases,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -45,7 +45,7 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names,
-            visits: Visits::default(),
+            http_leases: HttpLeases::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,

@@ -55,7 +55,7 @@ impl Asker {
         match &self.lease {
             Some(token) => {
                 let (role, now) = (self.visitor.role, self.app.now());
-                Ok(self.app.visits.find(token, role, now)?)
+                Ok(self.app.http_leases.find(token, role, now)?)
             }
             None => self.come(&self.visitor.name).await,
         }

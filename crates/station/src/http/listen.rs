@@ -44,7 +44,7 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
                 Err(_) => sleep(BREATH).await,
             },
             Some(_) = connections.join_next() => {}
-            _ = seconds.tick() => app.visits.sweep(app.now()),
+            _ = seconds.tick() => app.http_leases.sweep(app.now()),
             () = &mut ended => break,
         }
     }

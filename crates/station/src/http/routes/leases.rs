@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::super::answer::{Body, Maybe, NotDone, Nothing};
 use super::super::app::Visitor;
 use super::super::calls::{Asker, is_name};
+use super::super::http_leases::LASTS;
 use super::super::route::Route;
-use super::super::visits::LASTS;
 use super::{DELETE, POST};
 
 pub(super) fn all() -> Vec<Route> {
@@ -101,7 +101,7 @@ async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted
     let app = &asker.app;
     let token = match &asker.lease {
         Some(token) => token.clone(),
-        None => app.visits.keep(client, app.now())?.secret().into(),
+        None => app.http_leases.keep(client, app.now())?.secret().into(),
     };
     let lease = match reply {
         Reply::Lease { lease } => lease,
@@ -135,6 +135,6 @@ async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone
             .into());
     };
     let reply = asker.ask(Request::ReleaseLease).await;
-    asker.app.visits.end(&token);
+    asker.app.http_leases.end(&token);
     reply
 }

@@ -52,7 +52,7 @@ async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
             .is(200);
     }
     tokio::time::advance(Duration::from_millis(10_100)).await;
-    lab.app.visits.sweep(lab.app.now());
+    lab.app.http_leases.sweep(lab.app.now());
     assert_eq!(gone(&lab).await, [ClientId(1)]);
     with_lease(&lab, "POST", "/api/v1/jog/release", &token)
         .await
