@@ -81,7 +81,7 @@ pub(super) struct Peer {
 
 /// Who asks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Visitor {
+pub(super) struct Caller {
     /// What it is called until it says better.
     pub(super) name: String,
     pub(super) role: Role,

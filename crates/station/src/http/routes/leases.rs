@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::answer::{Body, Maybe, NotDone, Nothing};
-use super::super::app::Visitor;
+use super::super::app::Caller;
 use super::super::calls::{Asker, is_name};
 use super::super::http_leases::LASTS;
 use super::super::route::Route;
@@ -92,7 +92,7 @@ struct Heir {
 
 /// Asks for control, and keeps the client if that is granted.
 async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted>, NotDone> {
-    let name = called(wish, &asker.visitor)?;
+    let name = called(wish, &asker.caller)?;
     let client = match &asker.lease {
         Some(_) => asker.client().await?,
         None => asker.come(&name).await?,
@@ -115,9 +115,9 @@ async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted
 }
 
 /// What a client wants to be called, or else what its token is called.
-fn called(wish: Wish, visitor: &Visitor) -> Result<String, Problem> {
+fn called(wish: Wish, caller: &Caller) -> Result<String, Problem> {
     let Some(name) = wish.name else {
-        return Ok(visitor.name.clone());
+        return Ok(caller.name.clone());
     };
     if is_name(&name) {
         return Ok(name);
