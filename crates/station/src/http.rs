@@ -21,7 +21,7 @@ mod route;
 mod routes;
 mod served;
 mod socket;
-mod strict;
+mod strict_json;
 #[cfg(test)]
 mod tests;
 mod tls;
