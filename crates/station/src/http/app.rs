@@ -10,7 +10,7 @@ use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
 use super::http_leases::HttpLeases;
-use super::listen::Seat;
+use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::tokens::Tokens;
 
@@ -76,7 +76,7 @@ pub(super) struct Peer {
     /// Whether it is encrypted.
     pub(super) secure: bool,
     /// Its place among all connections, for as long as any part of it is there.
-    pub(super) _seat: Arc<Seat>,
+    pub(super) _slot: Arc<ConnectionSlot>,
 }
 
 /// Who asks.

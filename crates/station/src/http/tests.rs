@@ -25,7 +25,7 @@ use tower::ServiceExt;
 
 use super::app::{App, Peer};
 use super::double::{Asked, Telling, driver};
-use super::listen::Seats;
+use super::listen::ConnectionSlots;
 use super::tokens::{Token, Tokens};
 
 /// A station without a network.
@@ -74,7 +74,9 @@ impl Lab {
         );
         let to: SocketAddr = to.parse().unwrap();
         let from = SocketAddr::new(to.ip(), 50_000);
-        let seat = Arc::new(Seats::default()).take(from.ip()).unwrap();
+        let slot = Arc::new(ConnectionSlots::default())
+            .take(from.ip())
+            .unwrap();
         Self {
             router: super::routes::router(app.clone()),
             app,
@@ -84,7 +86,7 @@ impl Lab {
                 from,
                 to,
                 secure,
-                _seat: Arc::new(seat),
+                _slot: Arc::new(slot),
             },
             _end: end,
             tokens: made.into(),
