@@ -10,7 +10,7 @@ mod auth;
 mod calls;
 mod document;
 #[cfg(test)]
-mod double;
+mod fake;
 mod http_leases;
 mod listen;
 mod messages;

@@ -5,19 +5,19 @@ use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;
 
 use super::*;
-use crate::double::{Double, packet};
+use crate::fake::{FakeDriver, packet};
 
 /// A program, its bridge and the driver at the other end of it.
 struct Bridged {
     program: DuplexStream,
-    driver: Double,
+    driver: FakeDriver,
     bridge: JoinHandle<Traffic>,
     handle: Handle,
 }
 
 /// What a program has that reads and writes through buffers of so many bytes.
 async fn bridged(buffer: usize) -> Bridged {
-    let (handle, mut driver) = Double::new(4);
+    let (handle, mut driver) = FakeDriver::new(4);
     let (program, ours) = duplex(buffer);
     let statuses = handle.packets();
     let known = tokio::spawn({
