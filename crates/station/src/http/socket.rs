@@ -1,8 +1,8 @@
 //! WebSockets: from the request to upgrade to the last word.
 
-mod hear;
+mod connection;
 mod pace;
-mod talk;
+mod receive;
 mod tell;
 
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use futures_util::StreamExt;
 use schemars::SchemaGenerator;
 use serde::Deserialize;
 
-use self::talk::Talk;
+use self::connection::SocketConnection;
 use super::answer::{BODY, JOB, NotDone};
 use super::app::{App, Caller, MOST_SOCKETS, Peer};
 use super::calls::is_name;
@@ -109,8 +109,8 @@ pub(super) async fn upgrade(
         .max_frame_size(largest);
     Ok(upgrade.on_upgrade(move |socket| async move {
         let (mut outgoing, mut incoming) = socket.split();
-        let talk = Talk::new(&app, client, name, &wants);
-        talk.run(&mut incoming, &mut outgoing).await;
+        let connection = SocketConnection::new(&app, client, name, &wants);
+        connection.run(&mut incoming, &mut outgoing).await;
         drop((place, peer));
     }))
 }

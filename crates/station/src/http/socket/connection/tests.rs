@@ -71,16 +71,18 @@ impl Harness {
     }
 
     /// Talks with a client that reads so many messages; for how long that lasts.
-    async fn talk<I>(&self, reads: usize, incoming: I) -> Duration
+    async fn connection<I>(&self, reads: usize, incoming: I) -> Duration
     where
         I: Stream<Item = Result<Message, String>> + Unpin,
     {
         let began = Instant::now();
         let client = self.app.handle.client("test", Role::Admin).await.unwrap();
-        let talk = Talk::new(&self.app, client, "test".into(), &Wants::default());
+        let connection = SocketConnection::new(&self.app, client, "test".into(), &Wants::default());
         let heard = self.heard.clone();
         let mut incoming = incoming;
-        talk.run(&mut incoming, &mut Ear { heard, reads }).await;
+        connection
+            .run(&mut incoming, &mut Ear { heard, reads })
+            .await;
         began.elapsed()
     }
 
@@ -113,7 +115,7 @@ fn text(text: &str) -> Result<Message, String> {
 #[tokio::test(start_paused = true)]
 async fn a_client_that_vanishes_is_noticed_within_seconds() {
     let harness = Harness::new();
-    let lasted = harness.talk(usize::MAX, stream::pending()).await;
+    let lasted = harness.connection(usize::MAX, stream::pending()).await;
     assert!((6.0..8.0).contains(&lasted.as_secs_f64()), "{lasted:?}");
     assert_eq!(harness.close_code(), Some(1008));
     let pings = harness
@@ -129,14 +131,14 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
 #[tokio::test(start_paused = true)]
 async fn a_client_that_is_there_and_says_nothing_stays() {
     let harness = Harness::new();
-    let talking = harness.talk(usize::MAX, pongs());
+    let talking = harness.connection(usize::MAX, pongs());
     assert!(timeout(Duration::from_hours(1), talking).await.is_err());
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_does_not_read_is_dropped_and_those_who_watch_are_told() {
     let harness = Harness::new();
-    let lasted = harness.talk(3, pongs()).await;
+    let lasted = harness.connection(3, pongs()).await;
     assert!(lasted < Duration::from_secs(15), "{lasted:?}");
     assert_eq!(
         harness.trouble().await,
@@ -154,7 +156,9 @@ async fn a_client_that_lags_hundreds_of_states_behind_is_dropped() {
         }
         text(r#"{"id": 1, "request": {"type": "release"}}"#)
     }));
-    harness.talk(usize::MAX, incoming.chain(pongs())).await;
+    harness
+        .connection(usize::MAX, incoming.chain(pongs()))
+        .await;
     assert_eq!(harness.close_code(), Some(1008));
 }
 
@@ -166,7 +170,7 @@ async fn a_client_that_does_not_read_is_still_heard_when_it_says_stop() {
         tokio::time::sleep(Duration::from_secs(4)).await;
         stop
     }));
-    harness.talk(0, after.chain(pongs())).await;
+    harness.connection(0, after.chain(pongs())).await;
     assert_eq!(
         harness.asked.requests(),
         [dobot_api::Request::Stop { reason: None }]
@@ -184,7 +188,7 @@ async fn what_is_no_websocket_message_ends_the_connection_with_the_reason() {
     ] {
         let harness = Harness::new();
         harness
-            .talk(usize::MAX, stream::iter([Err(error.to_owned())]))
+            .connection(usize::MAX, stream::iter([Err(error.to_owned())]))
             .await;
         assert_eq!(harness.close_code(), Some(code), "{error}");
         assert_eq!(harness.trouble().await.len(), 1);
@@ -199,7 +203,7 @@ async fn a_connection_that_breaks_off_is_no_trouble() {
     ] {
         let harness = Harness::new();
         harness
-            .talk(usize::MAX, stream::iter([Err(error.to_owned())]))
+            .connection(usize::MAX, stream::iter([Err(error.to_owned())]))
             .await;
         assert_eq!(harness.trouble().await, [""; 0]);
     }
@@ -215,7 +219,7 @@ async fn hello_comes_first_and_what_happened_meanwhile_after_it() {
     }));
     let _ = timeout(
         Duration::from_secs(5),
-        harness.talk(usize::MAX, incoming.chain(pongs())),
+        harness.connection(usize::MAX, incoming.chain(pongs())),
     )
     .await;
     let heard = harness.heard.lock().unwrap();
