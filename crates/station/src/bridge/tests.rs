@@ -191,8 +191,8 @@ async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest
     }
     let mut got = Vec::new();
     let mut status = [0; 42];
-    let patience = std::time::Duration::from_secs(1);
-    while let Ok(read) = tokio::time::timeout(patience, it.program.read_exact(&mut status)).await {
+    let backoff = std::time::Duration::from_secs(1);
+    while let Ok(read) = tokio::time::timeout(backoff, it.program.read_exact(&mut status)).await {
         read.expect("it is open");
         assert_eq!(status, [status[0]; 42], "it came whole");
         got.push(status[0]);
