@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// The backoff with a program that sends what is of no use: refused packets, noise.
+/// The back-off for a program that sends what is of no use: refused packets, noise.
 ///
 /// It is told of as many bytes as an arm's line would have carried, and no faster. A program that
 /// sends one command for each status never waits, even if every one of them is refused; nor does
