@@ -183,7 +183,7 @@ step_no-std() {
 # build of one package has other features than a build of all, and would compile the dependencies once more.
 step_examples() {
   local file room name command
-  build_all --examples
+  build_all
   for file in crates/*/examples/*.rs crates/*/examples/*/main.rs; do
     [[ -e $file ]] || continue
     room=$(cut -d/ -f2 <<<"$file")
@@ -198,9 +198,10 @@ step_examples() {
   done
 }
 
-# Everything with every feature, as `test` builds it.
+# The programs, with every feature, as `test` builds them: without the examples there would be no dependencies of
+# tests, and with that other features, and all would be built once more.
 build_all() {
-  cargo build --locked --workspace --all-features "$@"
+  cargo build --locked --workspace --all-features --bins --examples
 }
 
 built() {
@@ -216,7 +217,7 @@ run_example() {
 step_api() {
   local folder address station
   needs_venv
-  build_all --bins --examples
+  build_all
   folder=$(mktemp -d)
   "$(built)/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
   station=$!
