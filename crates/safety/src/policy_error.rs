@@ -4,8 +4,6 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::validate::InvalidValue;
-
 /// Why a text is no policy: the line, what was found, what is allowed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{}{reason}", At(*.line))]
@@ -14,6 +12,16 @@ pub struct PolicyError {
     pub line: Option<usize>,
     /// What is wrong, and what is allowed.
     pub reason: String,
+}
+
+/// A value that is not allowed.
+pub(crate) struct InvalidValue {
+    /// Its key, with dots.
+    pub(crate) key: String,
+    /// The value.
+    pub(crate) found: String,
+    /// What is allowed.
+    pub(crate) allowed: String,
 }
 
 impl PolicyError {

@@ -4,18 +4,8 @@ use dobot_arm::Limits;
 use toml::de::{DeTable, DeValue};
 
 use crate::body::PIVOT;
-use crate::policy_error::line_at;
+use crate::policy_error::{InvalidValue, line_at};
 use crate::{Area, Bounds, KeepOut, Policy};
-
-/// A value that is not allowed.
-pub(crate) struct InvalidValue {
-    /// Its key, with dots.
-    pub(crate) key: String,
-    /// The value.
-    pub(crate) found: String,
-    /// What is allowed.
-    pub(crate) allowed: String,
-}
 
 /// The first value that is not allowed.
 pub(crate) fn problem(policy: &Policy) -> Option<InvalidValue> {

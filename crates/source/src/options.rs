@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use usvg::fontdb;
 
-use crate::picture::Shading;
+use crate::picture::shading::Shading;
 
 /// How a source is read.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@ mod levels;
 mod outline;
 mod resample;
 mod rows;
-mod shading;
+pub(crate) mod shading;
 mod smooth;
 mod stipple;
 mod tone;

@@ -1,6 +1,6 @@
 //! The bridge between a program that speaks the arm's own protocol and the driver of the arm.
 
-mod patience;
+mod backoff;
 mod web;
 
 use dobot_rules::{Client, Refusal};
@@ -11,7 +11,7 @@ use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::{Notify, mpsc};
 use tokio::time::{Instant, sleep_until};
 
-use self::patience::Patience;
+use self::backoff::Backoff;
 use self::web::is_web;
 use crate::Traffic;
 
@@ -90,7 +90,7 @@ async fn read(
     ahead: mpsc::Sender<Packet>,
 ) {
     let mut bytes = [0; READ_LEN];
-    let mut patience = Patience::default();
+    let mut backoff = Backoff::default();
     let mut first = true;
     while let Ok(len @ 1..) = reader.read(&mut bytes).await {
         *web |= first && is_web(&bytes[..len]);
@@ -105,8 +105,8 @@ async fn read(
             }
         }
         let noise = decoder.counts().skipped_bytes - before;
-        patience.handle_bytes(opened.elapsed(), noise);
-        sleep_until(opened + patience.poll_wakeup()).await;
+        backoff.handle_bytes(opened.elapsed(), noise);
+        sleep_until(opened + backoff.poll_wakeup()).await;
     }
 }
 
@@ -119,7 +119,7 @@ async fn serve(
     refused: &mut u64,
     left: &Notify,
 ) {
-    let mut patience = Patience::default();
+    let mut backoff = Backoff::default();
     while let Some(packet) = packets.recv().await {
         match client.raw(packet).await {
             Ok(()) => continue,
@@ -127,8 +127,8 @@ async fn serve(
             // The driver tells of it: the arm's protocol has no words for it.
             Err(_) => *refused += 1,
         }
-        patience.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
-        let wakeup = opened + patience.poll_wakeup();
+        backoff.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
+        let wakeup = opened + backoff.poll_wakeup();
         if wakeup <= Instant::now() {
             continue;
         }

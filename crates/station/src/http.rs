@@ -1,16 +1,17 @@
 //! The web side of the station: page, API, its document, WebSockets, and who may do what.
 //!
-//! A connection (`listen`) carries requests through the gate (`gate`: is it meant for us, where does
+//! A connection (`listen`) carries requests through authorisation (`auth`: is it meant for us, where does
 //! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
 //! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
 
 mod answer;
 mod app;
+mod auth;
 mod calls;
 mod document;
 #[cfg(test)]
-mod double;
-mod gate;
+mod fake;
+mod http_leases;
 mod listen;
 mod messages;
 mod page;
@@ -20,12 +21,11 @@ mod route;
 mod routes;
 mod served;
 mod socket;
-mod strict;
+mod strict_json;
 #[cfg(test)]
 mod tests;
 mod tls;
 mod tokens;
-mod visits;
 
 pub use served::{ServeError, Served, Web, serve};
 pub use tls::TlsError;

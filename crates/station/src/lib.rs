@@ -36,7 +36,7 @@
 mod bridge;
 mod config;
 #[cfg(test)]
-mod double;
+mod fake;
 mod http;
 mod program;
 mod raw;

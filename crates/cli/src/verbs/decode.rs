@@ -4,6 +4,7 @@ mod capture;
 mod content;
 mod input;
 mod judge;
+mod reader;
 mod rounded;
 mod stock;
 mod text;
@@ -66,7 +67,7 @@ enum From {
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let input = input::read(&args.input)?;
+    let input = reader::read(&args.input)?;
     if input.len() == 0 {
         return Err(Failure::new(
             anyhow!("there are no bytes to decode"),
@@ -152,7 +153,7 @@ mod tests {
                 }
             }
             for bytes in [bytes, sample] {
-                if let Ok(input) = input::of_bytes(bytes) {
+                if let Ok(input) = reader::of_bytes(bytes) {
                     lines(&input, &ANY);
                 }
             }

@@ -39,7 +39,7 @@ impl WebSocket {
     /// The answer to the last request.
     pub(crate) fn answer(&mut self) -> Value {
         loop {
-            let said = self.hear();
+            let said = self.receive();
             if said["id"] == self.id {
                 return said;
             }
@@ -70,14 +70,14 @@ impl WebSocket {
     /// Waits for a state or notice that is as it should be.
     pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
         loop {
-            let said = self.hear();
+            let said = self.receive();
             if is_it(&said) {
                 return said;
             }
         }
     }
 
-    fn hear(&mut self) -> Value {
+    fn receive(&mut self) -> Value {
         loop {
             if let Message::Text(text) = self.socket.read().expect("the station is there") {
                 return serde_json::from_str(&text).expect("the station speaks JSON");

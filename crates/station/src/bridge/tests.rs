@@ -5,19 +5,19 @@ use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;
 
 use super::*;
-use crate::double::{Double, packet};
+use crate::fake::{FakeDriver, packet};
 
 /// A program, its bridge and the driver at the other end of it.
 struct Bridged {
     program: DuplexStream,
-    driver: Double,
+    driver: FakeDriver,
     bridge: JoinHandle<Traffic>,
     handle: Handle,
 }
 
 /// What a program has that reads and writes through buffers of so many bytes.
 async fn bridged(buffer: usize) -> Bridged {
-    let (handle, mut driver) = Double::new(4);
+    let (handle, mut driver) = FakeDriver::new(4);
     let (program, ours) = duplex(buffer);
     let statuses = handle.packets();
     let known = tokio::spawn({
@@ -191,8 +191,8 @@ async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest
     }
     let mut got = Vec::new();
     let mut status = [0; 42];
-    let patience = std::time::Duration::from_secs(1);
-    while let Ok(read) = tokio::time::timeout(patience, it.program.read_exact(&mut status)).await {
+    let backoff = std::time::Duration::from_secs(1);
+    while let Ok(read) = tokio::time::timeout(backoff, it.program.read_exact(&mut status)).await {
         read.expect("it is open");
         assert_eq!(status, [status[0]; 42], "it came whole");
         got.push(status[0]);

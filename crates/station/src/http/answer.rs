@@ -21,7 +21,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::strict;
+use super::strict_json;
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -201,7 +201,7 @@ fn check_type(parts: &Parts) -> Result<(), Problem> {
 }
 
 async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
-    beside(text, strict::read).await
+    beside(text, strict_json::read).await
 }
 
 /// Reads text, beside everything else if it is long.

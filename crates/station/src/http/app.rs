@@ -9,10 +9,10 @@ use dobot_rules::Handle;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
-use super::listen::Seat;
+use super::http_leases::HttpLeases;
+use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::tokens::Tokens;
-use super::visits::Visits;
 
 /// What all requests share.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub(super) struct App {
     pub(super) without_token: Option<Role>,
     /// The names that the station goes by, besides its addresses.
     pub(super) names: Vec<String>,
-    pub(super) visits: Visits,
+    pub(super) http_leases: HttpLeases,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -45,7 +45,7 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names,
-            visits: Visits::default(),
+            http_leases: HttpLeases::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,
@@ -76,12 +76,12 @@ pub(super) struct Peer {
     /// Whether it is encrypted.
     pub(super) secure: bool,
     /// Its place among all connections, for as long as any part of it is there.
-    pub(super) _seat: Arc<Seat>,
+    pub(super) _slot: Arc<ConnectionSlot>,
 }
 
 /// Who asks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Visitor {
+pub(super) struct Caller {
     /// What it is called until it says better.
     pub(super) name: String,
     pub(super) role: Role,

@@ -12,7 +12,7 @@ use dobot_api::{Notice, Reply, Request};
 use dobot_rules::{Client, is_plain};
 
 use super::answer::{NotDone, json};
-use super::app::{App, Visitor};
+use super::app::{App, Caller};
 
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
@@ -21,7 +21,7 @@ pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
 #[derive(Debug)]
 pub(super) struct Asker {
     pub(super) app: Arc<App>,
-    pub(super) visitor: Visitor,
+    pub(super) caller: Caller,
     /// The token of a lease.
     pub(super) lease: Option<String>,
 }
@@ -30,14 +30,14 @@ impl FromRequestParts<Arc<App>> for Asker {
     type Rejection = NotDone;
 
     async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
-        let visitor = parts.extensions.get::<Visitor>().cloned();
+        let caller = parts.extensions.get::<Caller>().cloned();
         let lease = parts
             .headers
             .get(LEASE)
             .map(|it| it.to_str().unwrap_or_default().to_owned());
         Ok(Self {
             app: app.clone(),
-            visitor: visitor.expect("the gate lets only visitors in"),
+            caller: caller.expect("the gate lets only visitors in"),
             lease,
         })
     }
@@ -54,16 +54,16 @@ impl Asker {
     pub(super) async fn client(&self) -> Result<Arc<Client>, NotDone> {
         match &self.lease {
             Some(token) => {
-                let (role, now) = (self.visitor.role, self.app.now());
-                Ok(self.app.visits.find(token, role, now)?)
+                let (role, now) = (self.caller.role, self.app.now());
+                Ok(self.app.http_leases.find(token, role, now)?)
             }
-            None => self.come(&self.visitor.name).await,
+            None => self.come(&self.caller.name).await,
         }
     }
 
     /// A new client.
     pub(super) async fn come(&self, name: &str) -> Result<Arc<Client>, NotDone> {
-        let client = self.app.handle.client(name, self.visitor.role).await?;
+        let client = self.app.handle.client(name, self.caller.role).await?;
         Ok(Arc::new(client))
     }
 }

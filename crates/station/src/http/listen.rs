@@ -29,7 +29,7 @@ const BREATH: Duration = Duration::from_millis(50);
 /// Serves until the station ends, and then until all have been told.
 pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: Arc<App>) {
     let router = routes::router(app.clone());
-    let seats = Arc::new(Seats::default());
+    let slots = Arc::new(ConnectionSlots::default());
     let mut connections = JoinSet::new();
     let mut ended = std::pin::pin!(ended(app.ending.clone()));
     let mut seconds = interval(Duration::from_secs(1));
@@ -37,14 +37,14 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
         tokio::select! {
             accepted = listener.accept() => match accepted {
                 Ok((stream, from)) => {
-                    if let Some(guest) = Guest::new(&stream, from, tls.clone(), &seats) {
-                        connections.spawn(guest.serve(stream, router.clone(), app.ending.clone()));
+                    if let Some(connection) = Connection::new(&stream, from, tls.clone(), &slots) {
+                        connections.spawn(connection.serve(stream, router.clone(), app.ending.clone()));
                     }
                 }
                 Err(_) => sleep(BREATH).await,
             },
             Some(_) = connections.join_next() => {}
-            _ = seconds.tick() => app.visits.sweep(app.now()),
+            _ = seconds.tick() => app.http_leases.sweep(app.now()),
             () = &mut ended => break,
         }
     }
@@ -59,19 +59,19 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
 }
 
 /// A connection that has a place.
-struct Guest {
+struct Connection {
     peer: Peer,
     tls: Option<TlsAcceptor>,
 }
 
-impl Guest {
+impl Connection {
     fn new(
         stream: &TcpStream,
         from: SocketAddr,
         tls: Option<TlsAcceptor>,
-        seats: &Arc<Seats>,
+        slots: &Arc<ConnectionSlots>,
     ) -> Option<Self> {
-        let seat = seats.take(from.ip())?;
+        let slot = slots.take(from.ip())?;
         // Slow is better than not at all.
         let _ = stream.set_nodelay(true);
         Some(Self {
@@ -79,7 +79,7 @@ impl Guest {
                 from,
                 to: stream.local_addr().ok()?,
                 secure: tls.is_some(),
-                _seat: Arc::new(seat),
+                _slot: Arc::new(slot),
             },
             tls,
         })
@@ -119,16 +119,16 @@ where
 
 /// The places for connections.
 #[derive(Debug, Default)]
-pub(super) struct Seats(Mutex<HashMap<IpAddr, usize>>);
+pub(super) struct ConnectionSlots(Mutex<HashMap<IpAddr, usize>>);
 
 /// How many connections there may be.
 const MOST: usize = 4096;
 /// How many of one address of another machine.
 const MOST_OF_ONE: usize = 64;
 
-impl Seats {
+impl ConnectionSlots {
     /// A place, if there is one for this address.
-    pub(super) fn take(self: &Arc<Self>, from: IpAddr) -> Option<Seat> {
+    pub(super) fn take(self: &Arc<Self>, from: IpAddr) -> Option<ConnectionSlot> {
         let mut taken = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let all: usize = taken.values().sum();
         let of_one = taken.entry(from).or_default();
@@ -136,23 +136,23 @@ impl Seats {
             return None;
         }
         *of_one += 1;
-        Some(Seat {
+        Some(ConnectionSlot {
             from,
-            seats: self.clone(),
+            slots: self.clone(),
         })
     }
 }
 
 /// A place; it is free again when this is dropped.
 #[derive(Debug)]
-pub(super) struct Seat {
+pub(super) struct ConnectionSlot {
     from: IpAddr,
-    seats: Arc<Seats>,
+    slots: Arc<ConnectionSlots>,
 }
 
-impl Drop for Seat {
+impl Drop for ConnectionSlot {
     fn drop(&mut self) {
-        let mut taken = self.seats.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut taken = self.slots.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(count) = taken.get_mut(&self.from) {
             *count -= 1;
             if *count == 0 {
@@ -168,12 +168,12 @@ mod tests {
 
     #[test]
     fn one_machine_cannot_take_all_places() {
-        let seats = Arc::new(Seats::default());
+        let slots = Arc::new(ConnectionSlots::default());
         let [one, other] = [[10, 0, 0, 1], [10, 0, 0, 2]].map(IpAddr::from);
-        let mut taken: Vec<Seat> = std::iter::from_fn(|| seats.take(one)).collect();
+        let mut taken: Vec<ConnectionSlot> = std::iter::from_fn(|| slots.take(one)).collect();
         assert_eq!(taken.len(), MOST_OF_ONE);
-        assert!(seats.take(other).is_some());
+        assert!(slots.take(other).is_some());
         taken.pop();
-        assert!(seats.take(one).is_some());
+        assert!(slots.take(one).is_some());
     }
 }

@@ -3,7 +3,7 @@
 use dobot_api::{FromClient, Problem, ToClient};
 use serde::Deserialize;
 
-use super::strict;
+use super::strict_json;
 
 /// A message to a client.
 pub(super) fn text(message: &ToClient<'_>) -> String {
@@ -16,7 +16,7 @@ pub(super) fn text(message: &ToClient<'_>) -> String {
 ///
 /// The problem, and the number of the request if it could be read.
 pub(super) fn read(text: &[u8]) -> Result<FromClient, (Option<u64>, Problem)> {
-    strict::read(text).map_err(|problem| {
+    strict_json::read(text).map_err(|problem| {
         let numbered = serde_json::from_slice::<Numbered>(text);
         (numbered.ok().map(|it| it.id), problem)
     })

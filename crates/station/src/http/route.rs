@@ -17,7 +17,7 @@ use super::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
 use super::app::App;
 use super::calls::Asker;
 #[cfg(test)]
-use super::strict;
+use super::strict_json;
 
 /// One route.
 #[derive(Clone, Debug)]
@@ -100,7 +100,7 @@ impl Takes {
         Self {
             schema: SchemaGenerator::subschema_for::<T>,
             #[cfg(test)]
-            reads: |text| strict::read::<T>(text).map(drop),
+            reads: |text| strict_json::read::<T>(text).map(drop),
             required,
             limit,
             example: "{}",

@@ -29,7 +29,7 @@ pub(super) fn router(app: Arc<App>) -> Router {
     });
     all.method_not_allowed_fallback(calls::method)
         .fallback(calls::unknown_path)
-        .layer(from_fn_with_state(app.clone(), gate::pass))
+        .layer(from_fn_with_state(app.clone(), auth::pass))
         .with_state(app)
 }
 

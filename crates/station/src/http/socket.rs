@@ -1,8 +1,8 @@
 //! WebSockets: from the request to upgrade to the last word.
 
-mod hear;
+mod connection;
 mod pace;
-mod talk;
+mod receive;
 mod tell;
 
 use std::sync::Arc;
@@ -19,9 +19,9 @@ use futures_util::StreamExt;
 use schemars::SchemaGenerator;
 use serde::Deserialize;
 
-use self::talk::Talk;
+use self::connection::SocketConnection;
 use super::answer::{BODY, JOB, NotDone};
-use super::app::{App, MOST_SOCKETS, Peer, Visitor};
+use super::app::{App, Caller, MOST_SOCKETS, Peer};
 use super::calls::is_name;
 use super::route::Query;
 
@@ -84,7 +84,7 @@ const READ_AT_ONCE: usize = 4 * 1024;
 /// Answers a request to speak WebSocket.
 pub(super) async fn upgrade(
     State(app): State<Arc<App>>,
-    Extension(visitor): Extension<Visitor>,
+    Extension(caller): Extension<Caller>,
     Extension(peer): Extension<Peer>,
     uri: Uri,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
@@ -95,9 +95,9 @@ pub(super) async fn upgrade(
         let many = format!("{MOST_SOCKETS} WebSockets are open already");
         return Err(TOO_MANY_CLIENTS.problem(many).into());
     };
-    let name = wants.name.clone().unwrap_or(visitor.name);
-    let client = app.handle.client(&name, visitor.role).await?;
-    let largest = if visitor.role >= Role::Control {
+    let name = wants.name.clone().unwrap_or(caller.name);
+    let client = app.handle.client(&name, caller.role).await?;
+    let largest = if caller.role >= Role::Control {
         JOB
     } else {
         BODY
@@ -109,8 +109,8 @@ pub(super) async fn upgrade(
         .max_frame_size(largest);
     Ok(upgrade.on_upgrade(move |socket| async move {
         let (mut outgoing, mut incoming) = socket.split();
-        let talk = Talk::new(&app, client, name, &wants);
-        talk.run(&mut incoming, &mut outgoing).await;
+        let connection = SocketConnection::new(&app, client, name, &wants);
+        connection.run(&mut incoming, &mut outgoing).await;
         drop((place, peer));
     }))
 }

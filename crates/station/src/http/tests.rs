@@ -24,15 +24,15 @@ use tokio::sync::watch;
 use tower::ServiceExt;
 
 use super::app::{App, Peer};
-use super::double::{Asked, Telling, driver};
-use super::listen::Seats;
+use super::fake::{Asked, FakeNews, driver};
+use super::listen::ConnectionSlots;
 use super::tokens::{Token, Tokens};
 
 /// A station without a network.
-struct Lab {
+struct Harness {
     router: Router,
     app: Arc<App>,
-    telling: Arc<Telling>,
+    telling: Arc<FakeNews>,
     asked: Asked,
     peer: Peer,
     _end: watch::Sender<bool>,
@@ -48,7 +48,7 @@ struct Answer {
     body: String,
 }
 
-impl Lab {
+impl Harness {
     /// On loopback, where everyone may do everything.
     fn near() -> Self {
         Self::with("127.0.0.1:8642", false, Some(Role::Admin))
@@ -74,7 +74,9 @@ impl Lab {
         );
         let to: SocketAddr = to.parse().unwrap();
         let from = SocketAddr::new(to.ip(), 50_000);
-        let seat = Arc::new(Seats::default()).take(from.ip()).unwrap();
+        let slot = Arc::new(ConnectionSlots::default())
+            .take(from.ip())
+            .unwrap();
         Self {
             router: super::routes::router(app.clone()),
             app,
@@ -84,7 +86,7 @@ impl Lab {
                 from,
                 to,
                 secure,
-                _seat: Arc::new(seat),
+                _slot: Arc::new(slot),
             },
             _end: end,
             tokens: made.into(),

@@ -3,15 +3,15 @@ use std::net::Ipv4Addr;
 use tokio::io::AsyncReadExt;
 
 use super::*;
-use crate::double::{Lab, packet};
+use crate::fake::{Harness, packet};
 
-impl Lab<SocketAddr> {
+impl Harness<SocketAddr> {
     async fn served() -> Self {
         let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
         let port = RawPort::bind(any).await.expect("a port is free");
-        let (lab, handle, tell) = Self::new(port.address());
+        let (harness, handle, tell) = Self::new(port.address());
         tokio::spawn(async move { port.serve(&handle, tell).await });
-        lab
+        harness
     }
 
     /// Comes, and is not let in yet.
@@ -35,10 +35,10 @@ async fn settle() {
     }
 }
 
-async fn assert_served(lab: &mut Lab<SocketAddr>, program: &mut TcpStream) {
+async fn assert_served(harness: &mut Harness<SocketAddr>, program: &mut TcpStream) {
     program.write_all(&packet(50)).await.expect("it is open");
-    assert_eq!(lab.driver.grant().await, packet(50));
-    lab.driver.send_status([9; 42]);
+    assert_eq!(harness.driver.grant().await, packet(50));
+    harness.driver.send_status([9; 42]);
     let mut status = [0; 42];
     program.read_exact(&mut status).await.expect("one comes");
     assert_eq!(status, [9; 42]);
@@ -53,28 +53,28 @@ async fn read_to_end(program: &mut TcpStream) -> String {
 
 #[tokio::test]
 async fn an_old_program_is_a_client_that_may_control_the_arm() {
-    let mut lab = Lab::served().await;
-    let mut program = lab.program().await;
-    assert_served(&mut lab, &mut program).await;
+    let mut harness = Harness::served().await;
+    let mut program = harness.program().await;
+    assert_served(&mut harness, &mut program).await;
 }
 
 #[tokio::test]
 async fn programs_come_and_leave_one_after_the_other() {
-    let mut lab = Lab::served().await;
+    let mut harness = Harness::served().await;
     for _ in 0..5 {
-        let mut program = lab.program().await;
-        assert_served(&mut lab, &mut program).await;
+        let mut program = harness.program().await;
+        assert_served(&mut harness, &mut program).await;
         drop(program);
-        let traffic = lab.left().await;
+        let traffic = harness.left().await;
         assert_eq!((traffic.packets, traffic.statuses), (1, 1));
     }
 }
 
 #[tokio::test]
 async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_on() {
-    let mut lab = Lab::served().await;
-    let mut first = lab.program().await;
-    let mut second = lab.come().await;
+    let mut harness = Harness::served().await;
+    let mut first = harness.program().await;
+    let mut second = harness.come().await;
     // What it sends at once does not keep the reason from it.
     second.write_all(&packet(50)).await.expect("it is open");
     let reason = read_to_end(&mut second).await;
@@ -88,51 +88,51 @@ async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_
         name: second_name,
         by: first_name,
     };
-    assert_eq!(lab.news().await, turned_away);
-    assert_served(&mut lab, &mut first).await;
+    assert_eq!(harness.news().await, turned_away);
+    assert_served(&mut harness, &mut first).await;
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_was_not_seen() {
-    let mut lab = Lab::served().await;
-    let mut first = lab.program().await;
+    let mut harness = Harness::served().await;
+    let mut first = harness.program().await;
     first.write_all(&packet(50)).await.expect("it is open");
     // Nothing more is read from the first one, and so not its end, until this is answered.
-    let (_, _, answer) = lab.driver.asked().await;
+    let (_, _, answer) = harness.driver.asked().await;
     drop(first);
-    let mut second = lab.come().await;
+    let mut second = harness.come().await;
     // The port has met the second one by then, and waits.
     settle().await;
     tokio::time::advance(Duration::from_millis(400)).await;
     settle().await;
     answer.send(Ok(())).expect("it waits");
-    let news = lab.news().await;
+    let news = harness.news().await;
     assert!(matches!(news, ProgramNews::Left { .. }), "{news:?}");
-    lab.driver.left().await;
-    lab.admit().await;
-    assert_served(&mut lab, &mut second).await;
+    harness.driver.left().await;
+    harness.admit().await;
+    assert_served(&mut harness, &mut second).await;
 }
 
 #[tokio::test]
 async fn a_program_that_breaks_off_in_the_middle_of_a_packet_harms_nobody() {
-    let mut lab = Lab::served().await;
-    let mut torn = lab.program().await;
+    let mut harness = Harness::served().await;
+    let mut torn = harness.program().await;
     torn.write_all(&packet(50)[..20]).await.expect("it is open");
     drop(torn);
-    let traffic = lab.left().await;
+    let traffic = harness.left().await;
     assert_eq!((traffic.packets, traffic.damaged_bytes), (0, 20));
-    let mut next = lab.program().await;
-    assert_served(&mut lab, &mut next).await;
+    let mut next = harness.program().await;
+    assert_served(&mut harness, &mut next).await;
 }
 
 #[tokio::test]
 async fn a_web_page_gets_nothing_and_moves_nothing() {
-    let mut lab = Lab::served().await;
-    let mut page = lab.program().await;
+    let mut harness = Harness::served().await;
+    let mut page = harness.program().await;
     let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".to_vec();
     request.extend(packet(50));
     page.write_all(&request).await.expect("it is open");
-    assert!(lab.left().await.web, "it was cut off");
+    assert!(harness.left().await.web, "it was cut off");
 }
 
 #[tokio::test]
@@ -146,18 +146,18 @@ async fn the_port_is_for_this_machine_alone() {
 
 #[tokio::test]
 async fn a_port_that_another_program_has_is_told_as_in_use() {
-    let lab = Lab::served().await;
-    let error = RawPort::bind(lab.at).await.expect_err("it is taken");
+    let harness = Harness::served().await;
+    let error = RawPort::bind(harness.at).await.expect_err("it is taken");
     assert!(matches!(error, RawPortError::InUse { .. }), "{error}");
 }
 
 #[tokio::test]
 async fn the_port_closes_with_the_station() {
-    let mut lab = Lab::served().await;
-    let mut program = lab.program().await;
-    drop(lab.driver);
+    let mut harness = Harness::served().await;
+    let mut program = harness.program().await;
+    drop(harness.driver);
     program.write_all(&packet(50)).await.expect("it is open");
     assert_eq!(read_to_end(&mut program).await, "");
     // The telling ends with the serving.
-    while lab.told.recv().await.is_some() {}
+    while harness.told.recv().await.is_some() {}
 }

@@ -3,16 +3,16 @@ use std::path::PathBuf;
 use dobot_client::{Address, Link};
 
 use super::*;
-use crate::double::{Lab, packet};
+use crate::fake::{Harness, packet};
 
-impl Lab<PathBuf> {
+impl Harness<PathBuf> {
     fn served() -> Self {
         let port = VirtualPort::open(None).expect("there is one more");
-        let (lab, handle, tell) = Self::new(port.path().to_owned());
+        let (harness, handle, tell) = Self::new(port.path().to_owned());
         tokio::spawn(async move {
             port.serve(&handle, tell).await.expect("the port holds");
         });
-        lab
+        harness
     }
 
     /// Opens the port as a serial program does, and is let in.
@@ -28,13 +28,13 @@ impl Lab<PathBuf> {
 
 #[tokio::test]
 async fn a_serial_program_is_served_leaves_and_comes_again() {
-    let mut lab = Lab::served();
+    let mut harness = Harness::served();
     for status in 1..4 {
-        let mut program = lab.program().await;
+        let mut program = harness.program().await;
         program.send(&packet(50));
         program.flush().await.expect("it is open");
-        assert_eq!(lab.driver.grant().await, packet(50));
-        lab.driver.send_status([status; 42]);
+        assert_eq!(harness.driver.grant().await, packet(50));
+        harness.driver.send_status([status; 42]);
         let mut got = Vec::new();
         while got.len() < 42 {
             let open = program.receive(Duration::MAX, &mut got).await;
@@ -42,17 +42,17 @@ async fn a_serial_program_is_served_leaves_and_comes_again() {
         }
         assert_eq!(got, [status; 42]);
         drop(program);
-        let traffic = lab.left().await;
+        let traffic = harness.left().await;
         assert_eq!((traffic.packets, traffic.statuses), (1, 1));
     }
 }
 
 #[tokio::test]
 async fn the_port_goes_with_the_station() {
-    let mut lab = Lab::served();
-    let mut program = lab.program().await;
-    drop(lab.driver);
+    let mut harness = Harness::served();
+    let mut program = harness.program().await;
+    drop(harness.driver);
     program.send(&packet(50));
     program.flush().await.expect("it is open");
-    while lab.told.recv().await.is_some() {}
+    while harness.told.recv().await.is_some() {}
 }

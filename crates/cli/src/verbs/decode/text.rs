@@ -53,8 +53,6 @@ fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
     HEXLOWER_PERMISSIVE.decode(digits.as_bytes()).ok()
 }
 
-pub(super) const HEX_DIGITS: &str = "hex digits";
-
 #[cfg(test)]
 mod tests {
     use super::*;

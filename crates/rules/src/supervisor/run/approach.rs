@@ -6,7 +6,7 @@ use dobot_client::position;
 use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
 
-use super::watch::locate_at;
+use super::watch::{THERE_MM, locate_at};
 use super::{Begun, Effect, Left, Phase, Run, ToolHeight, Wish};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
@@ -167,5 +167,3 @@ fn last_target(commands: &[Command]) -> (bool, f32) {
 const SETTLE_MM: f64 = 1.0;
 /// Another height than that by more is seen on the paper.
 const LEVEL_MM: f64 = 0.05;
-/// As near as this the arm is where it should be.
-pub(super) const THERE_MM: f64 = 0.3;

@@ -6,7 +6,6 @@ use dobot_journal::{Unclear, Window, locate, model_at};
 use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
-use super::approach::THERE_MM;
 use super::{Begun, Effect, Phase, Run, Wish, word};
 use crate::supervisor::arm::Arm;
 
@@ -148,3 +147,6 @@ const fn pause_s(command: &Command) -> f32 {
 const SURELY_AT_REST: u32 = 20;
 const STATUSES_PER_S: f32 = 12.5;
 const A_DAY_S: f32 = 86_400.0;
+
+/// As near as this the arm is where it should be.
+pub(super) const THERE_MM: f64 = 0.3;

@@ -7,10 +7,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::answer::{Body, Maybe, NotDone, Nothing};
-use super::super::app::Visitor;
+use super::super::app::Caller;
 use super::super::calls::{Asker, is_name};
+use super::super::http_leases::LASTS;
 use super::super::route::Route;
-use super::super::visits::LASTS;
 use super::{DELETE, POST};
 
 pub(super) fn all() -> Vec<Route> {
@@ -92,7 +92,7 @@ struct Heir {
 
 /// Asks for control, and keeps the client if that is granted.
 async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted>, NotDone> {
-    let name = called(wish, &asker.visitor)?;
+    let name = called(wish, &asker.caller)?;
     let client = match &asker.lease {
         Some(_) => asker.client().await?,
         None => asker.come(&name).await?,
@@ -101,7 +101,7 @@ async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted
     let app = &asker.app;
     let token = match &asker.lease {
         Some(token) => token.clone(),
-        None => app.visits.keep(client, app.now())?.secret().into(),
+        None => app.http_leases.keep(client, app.now())?.secret().into(),
     };
     let lease = match reply {
         Reply::Lease { lease } => lease,
@@ -115,9 +115,9 @@ async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted
 }
 
 /// What a client wants to be called, or else what its token is called.
-fn called(wish: Wish, visitor: &Visitor) -> Result<String, Problem> {
+fn called(wish: Wish, caller: &Caller) -> Result<String, Problem> {
     let Some(name) = wish.name else {
-        return Ok(visitor.name.clone());
+        return Ok(caller.name.clone());
     };
     if is_name(&name) {
         return Ok(name);
@@ -135,6 +135,6 @@ async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone
             .into());
     };
     let reply = asker.ask(Request::ReleaseLease).await;
-    asker.app.visits.end(&token);
+    asker.app.http_leases.end(&token);
     reply
 }

@@ -16,8 +16,8 @@ use tokio::time::{Interval, MissedTickBehavior, interval, timeout};
 
 use super::super::app::App;
 use super::super::messages;
+use super::connection::{End, Owed};
 use super::pace::{Pace, message};
-use super::talk::{End, Owed};
 
 /// How often the client is asked whether it is there.
 const PING_EVERY: Duration = Duration::from_secs(2);

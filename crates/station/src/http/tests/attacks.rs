@@ -4,26 +4,26 @@ use axum::body::Body;
 use axum::http::Request;
 use dobot_api::Role;
 
-use super::{Answer, Lab};
+use super::{Answer, Harness};
 
-async fn stop(lab: &Lab, headers: &[(&str, &str)]) -> Answer {
+async fn stop(harness: &Harness, headers: &[(&str, &str)]) -> Answer {
     let request = Request::builder().method("POST").uri("/api/v1/stop");
     let request = headers.iter().fold(request, |request, (name, value)| {
         request.header(*name, *value)
     });
-    lab.send(request.body(Body::empty()).unwrap()).await
+    harness.send(request.body(Body::empty()).unwrap()).await
 }
 
 #[tokio::test]
 async fn the_names_and_addresses_of_the_station_lead_to_it_and_no_others_do() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for host in [
         "127.0.0.1:8642",
         "localhost:8642",
         "LOCALHOST:8642",
         "arm.local:8642",
     ] {
-        stop(&lab, &[("host", host)]).await.is(200);
+        stop(&harness, &[("host", host)]).await.is(200);
     }
     for host in [
         "evil.example:8642",
@@ -36,7 +36,7 @@ async fn the_names_and_addresses_of_the_station_lead_to_it_and_no_others_do() {
         "127.0.0.1.nip.io:8642",
         "0.0.0.0:8642",
     ] {
-        stop(&lab, &[("host", host)])
+        stop(&harness, &[("host", host)])
             .await
             .is(403)
             .is_problem("forbidden-host");
@@ -46,26 +46,29 @@ async fn the_names_and_addresses_of_the_station_lead_to_it_and_no_others_do() {
         &[("host", "localhost:8642"), ("host", "evil.example")],
         &[("host", "a@localhost:8642")],
     ] {
-        stop(&lab, headers).await.is(400).is_problem("malformed");
+        stop(&harness, headers)
+            .await
+            .is(400)
+            .is_problem("malformed");
     }
-    assert_eq!(lab.asked().len(), 4);
+    assert_eq!(harness.asked().len(), 4);
 }
 
 #[tokio::test]
 async fn an_address_in_the_request_line_has_to_agree() {
-    let lab = Lab::near();
-    let request = lab
+    let harness = Harness::near();
+    let request = harness
         .request("POST", "http://evil.example/api/v1/stop")
         .body(Body::empty())
         .unwrap();
-    lab.send(request).await.is(400).is_problem("malformed");
+    harness.send(request).await.is(400).is_problem("malformed");
 }
 
 #[tokio::test]
 async fn pages_of_other_sites_are_kept_out() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     let host = ("host", "127.0.0.1:8642");
-    stop(&lab, &[host, ("origin", "http://127.0.0.1:8642")])
+    stop(&harness, &[host, ("origin", "http://127.0.0.1:8642")])
         .await
         .is(200);
     for origin in [
@@ -76,13 +79,13 @@ async fn pages_of_other_sites_are_kept_out() {
         "http://localhost:8642",
         "http://127.0.0.1:8642.evil.example",
     ] {
-        stop(&lab, &[host, ("origin", origin)])
+        stop(&harness, &[host, ("origin", origin)])
             .await
             .is(403)
             .is_problem("forbidden-origin");
     }
     stop(
-        &lab,
+        &harness,
         &[
             host,
             ("sec-fetch-site", "cross-site"),
@@ -92,7 +95,7 @@ async fn pages_of_other_sites_are_kept_out() {
     .await
     .is(403);
     stop(
-        &lab,
+        &harness,
         &[
             host,
             ("sec-fetch-site", "same-site"),
@@ -101,20 +104,20 @@ async fn pages_of_other_sites_are_kept_out() {
     )
     .await
     .is(403);
-    assert_eq!(lab.asked().len(), 1);
+    assert_eq!(harness.asked().len(), 1);
 }
 
 #[tokio::test]
 async fn nobody_may_ask_from_another_site_which_methods_there_are() {
-    let lab = Lab::near();
-    let request = lab
+    let harness = Harness::near();
+    let request = harness
         .request("OPTIONS", "/api/v1/stop")
         .header("origin", "http://evil.example");
     let request = request
         .header("access-control-request-method", "POST")
         .body(Body::empty())
         .unwrap();
-    let answer = lab.send(request).await;
+    let answer = harness.send(request).await;
     answer.is(403);
     assert!(
         answer
@@ -126,121 +129,131 @@ async fn nobody_may_ask_from_another_site_which_methods_there_are() {
 
 #[tokio::test]
 async fn on_a_network_nothing_goes_without_a_token() {
-    let lab = Lab::far();
+    let harness = Harness::far();
     for path in [
         "/api/v1/state",
         "/api/v1/jobs",
         "/api/v1/ws",
         "/api/v1/nonsense",
     ] {
-        let answer = lab.get(path).await;
+        let answer = harness.get(path).await;
         answer.is(401).is_problem("unauthorised");
         assert_eq!(answer.headers["www-authenticate"], "Bearer realm=\"dobot\"");
     }
-    lab.bare("POST", "/api/v1/stop").await.is(401);
+    harness.bare("POST", "/api/v1/stop").await.is(401);
     let page = dobot_page::FILES.iter().map(|it| it.path);
     let others = ["/api/v1/openapi.json", "/api/v1/problems/policy"];
     for path in page.chain(others) {
-        lab.get(path).await.is(200);
+        harness.get(path).await.is(200);
     }
-    assert!(lab.asked().is_empty());
+    assert!(harness.asked().is_empty());
 }
 
 #[tokio::test]
 async fn the_token_tells_the_role() {
-    let lab = Lab::far();
+    let harness = Harness::far();
     for role in Role::ALL {
-        let bearer = lab.bearer(role);
+        let bearer = harness.bearer(role);
         stop(
-            &lab,
+            &harness,
             &[("host", "192.168.7.5:8642"), ("authorization", &bearer)],
         )
         .await
         .is(200);
         let body = Body::empty();
-        let request = lab
+        let request = harness
             .request("POST", "/api/v1/lease")
             .header("authorization", bearer)
             .body(body)
             .unwrap();
-        lab.send(request).await.is(200);
+        harness.send(request).await.is(200);
     }
-    assert_eq!(lab.asked().len(), 6);
+    assert_eq!(harness.asked().len(), 6);
 }
 
 #[tokio::test]
 async fn wrong_tokens_are_refused_even_where_none_is_needed() {
-    for lab in [Lab::near(), Lab::far()] {
-        let host = lab.peer.to.to_string();
+    for harness in [Harness::near(), Harness::far()] {
+        let host = harness.peer.to.to_string();
         for wrong in ["Bearer ", "Bearer 00", "Basic dTpw", "Bearer", "bearer x y"] {
-            stop(&lab, &[("host", &host), ("authorization", wrong)])
+            stop(&harness, &[("host", &host), ("authorization", wrong)])
                 .await
                 .is(401)
                 .is_problem("unauthorised");
         }
-        assert!(lab.asked().is_empty());
+        assert!(harness.asked().is_empty());
     }
 }
 
 #[tokio::test]
 async fn a_browser_says_its_token_as_a_subprotocol() {
-    let lab = Lab::far();
-    let secret = lab.tokens[0].secret();
-    let request = lab.request("GET", "/api/v1/state");
+    let harness = Harness::far();
+    let secret = harness.tokens[0].secret();
+    let request = harness.request("GET", "/api/v1/state");
     let request = request.header(
         "sec-websocket-protocol",
         format!("dobot, dobot.token.{secret}"),
     );
-    lab.send(request.body(Body::empty()).unwrap()).await.is(200);
-    let request = lab.request("GET", &format!("/api/v1/state?token={secret}"));
-    lab.send(request.body(Body::empty()).unwrap()).await.is(401);
+    harness
+        .send(request.body(Body::empty()).unwrap())
+        .await
+        .is(200);
+    let request = harness.request("GET", &format!("/api/v1/state?token={secret}"));
+    harness
+        .send(request.body(Body::empty()).unwrap())
+        .await
+        .is(401);
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_flood_of_requests_has_to_wait_but_a_stop_never_does() {
-    let lab = Lab::far();
+    let harness = Harness::far();
     let get = || {
-        lab.request("GET", "/api/v1/state")
-            .header("authorization", lab.bearer(Role::Watch))
+        harness
+            .request("GET", "/api/v1/state")
+            .header("authorization", harness.bearer(Role::Watch))
     };
-    let mut answer = lab.send(get().body(Body::empty()).unwrap()).await;
+    let mut answer = harness.send(get().body(Body::empty()).unwrap()).await;
     let mut sent = 1;
     while answer.status == 200 {
-        answer = lab.send(get().body(Body::empty()).unwrap()).await;
+        answer = harness.send(get().body(Body::empty()).unwrap()).await;
         sent += 1;
     }
     assert_eq!(sent, 201);
     answer.is(429).is_problem("too-many-requests");
     assert_eq!(answer.headers["retry-after"], "1");
-    let bearer = lab.bearer(Role::Watch);
+    let bearer = harness.bearer(Role::Watch);
     stop(
-        &lab,
+        &harness,
         &[("host", "192.168.7.5:8642"), ("authorization", &bearer)],
     )
     .await
     .is(200);
     tokio::time::advance(std::time::Duration::from_secs(1)).await;
-    lab.send(get().body(Body::empty()).unwrap()).await.is(200);
+    harness
+        .send(get().body(Body::empty()).unwrap())
+        .await
+        .is(200);
 }
 
 #[tokio::test(start_paused = true)]
 async fn who_guesses_tokens_is_soon_not_heard() {
-    let lab = Lab::far();
+    let harness = Harness::far();
     let host = ("host", "192.168.7.5:8642");
     for _ in 0..10 {
-        stop(&lab, &[host, ("authorization", "Bearer 00")])
+        stop(&harness, &[host, ("authorization", "Bearer 00")])
             .await
             .is(401);
     }
-    stop(&lab, &[host, ("authorization", "Bearer 00")])
+    stop(&harness, &[host, ("authorization", "Bearer 00")])
         .await
         .is(429);
-    lab.get("/").await.is(429);
+    harness.get("/").await.is(429);
 }
 
 #[tokio::test]
 async fn every_answer_has_the_headers_that_keep_browsers_from_harm() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for path in [
         "/",
         "/preview.js",
@@ -249,7 +262,7 @@ async fn every_answer_has_the_headers_that_keep_browsers_from_harm() {
         "/nonsense",
         "/api/v1/ws",
     ] {
-        let answer = lab.get(path).await;
+        let answer = harness.get(path).await;
         let policy = answer.headers["content-security-policy"].to_str().unwrap();
         assert!(policy.contains("default-src 'none'") && policy.contains("frame-ancestors 'none'"));
         assert!(!policy.contains("unsafe"), "{policy}");
@@ -266,7 +279,8 @@ async fn every_answer_has_the_headers_that_keep_browsers_from_harm() {
         .body(Body::empty())
         .unwrap();
     assert!(
-        lab.send(request)
+        harness
+            .send(request)
             .await
             .headers
             .contains_key("content-security-policy")

@@ -12,7 +12,7 @@ use super::super::document::document;
 use super::super::messages;
 use super::super::routes::ROUTES;
 use super::schema::{allows, damaged, instance};
-use super::{Answer, Lab};
+use super::{Answer, Harness};
 
 const CASES: u32 = 200;
 
@@ -40,14 +40,14 @@ fn routes(document: &Value) -> Vec<(String, String, &Value)> {
 /// Sends a body that does not ask to wait for the arm.
 fn send(
     runtime: &tokio::runtime::Runtime,
-    lab: &Lab,
+    harness: &Harness,
     method: &str,
     path: &str,
     body: impl Into<Body>,
 ) -> (Answer, usize) {
-    let before = lab.asked().len();
-    let answer = runtime.block_on(lab.json(method, path, body));
-    (answer, lab.asked().len() - before)
+    let before = harness.asked().len();
+    let answer = runtime.block_on(harness.json(method, path, body));
+    (answer, harness.asked().len() - before)
 }
 
 fn runtime() -> tokio::runtime::Runtime {
@@ -70,12 +70,12 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
     let runtime = runtime();
     let (taken, refused) = (Cell::new(0), Cell::new(0));
     for (method, path, schema) in routes(&document) {
-        let lab = runtime.block_on(async { Lab::near() });
+        let harness = runtime.block_on(async { Harness::near() });
         let whole = instance(&document, schema);
         let any = prop_oneof![1 => whole.clone(), 4 => whole.prop_flat_map(damaged)];
         runner()
             .run(&any.prop_map(without_waiting), |body| {
-                let (answer, asked) = send(&runtime, &lab, &method, &path, body.to_string());
+                let (answer, asked) = send(&runtime, &harness, &method, &path, body.to_string());
                 let told = format!("{method} {path} {body}: {answer:?}");
                 if allows(&document, schema, &body, true) {
                     prop_assert!(!matches!(answer.status, 400 | 413 | 415 | 422), "{told}");
@@ -102,13 +102,13 @@ fn bodies_that_are_no_json_change_nothing() {
     let document = document();
     let runtime = runtime();
     for (method, path, schema) in routes(&document) {
-        let lab = runtime.block_on(async { Lab::near() });
+        let harness = runtime.block_on(async { Harness::near() });
         let bytes =
             instance(&document, schema).prop_flat_map(|it| spoiled(it.to_string().into_bytes()));
         runner()
             .run(&bytes, |bytes| {
                 if serde_json::from_slice::<Value>(&bytes).is_err() && !bytes.is_empty() {
-                    let (answer, asked) = send(&runtime, &lab, &method, &path, bytes);
+                    let (answer, asked) = send(&runtime, &harness, &method, &path, bytes);
                     prop_assert!(matches!(answer.status, 400 | 422), "{:?}", answer);
                     prop_assert!(answer.problem().1.contains(", column "), "{:?}", answer);
                     prop_assert_eq!(asked, 0);
@@ -150,11 +150,11 @@ fn spoiled(bytes: Vec<u8>) -> BoxedStrategy<Vec<u8>> {
 #[test]
 fn nesting_without_end_is_refused() {
     let lab_runtime = runtime();
-    let lab = lab_runtime.block_on(async { Lab::near() });
+    let harness = lab_runtime.block_on(async { Harness::near() });
     for piece in ["[", "{\"a\":"] {
         let (answer, asked) = send(
             &lab_runtime,
-            &lab,
+            &harness,
             "POST",
             "/api/v1/commands",
             piece.repeat(10_000),

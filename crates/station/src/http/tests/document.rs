@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::super::document::{document, problems_of};
 use super::super::routes::ROUTES;
-use super::Lab;
+use super::Harness;
 
 /// The statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
 pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
@@ -69,12 +69,12 @@ fn every_example_is_accepted() {
 
 #[tokio::test]
 async fn the_router_has_every_route_of_the_document_and_no_other() {
-    let lab = Lab::near();
-    let document = lab.get("/api/v1/openapi.json").await.is(200).value();
+    let harness = Harness::near();
+    let document = harness.get("/api/v1/openapi.json").await.is(200).value();
     for (path, operations) in document["paths"].as_object().unwrap() {
         let real = path.replace("{id}", "7").replace("{kind}", "policy");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
-            let answer = lab.bare(method, &real).await;
+            let answer = harness.bare(method, &real).await;
             let known = !matches!(answer.status, 404 | 405);
             let documented = operations.get(method.to_lowercase()).is_some();
             assert_eq!(known, documented, "{method} {path}: {answer:?}");

@@ -5,11 +5,11 @@ use std::time::Duration;
 use axum::body::Body;
 use dobot_api::{ClientId, Request, Role};
 
-use super::{Answer, Lab};
+use super::{Answer, Harness};
 
-async fn with_lease(lab: &Lab, method: &str, path: &str, token: &str) -> Answer {
-    let request = lab.request(method, path).header("dobot-lease", token);
-    lab.send(request.body(Body::empty()).unwrap()).await
+async fn with_lease(harness: &Harness, method: &str, path: &str, token: &str) -> Answer {
+    let request = harness.request(method, path).header("dobot-lease", token);
+    harness.send(request.body(Body::empty()).unwrap()).await
 }
 
 fn token(answer: &Answer) -> String {
@@ -17,44 +17,44 @@ fn token(answer: &Answer) -> String {
 }
 
 /// Clients that left, when all that was sent has been heard.
-async fn gone(lab: &Lab) -> Vec<ClientId> {
-    lab.app.handle.jobs().await.unwrap();
-    lab.telling.gone.lock().unwrap().clone()
+async fn gone(harness: &Harness) -> Vec<ClientId> {
+    harness.app.handle.jobs().await.unwrap();
+    harness.telling.gone.lock().unwrap().clone()
 }
 
 #[tokio::test(start_paused = true)]
 async fn requests_with_a_lease_token_come_from_one_client_and_others_from_many() {
-    let lab = Lab::near();
-    let taken = lab
+    let harness = Harness::near();
+    let taken = harness
         .json("POST", "/api/v1/lease", r#"{"name": "script"}"#)
         .await;
     let token = token(&taken);
     assert_eq!(taken.value()["lease"]["client"], 1);
-    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+    with_lease(&harness, "POST", "/api/v1/jog/release", &token)
         .await
         .is(200);
-    with_lease(&lab, "POST", "/api/v1/lease", &token)
+    with_lease(&harness, "POST", "/api/v1/lease", &token)
         .await
         .is(200);
-    lab.bare("POST", "/api/v1/jog/release").await.is(200);
-    assert_eq!(lab.asked.clients(), [1, 1, 1, 2].map(ClientId));
-    assert_eq!(gone(&lab).await, [ClientId(2)]);
+    harness.bare("POST", "/api/v1/jog/release").await.is(200);
+    assert_eq!(harness.asked.clients(), [1, 1, 1, 2].map(ClientId));
+    assert_eq!(gone(&harness).await, [ClientId(2)]);
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
-    let lab = Lab::near();
-    let token = token(&lab.bare("POST", "/api/v1/lease").await);
+    let harness = Harness::near();
+    let token = token(&harness.bare("POST", "/api/v1/lease").await);
     for _ in 0..3 {
         tokio::time::advance(Duration::from_millis(9900)).await;
-        with_lease(&lab, "POST", "/api/v1/lease", &token)
+        with_lease(&harness, "POST", "/api/v1/lease", &token)
             .await
             .is(200);
     }
     tokio::time::advance(Duration::from_millis(10_100)).await;
-    lab.app.visits.sweep(lab.app.now());
-    assert_eq!(gone(&lab).await, [ClientId(1)]);
-    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+    harness.app.http_leases.sweep(harness.app.now());
+    assert_eq!(gone(&harness).await, [ClientId(1)]);
+    with_lease(&harness, "POST", "/api/v1/jog/release", &token)
         .await
         .is(409)
         .is_problem("lease-gone");
@@ -62,18 +62,19 @@ async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
 
 #[tokio::test(start_paused = true)]
 async fn a_lease_that_is_given_back_is_gone_at_once() {
-    let lab = Lab::near();
-    let token = token(&lab.bare("POST", "/api/v1/lease").await);
-    with_lease(&lab, "DELETE", "/api/v1/lease", &token)
+    let harness = Harness::near();
+    let token = token(&harness.bare("POST", "/api/v1/lease").await);
+    with_lease(&harness, "DELETE", "/api/v1/lease", &token)
         .await
         .is(200);
-    assert_eq!(lab.asked(), [Request::TakeLease, Request::ReleaseLease]);
-    assert_eq!(gone(&lab).await, [ClientId(1)]);
-    with_lease(&lab, "DELETE", "/api/v1/lease", &token)
+    assert_eq!(harness.asked(), [Request::TakeLease, Request::ReleaseLease]);
+    assert_eq!(gone(&harness).await, [ClientId(1)]);
+    with_lease(&harness, "DELETE", "/api/v1/lease", &token)
         .await
         .is(409)
         .is_problem("lease-gone");
-    lab.bare("DELETE", "/api/v1/lease")
+    harness
+        .bare("DELETE", "/api/v1/lease")
         .await
         .is(409)
         .is_problem("no-lease");
@@ -81,32 +82,33 @@ async fn a_lease_that_is_given_back_is_gone_at_once() {
 
 #[tokio::test(start_paused = true)]
 async fn who_asks_for_control_stays_until_it_is_granted() {
-    let lab = Lab::near();
-    let token = token(&lab.bare("POST", "/api/v1/lease/ask").await);
-    with_lease(&lab, "POST", "/api/v1/jog/release", &token)
+    let harness = Harness::near();
+    let token = token(&harness.bare("POST", "/api/v1/lease/ask").await);
+    with_lease(&harness, "POST", "/api/v1/jog/release", &token)
         .await
         .is(200);
-    assert_eq!(lab.asked.clients(), [1, 1].map(ClientId));
+    assert_eq!(harness.asked.clients(), [1, 1].map(ClientId));
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_client_whose_wish_is_refused_is_not_kept() {
-    let lab = Lab::near();
-    let answer = lab
+    let harness = Harness::near();
+    let answer = harness
         .json("POST", "/api/v1/lease", r#"{"name": "refused"}"#)
         .await;
     answer.is(409).is_problem("laser-disarmed");
-    assert_eq!(gone(&lab).await, [ClientId(1)]);
+    assert_eq!(gone(&harness).await, [ClientId(1)]);
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
-    let lab = Lab::far();
+    let harness = Harness::far();
     let request = |role, path| {
-        lab.request("POST", path)
-            .header("authorization", lab.bearer(role))
+        harness
+            .request("POST", path)
+            .header("authorization", harness.bearer(role))
     };
-    let taken = lab
+    let taken = harness
         .send(
             request(Role::Control, "/api/v1/lease")
                 .body(Body::empty())
@@ -114,7 +116,8 @@ async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
         )
         .await;
     let stolen = request(Role::Watch, "/api/v1/jog/release").header("dobot-lease", token(&taken));
-    lab.send(stolen.body(Body::empty()).unwrap())
+    harness
+        .send(stolen.body(Body::empty()).unwrap())
         .await
         .is(403)
         .is_problem("role");
@@ -122,11 +125,12 @@ async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
 
 #[tokio::test(start_paused = true)]
 async fn there_is_an_end_to_how_many_are_kept() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for _ in 0..64 {
-        lab.bare("POST", "/api/v1/lease/ask").await.is(200);
+        harness.bare("POST", "/api/v1/lease/ask").await.is(200);
     }
-    lab.bare("POST", "/api/v1/lease/ask")
+    harness
+        .bare("POST", "/api/v1/lease/ask")
         .await
         .is(429)
         .is_problem("too-many-clients");
@@ -134,12 +138,12 @@ async fn there_is_an_end_to_how_many_are_kept() {
 
 #[tokio::test(start_paused = true)]
 async fn names_are_short_and_can_be_printed() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for name in ["", "a\\nb", &"x".repeat(61)] {
-        let answer = lab
+        let answer = harness
             .json("POST", "/api/v1/lease", format!(r#"{{"name": "{name}"}}"#))
             .await;
         answer.is(422).is_problem("invalid");
     }
-    assert!(lab.asked().is_empty());
+    assert!(harness.asked().is_empty());
 }

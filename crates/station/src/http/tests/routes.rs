@@ -6,7 +6,7 @@ use axum::body::Body;
 use dobot_api::{ClientId, News, Request};
 use dobot_wire::{Command, Dialect};
 
-use super::Lab;
+use super::Harness;
 use crate::sample::{notice, state};
 
 const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,
@@ -14,9 +14,9 @@ const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "r
 
 #[tokio::test]
 async fn the_state_is_what_was_told_last() {
-    let lab = Lab::near();
-    lab.telling.ends.tell(state(7.5));
-    let answer = lab.get("/api/v1/state").await;
+    let harness = Harness::near();
+    harness.telling.ends.tell(state(7.5));
+    let answer = harness.get("/api/v1/state").await;
     assert_eq!(
         answer.is(200).value(),
         serde_json::to_value(state(7.5)).unwrap()
@@ -26,13 +26,14 @@ async fn the_state_is_what_was_told_last() {
 
 #[tokio::test]
 async fn notices_are_kept_for_those_who_ask_later() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for number in 1..=300 {
-        lab.telling
+        harness
+            .telling
             .ends
             .announce(notice(number, News::LinkUp, "the link came up"));
     }
-    let notices = lab.get("/api/v1/notices").await.is(200).value();
+    let notices = harness.get("/api/v1/notices").await.is(200).value();
     let numbers: Vec<_> = notices
         .as_array()
         .unwrap()
@@ -45,8 +46,8 @@ async fn notices_are_kept_for_those_who_ask_later() {
 
 #[tokio::test]
 async fn a_command_waits_for_its_turn() {
-    let lab = Lab::near();
-    let answer = lab
+    let harness = Harness::near();
+    let answer = harness
         .json(
             "POST",
             "/api/v1/commands",
@@ -55,7 +56,7 @@ async fn a_command_waits_for_its_turn() {
         .await;
     assert_eq!(answer.is(202).value()["command"], 12);
     assert!(
-        matches!(&lab.asked()[..], [Request::Command { command: Command::MoveTo(to) }] if to.x_mm == 200.0)
+        matches!(&harness.asked()[..], [Request::Command { command: Command::MoveTo(to) }] if to.x_mm == 200.0)
     );
 }
 
@@ -65,20 +66,22 @@ async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
         (News::CommandDone { command: 12 }, 200),
         (News::CommandFailed { command: 12 }, 409),
     ] {
-        let lab = Lab::near();
+        let harness = Harness::near();
         let body = format!(r#"{{"command": {MOVE}, "wait": true}}"#);
         let telling = async {
-            while lab.asked().is_empty() {
+            while harness.asked().is_empty() {
                 tokio::task::yield_now().await;
             }
-            lab.telling
+            harness
+                .telling
                 .ends
                 .announce(notice(1, News::CommandDone { command: 11 }, "another"));
-            lab.telling
+            harness
+                .telling
                 .ends
                 .announce(notice(2, news, "it stopped at a limit"));
         };
-        let (answer, ()) = tokio::join!(lab.json("POST", "/api/v1/commands", body), telling);
+        let (answer, ()) = tokio::join!(harness.json("POST", "/api/v1/commands", body), telling);
         answer.is(status);
         if status == 409 {
             assert_eq!(
@@ -91,7 +94,7 @@ async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
 
 #[tokio::test]
 async fn each_route_asks_the_driver_for_what_it_says() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     for (method, path, body) in [
         ("POST", "/api/v1/stop", r#"{"reason": "hot"}"#),
         ("DELETE", "/api/v1/stop", ""),
@@ -106,7 +109,7 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         ("DELETE", "/api/v1/jobs/5", ""),
         ("POST", "/api/v1/jog/release", ""),
     ] {
-        lab.json(method, path, body).await.is(200);
+        harness.json(method, path, body).await.is(200);
     }
     let dialect = Dialect::SPECIFICATION;
     let expected = [
@@ -125,40 +128,47 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         Request::CancelJob { job: 5 },
         Request::Release,
     ];
-    assert_eq!(lab.asked(), expected);
+    assert_eq!(harness.asked(), expected);
 }
 
 #[tokio::test]
 async fn a_button_is_held() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     let body = r#"{"jog": {"frame": "joint", "axis": "base_plus", "speed_percent": 50}}"#;
-    lab.json("POST", "/api/v1/jog", body).await.is(200);
-    assert!(matches!(lab.asked()[..], [Request::Jog { .. }]));
+    harness.json("POST", "/api/v1/jog", body).await.is(200);
+    assert!(matches!(harness.asked()[..], [Request::Jog { .. }]));
 }
 
 #[tokio::test]
 async fn jobs_are_listed_shown_and_queued() {
-    let lab = Lab::near();
-    assert_eq!(lab.get("/api/v1/jobs").await.is(200).value()[0]["job"], 7);
+    let harness = Harness::near();
     assert_eq!(
-        lab.get("/api/v1/jobs/7").await.is(200).value()["title"],
+        harness.get("/api/v1/jobs").await.is(200).value()[0]["job"],
+        7
+    );
+    assert_eq!(
+        harness.get("/api/v1/jobs/7").await.is(200).value()["title"],
         "a house"
     );
-    lab.get("/api/v1/jobs/8")
+    harness
+        .get("/api/v1/jobs/8")
         .await
         .is(404)
         .is_problem("no-such-job");
-    lab.get("/api/v1/jobs/seven")
+    harness
+        .get("/api/v1/jobs/seven")
         .await
         .is(400)
         .is_problem("malformed");
-    lab.get("/api/v1/jobs/%FF")
+    harness
+        .get("/api/v1/jobs/%FF")
         .await
         .is(400)
         .is_problem("malformed");
     let body = format!(r#"{{"title": "x", "kind": "program", "commands": [{MOVE}]}}"#);
-    lab.json("POST", "/api/v1/jobs", body).await.is(201);
-    lab.bare("POST", "/api/v1/jobs/404/start")
+    harness.json("POST", "/api/v1/jobs", body).await.is(201);
+    harness
+        .bare("POST", "/api/v1/jobs/404/start")
         .await
         .is(404)
         .is_problem("no-such-job");
@@ -166,11 +176,15 @@ async fn jobs_are_listed_shown_and_queued() {
 
 #[tokio::test]
 async fn a_job_may_be_larger_than_other_bodies() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     let commands = vec![MOVE; 10_000].join(",");
     let body = format!(r#"{{"title": "x", "kind": "program", "commands": [{commands}]}}"#);
-    lab.json("POST", "/api/v1/jobs", body.clone()).await.is(201);
-    lab.json("POST", "/api/v1/commands", body)
+    harness
+        .json("POST", "/api/v1/jobs", body.clone())
+        .await
+        .is(201);
+    harness
+        .json("POST", "/api/v1/commands", body)
         .await
         .is(413)
         .is_problem("too-large");
@@ -178,20 +192,25 @@ async fn a_job_may_be_larger_than_other_bodies() {
 
 #[tokio::test]
 async fn policy_problems_page_and_document_are_there() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     assert_eq!(
-        lab.get("/api/v1/policy").await.is(200).value()["jog"]["dead_man_s"],
+        harness.get("/api/v1/policy").await.is(200).value()["jog"]["dead_man_s"],
         0.15
     );
-    let kind = lab.get("/api/v1/problems/no-lease").await.is(200).value();
+    let kind = harness
+        .get("/api/v1/problems/no-lease")
+        .await
+        .is(200)
+        .value();
     assert_eq!(kind["status"], 409);
     assert!(kind["explanation"].as_str().unwrap().contains("control"));
-    lab.get("/api/v1/problems/nonsense")
+    harness
+        .get("/api/v1/problems/nonsense")
         .await
         .is(404)
         .is_problem("unknown-path");
     for file in dobot_page::FILES {
-        let answer = lab.get(file.path).await;
+        let answer = harness.get(file.path).await;
         let found = &answer.is(200).headers["content-type"];
         assert_eq!(found, file.content_type, "{}", file.path);
         assert_eq!(answer.body.as_bytes(), file.bytes, "{}", file.path);
@@ -200,12 +219,12 @@ async fn policy_problems_page_and_document_are_there() {
 
 #[tokio::test]
 async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     let mut waiting = vec!["/".to_owned()];
     let mut seen = BTreeSet::new();
     while let Some(path) = waiting.pop() {
         if seen.insert(path.clone()) {
-            let answer = lab.get(&path).await;
+            let answer = harness.get(&path).await;
             waiting.extend(files_in(&answer.is(200).body));
         }
     }
@@ -224,60 +243,70 @@ fn files_in(text: &str) -> Vec<String> {
 
 #[tokio::test]
 async fn paths_and_methods_that_do_not_exist_are_told() {
-    let lab = Lab::near();
-    lab.get("/api/v2/state")
+    let harness = Harness::near();
+    harness
+        .get("/api/v2/state")
         .await
         .is(404)
         .is_problem("unknown-path");
-    let answer = lab.bare("PATCH", "/api/v1/lease").await;
+    let answer = harness.bare("PATCH", "/api/v1/lease").await;
     answer.is(405).is_problem("method");
     let allowed = answer.headers["allow"].to_str().unwrap();
     assert!(
         allowed.contains("POST") && allowed.contains("DELETE"),
         "{allowed}"
     );
-    lab.bare("OPTIONS", "/api/v1/stop")
+    harness
+        .bare("OPTIONS", "/api/v1/stop")
         .await
         .is(405)
         .is_problem("method");
-    lab.get("/api/v1/ws").await.is(426).is_problem("upgrade");
+    harness
+        .get("/api/v1/ws")
+        .await
+        .is(426)
+        .is_problem("upgrade");
 }
 
 #[tokio::test]
 async fn bodies_are_json_of_bounded_size() {
-    let lab = Lab::near();
-    let request = lab
+    let harness = Harness::near();
+    let request = harness
         .request("POST", "/api/v1/stop")
         .body(Body::from("reason=x"))
         .unwrap();
-    lab.send(request).await.is(415).is_problem("media-type");
-    let request = lab
+    harness.send(request).await.is(415).is_problem("media-type");
+    let request = harness
         .request("POST", "/api/v1/stop")
         .header("content-type", "text/plain");
-    lab.send(request.body(Body::from("{}")).unwrap())
+    harness
+        .send(request.body(Body::from("{}")).unwrap())
         .await
         .is(415);
     let long = format!(r#"{{"reason": "{}"}}"#, "x".repeat(70_000));
-    lab.json("POST", "/api/v1/stop", long)
+    harness
+        .json("POST", "/api/v1/stop", long)
         .await
         .is(413)
         .is_problem("too-large");
-    let request = lab
+    let request = harness
         .request("POST", "/api/v1/stop")
         .header("content-type", "application/json; charset=utf-8");
-    lab.send(request.body(Body::from("{}")).unwrap())
+    harness
+        .send(request.body(Body::from("{}")).unwrap())
         .await
         .is(200);
-    assert_eq!(lab.asked().len(), 1);
+    assert_eq!(harness.asked().len(), 1);
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_body_that_never_arrives_is_given_up() {
-    let lab = Lab::near();
+    let harness = Harness::near();
     let never = Body::from_stream(futures_util::stream::pending::<
         Result<String, std::io::Error>,
     >());
-    lab.json("POST", "/api/v1/stop", never)
+    harness
+        .json("POST", "/api/v1/stop", never)
         .await
         .is(408)
         .is_problem("timeout");
@@ -285,12 +314,17 @@ async fn a_body_that_never_arrives_is_given_up() {
 
 #[tokio::test]
 async fn a_station_that_ends_says_so() {
-    let lab = Lab::near();
-    lab.app.handle.end().await;
-    lab.bare("POST", "/api/v1/stop")
+    let harness = Harness::near();
+    harness.app.handle.end().await;
+    harness
+        .bare("POST", "/api/v1/stop")
         .await
         .is(503)
         .is_problem("ending");
-    lab.get("/api/v1/jobs").await.is(503).is_problem("ending");
-    lab.get("/api/v1/state").await.is(200);
+    harness
+        .get("/api/v1/jobs")
+        .await
+        .is(503)
+        .is_problem("ending");
+    harness.get("/api/v1/state").await.is(200);
 }

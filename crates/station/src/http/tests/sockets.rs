@@ -9,13 +9,13 @@ use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
-use super::super::double::{Asked, Telling, driver};
+use super::super::fake::{Asked, FakeNews, driver};
 use crate::sample::{notice, state};
 use crate::{Served, Web, serve};
 
 struct Station {
     served: Served,
-    telling: std::sync::Arc<Telling>,
+    telling: std::sync::Arc<FakeNews>,
     asked: Asked,
     handle: dobot_rules::Handle,
     _folder: tempfile::TempDir,

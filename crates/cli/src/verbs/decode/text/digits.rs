@@ -2,7 +2,8 @@
 
 use anyhow::{anyhow, bail};
 
-use super::{Bytes, HEX_DIGITS, hex_byte, hex_bytes};
+use super::super::input::HEX_DIGITS;
+use super::{Bytes, hex_byte, hex_bytes};
 
 /// Reads hex digits: in one row, or with blanks, `:`, `,`, `;`, `-`, `0x` or `\x` between the bytes.
 /// `#` and `//` begin a comment.

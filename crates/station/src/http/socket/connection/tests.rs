@@ -10,7 +10,7 @@ use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::super::super::double::{Asked, Telling, driver};
+use super::super::super::fake::{Asked, FakeNews, driver};
 use super::super::super::tokens::Tokens;
 use super::*;
 use crate::sample::{notice, state};
@@ -47,15 +47,15 @@ impl Sink<Message> for Ear {
     }
 }
 
-struct Lab {
+struct Harness {
     app: Arc<App>,
-    telling: Arc<Telling>,
+    telling: Arc<FakeNews>,
     asked: Asked,
     heard: Arc<Mutex<Vec<Message>>>,
     _end: watch::Sender<bool>,
 }
 
-impl Lab {
+impl Harness {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
@@ -71,16 +71,18 @@ impl Lab {
     }
 
     /// Talks with a client that reads so many messages; for how long that lasts.
-    async fn talk<I>(&self, reads: usize, incoming: I) -> Duration
+    async fn connection<I>(&self, reads: usize, incoming: I) -> Duration
     where
         I: Stream<Item = Result<Message, String>> + Unpin,
     {
         let began = Instant::now();
         let client = self.app.handle.client("test", Role::Admin).await.unwrap();
-        let talk = Talk::new(&self.app, client, "test".into(), &Wants::default());
+        let connection = SocketConnection::new(&self.app, client, "test".into(), &Wants::default());
         let heard = self.heard.clone();
         let mut incoming = incoming;
-        talk.run(&mut incoming, &mut Ear { heard, reads }).await;
+        connection
+            .run(&mut incoming, &mut Ear { heard, reads })
+            .await;
         began.elapsed()
     }
 
@@ -112,11 +114,11 @@ fn text(text: &str) -> Result<Message, String> {
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_vanishes_is_noticed_within_seconds() {
-    let lab = Lab::new();
-    let lasted = lab.talk(usize::MAX, stream::pending()).await;
+    let harness = Harness::new();
+    let lasted = harness.connection(usize::MAX, stream::pending()).await;
     assert!((6.0..8.0).contains(&lasted.as_secs_f64()), "{lasted:?}");
-    assert_eq!(lab.close_code(), Some(1008));
-    let pings = lab
+    assert_eq!(harness.close_code(), Some(1008));
+    let pings = harness
         .heard
         .lock()
         .unwrap()
@@ -128,47 +130,49 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_is_there_and_says_nothing_stays() {
-    let lab = Lab::new();
-    let talking = lab.talk(usize::MAX, pongs());
+    let harness = Harness::new();
+    let talking = harness.connection(usize::MAX, pongs());
     assert!(timeout(Duration::from_hours(1), talking).await.is_err());
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_does_not_read_is_dropped_and_those_who_watch_are_told() {
-    let lab = Lab::new();
-    let lasted = lab.talk(3, pongs()).await;
+    let harness = Harness::new();
+    let lasted = harness.connection(3, pongs()).await;
     assert!(lasted < Duration::from_secs(15), "{lasted:?}");
     assert_eq!(
-        lab.trouble().await,
+        harness.trouble().await,
         ["client 1 (test) was dropped: it reads too slowly"]
     );
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_lags_hundreds_of_states_behind_is_dropped() {
-    let lab = Lab::new();
-    let telling = lab.telling.clone();
+    let harness = Harness::new();
+    let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
         for n in 0..1000 {
             telling.ends.tell(state(f64::from(n)));
         }
         text(r#"{"id": 1, "request": {"type": "release"}}"#)
     }));
-    lab.talk(usize::MAX, incoming.chain(pongs())).await;
-    assert_eq!(lab.close_code(), Some(1008));
+    harness
+        .connection(usize::MAX, incoming.chain(pongs()))
+        .await;
+    assert_eq!(harness.close_code(), Some(1008));
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_client_that_does_not_read_is_still_heard_when_it_says_stop() {
-    let lab = Lab::new();
+    let harness = Harness::new();
     let stop = text(r#"{"id": 1, "request": {"type": "stop"}}"#);
     let after = Box::pin(stream::once(async {
         tokio::time::sleep(Duration::from_secs(4)).await;
         stop
     }));
-    lab.talk(0, after.chain(pongs())).await;
+    harness.connection(0, after.chain(pongs())).await;
     assert_eq!(
-        lab.asked.requests(),
+        harness.asked.requests(),
         [dobot_api::Request::Stop { reason: None }]
     );
 }
@@ -182,11 +186,12 @@ async fn what_is_no_websocket_message_ends_the_connection_with_the_reason() {
         ),
         ("WebSocket protocol error: Reserved bits are non-zero", 1002),
     ] {
-        let lab = Lab::new();
-        lab.talk(usize::MAX, stream::iter([Err(error.to_owned())]))
+        let harness = Harness::new();
+        harness
+            .connection(usize::MAX, stream::iter([Err(error.to_owned())]))
             .await;
-        assert_eq!(lab.close_code(), Some(code), "{error}");
-        assert_eq!(lab.trouble().await.len(), 1);
+        assert_eq!(harness.close_code(), Some(code), "{error}");
+        assert_eq!(harness.trouble().await.len(), 1);
     }
 }
 
@@ -196,27 +201,28 @@ async fn a_connection_that_breaks_off_is_no_trouble() {
         "WebSocket protocol error: Connection reset without closing handshake",
         "IO error: Connection reset by peer (os error 104)",
     ] {
-        let lab = Lab::new();
-        lab.talk(usize::MAX, stream::iter([Err(error.to_owned())]))
+        let harness = Harness::new();
+        harness
+            .connection(usize::MAX, stream::iter([Err(error.to_owned())]))
             .await;
-        assert_eq!(lab.trouble().await, [""; 0]);
+        assert_eq!(harness.trouble().await, [""; 0]);
     }
 }
 
 #[tokio::test(start_paused = true)]
 async fn hello_comes_first_and_what_happened_meanwhile_after_it() {
-    let lab = Lab::new();
-    let telling = lab.telling.clone();
+    let harness = Harness::new();
+    let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
         telling.ends.announce(notice(1, News::LinkUp, "up"));
         text("")
     }));
     let _ = timeout(
         Duration::from_secs(5),
-        lab.talk(usize::MAX, incoming.chain(pongs())),
+        harness.connection(usize::MAX, incoming.chain(pongs())),
     )
     .await;
-    let heard = lab.heard.lock().unwrap();
+    let heard = harness.heard.lock().unwrap();
     let starts = |at: usize, start: &str| matches!(&heard[at], Message::Text(text) if text.starts_with(start));
     assert!(
         starts(0, "{\"hello\":") && starts(1, "{\"state\":"),

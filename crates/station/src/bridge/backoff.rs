@@ -2,18 +2,18 @@
 
 use std::time::Duration;
 
-/// The patience with a program that sends what is of no use: refused packets, noise.
+/// The back-off for a program that sends what is of no use: refused packets, noise.
 ///
 /// It is told of as many bytes as an arm's line would have carried, and no faster. A program that
 /// sends one command for each status never waits, even if every one of them is refused; nor does
 /// one that sends half a second of noise at once.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Patience {
+pub(crate) struct Backoff {
     /// When all useless bytes so far would have come over a line.
     carried_by: Duration,
 }
 
-impl Patience {
+impl Backoff {
     /// Takes so many bytes that were of no use; `now` never goes back.
     pub(crate) fn handle_bytes(&mut self, now: Duration, count: u64) {
         let begins = self.carried_by.max(now);
@@ -45,23 +45,23 @@ mod tests {
 
     #[test]
     fn one_useless_packet_for_each_status_never_waits() {
-        let mut patience = Patience::default();
+        let mut backoff = Backoff::default();
         for status in 0..1000 {
             let now = ms(80) * status;
-            assert!(patience.poll_wakeup() <= now, "at status {status}");
-            patience.handle_bytes(now, 42);
+            assert!(backoff.poll_wakeup() <= now, "at status {status}");
+            backoff.handle_bytes(now, 42);
         }
     }
 
     #[test]
     fn useless_bytes_are_taken_no_faster_than_a_line_carries_them() {
-        let mut patience = Patience::default();
+        let mut backoff = Backoff::default();
         let mut now = Duration::ZERO;
         let mut taken = 0_u32;
         while now < Duration::from_mins(1) {
-            patience.handle_bytes(now, 4096);
+            backoff.handle_bytes(now, 4096);
             taken += 4096;
-            now = now.max(patience.poll_wakeup());
+            now = now.max(backoff.poll_wakeup());
         }
         // What a line of 960 bytes a second carries in a minute, and two reads that it had free.
         assert!((50_000..60 * 960 + 2 * 4096).contains(&taken), "{taken}");
@@ -69,17 +69,17 @@ mod tests {
 
     #[test]
     fn patience_comes_back_while_nothing_useless_is_sent() {
-        let mut patience = Patience::default();
-        patience.handle_bytes(Duration::ZERO, 480);
-        patience.handle_bytes(ms(600), 400);
-        assert!(patience.poll_wakeup() <= ms(600), "{patience:?}");
+        let mut backoff = Backoff::default();
+        backoff.handle_bytes(Duration::ZERO, 480);
+        backoff.handle_bytes(ms(600), 400);
+        assert!(backoff.poll_wakeup() <= ms(600), "{backoff:?}");
     }
 
     #[test]
     fn any_number_of_bytes_is_taken() {
-        let mut patience = Patience::default();
-        patience.handle_bytes(Duration::MAX, u64::MAX);
-        patience.handle_bytes(ms(1), u64::MAX);
-        assert!(patience.poll_wakeup() > ms(1));
+        let mut backoff = Backoff::default();
+        backoff.handle_bytes(Duration::MAX, u64::MAX);
+        backoff.handle_bytes(ms(1), u64::MAX);
+        assert!(backoff.poll_wakeup() > ms(1));
     }
 }

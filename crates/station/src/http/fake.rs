@@ -25,12 +25,12 @@ impl Asked {
 }
 
 /// A stand-in for the driver, and what tells states and notices in its name.
-pub(super) fn driver() -> (Handle, Arc<Telling>, Asked) {
+pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
     let rules = Rules::of(&dobot_safety::Policy::default());
     let (handle, mut ends) = Handle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
     let messages = std::mem::replace(&mut ends.messages, nothing);
-    let telling = Arc::new(Telling {
+    let telling = Arc::new(FakeNews {
         ends,
         gone: Mutex::default(),
         trouble: Mutex::default(),
@@ -42,7 +42,7 @@ pub(super) fn driver() -> (Handle, Arc<Telling>, Asked) {
 
 /// What tells states and notices in the name of the driver.
 #[derive(Debug)]
-pub(super) struct Telling {
+pub(super) struct FakeNews {
     pub(super) ends: Ends,
     /// Clients that left.
     pub(super) gone: Mutex<Vec<ClientId>>,
@@ -50,7 +50,7 @@ pub(super) struct Telling {
     pub(super) trouble: Mutex<Vec<String>>,
 }
 
-async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<Telling>, asked: Asked) {
+async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, asked: Asked) {
     let mut next = 1;
     let mut refusing = std::collections::HashSet::new();
     while let Some(message) = messages.recv().await {

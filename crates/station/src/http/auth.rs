@@ -14,7 +14,7 @@ use dobot_api::kinds::{FORBIDDEN_HOST, FORBIDDEN_ORIGIN, MALFORMED, UNAUTHORISED
 use dobot_api::{Problem, Role};
 
 use super::answer::{self, NotDone, TooSoon};
-use super::app::{App, Peer, Visitor};
+use super::app::{App, Caller, Peer};
 use super::routes;
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
@@ -31,8 +31,8 @@ pub(super) async fn pass(
     let began = app.now();
     let (method, path) = (request.method().clone(), request.uri().path().to_owned());
     let answer = match look(&app, &peer, &request) {
-        Ok(visitor) => {
-            request.extensions_mut().insert(visitor);
+        Ok(caller) => {
+            request.extensions_mut().insert(caller);
             next.run(request).await
         }
         Err(response) => response,
@@ -54,17 +54,17 @@ fn log(peer: &Peer, method: &Method, path: &str, status: StatusCode, took: Durat
     }
 }
 
-fn look(app: &App, peer: &Peer, request: &Request) -> Result<Visitor, Response> {
+fn look(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Response> {
     let host = host(request).map_err(refused)?;
     check_host(app, peer, &host).map_err(refused)?;
     check_origin(peer, &host, request.headers()).map_err(refused)?;
-    let visitor = identify(app, request);
+    let caller = identify(app, request);
     // Guessing is expensive.
-    let cost = if visitor.is_ok() { 1.0 } else { WRONG_TOKEN };
+    let cost = if caller.is_ok() { 1.0 } else { WRONG_TOKEN };
     match app.addresses.take(peer.from.ip(), app.now(), cost) {
         // Whoever may stop the arm may always stop it.
-        Err(wait) if visitor.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
-        _ => visitor.map_err(refused),
+        Err(wait) if caller.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
+        _ => caller.map_err(refused),
     }
 }
 
@@ -148,14 +148,14 @@ const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 
 /// Who asks, by the token or for want of one.
-fn identify(app: &App, request: &Request) -> Result<Visitor, Problem> {
-    let anyone = |role| Visitor {
+fn identify(app: &App, request: &Request) -> Result<Caller, Problem> {
+    let anyone = |role| Caller {
         name: "http".into(),
         role,
     };
     match presented(request.headers())? {
         Some(token) => match app.holder(&token) {
-            Some((name, role)) => Ok(Visitor { name, role }),
+            Some((name, role)) => Ok(Caller { name, role }),
             None => Err(UNAUTHORISED.problem("the station does not know this token")),
         },
         None if is_open(request) => Ok(anyone(Role::Watch)),

@@ -14,13 +14,13 @@ use tokio::time::timeout;
 use super::super::app::{App, ended};
 use super::super::messages;
 use super::Wants;
-use super::hear::hear;
 use super::pace::Pace;
+use super::receive::receive;
 use super::tell::News;
 
 /// One client's connection.
 #[derive(Debug)]
-pub(super) struct Talk {
+pub(super) struct SocketConnection {
     app: Arc<App>,
     client: Client,
     name: String,
@@ -57,7 +57,7 @@ const FAREWELL: Duration = Duration::from_secs(1);
 /// How many answers may wait to be sent before the client is not heard any more.
 const OWED: usize = 256;
 
-impl Talk {
+impl SocketConnection {
     pub(super) fn new(app: &Arc<App>, client: Client, name: String, wants: &Wants) -> Self {
         let notices = wants.notices.unwrap_or(true).then(|| app.handle.notices());
         Self {
@@ -84,7 +84,7 @@ impl Talk {
             owed,
         };
         let end = tokio::select! {
-            end = hear(app, client, incoming, &owe) => end,
+            end = receive(app, client, incoming, &owe) => end,
             end = news.tell(app, client, outgoing) => end,
             () = ended(app.ending.clone()) => End::Ending,
         };

@@ -1,22 +1,22 @@
 //! A driver of the arm that does what a test tells it.
 
-mod lab;
+mod harness;
 
 use dobot_api::{ClientId, Role};
 use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
 
-pub(crate) use self::lab::Lab;
+pub(crate) use self::harness::Harness;
 use crate::sample::state;
 
 /// A driver of the arm that does what a test tells it.
-pub(crate) struct Double {
+pub(crate) struct FakeDriver {
     ends: Ends,
     clients: u64,
 }
 
-impl Double {
+impl FakeDriver {
     /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
     pub(crate) fn new(kept: usize) -> (Handle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());

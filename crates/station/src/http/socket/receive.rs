@@ -16,7 +16,7 @@ use super::super::answer;
 use super::super::app::App;
 use super::super::messages;
 use super::super::rate::{Rate, Used};
-use super::talk::{End, Owed};
+use super::connection::{End, Owed};
 
 /// After what silence a client is not there any more.
 const SILENCE: Duration = Duration::from_secs(6);
@@ -27,7 +27,7 @@ const MESSAGES: Rate = Rate {
 };
 
 /// Hears the client until it ends.
-pub(super) async fn hear<I, E>(
+pub(super) async fn receive<I, E>(
     app: &App,
     client: &Client,
     incoming: &mut I,

@@ -12,15 +12,15 @@ use super::tokens::{Token, digest};
 
 /// Clients that are kept between requests, known by their lease tokens.
 #[derive(Debug, Default)]
-pub(super) struct Visits(Mutex<HashMap<[u8; 32], Visit>>);
+pub(super) struct HttpLeases(Mutex<HashMap<[u8; 32], HttpLease>>);
 
 #[derive(Debug)]
-struct Visit {
+struct HttpLease {
     client: Arc<Client>,
     used: Duration,
 }
 
-impl Visits {
+impl HttpLeases {
     /// Keeps a client; it is found by the token that comes back.
     ///
     /// # Errors
@@ -28,12 +28,12 @@ impl Visits {
     /// [`TOO_MANY_CLIENTS`] where too many are kept already.
     pub(super) fn keep(&self, client: Arc<Client>, now: Duration) -> Result<Token, Problem> {
         let token = Token::random().map_err(|error| ENDING.problem(error.to_string()))?;
-        self.with(|visits| {
-            if visits.len() >= MOST {
+        self.with(|http_leases| {
+            if http_leases.len() >= MOST {
                 let detail = format!("{MOST} clients hold lease tokens already");
                 return Err(TOO_MANY_CLIENTS.problem(detail));
             }
-            visits.insert(digest(token.secret()), Visit { client, used: now });
+            http_leases.insert(digest(token.secret()), HttpLease { client, used: now });
             Ok(token.clone())
         })
     }
@@ -51,37 +51,37 @@ impl Visits {
         now: Duration,
     ) -> Result<Arc<Client>, Problem> {
         self.sweep(now);
-        self.with(|visits| {
-            let visit = visits.get_mut(&digest(token)).ok_or_else(gone)?;
-            if role < visit.client.role() {
-                let needed = visit.client.role();
+        self.with(|http_leases| {
+            let http_lease = http_leases.get_mut(&digest(token)).ok_or_else(gone)?;
+            if role < http_lease.client.role() {
+                let needed = http_lease.client.role();
                 return Err(ROLE.problem(format!(
                     "this lease belongs to the role {needed}; the token is for {role}"
                 )));
             }
-            visit.used = now;
-            Ok(visit.client.clone())
+            http_lease.used = now;
+            Ok(http_lease.client.clone())
         })
     }
 
     /// Ends a client: its lease ends too.
     pub(super) fn end(&self, token: &str) {
-        self.with(|visits| visits.remove(&digest(token)));
+        self.with(|http_leases| http_leases.remove(&digest(token)));
     }
 
     /// Ends those that have not been used for too long.
     pub(super) fn sweep(&self, now: Duration) {
-        self.with(|visits| {
-            visits.retain(|_, visit| {
-                if Arc::strong_count(&visit.client) > 1 {
-                    visit.used = now;
+        self.with(|http_leases| {
+            http_leases.retain(|_, http_lease| {
+                if Arc::strong_count(&http_lease.client) > 1 {
+                    http_lease.used = now;
                 }
-                now.saturating_sub(visit.used) <= LASTS
+                now.saturating_sub(http_lease.used) <= LASTS
             });
         });
     }
 
-    fn with<T>(&self, act: impl FnOnce(&mut HashMap<[u8; 32], Visit>) -> T) -> T {
+    fn with<T>(&self, act: impl FnOnce(&mut HashMap<[u8; 32], HttpLease>) -> T) -> T {
         act(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }

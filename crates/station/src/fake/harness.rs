@@ -4,20 +4,20 @@ use dobot_api::Role;
 use dobot_rules::Handle;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
-use super::Double;
+use super::FakeDriver;
 use crate::{ProgramNews, Traffic};
 
 /// A port for old programs, at an address or a path, with the driver behind it.
-pub(crate) struct Lab<At> {
+pub(crate) struct Harness<At> {
     pub(crate) at: At,
-    pub(crate) driver: Double,
+    pub(crate) driver: FakeDriver,
     pub(crate) told: UnboundedReceiver<ProgramNews>,
 }
 
-impl<At> Lab<At> {
+impl<At> Harness<At> {
     /// With what the port is to be served: the way to the driver, and where to tell.
     pub(crate) fn new(at: At) -> (Self, Handle, impl Fn(ProgramNews) + use<At>) {
-        let (handle, driver) = Double::new(16);
+        let (handle, driver) = FakeDriver::new(16);
         let (tell, told) = unbounded_channel();
         let tell = move |news| {
             // A test that has seen enough listens no more.
