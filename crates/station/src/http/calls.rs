@@ -37,7 +37,7 @@ impl FromRequestParts<Arc<App>> for Asker {
             .map(|it| it.to_str().unwrap_or_default().to_owned());
         Ok(Self {
             app: app.clone(),
-            caller: caller.expect("the gate lets only visitors in"),
+            caller: caller.expect("authorisation lets only callers in"),
             lease,
         })
     }

@@ -20,7 +20,7 @@ use dobot_api::kinds::{
 
 use super::app::App;
 use super::route::Route;
-use super::{calls, gate, page};
+use super::{auth, calls, page};
 
 /// The router with everything.
 pub(super) fn router(app: Arc<App>) -> Router {
