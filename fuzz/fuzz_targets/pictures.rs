@@ -2,7 +2,7 @@
 //! but never a panic.
 #![no_main]
 
-use dobot_source::{ReadOptions, Shading, Source, Style};
+use dobot_source::{ReadOptions, Shading, Source, ShadingStyle};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
@@ -24,7 +24,7 @@ fuzz_target!(|input: &[u8]| {
         }
     }
     let style =
-        [Style::Outline, Style::Lines, Style::Stipple, Style::Hatch][usize::from(how / 3 % 4)];
+        [ShadingStyle::Outline, ShadingStyle::Lines, ShadingStyle::Stipple, ShadingStyle::Hatch][usize::from(how / 3 % 4)];
     let options = ReadOptions {
         shading: Shading {
             invert: how >= 128,

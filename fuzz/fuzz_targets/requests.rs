@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use dobot_api::{FromClient, Reply, Request};
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Decoder, Dialect, Packet};
 use libfuzzer_sys::fuzz_target;
@@ -38,7 +38,7 @@ fn read(line: &str) -> Option<Request> {
 /// Asks for one after the other, a tenth of a second apart.
 fn ask(requests: Vec<Request>) {
     let power_up = PowerUp::new(Personality::Firmware11);
-    let mut station = Rehearsal::new(power_up, Policy::default());
+    let mut station = VirtualStation::new(power_up, Policy::default());
     station.run_for(Duration::from_millis(500));
     let anna = station.client("Anna");
     for request in [Request::TakeLease, Request::ConfirmPose] {

@@ -577,7 +577,7 @@ export interface components {
             nearest_mm?: number[] | null;
         };
         /** @description A kind of problem, explained. */
-        Kind: {
+        ProblemKind: {
             /** @description Its name: the last part of the problem type's address. */
             kind: string;
             /** @description The problem in words. */
@@ -1818,7 +1818,7 @@ export interface components {
             means: components["schemas"]["Dialect"];
         };
         /** @description A button. */
-        Press: {
+        HoldJog: {
             /** @description Which one. */
             jog: components["schemas"]["Jog"];
         };
@@ -1855,7 +1855,7 @@ export interface components {
             reason: string | null;
         };
         /** @description Who wants control. */
-        Wish: {
+        LeaseRequest: {
             /**
              * @description What the client calls itself.
              * @default null
@@ -1875,12 +1875,12 @@ export interface components {
             lease?: components["schemas"]["LeaseView"] | null;
         };
         /** @description Who is to get control. */
-        Heir: {
+        HandOver: {
             /** @description One of those who ask. */
             to: components["schemas"]["ClientId"];
         };
         /** @description For how long the laser may be switched on. */
-        Arming: {
+        ArmLaser: {
             /**
              * Format: double
              * @description In seconds.
@@ -1888,7 +1888,7 @@ export interface components {
             for_s: number;
         };
         /** @description Which dialect the arm speaks. */
-        Speech: {
+        UseDialect: {
             /** @description The dialect. */
             dialect: components["schemas"]["Dialect"];
         };
@@ -2689,7 +2689,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Kind"];
+                    "application/json": components["schemas"]["ProblemKind"];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */
@@ -3217,7 +3217,7 @@ export interface operations {
                  *       }
                  *     }
                  */
-                "application/json": components["schemas"]["Press"];
+                "application/json": components["schemas"]["HoldJog"];
             };
         };
         responses: {
@@ -3767,7 +3767,7 @@ export interface operations {
                  *       "name": "my script"
                  *     }
                  */
-                "application/json": components["schemas"]["Wish"];
+                "application/json": components["schemas"]["LeaseRequest"];
             };
         };
         responses: {
@@ -4034,7 +4034,7 @@ export interface operations {
                  *       "name": "my script"
                  *     }
                  */
-                "application/json": components["schemas"]["Wish"];
+                "application/json": components["schemas"]["LeaseRequest"];
             };
         };
         responses: {
@@ -4168,7 +4168,7 @@ export interface operations {
                  *       "to": 3
                  *     }
                  */
-                "application/json": components["schemas"]["Heir"];
+                "application/json": components["schemas"]["HandOver"];
             };
         };
         responses: {
@@ -4303,7 +4303,7 @@ export interface operations {
                  *       "name": "my script"
                  *     }
                  */
-                "application/json": components["schemas"]["Wish"];
+                "application/json": components["schemas"]["LeaseRequest"];
             };
         };
         responses: {
@@ -4437,7 +4437,7 @@ export interface operations {
                  *       "for_s": 600
                  *     }
                  */
-                "application/json": components["schemas"]["Arming"];
+                "application/json": components["schemas"]["ArmLaser"];
             };
         };
         responses: {
@@ -4845,7 +4845,7 @@ export interface operations {
                  *       "dialect": "firmware-1.1"
                  *     }
                  */
-                "application/json": components["schemas"]["Speech"];
+                "application/json": components["schemas"]["UseDialect"];
             };
         };
         responses: {

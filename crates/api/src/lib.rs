@@ -17,11 +17,11 @@
 mod folders;
 mod job;
 mod job_state;
-pub mod kinds;
 mod lease;
 mod message;
 mod notice;
 mod problem;
+pub mod problem_kinds;
 #[cfg(feature = "remote")]
 mod remote;
 mod reply;
@@ -41,8 +41,8 @@ pub use notice::{News, Notice};
 pub use problem::Problem;
 #[cfg(feature = "remote")]
 pub use remote::{
-    ConnectError, Heard, Remote, RemoteError, StationAddress, StationAddressError, Trust,
-    TrustError, fetch, fingerprint, is_station,
+    CertificateTrust, ConnectError, Remote, RemoteError, StationAddress, StationAddressError,
+    StationEvent, TrustError, fetch, fingerprint, is_station,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};

@@ -20,7 +20,7 @@ use tokio_tungstenite::{WebSocketStream, client_async};
 use self::stream::{Bytes, open, soon};
 use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
-pub use self::address::{StationAddress, StationAddressError, Trust, fingerprint};
+pub use self::address::{CertificateTrust, StationAddress, StationAddressError, fingerprint};
 pub use self::fetch::{fetch, is_station};
 pub use self::stream::ConnectError;
 pub use self::trust::TrustError;
@@ -44,12 +44,12 @@ pub struct Remote {
     hello: Hello,
     next_id: u64,
     /// What came while an answer was waited for, the oldest first; of states only the last one.
-    heard: VecDeque<Heard>,
+    heard: VecDeque<StationEvent>,
 }
 
 /// What a station tells without being asked.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Heard {
+pub enum StationEvent {
     /// All that the station knows now.
     State(Box<State>),
     /// Something happened.
@@ -158,14 +158,16 @@ impl Remote {
     /// # Errors
     ///
     /// [`RemoteError`] where the connection is lost.
-    pub async fn next(&mut self) -> Result<Heard, RemoteError> {
+    pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         if let Some(heard) = self.heard.pop_front() {
             return Ok(heard);
         }
         loop {
             match receive(&mut self.socket).await? {
-                ToClient::State { state } => return Ok(Heard::State(state)),
-                ToClient::Notice { notice } => return Ok(Heard::Notice(notice.into_owned())),
+                ToClient::State { state } => return Ok(StationEvent::State(state)),
+                ToClient::Notice { notice } => {
+                    return Ok(StationEvent::Notice(notice.into_owned()));
+                }
                 ToClient::Problem { id: None, problem } => return Err(refused(problem)),
                 // The answer to a question that somebody gave up.
                 ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
@@ -188,16 +190,17 @@ impl Remote {
                 ToClient::Problem { id: of, problem } if of.is_none_or(|of| of == id) => {
                     return Err(refused(problem));
                 }
-                ToClient::State { state } => self.keep(Heard::State(state)),
-                ToClient::Notice { notice } => self.keep(Heard::Notice(notice.into_owned())),
+                ToClient::State { state } => self.keep(StationEvent::State(state)),
+                ToClient::Notice { notice } => self.keep(StationEvent::Notice(notice.into_owned())),
                 ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
             }
         }
     }
 
-    fn keep(&mut self, heard: Heard) {
-        if matches!(heard, Heard::State(_)) {
-            self.heard.retain(|it| !matches!(it, Heard::State(_)));
+    fn keep(&mut self, heard: StationEvent) {
+        if matches!(heard, StationEvent::State(_)) {
+            self.heard
+                .retain(|it| !matches!(it, StationEvent::State(_)));
         }
         self.heard.push_back(heard);
     }

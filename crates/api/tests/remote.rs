@@ -5,8 +5,8 @@
 use std::sync::Arc;
 
 use dobot_api::{
-    ConnectError, Heard, Remote, RemoteError, Reply, Request, StationAddress, Trust, fetch,
-    is_station,
+    CertificateTrust, ConnectError, Remote, RemoteError, Reply, Request, StationAddress,
+    StationEvent, fetch, is_station,
 };
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
@@ -118,12 +118,12 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
     let (reply, ()) = tokio::join!(remote.request(Request::TakeLease), serve);
     assert_eq!(reply.unwrap(), Reply::Lease { lease: None });
     match remote.next().await.unwrap() {
-        Heard::Notice(notice) => assert_eq!(notice.text, "here"),
-        other @ Heard::State(_) => panic!("{other:?}"),
+        StationEvent::Notice(notice) => assert_eq!(notice.text, "here"),
+        other @ StationEvent::State(_) => panic!("{other:?}"),
     }
     match remote.next().await.unwrap() {
-        Heard::State(state) => assert_eq!(state.at_s, 2.0),
-        other @ Heard::Notice(_) => panic!("{other:?}"),
+        StationEvent::State(state) => assert_eq!(state.at_s, 2.0),
+        other @ StationEvent::Notice(_) => panic!("{other:?}"),
     }
 }
 
@@ -253,7 +253,10 @@ fn certificate() -> (rcgen::CertifiedKey<rcgen::KeyPair>, TlsAcceptor) {
 }
 
 /// Connects over TLS, trusting for this reason.
-async fn over_tls(acceptor: TlsAcceptor, trust: Option<Trust>) -> Result<Remote, ConnectError> {
+async fn over_tls(
+    acceptor: TlsAcceptor,
+    trust: Option<CertificateTrust>,
+) -> Result<Remote, ConnectError> {
     let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
     let port = listener.local_addr().unwrap().port();
     let mut address = StationAddress::new(&format!("https://localhost:{port}")).unwrap();
@@ -274,7 +277,7 @@ async fn over_tls(acceptor: TlsAcceptor, trust: Option<Trust>) -> Result<Remote,
 async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_one_is() {
     let (made, acceptor) = certificate();
     let digest: [u8; 32] = Sha256::digest(made.cert.der()).into();
-    let pinned = |digest| Some(Trust::Fingerprint(digest));
+    let pinned = |digest| Some(CertificateTrust::Fingerprint(digest));
     over_tls(acceptor.clone(), pinned(digest)).await.unwrap();
     let error = over_tls(acceptor.clone(), pinned([7; 32]))
         .await
@@ -290,7 +293,7 @@ async fn a_certificate_is_trusted_by_who_issued_it() {
     let file = folder.path().join("ca.pem");
     let (made, acceptor) = certificate();
     std::fs::write(&file, made.cert.pem()).unwrap();
-    let authority = || Some(Trust::Authority(file.clone()));
+    let authority = || Some(CertificateTrust::Authority(file.clone()));
     over_tls(acceptor, authority()).await.unwrap();
     let (_, other) = certificate();
     let error = over_tls(other.clone(), authority()).await.unwrap_err();

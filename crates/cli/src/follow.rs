@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{Heard, JobPhase, JobView, News, RemoteError, Request, State};
+use dobot_api::{JobPhase, JobView, News, RemoteError, Request, State, StationEvent};
 use dobot_rules::StationClient;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -61,16 +61,16 @@ async fn go_on(station: &mut StationClient, job: u64, why: &str) -> Result<(), F
         .unwrap_or(why);
     let answer = match ask(job, why).await {
         // A virtual arm in this process harms nobody, and has no pen that a person would change.
-        None if station.virtual_arm().is_some() => Answer::GoOn,
-        answer => answer.unwrap_or(Answer::Leave),
+        None if station.virtual_arm().is_some() => PausedChoice::GoOn,
+        answer => answer.unwrap_or(PausedChoice::Leave),
     };
     match answer {
-        Answer::GoOn => Ok(()),
-        Answer::Cancel => {
+        PausedChoice::GoOn => Ok(()),
+        PausedChoice::Cancel => {
             station.request(Request::CancelJob { job }).await?;
             Err(anyhow!("job {job} is cancelled").into())
         }
-        Answer::Leave => Err(paused(station, job, why)),
+        PausedChoice::Leave => Err(paused(station, job, why)),
     }
 }
 
@@ -87,7 +87,7 @@ enum End {
 
 /// What is to become of a job that the person paused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Answer {
+enum PausedChoice {
     GoOn,
     Cancel,
     Leave,
@@ -114,13 +114,13 @@ async fn follow(
             }
         };
         match heard {
-            Heard::State(state) => {
+            StationEvent::State(state) => {
                 if let Some(view) = state.job.as_ref().filter(|it| it.job == job) {
                     show(&bar, view);
                 }
                 see(&state);
             }
-            Heard::Notice(notice) => {
+            StationEvent::Notice(notice) => {
                 let News::Job { job: of, phase } = notice.news else {
                     continue;
                 };
@@ -167,16 +167,16 @@ fn paused(station: &StationClient, job: u64, text: &str) -> Failure {
 }
 
 /// Asks the person, if one is there.
-async fn ask(job: u64, why: &str) -> Option<Answer> {
+async fn ask(job: u64, why: &str) -> Option<PausedChoice> {
     if !std::io::stdin().is_terminal() {
         return None;
     }
     eprintln!("{why}\njob {job} is paused: g goes on, c cancels it, Enter leaves it paused");
     Some(tokio::select! {
         line = tokio::task::spawn_blocking(read_line) => {
-            line.ok().map_or(Answer::Leave, |it| answer(&it))
+            line.ok().map_or(PausedChoice::Leave, |it| answer(&it))
         }
-        () = interrupt() => Answer::Leave,
+        () = interrupt() => PausedChoice::Leave,
     })
 }
 
@@ -187,11 +187,11 @@ fn read_line() -> String {
     line
 }
 
-fn answer(line: &str) -> Answer {
+fn answer(line: &str) -> PausedChoice {
     match line.trim() {
-        "g" | "G" => Answer::GoOn,
-        "c" | "C" => Answer::Cancel,
-        _ => Answer::Leave,
+        "g" | "G" => PausedChoice::GoOn,
+        "c" | "C" => PausedChoice::Cancel,
+        _ => PausedChoice::Leave,
     }
 }
 
@@ -224,10 +224,10 @@ mod tests {
 
     #[test]
     fn only_clear_answers_move_the_arm_or_end_the_job() {
-        assert_eq!(answer("g\n"), Answer::GoOn);
-        assert_eq!(answer("c\n"), Answer::Cancel);
+        assert_eq!(answer("g\n"), PausedChoice::GoOn);
+        assert_eq!(answer("c\n"), PausedChoice::Cancel);
         for line in ["", "\n", "go\n", "cancel?\n"] {
-            assert_eq!(answer(line), Answer::Leave, "{line:?}");
+            assert_eq!(answer(line), PausedChoice::Leave, "{line:?}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_api::{Folders, Running, StationAddress, Trust, fingerprint, is_station};
+use dobot_api::{CertificateTrust, Folders, Running, StationAddress, fingerprint, is_station};
 use dobot_rules::StationClient;
 use dobot_station::DEFAULT_HTTP;
 
@@ -78,8 +78,8 @@ impl Station {
     fn named(&self, name: &str) -> Result<StationAddress, Failure> {
         let mut address = StationAddress::new(name)?;
         address.token = self.token.clone().or_else(|| variable("DOBOT_TOKEN"));
-        let fingerprint = self.fingerprint.map(Trust::Fingerprint);
-        address.trust = fingerprint.or_else(|| self.ca.clone().map(Trust::Authority));
+        let fingerprint = self.fingerprint.map(CertificateTrust::Fingerprint);
+        address.trust = fingerprint.or_else(|| self.ca.clone().map(CertificateTrust::Authority));
         // Whoever names the station of this machine need not know its token.
         if let Some(here) =
             running(&folders(None)?)?.filter(|it| it.to_string() == address.to_string())

@@ -22,7 +22,7 @@ use crate::under_way::{Sent, UnderWay};
 /// Watches the statuses for what is over.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Completion {
-    seen: Option<Seen>,
+    seen: Option<Steady>,
     first: Option<First>,
     /// When a command was last seen to be over.
     freed: Duration,
@@ -32,7 +32,7 @@ pub(crate) struct Completion {
 
 /// The last status, and since when all its values are the same.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct Steady {
     status: Status,
     heard: Duration,
     since: Duration,
@@ -69,10 +69,10 @@ pub(crate) enum Verdict {
 
 /// What there is to judge by.
 #[derive(Clone, Copy)]
-struct Look<'a> {
+struct Evidence<'a> {
     now: Duration,
     answer: Duration,
-    seen: Seen,
+    seen: Steady,
     sent: &'a Sent,
     under_way: &'a UnderWay,
 }
@@ -81,14 +81,14 @@ impl Completion {
     /// Takes a status.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
         // What was between two statuses that are far apart nobody knows.
-        let same = |it: &Seen| it.status == *status && now.saturating_sub(it.heard) <= GAP;
+        let same = |it: &Steady| it.status == *status && now.saturating_sub(it.heard) <= GAP;
         self.seen = Some(match self.seen.filter(same) {
-            Some(seen) => Seen {
+            Some(seen) => Steady {
                 heard: now,
                 repeats: seen.repeats + 1,
                 ..seen
             },
-            None => Seen {
+            None => Steady {
                 status: *status,
                 heard: now,
                 since: now,
@@ -107,7 +107,7 @@ impl Completion {
         under_way: &UnderWay,
     ) -> Option<Verdict> {
         let (seen, sent) = (self.seen?, under_way.first()?);
-        let look = Look {
+        let look = Evidence {
             now,
             answer,
             seen,
@@ -144,7 +144,7 @@ impl Completion {
     }
 
     /// What is to be said of the first command, if no later one says that it is over.
-    fn judge(&mut self, look: &Look, first: &mut First) -> Option<Verdict> {
+    fn judge(&mut self, look: &Evidence, first: &mut First) -> Option<Verdict> {
         let (now, sent, seen) = (look.now, look.sent, &look.seen);
         if sent.plan.is_still() || sent.plan.is_endless() {
             let taken = first.since.max(sent.at + look.answer) + look.waits(first);
@@ -172,7 +172,12 @@ impl Completion {
 
     /// What is to be said of a command where it ends: it is over when its pause is, or when the arm
     /// goes on.
-    fn arrived(&mut self, look: &Look, first: &mut First, arrived: Duration) -> Option<Verdict> {
+    fn arrived(
+        &mut self,
+        look: &Evidence,
+        first: &mut First,
+        arrived: Duration,
+    ) -> Option<Verdict> {
         let plan = &look.sent.plan;
         if look.now >= arrived + plan.pause || !plan.is_near(&look.seen.status) {
             if !plan.pause.is_zero() {
@@ -189,7 +194,7 @@ impl Completion {
 
     /// From when on the arm is surely idle, if it has not moved till then, and got the command of this
     /// index and all before: no pause explains that, and another command would show.
-    fn idle(&self, look: &Look, first: &First, index: usize) -> Option<Duration> {
+    fn idle(&self, look: &Evidence, first: &First, index: usize) -> Option<Duration> {
         let mut pauses = look.waits(first);
         for sent in look.under_way.iter().take(index) {
             let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
@@ -206,7 +211,7 @@ impl Completion {
 
     /// An arm that rests elsewhere has passed the end of the first command unseen, or gave it up.
     /// Statuses that come in a heap, after the computer stood still, tell of a time before.
-    fn missed(&self, look: &Look, first: &First) -> Option<Verdict> {
+    fn missed(&self, look: &Evidence, first: &First) -> Option<Verdict> {
         let (seen, plan) = (&look.seen, &look.sent.plan);
         let mut ends = look.under_way.iter();
         if let Some(later) = ends.position(|it| it.plan.is_near(&seen.status)) {
@@ -231,7 +236,7 @@ impl Completion {
     }
 }
 
-impl Look<'_> {
+impl Evidence<'_> {
     /// How many commands are over because a later one goes on or has ended, and what is known of the
     /// one behind them.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
@@ -313,7 +318,7 @@ impl Look<'_> {
 }
 
 impl First {
-    fn new(sent: &Sent, since: Duration, seen: &Seen) -> Self {
+    fn new(sent: &Sent, since: Duration, seen: &Steady) -> Self {
         Self {
             number: sent.number,
             since,
@@ -327,7 +332,7 @@ impl First {
 
     /// Whether the status shows that a command without an end of its own acts: it looks as it should
     /// and did not before, or an arm at rest begins to move.
-    fn acted(&self, sent: &Sent, seen: &Seen) -> bool {
+    fn acted(&self, sent: &Sent, seen: &Steady) -> bool {
         if sent.plan.is_endless() {
             return self.rested && self.status != seen.status;
         }
@@ -335,7 +340,7 @@ impl First {
     }
 }
 
-impl Seen {
+impl Steady {
     const fn rests(&self) -> bool {
         self.repeats >= AT_REST
     }

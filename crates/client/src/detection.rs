@@ -45,7 +45,7 @@ pub struct Detection {
     /// The arm as each dialect has it.
     models: [Model; 2],
     to_send: Option<Packet>,
-    answers: Vec<Answer>,
+    answers: Vec<Measurement>,
     outcome: Option<Result<Finding, DetectionError>>,
     over: bool,
 }
@@ -103,7 +103,7 @@ struct Running {
 
 /// How far off each dialect is from what was seen, and how far they are apart.
 #[derive(Clone, Copy, Debug)]
-struct Answer {
+struct Measurement {
     question: Question,
     off: [f64; 2],
     apart: f64,
@@ -231,7 +231,7 @@ impl Detection {
 
     /// All answers to a question must be those of one dialect, and of no other.
     fn evidence(&self, question: Question) -> Result<Evidence, DetectionError> {
-        let answers: Vec<&Answer> = self
+        let answers: Vec<&Measurement> = self
             .answers
             .iter()
             .filter(|it| it.question == question)
@@ -239,7 +239,7 @@ impl Detection {
         let saw = words(question, &answers);
         let fits = |dialect: usize| {
             let near = question.near();
-            let clear = |it: &&Answer| it.apart > 2.0 * near && it.off[dialect] <= near;
+            let clear = |it: &&Measurement| it.apart > 2.0 * near && it.off[dialect] <= near;
             !answers.is_empty() && answers.iter().all(clear)
         };
         let means = match (fits(0), fits(1)) {
@@ -283,7 +283,7 @@ impl Running {
     }
 
     /// What the motion tells, or why it tells nothing.
-    fn answer(&self) -> Result<Option<Answer>, DetectionError> {
+    fn answer(&self) -> Result<Option<Measurement>, DetectionError> {
         let (Some(trajectories), Some((_, last))) = (&self.trajectories, self.seen.last()) else {
             return Ok(None);
         };
@@ -319,7 +319,7 @@ impl Running {
                     found.x.0 - position(&self.from).x.0,
                 ),
             };
-            Answer {
+            Measurement {
                 question,
                 off,
                 apart,
@@ -399,7 +399,7 @@ fn end(trajectory: &Trajectory) -> Position {
 }
 
 /// What was seen, in words.
-fn words(question: Question, answers: &[&Answer]) -> String {
+fn words(question: Question, answers: &[&Measurement]) -> String {
     let most = |dialect: usize| answers.iter().map(|it| it.off[dialect]).fold(0.0, f64::max);
     let saw: Vec<f64> = answers.iter().map(|it| it.saw).collect();
     match question {

@@ -16,7 +16,7 @@ use crate::plan::{Plan, position};
 use crate::quality::Meter;
 use crate::scheme::{ReceivedStatus, Scheme, plausible};
 use crate::send_error::moves;
-use crate::trust::{DEAF, Trust};
+use crate::trust::{DEAF, ResetWatch};
 use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
@@ -66,7 +66,7 @@ pub struct Session {
     to_send: VecDeque<Packet>,
     completion: Completion,
     belief: Belief,
-    trust: Trust,
+    trust: ResetWatch,
     laser: Laser,
     meter: Meter,
     /// How long before a command begins it may be sent.
@@ -114,7 +114,7 @@ impl Session {
     fn begin(dialect: Option<Dialect>, trusted: bool) -> Self {
         Self {
             belief: Belief::new(dialect.as_ref()),
-            trust: Trust::new(trusted),
+            trust: ResetWatch::new(trusted),
             laser: Laser::default(),
             meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period()),
             ahead: AHEAD,

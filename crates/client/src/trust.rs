@@ -47,7 +47,7 @@ impl std::fmt::Display for ResetEvidence {
 
 /// Watches the statuses for a reset.
 #[derive(Clone, Debug)]
-pub(crate) struct Trust {
+pub(crate) struct ResetWatch {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
@@ -58,7 +58,7 @@ pub(crate) struct Trust {
     told: Option<([f32; 2], u32)>,
 }
 
-impl Trust {
+impl ResetWatch {
     pub(crate) fn new(trusted: bool) -> Self {
         Self {
             reason: (!trusted).then(|| UNCONFIRMED.to_owned()),

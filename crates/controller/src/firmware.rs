@@ -49,7 +49,7 @@ use crate::{Hang, Port, PowerUp, Refused};
 pub(crate) struct Firmware {
     port: Port,
     receiver: Receiver,
-    heard: Heard,
+    heard: SerialReceiver,
     printer: Printer,
     fifo: Fifo,
     body: Body,
@@ -72,7 +72,7 @@ pub(crate) struct Firmware {
 
 /// What the receive routine remembers and tells on the other port.
 #[derive(Debug, Default)]
-struct Heard {
+struct SerialReceiver {
     packets: u32,
     bad_tails: u32,
     too_long: u32,
@@ -100,7 +100,7 @@ impl Firmware {
         Self {
             port: power_up.port,
             receiver: Receiver::new(power_up.port),
-            heard: Heard::default(),
+            heard: SerialReceiver::default(),
             printer: Printer::default(),
             fifo: Fifo::new(),
             settings: StockSettings::new(),

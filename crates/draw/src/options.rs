@@ -7,7 +7,7 @@ mod error;
 use std::str::FromStr;
 
 use dobot_plan::Machine;
-use dobot_source::{Align, LayersBy, Style};
+use dobot_source::{Align, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -97,7 +97,7 @@ pub struct ContentOptions {
     pub cross: bool,
     /// How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
     #[arg(long, value_name = "STYLE")]
-    pub shade: Option<Style>,
+    pub shade: Option<ShadingStyle>,
     /// How far the lines or dots of a picture lie apart, in mm on the paper
     #[arg(long, value_name = "MM")]
     pub spacing: Option<f64>,

@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_client::{Connection, LinkError, Peer};
 use dobot_controller::{Controller, PowerUp};
 use dobot_record::{About, Limits, Record, Recorder, Replay, recordings};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Dialect, MoveTo, MovingMode, Status};
 
 /// An arm whose bytes are recorded, both ways.
@@ -51,7 +51,7 @@ async fn recorded(folder: &Path) -> (PathBuf, Status) {
     let start = "2026-11-21T12:30:00Z".parse().unwrap();
     let recorder = Recorder::start(folder, Limits::DEFAULT, About::default(), start).unwrap();
     let controller = Controller::power_up(PowerUp::default());
-    let arm = InProcess::new(VirtualArm::new(controller, Line::STOCK));
+    let arm = InProcess::new(VirtualArm::new(controller, SerialLine::STOCK));
     let tapped = Tapped { arm, recorder };
     let mut arm = Connection::over_peer(tapped, Some(Dialect::SPECIFICATION));
     let status = there_and_back(&mut arm, 230.0).await.unwrap();

@@ -8,7 +8,7 @@ mod support;
 use std::error::Error;
 use std::fs;
 
-use dobot_api::{Heard, JobKind, JobPhase, NewJob, News, Reply, Request};
+use dobot_api::{JobKind, JobPhase, NewJob, News, Reply, Request, StationEvent};
 use dobot_draw::{Settings, prepare};
 use dobot_plan::{Machine, Paper};
 use dobot_source::Source;
@@ -44,7 +44,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     };
     station.request(Request::StartJob { job: job.job }).await?;
     loop {
-        if let Heard::Notice(notice) = station.next().await?
+        if let StationEvent::Notice(notice) = station.next().await?
             && let News::Job { phase, .. } = notice.news
         {
             println!("{}", notice.text);

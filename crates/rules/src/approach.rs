@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use dobot_client::{Address, Link};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{InProcess, Line, Speed, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, Speed, VirtualArm};
 use tokio::sync::Mutex;
 
 use crate::OpenArmError;
@@ -127,7 +127,7 @@ impl Approach {
     /// A virtual arm that lives as long as the station.
     fn take_virtual(&mut self, wanted: &WantedArm) {
         let controller = Controller::power_up(PowerUp::new(wanted.personality));
-        let arm = VirtualArm::new(controller, Line::STOCK);
+        let arm = VirtualArm::new(controller, SerialLine::STOCK);
         self.source = Source::Virtual {
             arm: InProcess::new(arm),
             personality: wanted.personality,

@@ -120,12 +120,12 @@ mod tests {
     use tokio::sync::Mutex;
 
     use super::*;
-    use crate::arms::Arms;
     use crate::connect::Source;
     use crate::driver::DriverParts;
     use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
+    use crate::known_arms::KnownArms;
     use crate::recording::Recording;
     use crate::supervisor::Supervisor;
     use crate::{Finder, Found, Search};
@@ -177,7 +177,7 @@ mod tests {
             supervisor,
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
-            arms: Arms::read(&folders.arms()).unwrap(),
+            arms: KnownArms::read(&folders.arms()).unwrap(),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             own: own.clone(),

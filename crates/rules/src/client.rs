@@ -8,8 +8,8 @@ use std::fmt;
 use std::time::Duration;
 
 use dobot_api::{
-    ClientId, ConnectError, Heard, JobView, News, Problem, Remote, RemoteError, Reply, Request,
-    State, StationAddress, fetch,
+    ClientId, ConnectError, JobView, News, Problem, Remote, RemoteError, Reply, Request, State,
+    StationAddress, StationEvent, fetch,
 };
 use dobot_client::Address;
 use dobot_controller::PowerUp;
@@ -137,7 +137,7 @@ impl StationClient {
     /// # Errors
     ///
     /// [`RemoteError`] where the connection is lost, or the rules are not kept any more.
-    pub async fn next(&mut self) -> Result<Heard, RemoteError> {
+    pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         match &mut self.way {
             ClientRoute::Running(remote, _) => remote.next().await,
             ClientRoute::Local(local) => local.next().await,
@@ -156,7 +156,7 @@ impl StationClient {
     /// As of [`next`](Self::next).
     pub async fn state(&mut self) -> Result<State, RemoteError> {
         loop {
-            if let Heard::State(state) = self.next().await? {
+            if let StationEvent::State(state) = self.next().await? {
                 return Ok(*state);
             }
         }
@@ -170,7 +170,7 @@ impl StationClient {
     /// others as of [`next`](Self::next).
     pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
         loop {
-            let Heard::Notice(notice) = self.next().await? else {
+            let StationEvent::Notice(notice) = self.next().await? else {
                 continue;
             };
             match notice.news {

@@ -16,11 +16,11 @@ use tokio::time::Instant;
 use self::log::log;
 use crate::Found;
 use crate::Refusal;
-use crate::arms::Arms;
 use crate::connect::{Connecting, Source};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message};
 use crate::jobs::{Jobs, Written, recovery_model};
+use crate::known_arms::KnownArms;
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
 
@@ -31,7 +31,7 @@ pub(crate) struct Driver {
     started: Instant,
     ends: Ends,
     source: Source,
-    arms: Arms,
+    arms: KnownArms,
     link: Option<Link>,
     /// Where the arm is, or was last.
     address: Option<String>,
@@ -61,7 +61,7 @@ pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
     pub(crate) ends: Ends,
     pub(crate) source: Source,
-    pub(crate) arms: Arms,
+    pub(crate) arms: KnownArms,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
     /// For tasks that tell the driver something.

@@ -366,12 +366,15 @@ impl Client {
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// Hands over a request; its answer comes later, and the next one may be handed over before.
+    /// Hands over a request; its answer comes later, and the next one may be handed over before. It never comes from a station that ends.
     ///
     /// # Errors
     ///
     /// [`Refusal::Ending`].
-    pub async fn ask(&self, request: Request) -> Result<Answer, Refusal> {
+    pub async fn ask(
+        &self,
+        request: Request,
+    ) -> Result<oneshot::Receiver<Result<Reply, Refusal>>, Refusal> {
         let (reply, answer) = oneshot::channel();
         let client = self.id;
         self.handle
@@ -403,9 +406,6 @@ impl Client {
         answer.await.map_err(|_| Refusal::Ending)?
     }
 }
-
-/// The answer to a request, when it comes; it never comes from a station that ends.
-pub type Answer = oneshot::Receiver<Result<Reply, Refusal>>;
 
 impl Drop for Client {
     fn drop(&mut self) {

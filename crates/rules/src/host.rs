@@ -12,12 +12,12 @@ use dobot_wire::Dialect;
 
 use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
-use crate::arms::{Arms, ArmsError};
 use crate::connect::Source;
 use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
+use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
 use crate::supervisor::Supervisor;
@@ -68,7 +68,7 @@ pub enum HostError {
     Journal(#[from] JournalError),
     /// What is known of arms cannot be read.
     #[error(transparent)]
-    Arms(#[from] ArmsError),
+    KnownArms(#[from] KnownArmsError),
 }
 
 impl Host {
@@ -79,7 +79,7 @@ impl Host {
     /// [`HostError`]; nothing is left running then.
     pub fn start(approach: Approach, setup: Setup) -> Result<Self, HostError> {
         make_folder(&setup.folders)?;
-        let arms = Arms::read(&setup.common.arms())?;
+        let arms = KnownArms::read(&setup.common.arms())?;
         let journal = Journal::open(&setup.folders.journal())?;
         let source = approach.source;
         let supervisor = supervisor(&setup, &source);

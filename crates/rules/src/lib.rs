@@ -11,18 +11,18 @@
 //! ```
 //!
 //! The [`Supervisor`] decides. A [`StationClient`] asks it, wherever it is: in a station that runs, in this
-//! process for an arm at an address, or in virtual time. A [`Rehearsal`] lets it decide in virtual time,
+//! process for an arm at an address, or in virtual time. A [`VirtualStation`] lets it decide in virtual time,
 //! with a virtual arm:
 //!
 //! ```
 //! use std::time::Duration;
 //! use dobot_api::Request;
 //! use dobot_controller::{Personality, PowerUp};
-//! use dobot_rules::Rehearsal;
+//! use dobot_rules::VirtualStation;
 //! use dobot_safety::Policy;
 //! use dobot_wire::{MoveTo, MovingMode};
 //!
-//! let mut station = Rehearsal::new(PowerUp::new(Personality::Firmware11), Policy::default());
+//! let mut station = VirtualStation::new(PowerUp::new(Personality::Firmware11), Policy::default());
 //! station.run_for(Duration::from_secs(1));
 //! let anna = station.client("Anna");
 //!
@@ -41,7 +41,6 @@
 
 mod approach;
 mod arm_thread;
-mod arms;
 mod client;
 mod connect;
 mod driver;
@@ -50,25 +49,26 @@ mod guardian;
 mod handle;
 mod host;
 mod jobs;
+mod known_arms;
 mod recording;
 mod refusal;
-mod rehearsal;
 mod service_manager;
 mod supervisor;
 mod text;
+mod virtual_station;
 
 pub use approach::{Approach, WantedArm};
-pub use arms::ArmsError;
 pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 #[cfg(unix)]
 pub use guardian::guard;
 pub use guardian::{Guardian, Hazards, Heartbeat, JogKind, Silence};
-pub use handle::{Answer, Client, Ends, Handle, Message, Rules, Snapshot};
+pub use handle::{Client, Ends, Handle, Message, Rules, Snapshot};
 pub use host::{Host, HostError, Setup};
+pub use known_arms::KnownArmsError;
 pub use refusal::{Holder, Refusal};
-pub use rehearsal::Rehearsal;
 pub use service_manager::{Notification, ServiceManager};
 pub use supervisor::{Begun, Effect, JobPlan, Supervisor};
 pub use text::is_plain;
 pub(crate) use text::plain;
+pub use virtual_station::VirtualStation;

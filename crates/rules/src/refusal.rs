@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use dobot_api::kinds::{self, Kind};
+use dobot_api::problem_kinds::{self, ProblemKind};
 use dobot_api::{JobPhase, Problem, Role};
 use dobot_client::SendError;
 use dobot_safety::Violation;
@@ -148,66 +148,69 @@ impl Refusal {
     }
 
     /// The kind of each refusal, and what to do about it where its text does not say that.
-    fn row(&self) -> (Kind, Option<Cow<'static, str>>) {
+    fn row(&self) -> (ProblemKind, Option<Cow<'static, str>>) {
         let (kind, hint) = match self {
             Self::Role { needed, .. } => {
                 let hint = format!("use a token with the role {needed}");
-                return (kinds::ROLE, Some(hint.into()));
+                return (problem_kinds::ROLE, Some(hint.into()));
             }
-            Self::NoLease { holder } => (kinds::NO_LEASE, lease_hint(holder.as_ref())),
-            Self::NotAsking(_) => (kinds::NOT_ASKING, "`dobot lease` shows who asks"),
+            Self::NoLease { holder } => (problem_kinds::NO_LEASE, lease_hint(holder.as_ref())),
+            Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
             Self::Stopped { .. } => (
-                kinds::STOPPED,
+                problem_kinds::STOPPED,
                 "look at the arm; when it may move again, `dobot stop --reset`",
             ),
-            Self::StillMoving { .. } => (kinds::STILL_MOVING, "wait until it rests"),
-            Self::LetGo(_) => (kinds::LET_GO, "let go of the button, then press it again"),
+            Self::StillMoving { .. } => (problem_kinds::STILL_MOVING, "wait until it rests"),
+            Self::LetGo(_) => (
+                problem_kinds::LET_GO,
+                "let go of the button, then press it again",
+            ),
             Self::NoLink(_) => (
-                kinds::NO_LINK,
+                problem_kinds::NO_LINK,
                 "`dobot watch` shows what the station waits for",
             ),
-            Self::Send(error) => return (kinds::COMMAND, send_hint(error).map(Into::into)),
-            Self::Policy(_) => (kinds::POLICY, "`dobot policy` shows the rules"),
+            Self::Send(error) => return (problem_kinds::COMMAND, send_hint(error).map(Into::into)),
+            Self::Policy(_) => (problem_kinds::POLICY, "`dobot policy` shows the rules"),
             Self::LaserDisarmed => (
-                kinds::LASER_DISARMED,
+                problem_kinds::LASER_DISARMED,
                 "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`",
             ),
             Self::TooMany { .. } => (
-                kinds::TOO_MANY,
+                problem_kinds::TOO_MANY,
                 "wait until some are over, or send them as a job",
             ),
-            Self::JobRunning(_) => (kinds::JOB_RUNNING, "pause it: `dobot jobs pause`"),
+            Self::JobRunning(_) => (problem_kinds::JOB_RUNNING, "pause it: `dobot jobs pause`"),
             Self::Detecting => (
-                kinds::DETECTING,
+                problem_kinds::DETECTING,
                 "wait until it is done, or stop it: `dobot stop`",
             ),
             Self::NotFound(_) => (
-                kinds::DIALECT_NOT_FOUND,
+                problem_kinds::DIALECT_NOT_FOUND,
                 "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
             ),
-            Self::NoJobRuns => (kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
-            Self::NoSuchJob(_) => (kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),
-            Self::JobPhase { .. } => (kinds::JOB_PHASE, "`dobot jobs` lists the jobs"),
+            Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
+            Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),
+            Self::JobPhase { .. } => (problem_kinds::JOB_PHASE, "`dobot jobs` lists the jobs"),
             Self::NoVectors(_) => (
-                kinds::NO_VECTORS,
+                problem_kinds::NO_VECTORS,
                 "`dobot set percent` changes the speed of targets",
             ),
             Self::BadJob { .. } => (
-                kinds::BAD_JOB,
+                problem_kinds::BAD_JOB,
                 "change that command, and submit the job again",
             ),
             Self::CannotResume(_) => (
-                kinds::CANNOT_RESUME,
+                problem_kinds::CANNOT_RESUME,
                 "`dobot jobs` says how far it is; `dobot jobs cancel` ends it",
             ),
             Self::Journal(_) => (
-                kinds::JOURNAL,
+                problem_kinds::JOURNAL,
                 "make room on the disk, or check the folder's permissions",
             ),
-            Self::Ending => (kinds::ENDING, "`dobot up` starts it again"),
+            Self::Ending => (problem_kinds::ENDING, "`dobot up` starts it again"),
             // Both say what is allowed.
-            Self::OutOfRange { .. } => return (kinds::OUT_OF_RANGE, None),
-            Self::Malformed(_) => return (kinds::MALFORMED, None),
+            Self::OutOfRange { .. } => return (problem_kinds::OUT_OF_RANGE, None),
+            Self::Malformed(_) => return (problem_kinds::MALFORMED, None),
         };
         (kind, Some(hint.into()))
     }

@@ -11,7 +11,6 @@ mod job;
 mod jog;
 mod laser;
 mod lease;
-mod line;
 mod link;
 mod outbox;
 mod plan;
@@ -19,6 +18,7 @@ mod request;
 mod run;
 mod save;
 mod stop;
+mod urgent;
 
 use std::time::Duration;
 
@@ -36,7 +36,7 @@ use self::jog::Jogging;
 use self::lease::Leases;
 use self::link::Link;
 use self::outbox::Outbox;
-use self::run::{Run, Wish};
+use self::run::{JobEffect, Run};
 use self::save::Save;
 use self::stop::Stop;
 use crate::refusal::Refusal;
@@ -176,16 +176,15 @@ impl Supervisor {
     }
 
     fn watch_detection(&mut self, status: &Status) {
-        let (packet, outcome) = self.detecting.handle_status(self.arm.now(), status);
-        if let Some(packet) = packet {
+        if let Some(packet) = self.detecting.handle_status(self.arm.now(), status) {
             self.arm.send_urgent_packet(packet);
         }
-        if let Some((client, found)) = outcome {
+        if let Some((client, found)) = self.detecting.poll_outcome() {
             let answer = found.and_then(|finding| {
                 self.set_dialect(finding.dialect)
                     .map(|_| Reply::Found { finding })
             });
-            self.outbox.answer((client, answer));
+            self.outbox.answer(client, answer);
         }
     }
 
@@ -196,20 +195,23 @@ impl Supervisor {
     }
 
     /// Has the job do something, if there is one, and what it wants.
-    fn of_run<W: IntoIterator<Item = Wish>>(&mut self, act: impl FnOnce(&mut Run, &mut Arm) -> W) {
+    fn of_run<W: IntoIterator<Item = JobEffect>>(
+        &mut self,
+        act: impl FnOnce(&mut Run, &mut Arm) -> W,
+    ) {
         if let Some(run) = &mut self.run {
-            let wishes = act(run, &mut self.arm);
-            self.fulfil(wishes);
+            let effects = act(run, &mut self.arm);
+            self.fulfil(effects);
         }
     }
 
-    fn fulfil(&mut self, wishes: impl IntoIterator<Item = Wish>) {
-        for wish in wishes {
-            match wish {
-                Wish::Ask(effect) => self.save.ask(effect),
-                Wish::Keep(effect) => self.save.keep_phase(effect),
-                Wish::Notify(news, text) => self.notify(news, text),
-                Wish::Forget => self.run = None,
+    fn fulfil(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
+        for effect in effects {
+            match effect {
+                JobEffect::Ask(effect) => self.save.ask(effect),
+                JobEffect::Keep(effect) => self.save.keep_phase(effect),
+                JobEffect::Notify(news, text) => self.notify(news, text),
+                JobEffect::Forget => self.run = None,
             }
             self.outbox.note_change();
         }

@@ -3,7 +3,7 @@
 use dobot_arm::{Joints, REAR_ARM, Tool};
 use dobot_trajectory::ArmPlace;
 
-use crate::point::{Point, distance};
+use crate::distance::distance;
 
 /// The arm at one place, as lines through its links.
 ///
@@ -17,10 +17,10 @@ use crate::point::{Point, distance};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Body {
-    pub(crate) elbow: Point,
-    pub(crate) wrist: Point,
-    pub(crate) tool: Point,
-    pub(crate) tip: Point,
+    pub(crate) elbow: [f64; 3],
+    pub(crate) wrist: [f64; 3],
+    pub(crate) tool: [f64; 3],
+    pub(crate) tip: [f64; 3],
 }
 
 /// What the rules measure.
@@ -61,7 +61,7 @@ impl Body {
     }
 
     /// Rear arm, forearm, hand and tool.
-    pub(crate) const fn lines(&self) -> [[Point; 2]; 4] {
+    pub(crate) const fn lines(&self) -> [[[f64; 3]; 2]; 4] {
         [
             [PIVOT, self.elbow],
             [self.elbow, self.wrist],
@@ -118,4 +118,4 @@ pub(crate) fn measures(place: &ArmPlace) -> [f64; MEASURES] {
 }
 
 /// Where the rear arm turns: the origin.
-pub(crate) const PIVOT: Point = [0.0; 3];
+pub(crate) const PIVOT: [f64; 3] = [0.0; 3];

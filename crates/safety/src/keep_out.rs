@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Bounds;
-use crate::point::{Point, distance};
+use crate::distance::distance;
 
 /// What no part of the arm may touch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -42,15 +42,12 @@ pub struct Cylinder {
     pub z_mm: Bounds,
 }
 
-/// A part of the arm at the two ends of a segment of its way: its line, then its line.
-pub(crate) type Swept = [[Point; 2]; 2];
-
 impl KeepOut {
     /// Whether a straight line touches it when it is made larger on all sides.
     ///
     /// A box grows to a box and a cylinder to a cylinder, so corners grow a little more; one that
     /// shrinks (`grown` below 0) to nothing is touched by nothing.
-    pub(crate) fn touches(&self, line: &[Point; 2], grown: f64) -> bool {
+    pub(crate) fn touches(&self, line: &[[f64; 3]; 2], grown: f64) -> bool {
         match self {
             Self::Box(area) => {
                 let spans = area.axes().map(|span| span.grown(grown));
@@ -66,12 +63,13 @@ impl KeepOut {
         }
     }
 
-    /// Whether the whole way of a part of the arm is clear of it, by `room` on all sides.
+    /// Whether the whole way of a part of the arm, from its line at one end to its line at the other, is
+    /// clear of it, by `room` on all sides.
     ///
     /// Each point of the part goes from its place at one end to its place at the other, and strays
     /// from the straight way by less than `room`. A clear way may be found not to be; never the
     /// other way round.
-    pub(crate) fn is_clear_of(&self, swept: &Swept, room: f64) -> bool {
+    pub(crate) fn is_clear_of(&self, swept: &[[[f64; 3]; 2]; 2], room: f64) -> bool {
         self.has_face_between(swept, room) || {
             let [a, b] = swept;
             let middle = [mean(a[0], b[0]), mean(a[1], b[1])];
@@ -81,7 +79,7 @@ impl KeepOut {
     }
 
     /// How much it may grow until it touches one of these lines; negative where it does already.
-    pub(crate) fn room(&self, lines: &[[Point; 2]], most: f64) -> f64 {
+    pub(crate) fn room(&self, lines: &[[[f64; 3]; 2]], most: f64) -> f64 {
         let touched = |grown| lines.iter().any(|line| self.touches(line, grown));
         let (mut clear, mut touching) = (-THICKEST_MM, most);
         if !touched(most) {
@@ -99,7 +97,7 @@ impl KeepOut {
     }
 
     /// Whether one flat face has the keep-out on one side and all four corners on the other.
-    fn has_face_between(&self, [a, b]: &Swept, room: f64) -> bool {
+    fn has_face_between(&self, [a, b]: &[[[f64; 3]; 2]; 2], room: f64) -> bool {
         let corners = [a[0], a[1], b[0], b[1]];
         let beyond = |axis: usize, span: Bounds| {
             let Bounds { min, max } = span.grown(room);
@@ -123,7 +121,7 @@ impl Area {
 
 impl Cylinder {
     /// The horizontal distance from the axis to a part of a line, given in shares of it.
-    fn axis_distance(&self, [from, to]: &[Point; 2], [start, end]: [f64; 2]) -> f64 {
+    fn axis_distance(&self, [from, to]: &[[f64; 3]; 2], [start, end]: [f64; 2]) -> f64 {
         let [way_x, way_y] = [to[0] - from[0], to[1] - from[1]];
         let [x, y] = [self.x_mm - from[0], self.y_mm - from[1]];
         let length_v2 = way_x * way_x + way_y * way_y;
@@ -136,14 +134,14 @@ impl Cylinder {
     }
 
     /// Whether the upright plane that faces the middle of the corners keeps all of them off.
-    fn tangent_between(&self, corners: &[Point; 4], room: f64) -> bool {
-        let from_axis = |point: &Point| [point[0] - self.x_mm, point[1] - self.y_mm];
+    fn tangent_between(&self, corners: &[[f64; 3]; 4], room: f64) -> bool {
+        let from_axis = |point: &[f64; 3]| [point[0] - self.x_mm, point[1] - self.y_mm];
         let [x, y] = corners
             .iter()
             .map(from_axis)
             .fold([0.0, 0.0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
         let length = x.hypot(y);
-        let off = |point: &Point| {
+        let off = |point: &[f64; 3]| {
             let [from_x, from_y] = from_axis(point);
             from_x * x + from_y * y > (self.radius_mm + room) * length
         };
@@ -154,7 +152,7 @@ impl Cylinder {
 /// The part of a line, in shares of it, that lies within `span` of an axis.
 fn within(
     [start, end]: [f64; 2],
-    [from, to]: &[Point; 2],
+    [from, to]: &[[f64; 3]; 2],
     axis: usize,
     span: Bounds,
 ) -> Option<[f64; 2]> {
@@ -170,7 +168,7 @@ fn within(
     (part[0] <= part[1]).then_some(part)
 }
 
-fn mean(a: Point, b: Point) -> Point {
+fn mean(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]))
 }
 

@@ -24,6 +24,7 @@
 mod body;
 mod bounds;
 mod check;
+mod distance;
 mod fence;
 mod jog;
 mod keep_out;
@@ -32,7 +33,6 @@ mod limits;
 mod path;
 mod path_check;
 mod place;
-mod point;
 mod policy;
 mod policy_error;
 mod sections;

@@ -2,9 +2,9 @@
 
 use dobot_arm::Unreachable;
 
+use crate::distance::distance;
 use crate::fence::{Broken, Fence, PathPoint};
 use crate::path::Path;
-use crate::point::distance;
 
 /// Where and why a way is forbidden.
 #[derive(Clone, Debug)]

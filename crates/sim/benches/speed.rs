@@ -8,7 +8,7 @@ use std::time::Duration;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Line, Script, VirtualArm, simulate};
+use dobot_sim::{Script, SerialLine, VirtualArm, simulate};
 use dobot_wire::Frame;
 
 fn main() {
@@ -18,7 +18,10 @@ fn main() {
 /// A virtual arm that nobody speaks to, its statuses carried over the line.
 #[divan::bench(args = Personality::ALL)]
 fn idle(bencher: Bencher, personality: Personality) {
-    let mut arm = VirtualArm::new(Controller::power_up(PowerUp::new(personality)), Line::STOCK);
+    let mut arm = VirtualArm::new(
+        Controller::power_up(PowerUp::new(personality)),
+        SerialLine::STOCK,
+    );
     let mut bytes = Vec::new();
     bencher.counter(ItemsCount::new(IDLE_S)).bench_local(|| {
         let until = arm.now() + Duration::from_secs(IDLE_S);

@@ -15,7 +15,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::time::Duration;
 
 use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{Line, Server, VirtualArm};
+use dobot_sim::{SerialLine, Server, VirtualArm};
 use tokio::io::AsyncReadExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::task::JoinSet;
@@ -50,7 +50,7 @@ async fn serve(count: u16) -> std::io::Result<Vec<SocketAddr>> {
     for _ in 0..count {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).await?;
         addresses.push(listener.local_addr()?);
-        let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+        let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
         let mut server = Server::new(arm).on_tcp(listener);
         tokio::spawn(async move { server.run(|_| {}).await });
     }

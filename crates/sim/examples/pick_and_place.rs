@@ -7,12 +7,12 @@ use std::error::Error;
 
 use dobot_client::{Connection, LinkError};
 use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Dialect, MoveTo};
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
-    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
     let mut arm = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
     arm.next_status().await?;
 

@@ -21,12 +21,12 @@
 
 mod faults;
 mod in_process;
-mod line;
 mod mechanics;
 mod plot;
 #[cfg(unix)]
 mod pty;
 mod script;
+mod serial_line;
 mod serve;
 mod simulate;
 mod speed;
@@ -36,12 +36,12 @@ pub mod world;
 
 pub use faults::{Fault, FaultEffect, FaultError, Struck};
 pub use in_process::InProcess;
-pub use line::Line;
 pub use mechanics::{Joint, Mechanics};
 pub use plot::{Plot, Snapshot};
 #[cfg(unix)]
 pub use pty::{Pty, PtyClient};
 pub use script::{Script, ScriptError, ScriptLine, ScriptProblem, Start};
+pub use serial_line::SerialLine;
 pub use serve::{DEFAULT_TCP, DEFAULT_WORLD, RECORDING_PERIOD, Server, ServerEvent};
 pub use simulate::{SimulateError, Simulation, simulate, simulate_watched};
 pub use speed::{Speed, SpeedError};

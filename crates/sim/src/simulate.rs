@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use self::feed::Feed;
 use crate::Script;
-use crate::line::STOCK_BYTE_TIME;
+use crate::serial_line::STOCK_BYTE_TIME;
 use crate::trace::{Trace, TracedStatus, TracedTick};
 
 /// What came of a script.
@@ -45,7 +45,7 @@ pub enum SimulateError {
 /// Runs a script in virtual time: deterministic to the bit, and as fast as the machine calculates.
 ///
 /// Time 0 is the first control tick. Bytes take their time on a line such as a stock arm's
-/// ([`Line::STOCK`](crate::Line::STOCK)); each reaches the controller at its own time, and one that arrives in the
+/// ([`SerialLine::STOCK`](crate::SerialLine::STOCK)); each reaches the controller at its own time, and one that arrives in the
 /// very instant of a control tick is in time for it. A status is received when its last byte has
 /// arrived.
 ///

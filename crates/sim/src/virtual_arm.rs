@@ -7,7 +7,7 @@ use dobot_controller::{Controller, PowerUp, Refused};
 
 use crate::faults::{ArmOrder, FaultState, LineDirection, Tilt};
 use crate::world::{Actuators, Happened, World};
-use crate::{Fault, Line, Mechanics, Struck};
+use crate::{Fault, Mechanics, SerialLine, Struck};
 
 /// A controller at the end of a serial line, as an engine: it owns no port and no clock.
 #[derive(Debug)]
@@ -21,8 +21,8 @@ pub struct VirtualArm {
     spacing: Duration,
     /// Control ticks that the machine has seen.
     ticks: u32,
-    to_arm: Line,
-    from_arm: Line,
+    to_arm: SerialLine,
+    from_arm: SerialLine,
     faults: Option<Box<FaultState>>,
     now: Duration,
     /// When something last happened: up to then the way is recorded.
@@ -54,7 +54,7 @@ struct Recorder {
 impl VirtualArm {
     /// Puts a controller at the end of a line.
     #[must_use]
-    pub fn new(controller: Controller, line: Line) -> Self {
+    pub fn new(controller: Controller, line: SerialLine) -> Self {
         Self {
             mechanics: Mechanics::new(controller.joints_at(Duration::ZERO)),
             uploaded: Duration::ZERO,

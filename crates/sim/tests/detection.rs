@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_arm::{Joints, Pose, Position, Tool};
 use dobot_client::{Detection, DetectionError, Peer, plausible, position};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Fault, InProcess, Line, VirtualArm};
+use dobot_sim::{Fault, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Decoder, Finding, JointJog, JointJogAxis, Status, Statuses};
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ impl Bench {
         };
         let read = |text: &&str| text.parse::<Fault>().expect("it is a fault");
         let faults: Vec<Fault> = faults.iter().map(read).collect();
-        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         Self {
             arm: InProcess::new(arm.with_faults(power_up, &faults, 11)),
             decoder: Decoder::statuses(plausible),

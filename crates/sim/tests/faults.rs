@@ -8,7 +8,7 @@ use common::{button, completed, move_to, ms, playback, program, run};
 use dobot_arm::Joints;
 use dobot_client::{Connection, Event, LinkError, Peer};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Fault, FaultEffect, InProcess, Line, VirtualArm};
+use dobot_sim::{Fault, FaultEffect, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MovingMode, Status};
 use proptest::prelude::*;
 
@@ -20,7 +20,7 @@ fn faulty_one(personality: Personality, faults: &[&str], seed: u64) -> VirtualAr
     let read = |text: &&str| text.parse().unwrap_or_else(|error| panic!("{error}"));
     let faults: Vec<Fault> = faults.iter().map(read).collect();
     let power_up = PowerUp::new(personality);
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     arm.with_faults(power_up, &faults, seed)
 }
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use dobot_client::{Connection, LinkError, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{InProcess, Line, RECORDING_PERIOD, VirtualArm};
+use dobot_sim::{InProcess, RECORDING_PERIOD, SerialLine, VirtualArm};
 use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 use self::light::longest_stand_s;
@@ -20,7 +20,7 @@ const STILL_MM: f64 = 0.001;
 
 fn arm(personality: Personality) -> (InProcess, Connection) {
     let power_up = PowerUp::new(personality);
-    let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     arm.record(RECORDING_PERIOD);
     let arm = InProcess::new(arm);
     let connection = Connection::over_peer(arm.clone(), Some(personality.dialect()));

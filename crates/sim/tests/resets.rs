@@ -12,7 +12,7 @@ use common::{move_to, ms, vector};
 use dobot_arm::{Joints, TICK};
 use dobot_client::{Connection, Event, Session};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Fault, InProcess, Line, Script, VirtualArm, simulate_watched};
+use dobot_sim::{Fault, InProcess, Script, SerialLine, VirtualArm, simulate_watched};
 use dobot_wire::{Command, Decoder, Dialect, Frame, MovingMode, Status};
 use proptest::prelude::*;
 
@@ -154,7 +154,7 @@ fn run(
     until: Duration,
 ) -> (InProcess, Connection, Vec<(Duration, Status)>) {
     let power_up = PowerUp::new(personality);
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let arm = InProcess::new(arm.with_faults(power_up, faults, 3));
     let mut connection = Connection::over_peer(arm.clone(), Some(personality.dialect()));
     connection.session_mut().set_ahead(ahead);

@@ -8,7 +8,7 @@ use std::time::Duration;
 use common::{button, move_to, ms, vector};
 use dobot_client::{Arm, Connection, Event, LinkError, NotReached, SendError, Session, blocking};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Fault, InProcess, Line, VirtualArm};
+use dobot_sim::{Fault, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{
     Command, Configuration, JointJogAxis, LinearJog, LinearJogAxis, MovingMode, WriteVector,
 };
@@ -23,7 +23,7 @@ fn virtual_arm(personality: Personality, faults: &[&str], seed: u64) -> InProces
         .iter()
         .map(|fault| fault.parse().expect("it is a fault"))
         .collect();
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     InProcess::new(arm.with_faults(power_up, &faults, seed))
 }
 

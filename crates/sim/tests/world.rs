@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_arm::{Degrees, Joints, Pose, Position, TICK, inverse};
 use dobot_controller::{Controller, PowerUp};
 use dobot_sim::world::{Actuators, Event, Object, Point, Scene, World, WorldState};
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use proptest::prelude::*;
 
 /// An arm in a world, told where to go.
@@ -478,7 +478,7 @@ fn an_hour_of_writing_is_a_few_points_and_the_same_every_time() {
 fn a_world_feels_where_the_arm_is_and_not_where_it_believes_to_be() {
     let power_up = PowerUp::default();
     let askew = ["zero=servo:5".parse().unwrap()];
-    let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK)
+    let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK)
         .with_faults(power_up, &askew, 0)
         .with_world(World::new(Scene::parse("[pen]").unwrap()));
     arm.handle_time(Duration::from_millis(200));

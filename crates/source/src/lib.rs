@@ -38,7 +38,7 @@ pub use artwork::{Artwork, Layer};
 pub use error::{ImageError, SourceError, SvgError, TextError};
 pub use fonts::system_fonts;
 pub use options::{LayersBy, ReadOptions};
-pub use picture::{Shading, Style};
+pub use picture::{Shading, ShadingStyle};
 pub use place::Place;
 pub use source::Source;
 pub use text::{Align, Font, StrokeFont, Text};

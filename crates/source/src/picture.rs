@@ -21,7 +21,7 @@ mod waves;
 
 pub(super) use self::decode::is_picture;
 use self::decode::{Header, header, pixels};
-pub use self::shading::{Shading, Style};
+pub use self::shading::{Shading, ShadingStyle};
 use self::tone::{Tone, count};
 use crate::artwork::{Artwork, Layer};
 use crate::error::{ImageError, SourceError};
@@ -93,10 +93,10 @@ fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, To
 
 fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     match shading.style {
-        Style::Outline => outline::outlines(tone, shading, spacing_mm),
-        Style::Lines => waves::waves(tone, shading, spacing_mm),
-        Style::Stipple => stipple::stippled(tone, shading, spacing_mm),
-        Style::Hatch => hatch::hatched(tone, shading, spacing_mm),
+        ShadingStyle::Outline => outline::outlines(tone, shading, spacing_mm),
+        ShadingStyle::Lines => waves::waves(tone, shading, spacing_mm),
+        ShadingStyle::Stipple => stipple::stippled(tone, shading, spacing_mm),
+        ShadingStyle::Hatch => hatch::hatched(tone, shading, spacing_mm),
     }
 }
 

@@ -24,12 +24,12 @@ pub struct StationAddress {
     /// What allows more than watching.
     pub token: Option<String>,
     /// Why one may trust what answers, over https.
-    pub trust: Option<Trust>,
+    pub trust: Option<CertificateTrust>,
 }
 
 /// Why one may trust the certificate of a station.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Trust {
+pub enum CertificateTrust {
     /// This is the SHA-256 digest of the very certificate.
     Fingerprint([u8; 32]),
     /// It was issued by one of the certificates in this PEM file.
@@ -76,7 +76,7 @@ impl StationAddress {
             .transpose()?;
         Ok(Self {
             token: running.token.clone(),
-            trust: trust.map(Trust::Fingerprint),
+            trust: trust.map(CertificateTrust::Fingerprint),
             ..Self::new(&running.address)?
         })
     }

@@ -11,7 +11,7 @@ use tokio::time::timeout;
 use tokio_rustls::TlsConnector;
 
 use super::trust::{TrustError, client_config};
-use super::{StationAddress, Trust};
+use super::{CertificateTrust, StationAddress};
 use crate::Problem;
 
 /// Bytes both ways.
@@ -145,7 +145,7 @@ pub(super) async fn open(address: &StationAddress) -> Result<Box<dyn Bytes>, Con
 
 async fn encrypt(
     address: &StationAddress,
-    trust: &Trust,
+    trust: &CertificateTrust,
     tcp: TcpStream,
 ) -> Result<Box<dyn Bytes>, ConnectError> {
     let connector = TlsConnector::from(Arc::new(client_config(trust)?));

@@ -12,24 +12,22 @@ use rustls::{
 };
 use sha2::{Digest, Sha256};
 
-use super::Trust;
+use super::CertificateTrust;
 
 /// How to speak TLS with a station that is trusted for this reason.
-pub(super) fn client_config(trust: &Trust) -> Result<ClientConfig, TrustError> {
+pub(super) fn client_config(trust: &CertificateTrust) -> Result<ClientConfig, TrustError> {
     let provider = Arc::new(ring::default_provider());
     let builder = ClientConfig::builder_with_provider(provider.clone())
         .with_safe_default_protocol_versions()
         .expect("the provider speaks the versions that it is built with");
     let builder = match trust {
-        Trust::Fingerprint(digest) => {
-            builder
-                .dangerous()
-                .with_custom_certificate_verifier(Arc::new(Pinned {
-                    digest: *digest,
-                    provider,
-                }))
-        }
-        Trust::Authority(file) => builder.with_root_certificates(authorities(file)?),
+        CertificateTrust::Fingerprint(digest) => builder
+            .dangerous()
+            .with_custom_certificate_verifier(Arc::new(Pinned {
+                digest: *digest,
+                provider,
+            })),
+        CertificateTrust::Authority(file) => builder.with_root_certificates(authorities(file)?),
     };
     Ok(builder.with_no_client_auth())
 }

@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use anyhow::{Context, anyhow};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_sim::world::{Scene, World};
-use dobot_sim::{DEFAULT_TCP, DEFAULT_WORLD, Fault, Line, Server, ServerEvent, Speed, VirtualArm};
+use dobot_sim::{
+    DEFAULT_TCP, DEFAULT_WORLD, Fault, SerialLine, Server, ServerEvent, Speed, VirtualArm,
+};
 use tokio::net::TcpListener;
 use tokio::task::JoinSet;
 
@@ -174,7 +176,7 @@ impl Args {
             rear_deg: self.pose.0,
             fore_deg: self.pose.1,
         };
-        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         let arm = if self.faults.is_empty() {
             arm
         } else {

@@ -9,7 +9,7 @@ use anyhow::{Context, anyhow};
 use dobot_client::{Address, Link};
 use dobot_conformance::{HEADING, Hindrance, Options, Outcome, Report, Row, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -100,7 +100,7 @@ impl Args {
         if self.is_virtual() {
             let personality = self.personality.unwrap_or_default();
             let controller = Controller::power_up(PowerUp::new(personality));
-            let arm = VirtualArm::new(controller, Line::STOCK);
+            let arm = VirtualArm::new(controller, SerialLine::STOCK);
             return Ok(Link::over_peer(InProcess::new(arm)));
         }
         if self.personality.is_some() {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use anyhow::{anyhow, bail};
 use clap::Subcommand;
-use dobot_api::{ClientId, Heard, LeaseView, News, Notice, Reply, Request};
+use dobot_api::{ClientId, LeaseView, News, Notice, Reply, Request, StationEvent};
 use dobot_rules::StationClient;
 use tokio::sync::mpsc;
 use tokio::time::sleep;
@@ -135,7 +135,7 @@ async fn wait(station: &mut StationClient, me: ClientId) -> Result<(), Failure> 
             heard = station.next() => heard?,
             () = interrupt() => return Err(anyhow!("interrupted").into()),
         };
-        let Heard::Notice(notice) = heard else {
+        let StationEvent::Notice(notice) = heard else {
             continue;
         };
         match notice.news {
@@ -168,7 +168,7 @@ async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(),
             () = &mut over => break,
             () = &mut interrupt => break,
         };
-        let Heard::Notice(notice) = heard else {
+        let StationEvent::Notice(notice) = heard else {
             continue;
         };
         if let News::LeaseAsked { client } = notice.news {

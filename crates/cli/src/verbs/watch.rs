@@ -8,7 +8,9 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use crossterm::event::{Event, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use dobot_api::{ConnectError, Heard, Notice, Remote, RemoteError, Request, StationAddress, fetch};
+use dobot_api::{
+    ConnectError, Notice, Remote, RemoteError, Request, StationAddress, StationEvent, fetch,
+};
 use futures_util::StreamExt;
 use ratatui::DefaultTerminal;
 
@@ -70,7 +72,7 @@ struct Watch {
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Wish {
+enum KeyAction {
     Stop,
     /// The person wants to be asked whether the arm may move again.
     Ask,
@@ -103,9 +105,9 @@ impl Watch {
                 heard = hear(&mut remote) => self.handle_heard(&mut remote, heard),
                 key = self.keys.next() => {
                     let Some(key) = key.transpose()? else { return Ok(()) };
-                    match wish(&key, self.view.asks) {
-                        Wish::Quit => return Ok(()),
-                        wish => self.grant(&mut remote, wish).await,
+                    match action_of(&key, self.view.asks) {
+                        KeyAction::Quit => return Ok(()),
+                        action => self.grant(&mut remote, action).await,
                     }
                 }
                 back = come_back(&self.address, is_there) => remote = Some(self.take(back)),
@@ -119,13 +121,17 @@ impl Watch {
         come.remote
     }
 
-    fn handle_heard(&mut self, remote: &mut Option<Remote>, heard: Result<Heard, RemoteError>) {
+    fn handle_heard(
+        &mut self,
+        remote: &mut Option<Remote>,
+        heard: Result<StationEvent, RemoteError>,
+    ) {
         match heard {
-            Ok(Heard::State(state)) => {
+            Ok(StationEvent::State(state)) => {
                 self.view.state = Some(*state);
                 self.view.lost = None;
             }
-            Ok(Heard::Notice(notice)) => self.view.handle_notice(notice),
+            Ok(StationEvent::Notice(notice)) => self.view.handle_notice(notice),
             Err(error) => self.lose(remote, &error),
         }
     }
@@ -136,14 +142,14 @@ impl Watch {
     }
 
     /// Does what a key asks for.
-    async fn grant(&mut self, remote: &mut Option<Remote>, wish: Wish) {
-        self.view.asks = wish == Wish::Ask;
-        let request = match wish {
-            Wish::Stop => Request::Stop {
+    async fn grant(&mut self, remote: &mut Option<Remote>, action: KeyAction) {
+        self.view.asks = action == KeyAction::Ask;
+        let request = match action {
+            KeyAction::Stop => Request::Stop {
                 reason: Some("a key of `dobot watch` was pressed".into()),
             },
-            Wish::Reset => Request::ResetStop,
-            Wish::Ask | Wish::Nothing | Wish::Quit => return,
+            KeyAction::Reset => Request::ResetStop,
+            KeyAction::Ask | KeyAction::Nothing | KeyAction::Quit => return,
         };
         let Some(station) = remote else {
             self.view.answer = Some("not sent: there is no station".into());
@@ -161,7 +167,7 @@ impl Watch {
 }
 
 /// What the station tells next; nothing while there is none.
-async fn hear(remote: &mut Option<Remote>) -> Result<Heard, RemoteError> {
+async fn hear(remote: &mut Option<Remote>) -> Result<StationEvent, RemoteError> {
     match remote {
         Some(remote) => remote.next().await,
         None => std::future::pending().await,
@@ -182,20 +188,20 @@ async fn come_back(address: &StationAddress, is_there: bool) -> Come {
 }
 
 /// What a key means, depending on whether a question was asked.
-fn wish(event: &Event, asks: bool) -> Wish {
+fn action_of(event: &Event, asks: bool) -> KeyAction {
     let key = match event {
         Event::Key(key) if key.kind != KeyEventKind::Release => key,
         // A resize answers no question.
-        _ if asks => return Wish::Ask,
-        _ => return Wish::Nothing,
+        _ if asks => return KeyAction::Ask,
+        _ => return KeyAction::Nothing,
     };
     match key.code {
-        KeyCode::Char('c') if is_control(key) => Wish::Quit,
-        KeyCode::Char('s' | 'S' | ' ') => Wish::Stop,
-        KeyCode::Char('r' | 'R') => Wish::Ask,
-        KeyCode::Char('y' | 'Y') if asks => Wish::Reset,
-        KeyCode::Char('q' | 'Q') => Wish::Quit,
-        _ => Wish::Nothing,
+        KeyCode::Char('c') if is_control(key) => KeyAction::Quit,
+        KeyCode::Char('s' | 'S' | ' ') => KeyAction::Stop,
+        KeyCode::Char('r' | 'R') => KeyAction::Ask,
+        KeyCode::Char('y' | 'Y') if asks => KeyAction::Reset,
+        KeyCode::Char('q' | 'Q') => KeyAction::Quit,
+        _ => KeyAction::Nothing,
     }
 }
 
@@ -217,31 +223,34 @@ mod tests {
     fn space_and_s_stop_whatever_is_asked() {
         for asks in [false, true] {
             for code in [' ', 's', 'S'] {
-                assert_eq!(wish(&key(KeyCode::Char(code)), asks), Wish::Stop);
+                assert_eq!(action_of(&key(KeyCode::Char(code)), asks), KeyAction::Stop);
             }
         }
     }
 
     #[test]
     fn a_stop_is_reset_only_by_a_yes_to_the_question() {
-        assert_eq!(wish(&key(KeyCode::Char('y')), false), Wish::Nothing);
-        assert_eq!(wish(&key(KeyCode::Char('r')), false), Wish::Ask);
-        assert_eq!(wish(&key(KeyCode::Char('y')), true), Wish::Reset);
+        assert_eq!(
+            action_of(&key(KeyCode::Char('y')), false),
+            KeyAction::Nothing
+        );
+        assert_eq!(action_of(&key(KeyCode::Char('r')), false), KeyAction::Ask);
+        assert_eq!(action_of(&key(KeyCode::Char('y')), true), KeyAction::Reset);
         for code in [KeyCode::Char('n'), KeyCode::Enter, KeyCode::Esc] {
-            assert_eq!(wish(&key(code), true), Wish::Nothing, "{code:?}");
+            assert_eq!(action_of(&key(code), true), KeyAction::Nothing, "{code:?}");
         }
     }
 
     #[test]
     fn q_and_control_c_leave() {
         let control_c = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
-        assert_eq!(wish(&Event::Key(control_c), false), Wish::Quit);
-        assert_eq!(wish(&key(KeyCode::Char('q')), false), Wish::Quit);
+        assert_eq!(action_of(&Event::Key(control_c), false), KeyAction::Quit);
+        assert_eq!(action_of(&key(KeyCode::Char('q')), false), KeyAction::Quit);
     }
 
     #[test]
     fn a_resize_answers_no_question() {
-        assert_eq!(wish(&Event::Resize(80, 24), false), Wish::Nothing);
-        assert_eq!(wish(&Event::Resize(80, 24), true), Wish::Ask);
+        assert_eq!(action_of(&Event::Resize(80, 24), false), KeyAction::Nothing);
+        assert_eq!(action_of(&Event::Resize(80, 24), true), KeyAction::Ask);
     }
 }

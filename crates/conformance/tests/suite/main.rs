@@ -12,7 +12,7 @@ use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_client::{Link, Peer};
 use dobot_conformance::{Check, HEADING, Options, Outcome, Report, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp, STEPS_PER_DEG};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::Frame;
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::time::{Instant, sleep_until, timeout};
@@ -31,7 +31,7 @@ const ON_A_PORT: Options = Options {
 
 fn arm(power_up: PowerUp) -> InProcess {
     let controller = Controller::power_up(power_up);
-    InProcess::new(VirtualArm::new(controller, Line::STOCK))
+    InProcess::new(VirtualArm::new(controller, SerialLine::STOCK))
 }
 
 fn speaking(personality: Personality) -> InProcess {

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use dobot_api::{ClientId, Folders, Heard, JobView, Notice, RemoteError, Reply, Request, Role};
+use dobot_api::{
+    ClientId, Folders, JobView, Notice, RemoteError, Reply, Request, Role, StationEvent,
+};
 use dobot_client::{Address, OpenError};
 use dobot_safety::Policy;
 use dobot_wire::Dialect;
@@ -87,16 +89,16 @@ impl Local {
     }
 
     /// What happened comes before the state behind it.
-    pub(super) async fn next(&mut self) -> Result<Heard, RemoteError> {
+    pub(super) async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         loop {
             let ended = tokio::select! {
                 biased;
                 notice = self.notices.recv() => match notice {
-                    Ok(notice) => return Ok(Heard::Notice((*notice).clone())),
+                    Ok(notice) => return Ok(StationEvent::Notice((*notice).clone())),
                     Err(error) => error,
                 },
                 state = self.states.recv() => match state {
-                    Ok(state) => return Ok(Heard::State(Box::new(state.state().clone()))),
+                    Ok(state) => return Ok(StationEvent::State(Box::new(state.state().clone()))),
                     Err(error) => error,
                 },
             };

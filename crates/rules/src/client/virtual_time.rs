@@ -3,27 +3,27 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_api::{ClientId, Heard, JobView, Reply, Request};
+use dobot_api::{ClientId, JobView, Reply, Request, StationEvent};
 use dobot_controller::PowerUp;
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 
-use crate::{Refusal, Rehearsal};
+use crate::{Refusal, VirtualStation};
 
 /// A client of rules that are kept in virtual time: time passes while it waits.
 #[derive(Debug)]
 pub(super) struct InVirtualTime {
-    station: Rehearsal,
+    station: VirtualStation,
     client: ClientId,
     /// What was told and not asked for yet; of states only the last one, unless it asks for each.
-    heard: VecDeque<Heard>,
+    heard: VecDeque<StationEvent>,
     /// How many notices were told.
     told: usize,
 }
 
 impl InVirtualTime {
     pub(super) fn new(power_up: PowerUp, policy: Policy, name: &str) -> Self {
-        let mut station = Rehearsal::new(power_up, policy);
+        let mut station = VirtualStation::new(power_up, policy);
         station.free_laser();
         let client = station.client(name);
         Self {
@@ -39,7 +39,7 @@ impl InVirtualTime {
     }
 
     /// Lets time pass until something is told.
-    pub(super) fn next(&mut self) -> Heard {
+    pub(super) fn next(&mut self) -> StationEvent {
         loop {
             self.listen();
             if let Some(heard) = self.heard.pop_front() {
@@ -79,13 +79,17 @@ impl InVirtualTime {
 
     fn listen(&mut self) {
         let notices = self.station.notices();
-        let news = notices[self.told..].iter().cloned().map(Heard::Notice);
+        let news = notices[self.told..]
+            .iter()
+            .cloned()
+            .map(StationEvent::Notice);
         self.heard.extend(news);
         self.told = notices.len();
         if self.station.poll_status() {
-            self.heard.retain(|it| !matches!(it, Heard::State(_)));
+            self.heard
+                .retain(|it| !matches!(it, StationEvent::State(_)));
             let state = Box::new(self.station.supervisor().state());
-            self.heard.push_back(Heard::State(state));
+            self.heard.push_back(StationEvent::State(state));
         }
     }
 }

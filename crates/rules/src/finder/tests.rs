@@ -7,7 +7,7 @@ use std::path::Path;
 
 use dobot_client::{OpenError, Usb, plausible};
 use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{Fault, Line, Pty, PtyClient, Server, VirtualArm};
+use dobot_sim::{Fault, Pty, PtyClient, SerialLine, Server, VirtualArm};
 use dobot_wire::Decoder;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpListener;
@@ -42,7 +42,7 @@ fn arm(faults: &[&str]) -> (JoinHandle<()>, Port) {
         .iter()
         .map(|it| it.parse().expect("it is a fault"))
         .collect();
-    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
     let arm = arm.with_faults(PowerUp::default(), &faults, 0);
     let pty = pty();
     let port = port(pty.path());
@@ -250,7 +250,7 @@ async fn an_address_on_the_network_is_listened_to_like_a_port() {
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).await;
     let listener = listener.expect("a port is free");
     let address = listener.local_addr().expect("it is bound");
-    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
     let mut server = Server::new(arm).on_tcp(listener);
     tokio::spawn(async move { server.run(|_| {}).await });
     let mut finder = Finder::new(Search {

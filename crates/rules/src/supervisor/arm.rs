@@ -6,8 +6,8 @@ use dobot_client::{CommandId, SendError, Session};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet, Status};
 
-use super::line::Line;
 use super::seconds;
+use super::urgent::UrgentQueue;
 use crate::refusal::Refusal;
 
 /// The arm, at a time that never goes back. Whatever is sent to it goes this way.
@@ -16,7 +16,7 @@ pub(super) struct Arm {
     session: Session,
     policy: Policy,
     now: Duration,
-    line: Line,
+    line: UrgentQueue,
     last: Option<Status>,
     /// How many statuses in a row told the same place.
     still: u32,
@@ -31,7 +31,7 @@ impl Arm {
             session,
             policy,
             now: Duration::ZERO,
-            line: Line::default(),
+            line: UrgentQueue::default(),
             last: None,
             still: 0,
         }

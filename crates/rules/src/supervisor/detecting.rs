@@ -26,9 +26,6 @@ struct RunningDetection {
     detection: Detection,
 }
 
-/// What a client is answered whose detection is over.
-pub(super) type Outcome = (ClientId, Result<Finding, Refusal>);
-
 impl Detecting {
     /// Begins, where the arm rests.
     pub(super) fn begin(
@@ -63,24 +60,21 @@ impl Detecting {
         self.under_way.as_ref().map_or(Duration::ZERO, |_| MOTION)
     }
 
-    /// With each status: what is to be sent now, and what came of it.
-    pub(super) fn handle_status(
-        &mut self,
-        now: Duration,
-        status: &Status,
-    ) -> (Option<Packet>, Option<Outcome>) {
-        let Some(RunningDetection { client, detection }) = &mut self.under_way else {
-            return (None, None);
-        };
+    /// With each status: what is to be sent now.
+    pub(super) fn handle_status(&mut self, now: Duration, status: &Status) -> Option<Packet> {
+        let RunningDetection { detection, .. } = self.under_way.as_mut()?;
         detection.handle_status(now, status);
-        let (client, packet) = (*client, detection.poll_packet());
-        let outcome = detection.poll_outcome().map(|outcome| {
-            self.under_way = None;
-            let found = outcome.map_err(|error| Refusal::NotFound(error.to_string()));
-            self.finding = found.as_ref().ok().cloned().or(self.finding.take());
-            (client, found)
-        });
-        (packet, outcome)
+        detection.poll_packet()
+    }
+
+    /// What came of it, and who asked for it, once it is over.
+    pub(super) fn poll_outcome(&mut self) -> Option<(ClientId, Result<Finding, Refusal>)> {
+        let RunningDetection { client, detection } = self.under_way.as_mut()?;
+        let (client, outcome) = (*client, detection.poll_outcome()?);
+        self.under_way = None;
+        let found = outcome.map_err(|error| Refusal::NotFound(error.to_string()));
+        self.finding = found.as_ref().ok().cloned().or(self.finding.take());
+        Some((client, found))
     }
 
     /// Ends a detection that cannot go on; says whose it was.

@@ -202,7 +202,7 @@ impl Supervisor {
     pub(super) fn end_detection(&mut self, why: &str) {
         if let Some(client) = self.detecting.end() {
             let refusal = Refusal::NotFound(why.to_owned());
-            self.outbox.answer((client, Err(refusal)));
+            self.outbox.answer(client, Err(refusal));
         }
     }
 

@@ -41,10 +41,10 @@ impl Supervisor {
         if begun.plan.burns() {
             self.arm.check_laser_armed()?;
         }
-        let (run, wishes) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
+        let (run, effects) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
         self.halt.forget();
         self.run = Some(run);
-        self.fulfil(wishes);
+        self.fulfil(effects);
         Ok(self.job_reply())
     }
 
@@ -143,8 +143,8 @@ impl Supervisor {
         self.check_adjustable()?;
         self.take_back();
         if let Some(run) = &mut self.run {
-            let wish = run.set_height(offset_mm, self.arm.policy())?;
-            self.fulfil([wish]);
+            let effect = run.set_height(offset_mm, self.arm.policy())?;
+            self.fulfil([effect]);
         }
         Ok(self.job_reply())
     }

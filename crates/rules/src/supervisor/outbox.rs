@@ -8,9 +8,6 @@ use dobot_wire::Status;
 
 use crate::refusal::Refusal;
 
-/// An answer that took its time, and whose it is.
-pub(super) type Answer = (ClientId, Result<Reply, Refusal>);
-
 /// Notices, statuses and answers until they are fetched.
 #[derive(Debug)]
 pub(super) struct Outbox {
@@ -18,7 +15,8 @@ pub(super) struct Outbox {
     notice_count: u64,
     /// Statuses for raw programs, to which each one is a permit.
     statuses: VecDeque<Status>,
-    answers: VecDeque<Answer>,
+    /// Answers that took their time, and whose they are.
+    answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
     /// Something changed that those who watch want to see.
     changed: bool,
 }
@@ -50,8 +48,8 @@ impl Outbox {
         self.statuses.push_back(status);
     }
 
-    pub(super) fn answer(&mut self, answer: Answer) {
-        self.answers.push_back(answer);
+    pub(super) fn answer(&mut self, client: ClientId, answer: Result<Reply, Refusal>) {
+        self.answers.push_back((client, answer));
     }
 
     pub(super) const fn note_change(&mut self) {
@@ -66,7 +64,7 @@ impl Outbox {
         self.statuses.pop_front()
     }
 
-    pub(super) fn poll_answer(&mut self) -> Option<Answer> {
+    pub(super) fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
         self.answers.pop_front()
     }
 

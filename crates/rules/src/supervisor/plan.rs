@@ -69,7 +69,7 @@ impl JobPlan {
     ) -> Result<Self, Refusal> {
         let first = check_beginning(&commands)?;
         let burns = commands.iter().any(burns);
-        let mut look = Look {
+        let mut look = PlanWalk {
             policy,
             model,
             height: Height::planned(burns),
@@ -269,7 +269,7 @@ impl Step {
 }
 
 /// Follows a job from command to command.
-struct Look<'a> {
+struct PlanWalk<'a> {
     policy: &'a Policy,
     model: Model,
     height: Height,
@@ -278,7 +278,7 @@ struct Look<'a> {
     until_s: f64,
 }
 
-impl Look<'_> {
+impl PlanWalk<'_> {
     /// From here on another height is wanted; where the arm is brought for that, the last step ends.
     fn change(&mut self, change: &HeightChange, last: Option<&mut Step>) {
         let higher_mm = change.begin_mm - self.height.raised_mm;

@@ -3,9 +3,9 @@
 mod adjust;
 mod approach;
 mod begun;
-mod pace;
 mod permit;
 mod rest;
+mod speeds;
 mod supply;
 mod watch;
 
@@ -22,8 +22,8 @@ use dobot_wire::{Command, Status};
 pub(super) use self::adjust::{check_height, check_speed};
 use self::approach::straight;
 pub use self::begun::{Begun, Effect};
-use self::pace::Pace;
 use self::permit::Permit;
+use self::speeds::Speeds;
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
@@ -35,11 +35,11 @@ pub(super) struct Run {
     /// The next command to be given to the session.
     next: usize,
     permit: Permit,
-    pace: Pace,
+    pace: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
     /// What the last command has left that is over.
-    left: Left,
+    left: CarriedOver,
     tool: ToolHeight,
     /// From where it goes on to where it rests.
     ran: Option<Ran>,
@@ -47,7 +47,7 @@ pub(super) struct Run {
 
 /// What a job wants of the supervisor.
 #[derive(Debug)]
-pub(super) enum Wish {
+pub(super) enum JobEffect {
     /// The journal is asked to keep this.
     Ask(Effect),
     /// The journal is to keep the job's phase, however long that takes.
@@ -64,12 +64,12 @@ struct SentCommand {
     id: CommandId,
     index: usize,
     /// What the arm has behind it.
-    left: Left,
+    left: CarriedOver,
 }
 
 /// What a command leaves to the next one.
 #[derive(Clone, Copy, Debug, Default)]
-struct Left {
+struct CarriedOver {
     /// The speed that the arm has, or keeps for the next vector, in mm/s: in a stock arm that is a
     /// bit even where it rests.
     speed_mm_s: f32,
@@ -153,7 +153,7 @@ impl Run {
     fn new(begun: Begun, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
-        let pace = Pace::new(begun.adjustment.speed_percent, machine);
+        let pace = Speeds::new(begun.adjustment.speed_percent, machine);
         Self {
             begun,
             phase,
@@ -162,7 +162,7 @@ impl Run {
             permit: Permit::new(completed, kept),
             pace,
             given: VecDeque::new(),
-            left: Left::default(),
+            left: CarriedOver::default(),
             tool: ToolHeight::Down,
             ran: None,
         }
@@ -178,7 +178,7 @@ impl Run {
     }
 
     /// What the last command leaves that was given.
-    fn left(&self) -> Left {
+    fn left(&self) -> CarriedOver {
         self.given.back().map_or(self.left, |it| it.left)
     }
 
@@ -187,29 +187,29 @@ impl Run {
     }
 
     /// What is left by all that is over, where that was done as planned.
-    fn planned_left(&self) -> Left {
+    fn planned_left(&self) -> CarriedOver {
         let next = self.begun.plan.chain(self.begun.completed).next();
-        Left {
+        CarriedOver {
             speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
             is_unknown: self.begun.completed > 0,
-            ..Left::default()
+            ..CarriedOver::default()
         }
     }
 
     /// What a command leaves that comes next, on what the one before has left.
-    fn after(&self, before: Left, command: &Command) -> Left {
+    fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
         let machine = self.pace.machine_at(&self.begun.plan, self.next);
         match command {
-            Command::WriteVector(it) => Left {
+            Command::WriteVector(it) => CarriedOver {
                 speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
                 moves: it.end_speed_mm_s > 0.0 && !it.stop,
                 is_unknown: before.is_unknown && self.pace.rests_each(self.next),
             },
-            _ if machine.has_ticks => Left {
+            _ if machine.has_ticks => CarriedOver {
                 moves: false,
                 ..before
             },
-            _ => Left::default(),
+            _ => CarriedOver::default(),
         }
     }
 

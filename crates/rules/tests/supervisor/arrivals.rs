@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use dobot_api::{News, Reply, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, Configuration, MoveTo};
 
 use crate::commands::target;
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 
 /// What the vendor's client says first: a default pause of 100 s (note N10).
 const VENDORS: Command = Command::Configuration(Configuration::Playback {
@@ -23,13 +23,13 @@ const VENDORS: Command = Command::Configuration(Configuration::Playback {
 });
 
 /// When a notice came, and what it said.
-fn told(it: &Rehearsal, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
+fn told(it: &VirtualStation, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
     let notice = it.notices().iter().find(|it| which(&it.news))?;
     Some((notice.at_s, notice.text.clone()))
 }
 
 /// Sends a target behind the vendor's first words, lets two minutes pass, and returns its number.
-fn sent(it: &mut Rehearsal, target: MoveTo) -> u64 {
+fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     for command in [VENDORS, target.into()] {
@@ -47,7 +47,7 @@ fn sent(it: &mut Rehearsal, target: MoveTo) -> u64 {
 
 #[test]
 fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     let pauses = |it: &News| matches!(it, News::Pausing { lasts_s: 100.0, .. });
     let (began_s, text) = told(&it, pauses).expect("it is told");
@@ -63,7 +63,7 @@ fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_
 
 #[test]
 fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     assert_eq!(told(&it, |it| matches!(it, News::Pausing { .. })), None);
     let done = |it: &News| *it == News::CommandDone { command: number };
@@ -74,7 +74,7 @@ fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
 #[test]
 fn a_pause_of_its_own_is_told_as_the_commands() {
     for personality in [Personality::Specification, Personality::Firmware11] {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let pausing = MoveTo {
             pause_s: 7.5,
             ..target([220.0, 40.0, 20.0])

@@ -4,22 +4,22 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, News, Reply, Request};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, Voice};
 
 use crate::commands::{target, vector};
 use crate::releases::{buttons, check_moved, frame, hold, joint, places, released};
 
 /// A station with a stock arm whose Bluetooth port is served, heard from its first status on.
-fn rehearsal() -> (Rehearsal, ClientId) {
+fn virtual_station() -> (VirtualStation, ClientId) {
     let power_up = PowerUp {
         port: Port::Bluetooth,
         ..PowerUp::new(Personality::Firmware11)
     };
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
-    let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
     it.run_for(Duration::from_secs(1));
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -27,13 +27,13 @@ fn rehearsal() -> (Rehearsal, ClientId) {
 }
 
 /// Gives a command and waits until it is over; how long that took.
-fn done(it: &mut Rehearsal, client: ClientId, command: Command) -> Duration {
+fn done(it: &mut VirtualStation, client: ClientId, command: Command) -> Duration {
     let Reply::Accepted { command, .. } = it.ask(client, Request::Command { command }).unwrap()
     else {
         panic!("it was not taken");
     };
     let begun = it.now();
-    let is_done = |it: &Rehearsal| {
+    let is_done = |it: &VirtualStation| {
         let mut news = it.notices().iter().map(|it| &it.news);
         assert!(!news.any(|it| matches!(it, News::CommandFailed { .. })));
         let mut news = it.notices().iter().map(|it| &it.news);
@@ -45,7 +45,7 @@ fn done(it: &mut Rehearsal, client: ClientId, command: Command) -> Duration {
 
 #[test]
 fn the_port_is_recognised_and_its_line_is_clean() {
-    let (mut it, anna) = rehearsal();
+    let (mut it, anna) = virtual_station();
     done(&mut it, anna, target([220.0, 60.0, 10.0]).into());
     it.run_for(Duration::from_secs(3));
     let state = it.supervisor().state();
@@ -67,9 +67,9 @@ fn lost_statuses_are_counted_by_the_scheme_of_the_port() {
         port: Port::Bluetooth,
         ..PowerUp::new(Personality::Firmware11)
     };
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let arm = arm.with_faults(power_up, &["drop=0.1%:from".parse().unwrap()], 9);
-    let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
     it.run_for(Duration::from_mins(1));
     let counters = it.arm().controller().counters();
     let (link, whole) = (it.supervisor().state().link, counters.statuses);
@@ -82,7 +82,7 @@ fn lost_statuses_are_counted_by_the_scheme_of_the_port() {
 #[test]
 fn every_button_moves_its_own_joint() {
     for jog in buttons() {
-        let (mut it, anna) = rehearsal();
+        let (mut it, anna) = virtual_station();
         let before = places(&mut it);
         hold(&mut it, anna, jog, 600);
         it.ask(anna, Request::Release).unwrap();
@@ -97,10 +97,10 @@ fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
             port: Port::Bluetooth,
             ..PowerUp::new(Personality::Firmware11)
         };
-        let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         // The station comes when the arm has told for a while: any of its statuses may be the first.
         arm.handle_time(Duration::from_millis(2000 + after_ms));
-        let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+        let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         let jog = joint(JointJogAxis::BasePlus);
@@ -124,7 +124,7 @@ fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
 
 #[test]
 fn the_policy_sees_the_joint_that_moves() {
-    let (mut it, anna) = rehearsal();
+    let (mut it, anna) = virtual_station();
     // 7.5 degrees a second for 8 s would bring the rear arm from 45 to 105 degrees.
     hold(&mut it, anna, joint(JointJogAxis::RearPlus), 8000);
     it.run_for(Duration::from_secs(3));
@@ -137,7 +137,7 @@ fn the_policy_sees_the_joint_that_moves() {
 
 #[test]
 fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
-    let (mut it, _) = rehearsal();
+    let (mut it, _) = virtual_station();
     it.run_for(Duration::from_secs(1));
     let raw = it.client("an old program");
     let anna = it.supervisor().state().lease.unwrap().client;
@@ -165,7 +165,7 @@ fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
 
 #[test]
 fn one_command_leaves_for_each_permit_and_none_for_a_message() {
-    let (mut it, anna) = rehearsal();
+    let (mut it, anna) = virtual_station();
     let from = it.packets().len();
     for n in 0..8_u8 {
         let by = if n % 2 == 0 { 1.0 } else { -1.0 };
@@ -191,7 +191,7 @@ fn one_command_leaves_for_each_permit_and_none_for_a_message() {
 
 #[test]
 fn what_is_said_is_done_when_the_arm_rests() {
-    let (mut it, anna) = rehearsal();
+    let (mut it, anna) = virtual_station();
     let aside = target([220.0, 40.0, 0.0]);
     it.ask(
         anna,
@@ -218,7 +218,7 @@ fn what_is_said_is_done_when_the_arm_rests() {
 
 #[test]
 fn a_joint_jog_says_which_joint_and_not_which_axis() {
-    let (mut it, anna) = rehearsal();
+    let (mut it, anna) = virtual_station();
     let from = it.packets().len();
     hold(&mut it, anna, joint(JointJogAxis::ForePlus), 300);
     it.ask(anna, Request::Release).unwrap();

@@ -6,9 +6,9 @@ use dobot_api::{ClientId, JobKind, NewJob, News, Request};
 use dobot_controller::Personality;
 use dobot_geometry::{Point, Stroke, deviation};
 use dobot_plan::{DrawingTool, Laser, Paper, Pass, Plan};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 use crate::light::longest_stand_s;
 use crate::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
 
@@ -38,8 +38,8 @@ fn laser_job(personality: Personality) -> NewJob {
     }
 }
 
-pub(crate) fn armed(personality: Personality) -> (Rehearsal, ClientId, u64) {
-    let mut it = rehearsal(personality);
+pub(crate) fn armed(personality: Personality) -> (VirtualStation, ClientId, u64) {
+    let mut it = virtual_station(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&laser_job(personality)).unwrap();
@@ -51,7 +51,7 @@ pub(crate) fn armed(personality: Personality) -> (Rehearsal, ClientId, u64) {
 }
 
 /// What was burned.
-fn burned(it: &Rehearsal) -> Vec<Stroke> {
+fn burned(it: &VirtualStation) -> Vec<Stroke> {
     let samples = it.arm().samples();
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut burns = false;
@@ -68,7 +68,7 @@ fn burned(it: &Rehearsal) -> Vec<Stroke> {
     strokes
 }
 
-fn assert_burned_once(it: &Rehearsal, what: &str) {
+fn assert_burned_once(it: &VirtualStation, what: &str) {
     let (wanted, burned) = (wanted(), burned(it));
     let off_mm = deviation(&wanted, &burned).largest_mm();
     // A tick at 10 mm/s is 0.2 mm: so exactly can a laser be switched.

@@ -5,14 +5,14 @@ use std::time::Duration;
 use dobot_api::JobState;
 use dobot_api::Request;
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use proptest::prelude::*;
 
-use crate::drawing::{drawn_mm, rehearsal, spiral, wanted_mm};
+use crate::drawing::{drawn_mm, spiral, virtual_station, wanted_mm};
 
 /// Whether the arm rests, and the job can be started or gone on with: one that was killed in its
 /// first moments has not begun.
-fn rests(it: &Rehearsal, job: u64) -> bool {
+fn rests(it: &VirtualStation, job: u64) -> bool {
     let state = it.job(job).unwrap().state;
     it.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
 }
@@ -20,7 +20,7 @@ fn rests(it: &Rehearsal, job: u64) -> bool {
 /// Draws a spiral and kills the station so many milliseconds after the start, and again after each
 /// going on.
 fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
-    let mut it = rehearsal(personality);
+    let mut it = virtual_station(personality);
     let drawing = spiral(12);
     let job = it.submit(&drawing).unwrap();
     let anna = it.client("Anna");

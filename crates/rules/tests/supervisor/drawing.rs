@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{JobKind, NewJob};
 use dobot_arm::{Millimeters, Position};
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::Command;
@@ -16,11 +16,11 @@ use crate::commands::{settings, target, vector};
 pub(crate) const DOWN_MM: f32 = -30.0;
 const UP_MM: f32 = -20.0;
 
-pub(crate) fn rehearsal(personality: Personality) -> Rehearsal {
-    let mut rehearsal = Rehearsal::new(PowerUp::new(personality), Policy::default());
-    rehearsal.arm_mut().record(RECORDING_PERIOD);
-    rehearsal.run_for(Duration::from_secs(1));
-    rehearsal
+pub(crate) fn virtual_station(personality: Personality) -> VirtualStation {
+    let mut virtual_station = VirtualStation::new(PowerUp::new(personality), Policy::default());
+    virtual_station.arm_mut().record(RECORDING_PERIOD);
+    virtual_station.run_for(Duration::from_secs(1));
+    virtual_station
 }
 
 /// A spiral of straight lines: no two of its points are near each other.
@@ -61,8 +61,8 @@ fn job(title: &str, vectors: &[[f32; 2]], burns: bool) -> NewJob {
 }
 
 /// How long a line was drawn on the paper, every stroke over another one counted again.
-pub(crate) fn drawn_mm(rehearsal: &Rehearsal) -> f64 {
-    let samples = rehearsal.arm().samples();
+pub(crate) fn drawn_mm(virtual_station: &VirtualStation) -> f64 {
+    let samples = virtual_station.arm().samples();
     let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
     let flat = |at: Position| Position {
         z: Millimeters(0.0),
@@ -85,6 +85,6 @@ pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
 }
 
 /// Whether nothing more will come of a job.
-pub(crate) fn is_over(it: &Rehearsal, job: u64) -> bool {
+pub(crate) fn is_over(it: &VirtualStation, job: u64) -> bool {
     it.job(job).unwrap().state.is_over()
 }

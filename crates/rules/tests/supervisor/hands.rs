@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Request};
 use dobot_controller::Personality;
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_trajectory::{Button, JogAxis};
 use dobot_wire::{Command, JointJogAxis, LinearJogAxis, Packet};
 
@@ -16,12 +16,12 @@ const BEAT: Duration = Duration::from_millis(50);
 const PLUS: LinearJogAxis = LinearJogAxis::YPlus;
 const MINUS: LinearJogAxis = LinearJogAxis::YMinus;
 
-fn at_hand(personality: Personality) -> (Rehearsal, ClientId) {
+fn at_hand(personality: Personality) -> (VirtualStation, ClientId) {
     over(personality, 0)
 }
 
 /// Holds a button as a page does, and takes no refusal.
-fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, time: Duration) {
+fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, time: Duration) {
     let until = it.now() + time;
     while it.now() < until {
         it.ask(client, Request::Jog { jog }).unwrap();
@@ -31,7 +31,7 @@ fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, time: Duration) {
 
 /// What the arm was told of buttons, from a packet on: the axis that moves and its share, or none for a
 /// release.
-fn pressed(it: &Rehearsal, from: usize) -> Vec<(Duration, Option<(JogAxis, f64)>)> {
+fn pressed(it: &VirtualStation, from: usize) -> Vec<(Duration, Option<(JogAxis, f64)>)> {
     let dialect = *it.supervisor().session().dialect().expect("it is known");
     let packets = it.packets()[from..].iter();
     packets
@@ -46,7 +46,7 @@ fn pressed(it: &Rehearsal, from: usize) -> Vec<(Duration, Option<(JogAxis, f64)>
         .collect()
 }
 
-fn y_mm(it: &Rehearsal) -> f32 {
+fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
@@ -55,7 +55,7 @@ fn y_mm(it: &Rehearsal) -> f32 {
         .y_mm
 }
 
-fn refusals(it: &Rehearsal) -> usize {
+fn refusals(it: &VirtualStation) -> usize {
     let refused = |news: &News| matches!(news, News::Refused { .. });
     it.notices().iter().filter(|it| refused(&it.news)).count()
 }
@@ -228,7 +228,7 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
         let program = it.client("a raw program");
         let dialect = personality.dialect();
         let say =
-            |it: &mut Rehearsal, jog: Jog| it.send_raw(program, &jog.command().emit(&dialect));
+            |it: &mut VirtualStation, jog: Jog| it.send_raw(program, &jog.command().emit(&dialect));
         let release = linear(LinearJogAxis::Released);
         say(&mut it, linear(PLUS)).unwrap();
         it.run_for(Duration::from_millis(500));

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{ClientId, JobKind, NewJob, Request};
 use dobot_controller::Personality;
 use dobot_geometry::Stroke;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, Packet};
 use proptest::prelude::*;
 
@@ -16,7 +16,7 @@ use crate::strokes::{
 };
 
 /// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
-fn heights_mm(it: &Rehearsal, from: Duration) -> (f64, f64) {
+fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
     let samples = it.arm().samples().iter().filter(|it| it.at >= from);
     let heights = samples.map(|it| it.position.z.0 - DOWN_MM);
     let drawing = heights.filter(|it| *it < 2.0);
@@ -25,7 +25,7 @@ fn heights_mm(it: &Rehearsal, from: Duration) -> (f64, f64) {
     })
 }
 
-fn set(it: &mut Rehearsal, anna: ClientId, offset_mm: f64) {
+fn set(it: &mut VirtualStation, anna: ClientId, offset_mm: f64) {
     it.ask(anna, Request::SetJobHeight { offset_mm }).unwrap();
 }
 
@@ -111,7 +111,7 @@ fn what_is_out_of_range_is_refused_with_what_is_allowed() {
 
 #[test]
 fn a_job_of_targets_keeps_its_speed_and_height() {
-    let mut it = drawing::rehearsal(Personality::Firmware11);
+    let mut it = drawing::virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let refused = it.ask(anna, Request::SetJobSpeed { percent: 50.0 });
@@ -184,7 +184,7 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
         }
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(120);
-        let rests = |it: &Rehearsal| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -221,7 +221,7 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
         run_to(&mut it, 8);
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(60);
-        let rests = |it: &Rehearsal| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -233,7 +233,7 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
 }
 
 /// Whatever the height, each vector that draws was sent once, in its turn.
-fn assert_sent_once(it: &Rehearsal, personality: Personality, planned: &NewJob) {
+fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
     let drawing = |it: Command| match it {
         // What rounding leaves of a lift draws nothing.
         Command::WriteVector(it) if it.x_mm.hypot(it.y_mm) > 0.001 => Some([it.x_mm, it.y_mm]),

@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use dobot_api::{JobPhase, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 
-use crate::drawing::{drawn_mm, is_over, rehearsal, spiral, wanted_mm};
+use crate::drawing::{drawn_mm, is_over, spiral, virtual_station, wanted_mm};
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
@@ -21,7 +21,7 @@ fn close(found_mm: f64, wanted_mm: f64, what: &str) {
 #[test]
 fn a_job_is_drawn_once_and_done() {
     for personality in PERSONALITIES {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         let drawing = spiral(12);
@@ -43,7 +43,7 @@ fn a_job_is_drawn_once_and_done() {
 #[test]
 fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
     for personality in PERSONALITIES {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         let drawing = spiral(12);
@@ -54,7 +54,7 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
             it.ask(anna, Request::PauseJob).unwrap();
             let minute = it.now() + Duration::from_mins(1);
             let rests =
-                |it: &Rehearsal| it.job(job).unwrap().state.to_string().starts_with("paused");
+                |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
             assert!(it.run_until(minute, rests), "{personality}");
             it.run_for(Duration::from_secs(2));
             let z_mm = it.supervisor().state().arm.unwrap().status.z_mm;
@@ -73,7 +73,7 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
 
 #[test]
 fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let refused = it.submit(&spiral(300)).unwrap_err();
     assert_eq!(refused.kind(), "bad-job");
     let text = refused.to_string();
@@ -82,7 +82,7 @@ fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
 
 #[test]
 fn a_job_that_does_not_say_where_it_begins_is_refused() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let mut drawing = spiral(4);
     drawing.commands.remove(2);
     let refused = it.submit(&drawing).unwrap_err().to_string();
@@ -94,7 +94,7 @@ fn a_job_that_does_not_say_where_it_begins_is_refused() {
 
 #[test]
 fn nobody_else_moves_the_arm_while_a_job_runs() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&spiral(12)).unwrap();

@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
@@ -17,22 +17,22 @@ fn linear(axis: LinearJogAxis) -> Request {
     }
 }
 
-fn jogging(personality: Personality, axis: LinearJogAxis) -> (Rehearsal, ClientId) {
-    let mut it = rehearsal(personality);
+fn jogging(personality: Personality, axis: LinearJogAxis) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     it.ask(anna, linear(axis)).unwrap();
     (it, anna)
 }
 
-fn hold(it: &mut Rehearsal, client: ClientId, axis: LinearJogAxis, times: u32) {
+fn hold(it: &mut VirtualStation, client: ClientId, axis: LinearJogAxis, times: u32) {
     for _ in 0..times {
         it.run_for(Duration::from_millis(50));
         it.ask(client, linear(axis)).unwrap();
     }
 }
 
-fn y_mm(it: &Rehearsal) -> f32 {
+fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
@@ -42,7 +42,7 @@ fn y_mm(it: &Rehearsal) -> f32 {
 }
 
 /// Whether the arm stands where it stood a while before.
-fn rests(it: &mut Rehearsal) -> bool {
+fn rests(it: &mut VirtualStation) -> bool {
     it.run_for(Duration::from_secs(3));
     let before = y_mm(it);
     it.run_for(Duration::from_secs(1));
@@ -112,7 +112,7 @@ fn a_jog_ends_before_the_policy_ends_and_says_which_rule_it_was() {
 
 #[test]
 fn switches_need_not_be_held() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let jog = Jog::Joint(JointJog::new(JointJogAxis::SuctionOn, 0.0));

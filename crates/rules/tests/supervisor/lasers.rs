@@ -4,15 +4,15 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Request};
 use dobot_controller::Personality;
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 
-use crate::drawing::{burnt_spiral, rehearsal};
+use crate::drawing::{burnt_spiral, virtual_station};
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
 /// An arm that burns.
-fn burning(personality: Personality) -> (Rehearsal, ClientId, u64) {
-    let mut it = rehearsal(personality);
+fn burning(personality: Personality) -> (VirtualStation, ClientId, u64) {
+    let mut it = virtual_station(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&burnt_spiral(20)).unwrap();
@@ -27,7 +27,7 @@ fn burning(personality: Personality) -> (Rehearsal, ClientId, u64) {
     (it, anna, job)
 }
 
-fn burns(it: &Rehearsal) -> bool {
+fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
@@ -36,7 +36,7 @@ const SOON: Duration = Duration::from_millis(2_500);
 
 #[test]
 fn a_job_that_burns_is_refused_while_the_laser_is_disarmed() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&burnt_spiral(4)).unwrap();
@@ -64,7 +64,8 @@ fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
         it.run_for(SOON);
         assert!(!burns(&it), "{personality}");
         let left = it.now() + Duration::from_secs(30);
-        let paused = |it: &Rehearsal| it.job(job).unwrap().state.to_string().starts_with("paused");
+        let paused =
+            |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
         assert!(it.run_until(left, paused), "{personality}");
     }
 }
@@ -101,7 +102,7 @@ fn the_laser_is_off_soon_after_the_station_was_killed_and_started_again() {
 
 #[test]
 fn the_laser_is_armed_for_no_longer_than_the_policy_allows() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     for for_s in [0.0, -1.0, 601.0, f64::NAN, f64::INFINITY] {

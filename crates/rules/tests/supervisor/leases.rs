@@ -4,24 +4,24 @@ use std::time::Duration;
 
 use dobot_api::{Jog, Request};
 use dobot_controller::Personality;
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_trajectory::LASER_OFF;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use crate::commands::vector;
-use crate::drawing::{is_over, rehearsal, spiral};
+use crate::drawing::{is_over, spiral, virtual_station};
 
 const UP: Request = Request::Jog {
     jog: Jog::Linear(LinearJog::new(LinearJogAxis::ZMinus, 20.0)),
 };
 
-fn holder(rehearsal: &Rehearsal) -> Option<String> {
-    rehearsal.supervisor().state().lease.map(|it| it.name)
+fn holder(virtual_station: &VirtualStation) -> Option<String> {
+    virtual_station.supervisor().state().lease.map(|it| it.name)
 }
 
 #[test]
 fn nobody_moves_the_arm_who_has_not_taken_control() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     let before = it.packets().len();
     let refused = it.ask(anna, UP).unwrap_err();
@@ -33,7 +33,7 @@ fn nobody_moves_the_arm_who_has_not_taken_control() {
 
 #[test]
 fn a_second_client_is_told_who_has_control() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
     let refused = it.ask(ben, Request::TakeLease).unwrap_err();
@@ -45,7 +45,7 @@ fn a_second_client_is_told_who_has_control() {
 
 #[test]
 fn control_goes_over_to_the_one_who_asks_when_the_holder_grants_it() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
     let grant = Request::GrantLease { to: ben };
@@ -58,7 +58,7 @@ fn control_goes_over_to_the_one_who_asks_when_the_holder_grants_it() {
 
 #[test]
 fn control_is_free_when_its_holder_is_gone() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
     it.leave(anna);
@@ -68,7 +68,7 @@ fn control_is_free_when_its_holder_is_gone() {
 
 #[test]
 fn an_administrator_may_take_control_from_somebody() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
     it.ask(ben, Request::SeizeLease).unwrap();
@@ -78,7 +78,7 @@ fn an_administrator_may_take_control_from_somebody() {
 
 #[test]
 fn a_watcher_may_stop_and_nothing_else() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let watcher = it.watcher("the class");
     assert_eq!(
         it.ask(watcher, Request::TakeLease).unwrap_err().kind(),
@@ -90,7 +90,7 @@ fn a_watcher_may_stop_and_nothing_else() {
 
 #[test]
 fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&spiral(8)).unwrap();
@@ -111,7 +111,7 @@ fn packet(y_mm: f32) -> Packet {
 
 #[test]
 fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_asked() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let program = it.client("an old program");
     it.send_raw(program, &packet(40.0)).unwrap();
     it.send_raw(program, &packet(-40.0)).unwrap();
@@ -143,7 +143,7 @@ fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_ask
 #[test]
 fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let (program, anna) = (it.client("an old program"), it.client("Anna"));
         let pressed = Command::from(JointJog::new(JointJogAxis::BasePlus, 50.0));
         it.send_raw(program, &pressed.emit(&personality.dialect()))
@@ -168,7 +168,7 @@ fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
 
 #[test]
 fn a_raw_program_does_not_take_control_from_a_person_nor_a_person_from_a_person() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let (program, anna, ben) = (
         it.client("an old program"),
         it.client("Anna"),
@@ -183,7 +183,7 @@ fn a_raw_program_does_not_take_control_from_a_person_nor_a_person_from_a_person(
 
 #[test]
 fn a_pose_is_confirmed_without_control_while_nothing_may_move() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     it.crash(Duration::from_millis(100)).unwrap();
     let (program, anna) = (it.client("an old program"), it.client("Anna"));
     it.run_for(Duration::from_secs(1));

@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, JobPhase, LinkPhase, News, Request, Role};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::{Refusal, Rehearsal, Supervisor};
+use dobot_rules::{Refusal, Supervisor, VirtualStation};
 use dobot_safety::Policy;
-use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};
+use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
 use proptest::prelude::*;
 
-use crate::drawing::{burnt_spiral, drawn_mm, rehearsal, spiral, wanted_mm};
+use crate::drawing::{burnt_spiral, drawn_mm, spiral, virtual_station, wanted_mm};
 
-fn paused(it: &Rehearsal, job: u64) -> bool {
+fn paused(it: &VirtualStation, job: u64) -> bool {
     it.job(job).unwrap().state.to_string().starts_with("paused")
 }
 
@@ -24,7 +24,7 @@ proptest! {
         away_ms in 1_u64..10_000,
         twin in any::<bool>(),
     ) {
-        let mut it = rehearsal(Personality::ALL[usize::from(twin)]);
+        let mut it = virtual_station(Personality::ALL[usize::from(twin)]);
         let drawing = spiral(12);
         let job = it.submit(&drawing).unwrap();
         let anna = it.client("Anna");
@@ -34,7 +34,7 @@ proptest! {
         it.unplug();
         it.run_for(Duration::from_millis(away_ms));
         it.plug();
-        let is_over = |it: &Rehearsal| it.job(job).unwrap().state.is_over();
+        let is_over = |it: &VirtualStation| it.job(job).unwrap().state.is_over();
         for _ in 0..3 {
             let minutes = it.now() + Duration::from_mins(3);
             prop_assert!(it.run_until(minutes, |it| paused(it, job) || is_over(it)));
@@ -54,13 +54,13 @@ proptest! {
 }
 
 /// An arm on which something goes wrong.
-fn faulty(fault: &str) -> Rehearsal {
+fn faulty(fault: &str) -> VirtualStation {
     let power_up = PowerUp::new(Personality::Firmware11);
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let faults: Vec<Fault> = fault.split(' ').map(|it| it.parse().unwrap()).collect();
     let mut arm = arm.with_faults(power_up, &faults, 7);
     arm.record(RECORDING_PERIOD);
-    let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
     it.run_for(Duration::from_secs(1));
     it
 }
@@ -115,7 +115,7 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
 }
 
 /// A job that burns when something happens to the arm, and what became of it.
-fn burning_until(fault: &str) -> (Rehearsal, ClientId, u64) {
+fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
     let mut it = faulty(fault);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -125,13 +125,14 @@ fn burning_until(fault: &str) -> (Rehearsal, ClientId, u64) {
     (it, anna, job)
 }
 
-fn assert_armed_anew(it: &mut Rehearsal, anna: ClientId, job: u64, what: &str) {
+fn assert_armed_anew(it: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
     assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0, "{what}");
     let disarmed = |it: &&dobot_api::Notice| it.news == News::LaserDisarmed;
     assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
     let latest = it.now() + Duration::from_secs(20);
-    let up =
-        |it: &Rehearsal| it.supervisor().state().link.phase == LinkPhase::Up && paused(it, job);
+    let up = |it: &VirtualStation| {
+        it.supervisor().state().link.phase == LinkPhase::Up && paused(it, job)
+    };
     assert!(it.run_until(latest, up), "{what}");
     it.run_for(Duration::from_secs(3));
     it.ask(anna, Request::ConfirmPose).unwrap();
@@ -149,7 +150,7 @@ fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_a
         "close@8s..10s",
     ] {
         let (mut it, anna, job) = burning_until(fault);
-        let disarmed = |it: &Rehearsal| it.supervisor().state().laser.armed_for_s == 0.0;
+        let disarmed = |it: &VirtualStation| it.supervisor().state().laser.armed_for_s == 0.0;
         let latest = it.now() + Duration::from_secs(14);
         assert!(it.run_until(latest, disarmed), "{fault}");
         assert!(

@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, JobPhase, Jog, NewJob, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, MoveTo, MovingMode, Packet, WriteVector};
 
-use crate::drawing::{drawn_mm, is_over, rehearsal, spiral, wanted_mm};
+use crate::drawing::{drawn_mm, is_over, spiral, virtual_station, wanted_mm};
 
 /// A drawing that is at work.
-fn drawing() -> (Rehearsal, ClientId, u64, NewJob) {
-    let mut it = rehearsal(Personality::Firmware11);
+fn drawing() -> (VirtualStation, ClientId, u64, NewJob) {
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let drawing = spiral(12);
@@ -21,16 +21,16 @@ fn drawing() -> (Rehearsal, ClientId, u64, NewJob) {
     (it, anna, job, drawing)
 }
 
-fn paused(it: &Rehearsal, job: u64) -> bool {
+fn paused(it: &VirtualStation, job: u64) -> bool {
     it.job(job).unwrap().state.to_string().starts_with("paused")
 }
 
-fn wait_until_paused(it: &mut Rehearsal, job: u64) {
+fn wait_until_paused(it: &mut VirtualStation, job: u64) {
     let minute = it.now() + Duration::from_secs(60);
     assert!(it.run_until(minute, |it| paused(it, job)));
 }
 
-fn finish(it: &mut Rehearsal, anna: ClientId, job: u64, drawing: &NewJob) {
+fn finish(it: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
     it.start(anna, job).unwrap();
     let minutes = it.now() + Duration::from_secs(180);
     assert!(it.run_until(minutes, |it| is_over(it, job)));
@@ -43,7 +43,7 @@ fn finish(it: &mut Rehearsal, anna: ClientId, job: u64, drawing: &NewJob) {
 }
 
 /// How often the tool was lifted by the station, which does that slowly.
-fn lifts(it: &Rehearsal) -> usize {
+fn lifts(it: &VirtualStation) -> usize {
     let dialect = Personality::Firmware11.dialect();
     let command = |bytes: &[u8; 42]| Command::parse(&Packet::from_bytes(bytes).unwrap(), &dialect);
     let lifts = |it: &Command| match it {
@@ -213,7 +213,7 @@ fn a_job_that_was_moved_away_by_hand_while_its_place_is_unclear_is_not_gone_on_w
 
 #[test]
 fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let up = Jog::Linear(dobot_wire::LinearJog::new(
@@ -234,7 +234,7 @@ fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
 
 #[test]
 fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let target = |y_mm| {

@@ -114,7 +114,7 @@ fn a_person_who_pauses_right_before_it_is_told_all_the_same() {
 #[test]
 fn a_pause_that_makes_no_sense_is_refused() {
     let personality = Personality::Specification;
-    let mut it = drawing::rehearsal(personality);
+    let mut it = drawing::virtual_station(personality);
     let pause = |before, message: &str| JobPause {
         before,
         message: message.to_owned(),

@@ -7,12 +7,12 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, News};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, Dialect, Frame, JointJog, LinearJog};
 
 use self::played::{Look, Seen, Served, at_a_bare_arm, at_a_station, is_trapped_by};
 use self::recorded::{Program, names, program};
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 use crate::releases::frame;
 
 fn packet(floats: &[f32]) -> Frame {
@@ -21,7 +21,7 @@ fn packet(floats: &[f32]) -> Frame {
 }
 
 /// What the arm got of what a program sends, one packet for each status.
-fn got(it: &mut Rehearsal, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
+fn got(it: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
     let before = it.packets().len();
     for floats in packets {
         it.send_raw(program, &packet(floats).into()).unwrap();
@@ -34,7 +34,7 @@ fn got(it: &mut Rehearsal, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> 
 #[test]
 fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_told_what_was_changed()
 {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let program = it.client("a raw program");
     let start: [&[f32]; 2] = [
         &[
@@ -66,7 +66,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
 
 #[test]
 fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let program = it.client("a raw program");
     for n in 3..=8 {
         let mut floats = [9.0, 1.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 0.0, 20.0];
@@ -90,7 +90,7 @@ fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
 #[test]
 fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_act() {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let program = it.client("a raw program");
         let sent = got(
             &mut it,
@@ -106,7 +106,7 @@ fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_act() {
 
 #[test]
 fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
-    let mut it = rehearsal(Personality::Specification);
+    let mut it = virtual_station(Personality::Specification);
     let program = it.client("a raw program");
     let start = [
         9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 200.0, 200.0, 100.0, 20.0,

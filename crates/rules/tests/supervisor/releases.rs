@@ -5,9 +5,9 @@ use std::time::Duration;
 use dobot_api::{ClientId, Jog, News, Request};
 use dobot_arm::Joints;
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
-use dobot_sim::{Fault, Line, VirtualArm};
+use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_trajectory::{Button, JogAxis};
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
@@ -32,14 +32,14 @@ pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
 }
 
 /// A link whose bytes come up to so much late, either way.
-pub(crate) fn over(personality: Personality, delay_ms: u32) -> (Rehearsal, ClientId) {
+pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, ClientId) {
     let power_up = PowerUp::new(personality);
-    let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     if delay_ms > 0 {
         let fault: Fault = format!("delay={delay_ms}ms").parse().unwrap();
         arm = arm.with_faults(power_up, &[fault], 5);
     }
-    let mut it = Rehearsal::with_arm(arm, power_up, Policy::default());
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
     it.run_for(Duration::from_secs(1));
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -47,7 +47,7 @@ pub(crate) fn over(personality: Personality, delay_ms: u32) -> (Rehearsal, Clien
 }
 
 /// A button held for so long; whoever refuses it before has let it go.
-pub(crate) fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, ms: u64) {
+pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64) {
     for _ in 0..=ms / 50 {
         if it.ask(client, Request::Jog { jog }).is_err() {
             return;
@@ -57,7 +57,7 @@ pub(crate) fn hold(it: &mut Rehearsal, client: ClientId, jog: Jog, ms: u64) {
 }
 
 /// Where everything is: the joints as the machine has them, x, y and z, and the gripper.
-pub(crate) fn places(it: &mut Rehearsal) -> ([f64; 4], [f64; 3], f64) {
+pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
     it.run_for(Duration::from_secs(4));
     let arm = it.arm();
     let Joints {
@@ -76,7 +76,7 @@ pub(crate) fn places(it: &mut Rehearsal) -> ([f64; 4], [f64; 3], f64) {
 }
 
 /// The releases that the arm got, and the presses.
-pub(crate) fn released(it: &Rehearsal, from: usize) -> Vec<f32> {
+pub(crate) fn released(it: &VirtualStation, from: usize) -> Vec<f32> {
     let frames = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
     frames
         .filter(|it| matches!(it.float(1), 2.0 | 7.0) && it.float(2) == 0.0)
@@ -91,7 +91,7 @@ pub(crate) fn frame(bytes: &[u8; PACKET_LEN]) -> Frame {
 /// Looks that only the axis of the button has moved, and into its direction.
 pub(crate) fn check_moved(
     what: &str,
-    it: &mut Rehearsal,
+    it: &mut VirtualStation,
     jog: Jog,
     before: ([f64; 4], [f64; 3], f64),
 ) {
@@ -132,7 +132,7 @@ fn state(jog: Jog) -> f32 {
 }
 
 /// A button is held on a link and a computer like that, and ends as `end` does it.
-fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut Rehearsal, ClientId)) {
+fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut VirtualStation, ClientId)) {
     for personality in Personality::ALL {
         for jog in buttons() {
             let (mut it, anna) = over(personality, delay_ms);

@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use dobot_api::{JobPhase, Jog, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use crate::burns::armed;
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 
 /// The commands since a packet.
-fn sent(it: &Rehearsal, since: usize, personality: Personality) -> Vec<Command> {
+fn sent(it: &VirtualStation, since: usize, personality: Personality) -> Vec<Command> {
     let packets = it.packets()[since..].iter();
     packets
         .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
@@ -27,7 +27,7 @@ fn is_laser_off(command: &Command) -> bool {
 fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_says_anything_else()
 {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();

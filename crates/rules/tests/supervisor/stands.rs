@@ -4,32 +4,32 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, News, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::{Command, Packet};
 
 use crate::commands::vector;
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 use crate::light::longest_stand_s;
 
 /// What the laser may stand at the most.
 const MOST_S: f64 = 0.3;
 
 /// Control, and a laser that is armed.
-fn armed(it: &mut Rehearsal) -> ClientId {
+fn armed(it: &mut VirtualStation) -> ClientId {
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
     anna
 }
 
-fn burns(it: &Rehearsal) -> bool {
+fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
 /// A while in which nothing is sent, and a motion at its end: what stood until then is recorded.
-fn rest(it: &mut Rehearsal, anna: ClientId) {
+fn rest(it: &mut VirtualStation, anna: ClientId) {
     it.run_for(Duration::from_secs(5));
     let command = vector([0.0, 0.0, 5.0], false);
     it.ask(anna, Request::Command { command }).unwrap();
@@ -39,7 +39,7 @@ fn rest(it: &mut Rehearsal, anna: ClientId) {
 #[test]
 fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let anna = armed(&mut it);
         let command = vector([10.0, 0.0, 0.0], true);
         it.ask(anna, Request::Command { command }).unwrap();
@@ -63,7 +63,7 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
 #[test]
 fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let program = it.client("an old program");
         let packet = vector([10.0, 0.0, 0.0], true).emit(&personality.dialect());
         assert_eq!(
@@ -87,7 +87,7 @@ fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
 
 #[test]
 fn whoever_watches_is_told_that_the_laser_was_switched_off() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = armed(&mut it);
     let command = vector([10.0, 0.0, 0.0], true);
     it.ask(anna, Request::Command { command }).unwrap();
@@ -99,7 +99,7 @@ fn whoever_watches_is_told_that_the_laser_was_switched_off() {
 #[test]
 fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
     for personality in Personality::ALL {
-        let mut it = rehearsal(personality);
+        let mut it = virtual_station(personality);
         let anna = armed(&mut it);
         let before = it.packets().len();
         for x_mm in [5.0, 6.0, 7.0, 8.0] {
@@ -121,10 +121,10 @@ fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
 #[test]
 fn a_policy_that_lets_the_laser_stand_lets_it_stand() {
     let power_up = PowerUp::new(Personality::Firmware11);
-    let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let mut policy = Policy::default();
     policy.laser.standing = true;
-    let mut it = Rehearsal::with_arm(arm, power_up, policy);
+    let mut it = VirtualStation::with_arm(arm, power_up, policy);
     it.run_for(Duration::from_secs(1));
     let anna = armed(&mut it);
     let command = vector([10.0, 0.0, 0.0], true);

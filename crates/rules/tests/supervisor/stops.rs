@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use dobot_api::{News, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
 
-use crate::drawing::{rehearsal, spiral};
+use crate::drawing::{spiral, virtual_station};
 
 const STOP: Request = Request::Stop { reason: None };
 
@@ -18,7 +18,7 @@ fn target(y_mm: f32) -> Request {
 }
 
 /// What was put on the wire since then.
-fn sent_since(it: &Rehearsal, since: usize) -> Vec<Command> {
+fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
     let packets = it.packets()[since..].iter();
     let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
     packets
@@ -31,7 +31,7 @@ const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOf
 #[test]
 fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {
     for stop_ms in (3_300..3_500).step_by(10) {
-        let mut it = rehearsal(Personality::Firmware11);
+        let mut it = virtual_station(Personality::Firmware11);
         let (anna, ben) = (it.client("Anna"), it.client("Ben"));
         it.ask(anna, Request::TakeLease).unwrap();
         let job = it.submit(&spiral(12)).unwrap();
@@ -50,7 +50,7 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
 
 #[test]
 fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let reason = Some("a hand".to_owned());
@@ -65,7 +65,7 @@ fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
 
 #[test]
 fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     it.ask(anna, target(100.0)).unwrap();
@@ -76,7 +76,7 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
         "still-moving"
     );
     let minute = it.now() + Duration::from_mins(1);
-    let at_rest = |it: &Rehearsal| {
+    let at_rest = |it: &VirtualStation| {
         it.supervisor()
             .state()
             .stop
@@ -88,7 +88,7 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
 
 #[test]
 fn what_waits_is_never_sent_after_a_stop() {
-    let mut it = rehearsal(Personality::Firmware11);
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     for y_mm in [100.0, -100.0, 100.0, -100.0, 100.0] {
@@ -110,7 +110,7 @@ fn what_waits_is_never_sent_after_a_stop() {
 #[test]
 fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
     for eighth in 1..40 {
-        let mut it = rehearsal(Personality::Firmware11);
+        let mut it = virtual_station(Personality::Firmware11);
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         let job = it.submit(&spiral(12)).unwrap();

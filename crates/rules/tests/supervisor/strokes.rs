@@ -8,10 +8,10 @@ use dobot_arm::Position;
 use dobot_controller::Personality;
 use dobot_geometry::{Deviation, Point, Stroke, deviation};
 use dobot_plan::{DrawingTool, Machine, Paper, Pass, Pen, Plan};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_sim::Sample;
 
-use crate::drawing::{is_over, rehearsal};
+use crate::drawing::{is_over, virtual_station};
 
 pub(crate) const PERSONALITIES: [Personality; 2] = Personality::ALL;
 pub(crate) const DOWN_MM: f64 = -30.0;
@@ -67,8 +67,8 @@ pub(crate) fn machine(personality: Personality) -> Machine {
 }
 
 /// A station, a client that has control, and a job that is under way.
-pub(crate) fn started(personality: Personality, job: &NewJob) -> (Rehearsal, ClientId, u64) {
-    let mut it = rehearsal(personality);
+pub(crate) fn started(personality: Personality, job: &NewJob) -> (VirtualStation, ClientId, u64) {
+    let mut it = virtual_station(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let id = it.submit(job).unwrap();
@@ -76,15 +76,15 @@ pub(crate) fn started(personality: Personality, job: &NewJob) -> (Rehearsal, Cli
     (it, anna, id)
 }
 
-pub(crate) fn view(it: &Rehearsal) -> JobView {
+pub(crate) fn view(it: &VirtualStation) -> JobView {
     it.supervisor().job().unwrap()
 }
 
-pub(crate) fn is_paused(it: &Rehearsal, job: u64) -> bool {
+pub(crate) fn is_paused(it: &VirtualStation, job: u64) -> bool {
     it.job(job).unwrap().state.to_string().starts_with("paused")
 }
 
-pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
+pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
     // A job that was started a moment ago is so for the journal soon.
     it.run_for(Duration::from_millis(10));
     let minute = it.now() + Duration::from_secs(60);
@@ -95,7 +95,7 @@ pub(crate) fn wait_until_paused(it: &mut Rehearsal, job: u64) {
     );
 }
 
-pub(crate) fn finish(it: &mut Rehearsal, job: u64) {
+pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
     let minutes = it.now() + Duration::from_secs(600);
     assert!(
         it.run_until(minutes, |it| is_over(it, job)),
@@ -106,9 +106,9 @@ pub(crate) fn finish(it: &mut Rehearsal, job: u64) {
 }
 
 /// Lets the job go on until so many of its commands are over.
-pub(crate) fn run_to(it: &mut Rehearsal, command: usize) {
+pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
     let minutes = it.now() + Duration::from_secs(600);
-    let there = |it: &Rehearsal| {
+    let there = |it: &VirtualStation| {
         it.supervisor()
             .job()
             .is_some_and(|it| it.completed >= command)
@@ -117,7 +117,7 @@ pub(crate) fn run_to(it: &mut Rehearsal, command: usize) {
 }
 
 /// What the pen left on the paper.
-pub(crate) fn drawn(it: &Rehearsal) -> Vec<Stroke> {
+pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut was_down = false;
     for at in it.arm().samples().iter().map(|it| it.position) {
@@ -140,7 +140,12 @@ pub(crate) fn length_mm(strokes: &[Stroke]) -> f64 {
 }
 
 /// The path was drawn, once, and nothing else.
-pub(crate) fn assert_drawn_once(it: &Rehearsal, wanted: &[Stroke], allowed_mm: f64, what: &str) {
+pub(crate) fn assert_drawn_once(
+    it: &VirtualStation,
+    wanted: &[Stroke],
+    allowed_mm: f64,
+    what: &str,
+) {
     let drawn = drawn(it);
     let Deviation { astray, missed } = deviation(wanted, &drawn);
     assert!(
@@ -178,7 +183,7 @@ fn usual_roughness_mm_s(personality: Personality) -> f64 {
     roughest_mm_s(it.arm().samples())
 }
 
-fn assert_smooth(it: &Rehearsal, usual_mm_s: f64, what: &str) {
+fn assert_smooth(it: &VirtualStation, usual_mm_s: f64, what: &str) {
     let found_mm_s = roughest_mm_s(it.arm().samples());
     let allowed_mm_s = 1.5 * usual_mm_s + 2.0;
     assert!(

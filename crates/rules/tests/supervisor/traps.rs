@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Request};
 use dobot_controller::{Personality, Refused};
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, Gesture, MouseMove, MoveTo, MovingMode, Packet,
     WriteMode, WriteVector,
 };
 
 use crate::commands::target;
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 
 const STOCK: Dialect = Dialect::FIRMWARE_1_1;
 
@@ -22,21 +22,21 @@ enum By {
     Raw,
 }
 
-fn stock() -> (Rehearsal, ClientId) {
-    let mut it = rehearsal(Personality::Firmware11);
+fn stock() -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     (it, anna)
 }
 
-fn say(it: &mut Rehearsal, client: ClientId, by: By, command: Command) -> Result<(), Refusal> {
+fn say(it: &mut VirtualStation, client: ClientId, by: By, command: Command) -> Result<(), Refusal> {
     match by {
         By::Api => it.ask(client, Request::Command { command }).map(drop),
         By::Raw => it.send_raw(client, &command.emit(&STOCK)),
     }
 }
 
-fn go(it: &mut Rehearsal, client: ClientId, command: impl Into<Command>) {
+fn go(it: &mut VirtualStation, client: ClientId, command: impl Into<Command>) {
     say(it, client, By::Api, command.into()).unwrap();
     it.run_for(Duration::from_secs(6));
 }
@@ -49,7 +49,7 @@ const fn line(place: [f32; 3]) -> MoveTo {
 }
 
 /// The arm hangs in none of its commands, knows where it is, and goes where it is told.
-fn is_well(it: &mut Rehearsal, client: ClientId, what: &str) {
+fn is_well(it: &mut VirtualStation, client: ClientId, what: &str) {
     it.run_for(Duration::from_secs(3));
     while let Some(refused) = it.arm_mut().poll_refused() {
         let is_lost = matches!(refused, Refused::Hangs(_) | Refused::PoseLost);

@@ -4,16 +4,16 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, News, Request};
 use dobot_controller::Personality;
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_wire::{Command, MoveTo, MovingMode, Packet, Voice};
 
 use crate::commands::target;
-use crate::drawing::rehearsal;
+use crate::drawing::virtual_station;
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
-fn lab(personality: Personality) -> (Rehearsal, ClientId) {
-    let mut it = rehearsal(personality);
+fn lab(personality: Personality) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
     let start = MoveTo {
@@ -35,7 +35,7 @@ fn voice(text: &str) -> Command {
     Voice::new(text).unwrap().into()
 }
 
-fn say(it: &mut Rehearsal, client: ClientId, raw: bool, text: &str) -> Result<(), Refusal> {
+fn say(it: &mut VirtualStation, client: ClientId, raw: bool, text: &str) -> Result<(), Refusal> {
     let command = voice(text);
     if raw {
         let packet = command.emit(&it.supervisor().dialect().unwrap());
@@ -44,7 +44,7 @@ fn say(it: &mut Rehearsal, client: ClientId, raw: bool, text: &str) -> Result<()
     it.ask(client, Request::Command { command }).map(drop)
 }
 
-fn place(it: &Rehearsal) -> [f32; 3] {
+fn place(it: &VirtualStation) -> [f32; 3] {
     let status = it.supervisor().state().arm.unwrap().status;
     [status.x_mm, status.y_mm, status.z_mm]
 }

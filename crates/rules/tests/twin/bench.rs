@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{Heard, JobKind, JobPause, JobPhase, JobView, NewJob, News, Reply, Request};
+use dobot_api::{JobKind, JobPause, JobPhase, JobView, NewJob, News, Reply, Request, StationEvent};
 use dobot_arm::Position;
 use dobot_client::position;
 use dobot_controller::{Personality, PowerUp};
@@ -99,7 +99,7 @@ impl Bench {
         let mut asked = false;
         loop {
             match self.station.next().await.unwrap() {
-                Heard::State(state) => {
+                StationEvent::State(state) => {
                     let status = state.arm.map(|it| it.status);
                     self.seen.extend(status.as_ref().map(position));
                     if !asked && state.job.is_some_and(|it| it.completed >= until) {
@@ -107,7 +107,7 @@ impl Bench {
                         self.station.request(Request::PauseJob).await.unwrap();
                     }
                 }
-                Heard::Notice(notice) => {
+                StationEvent::Notice(notice) => {
                     let News::Job { phase, .. } = notice.news else {
                         continue;
                     };

@@ -6,7 +6,7 @@ use std::error::Error;
 
 use dobot_client::{Address, Arm, Connection};
 use dobot_controller::{Controller, PowerUp};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::Dialect;
 
 /// Connects: `virtual:` if nothing else is said, `serial:/dev/ttyUSB0`, `tcp:HOST:PORT`.
@@ -16,7 +16,7 @@ pub(crate) async fn arm() -> Result<Arm, Box<dyn Error>> {
     if address != Address::Virtual {
         return Ok(Arm::open(&address, Some(Dialect::FIRMWARE_1_1)).await?);
     }
-    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+    let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
     let connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
     Ok(Arm::over(connection))
 }

@@ -7,7 +7,7 @@ use dobot_random::Random;
 
 use super::when::{FaultEnd, FaultMoment};
 use super::{Amount, Damage, Fault, FaultEffect, FaultKind, Struck, Tilt};
-use crate::{Line, Mechanics};
+use crate::{Mechanics, SerialLine};
 
 /// All faults of a virtual arm, as an engine.
 ///
@@ -151,7 +151,7 @@ impl FaultSchedule {
 
     /// Judges the bytes that have arrived by then at the ends of both lines, in the order in which
     /// they did. Those from the arm that find no port are lost.
-    pub(crate) fn judge(&mut self, lines: [&mut Line; 2], by: Duration, has_port: bool) {
+    pub(crate) fn judge(&mut self, lines: [&mut SerialLine; 2], by: Duration, has_port: bool) {
         let [to_arm, from_arm] = lines;
         loop {
             let next = [to_arm.next_byte(), from_arm.next_byte()];

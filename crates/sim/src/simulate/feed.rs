@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use crate::line::STOCK_BYTE_TIME;
+use crate::serial_line::STOCK_BYTE_TIME;
 use crate::{ScriptLine, Start};
 
 /// The bytes of a script, each at its time.

@@ -6,14 +6,14 @@ use std::time::Duration;
 
 use dobot_client::{CommandId, Connection, Event};
 use dobot_controller::{Controller, PowerUp, Refused};
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 /// Where the arm is after power-up: rear arm and forearm at 45 degrees.
 pub(crate) const POWER_UP_X_MM: f64 = 263.666_500_4;
 
 pub(crate) fn virtual_arm() -> VirtualArm {
-    VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK)
+    VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK)
 }
 
 pub(crate) fn in_process() -> InProcess {

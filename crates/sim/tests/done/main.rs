@@ -13,7 +13,7 @@ use common::{button, move_to, ms};
 use dobot_client::{CommandId, Connection, Event, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_random::Random;
-use dobot_sim::{InProcess, Line, VirtualArm};
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{
     Command, Configuration, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
     MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,
@@ -236,7 +236,10 @@ impl Trial {
             personality,
             ..PowerUp::default()
         };
-        let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
+        let arm = InProcess::new(VirtualArm::new(
+            Controller::power_up(power_up),
+            SerialLine::STOCK,
+        ));
         let mut dice = Dice(Random::new(seed));
         let latency = ms(dice.below(3) * dice.below(101));
         let jitter = (dice.below(3) == 0).then(|| Dice(Random::new(seed + 1000)));

@@ -15,7 +15,10 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
         personality,
         ..PowerUp::default()
     };
-    let arm = InProcess::new(VirtualArm::new(Controller::power_up(power_up), Line::STOCK));
+    let arm = InProcess::new(VirtualArm::new(
+        Controller::power_up(power_up),
+        SerialLine::STOCK,
+    ));
     let late = Late::new(arm.clone(), latency, None);
     let mut connection = Connection::over_peer(late, Some(personality.dialect()));
     connection.next_status().await.expect("it tells");

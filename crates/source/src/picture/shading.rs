@@ -13,7 +13,7 @@ use crate::error::ImageError;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shading {
     /// Lines of which kind, or dots.
-    pub style: Style,
+    pub style: ShadingStyle,
     /// How near lines or dots come to each other, in millimetres on the paper; what is smaller
     /// than half of it is not drawn. About twice the width of the pen, or more.
     pub spacing_mm: f64,
@@ -36,12 +36,12 @@ pub struct Shading {
 impl Shading {
     /// The best values for a style.
     #[must_use]
-    pub const fn new(style: Style) -> Self {
+    pub const fn new(style: ShadingStyle) -> Self {
         let (spacing_mm, angle_deg, levels) = match style {
-            Style::Outline => (1.0, 0.0, 4),
-            Style::Lines => (1.6, 0.0, 4),
-            Style::Stipple => (0.9, 0.0, 4),
-            Style::Hatch => (1.3, 45.0, 4),
+            ShadingStyle::Outline => (1.0, 0.0, 4),
+            ShadingStyle::Lines => (1.6, 0.0, 4),
+            ShadingStyle::Stipple => (0.9, 0.0, 4),
+            ShadingStyle::Hatch => (1.3, 45.0, 4),
         };
         Self {
             style,
@@ -83,14 +83,14 @@ impl Shading {
 impl Default for Shading {
     /// [`Style::Hatch`]: of all it asks for the fewest vectors.
     fn default() -> Self {
-        Self::new(Style::Hatch)
+        Self::new(ShadingStyle::Hatch)
     }
 }
 
 /// What is drawn of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Style {
+pub enum ShadingStyle {
     /// The borders between its tones, as closed lines.
     Outline,
     /// Parallel lines that swing the wider and the faster the darker it is.
@@ -101,7 +101,7 @@ pub enum Style {
     Hatch,
 }
 
-impl FromStr for Style {
+impl FromStr for ShadingStyle {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {

@@ -51,7 +51,7 @@ fn jpeg(width: u16, height: u16, color: JpegColor, pixels: &[u8]) -> Vec<u8> {
     file
 }
 
-fn options(style: Style) -> ReadOptions {
+fn options(style: ShadingStyle) -> ReadOptions {
     ReadOptions {
         shading: Shading::new(style),
         ..ReadOptions::default()
@@ -75,12 +75,17 @@ fn disc(x: f64, y: f64, radius: f64) -> impl Fn(f64, f64) -> f64 {
 }
 
 const PIXEL_MM: f64 = 25.4 / 96.0;
-const STYLES: [Style; 4] = [Style::Outline, Style::Lines, Style::Stipple, Style::Hatch];
+const STYLES: [ShadingStyle; 4] = [
+    ShadingStyle::Outline,
+    ShadingStyle::Lines,
+    ShadingStyle::Stipple,
+    ShadingStyle::Hatch,
+];
 
 #[test]
 fn the_outline_of_a_disc_is_a_circle_of_its_size() {
     let file = grey(200, 180, disc(101.3, 88.6, 60.0));
-    let strokes = drawn(&file, &options(Style::Outline));
+    let strokes = drawn(&file, &options(ShadingStyle::Outline));
     assert_eq!(strokes.len(), 1);
     assert!(strokes[0].closed);
     for p in &strokes[0].points {
@@ -94,12 +99,12 @@ fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
     let big = disc(60.0, 60.0, 30.0);
     let speck = disc(110.0, 20.0, 1.0);
     let file = grey(120, 120, |x, y| big(x, y).min(speck(x, y)));
-    assert_eq!(drawn(&file, &options(Style::Outline)).len(), 1);
+    assert_eq!(drawn(&file, &options(ShadingStyle::Outline)).len(), 1);
     // A cone of tone: black in the middle, white at 40 pixels.
     let cone = grey(120, 120, |x, y| (x - 60.0).hypot(y - 60.0) / 40.0);
-    let mut wide = options(Style::Outline);
+    let mut wide = options(ShadingStyle::Outline);
     wide.shading.threshold = Some(0.2);
-    let mut narrow = options(Style::Outline);
+    let mut narrow = options(ShadingStyle::Outline);
     narrow.shading.threshold = Some(0.8);
     let [wide, narrow] = [wide, narrow].map(|it| drawn(&cone, &it));
     assert_eq!([wide.len(), narrow.len()], [1, 1]);
@@ -109,7 +114,7 @@ fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
 #[test]
 fn a_wall_that_grows_dark_has_no_outline() {
     let file = grey(400, 100, |x, _| x / 400.0);
-    let error = read(&file, &options(Style::Outline)).unwrap_err();
+    let error = read(&file, &options(ShadingStyle::Outline)).unwrap_err();
     assert!(
         matches!(error, SourceError::NothingToDraw { .. }),
         "{error}"
@@ -130,7 +135,7 @@ fn dots_are_shared_out_as_the_tone_is() {
         let drawings = (1..=5).map(|seed| {
             let shading = Shading {
                 seed,
-                ..Shading::new(Style::Stipple)
+                ..Shading::new(ShadingStyle::Stipple)
             };
             stipple::stippled(&tone, &shading, 1.0)
         });
@@ -156,9 +161,9 @@ fn dots_keep_apart_and_leave_white_alone() {
         (column + row) % 2.0
     };
     let file = grey(160, 160, checker);
-    let dots = drawn(&file, &options(Style::Stipple));
+    let dots = drawn(&file, &options(ShadingStyle::Stipple));
     assert!(dots.len() > 500);
-    let spacing_mm = Shading::new(Style::Stipple).spacing_mm;
+    let spacing_mm = Shading::new(ShadingStyle::Stipple).spacing_mm;
     for (i, dot) in dots.iter().enumerate() {
         let p = dot.points[0];
         let ink_near = [-0.5, 0.5]
@@ -178,7 +183,7 @@ fn dots_keep_apart_and_leave_white_alone() {
 fn another_seed_scatters_other_dots_and_the_same_the_same() {
     let file = grey(90, 60, |x, _| x / 90.0);
     let with = |seed| {
-        let mut options = options(Style::Stipple);
+        let mut options = options(ShadingStyle::Stipple);
         options.shading.seed = seed;
         drawn(&file, &options)
     };
@@ -200,7 +205,7 @@ fn band(p: Point) -> Option<usize> {
 #[test]
 fn each_darker_tone_is_hatched_in_one_more_direction() {
     let mut directions = [const { BTreeSet::new() }; 5];
-    for stroke in drawn(&bands(), &options(Style::Hatch)) {
+    for stroke in drawn(&bands(), &options(ShadingStyle::Hatch)) {
         let long = stroke.segments().filter(|(a, b)| a.distance(*b) > 3.0);
         for (a, b) in long {
             let along = b - a;
@@ -223,7 +228,7 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
 #[test]
 fn waves_leave_the_more_ink_the_darker_it_is() {
     let mut ink_mm = [0.0; 5];
-    for stroke in drawn(&bands(), &options(Style::Lines)) {
+    for stroke in drawn(&bands(), &options(ShadingStyle::Lines)) {
         for (a, b) in stroke.segments() {
             if let Some(band) = band(a.lerp(b, 0.5)) {
                 ink_mm[band] += a.distance(b);
@@ -243,7 +248,7 @@ fn the_spacing_holds_on_the_paper() {
     let dots = |scale| {
         let options = ReadOptions {
             scale,
-            ..options(Style::Stipple)
+            ..options(ShadingStyle::Stipple)
         };
         count(drawn(&file, &options).len())
     };
@@ -256,7 +261,7 @@ fn a_dull_photo_is_drawn_as_a_rich_one() {
     let rich = grey(160, 90, |x, y| (x + y) / 250.0);
     let dull = grey(160, 90, |x, y| 0.4 + 0.3 * (x + y) / 250.0);
     let length_mm = |file: &[u8]| -> f64 {
-        let strokes = drawn(file, &options(Style::Hatch));
+        let strokes = drawn(file, &options(ShadingStyle::Hatch));
         strokes.iter().map(Stroke::length_mm).sum()
     };
     let times = length_mm(&dull) / length_mm(&rich);
@@ -266,7 +271,7 @@ fn a_dull_photo_is_drawn_as_a_rich_one() {
 #[test]
 fn inverted_light_is_drawn_on_black_paper() {
     let white_disc = grey(120, 120, |x, y| 1.0 - disc(60.0, 60.0, 30.0)(x, y));
-    let mut options = options(Style::Hatch);
+    let mut options = options(ShadingStyle::Hatch);
     options.shading.invert = true;
     let strokes = drawn(&white_disc, &options);
     let bounds = bounds_of_strokes(&strokes);
@@ -282,7 +287,7 @@ fn transparent_pixels_are_paper() {
         .flat_map(|i| [0, if i % 80 < 40 { 255 } else { 0 }])
         .collect();
     let file = encoded(80, 50, ColorType::GrayscaleAlpha, BitDepth::Eight, &pixels);
-    let strokes = drawn(&file, &options(Style::Hatch));
+    let strokes = drawn(&file, &options(ShadingStyle::Hatch));
     assert!(bounds_of_strokes(&strokes).x1 < 42.5 * PIXEL_MM);
     assert_eq!(self::pixels(&file, 0).unwrap().1[70], 0);
 }
@@ -337,7 +342,7 @@ fn a_photo_stands_upright_however_the_camera_was_held() {
     let exif =
         b"\xff\xe1\0\x22Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
     file.splice(2..2, exif.iter().copied());
-    let (artwork, _) = read(&file, &options(Style::Hatch)).unwrap();
+    let (artwork, _) = read(&file, &options(ShadingStyle::Hatch)).unwrap();
     assert!((artwork.width_mm - 16.0 * PIXEL_MM).abs() < 1e-9);
     assert!((artwork.height_mm - 32.0 * PIXEL_MM).abs() < 1e-9);
     // Turned clockwise, what was above is on the right.
@@ -425,7 +430,7 @@ fn gigapixels_are_refused_before_they_are_read() {
 #[test]
 fn a_spacing_that_would_take_days_is_refused_with_the_least() {
     let file = grey(100, 50, |_, _| 0.0);
-    let mut options = options(Style::Hatch);
+    let mut options = options(ShadingStyle::Hatch);
     options.scale = 8.0;
     options.shading.spacing_mm = 0.1;
     assert_eq!(

@@ -10,7 +10,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::{Decoder, PACKET_LEN, Packet, Status};
 use rustix::fs::OFlags;
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -86,7 +86,7 @@ impl CountingArm {
 /// Where a virtual arm stands when it has been switched on.
 fn at_rest() -> Status {
     let controller = Controller::power_up(PowerUp::new(Personality::default()));
-    let mut arm = VirtualArm::new(controller, Line::STOCK);
+    let mut arm = VirtualArm::new(controller, SerialLine::STOCK);
     let mut bytes = Vec::new();
     arm.handle_time(Duration::from_secs(5));
     arm.poll_bytes(&mut bytes);
@@ -146,7 +146,7 @@ impl Arm {
         let port = Port::open(Some(tell));
         let writer = port.master.try_clone().expect("there are descriptors left");
         let controller = Controller::power_up(PowerUp::new(personality));
-        let arm = VirtualArm::new(controller, Line::STOCK);
+        let arm = VirtualArm::new(controller, SerialLine::STOCK);
         std::thread::spawn(move || live(arm, &packets, writer));
         Self { port }
     }

@@ -7,7 +7,7 @@ use axum::extract::{FromRequestParts, Path, State};
 use axum::http::request::Parts;
 use axum::http::{HeaderName, Method, Uri};
 use axum::response::{IntoResponse, Response};
-use dobot_api::kinds::{self, Kind, METHOD, UNKNOWN_PATH};
+use dobot_api::problem_kinds::{self, METHOD, ProblemKind, UNKNOWN_PATH};
 use dobot_api::{Notice, Reply, Request};
 use dobot_rules::{Client, is_plain};
 
@@ -87,9 +87,11 @@ pub(super) async fn policy(State(app): State<Arc<App>>) -> Response {
     Json(&app.handle.rules().policy).into_response()
 }
 
-pub(super) async fn problem(Path(name): Path<String>) -> Result<Json<&'static Kind>, NotDone> {
+pub(super) async fn problem(
+    Path(name): Path<String>,
+) -> Result<Json<&'static ProblemKind>, NotDone> {
     let unknown = || UNKNOWN_PATH.problem("there is no kind of problem of this name");
-    Ok(Json(kinds::named(&name).ok_or_else(unknown)?))
+    Ok(Json(problem_kinds::named(&name).ok_or_else(unknown)?))
 }
 
 pub(super) async fn document() -> Response {

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use dobot_api::kinds::{
-    ENDING, FORBIDDEN_HOST, FORBIDDEN_ORIGIN, INVALID, Kind, LEASE_GONE, MALFORMED, MEDIA_TYPE,
-    ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
+use dobot_api::problem_kinds::{
+    ENDING, FORBIDDEN_HOST, FORBIDDEN_ORIGIN, INVALID, LEASE_GONE, MALFORMED, MEDIA_TYPE,
+    ProblemKind, ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
 };
 use dobot_api::{FromClient, Problem, ToClient};
 use schemars::SchemaGenerator;
@@ -161,7 +161,7 @@ fn responses(route: &Route, schemas: &mut SchemaGenerator) -> Map<String, Value>
         .iter()
         .map(|gives| (gives.status, answer(gives, schemas)));
     let mut all: BTreeMap<u16, Value> = given.collect();
-    let mut problems: BTreeMap<u16, Vec<Kind>> = BTreeMap::new();
+    let mut problems: BTreeMap<u16, Vec<ProblemKind>> = BTreeMap::new();
     for kind in problems_of(route) {
         let kinds = problems.entry(kind.status).or_default();
         if !kinds.contains(&kind) {
@@ -179,7 +179,7 @@ fn responses(route: &Route, schemas: &mut SchemaGenerator) -> Map<String, Value>
 }
 
 /// All kinds of problems that a route can answer.
-pub(super) fn problems_of(route: &Route) -> Vec<Kind> {
+pub(super) fn problems_of(route: &Route) -> Vec<ProblemKind> {
     let mut kinds = route.problems.clone();
     kinds.extend([
         MALFORMED,
@@ -209,7 +209,7 @@ fn answer(gives: &Gives, schemas: &mut SchemaGenerator) -> Value {
     answer
 }
 
-fn problem(kinds: &[Kind], schemas: &mut SchemaGenerator) -> Value {
+fn problem(kinds: &[ProblemKind], schemas: &mut SchemaGenerator) -> Value {
     let lines: Vec<String> = kinds
         .iter()
         .map(|it| format!("- `{}`: {}", it.name, it.title))

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use dobot_api::kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
+use dobot_api::problem_kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 use dobot_api::{Problem, Role};
 use dobot_rules::Client;
 

@@ -9,7 +9,7 @@ use axum::routing::{MethodFilter, MethodRouter, on};
 #[cfg(test)]
 use dobot_api::Problem;
 use dobot_api::Request;
-use dobot_api::kinds::Kind;
+use dobot_api::problem_kinds::ProblemKind;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
@@ -31,7 +31,7 @@ pub(super) struct Route {
     pub(super) asks: bool,
     pub(super) takes: Option<Takes>,
     pub(super) gives: Vec<Gives>,
-    pub(super) problems: Vec<Kind>,
+    pub(super) problems: Vec<ProblemKind>,
     pub(super) queries: &'static [Query],
     pub(super) handler: MethodRouter<Arc<App>>,
 }
@@ -192,7 +192,7 @@ impl Route {
         self
     }
 
-    pub(super) fn problems(mut self, kinds: &[Kind]) -> Self {
+    pub(super) fn problems(mut self, kinds: &[ProblemKind]) -> Self {
         self.problems.extend_from_slice(kinds);
         self
     }

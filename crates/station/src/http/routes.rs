@@ -13,9 +13,9 @@ use std::sync::{Arc, LazyLock};
 use axum::Router;
 use axum::http::Method;
 use axum::middleware::from_fn_with_state;
-use dobot_api::kinds::{
-    CANNOT_RESUME, COMMAND, DETECTING, JOB_RUNNING, Kind, LASER_DISARMED, NO_JOB_RUNS, NO_LEASE,
-    NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, STILL_MOVING, STOPPED, TOO_MANY,
+use dobot_api::problem_kinds::{
+    CANNOT_RESUME, COMMAND, DETECTING, JOB_RUNNING, LASER_DISARMED, NO_JOB_RUNS, NO_LEASE, NO_LINK,
+    NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
 use super::app::App;
@@ -62,7 +62,7 @@ const PUT: Method = Method::PUT;
 const DELETE: Method = Method::DELETE;
 
 /// What moving the arm may be refused for.
-const MOVES: &[Kind] = &[
+const MOVES: &[ProblemKind] = &[
     NO_LEASE,
     STOPPED,
     STILL_MOVING,
@@ -77,7 +77,7 @@ const MOVES: &[Kind] = &[
 ];
 
 /// What changing a job while it runs may be refused for.
-const ADJUSTS: &[Kind] = &[
+const ADJUSTS: &[ProblemKind] = &[
     NO_LEASE,
     NO_JOB_RUNS,
     STILL_MOVING,

@@ -1,9 +1,9 @@
 //! WebSockets: from the request to upgrade to the last word.
 
 mod connection;
-mod pace;
 mod receive;
-mod tell;
+mod send;
+mod state_stream;
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::{Query as UrlQuery, State};
 use axum::http::Uri;
 use axum::response::Response;
-use dobot_api::kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
+use dobot_api::problem_kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
 use dobot_api::{Problem, Role};
 use futures_util::StreamExt;
 use schemars::SchemaGenerator;

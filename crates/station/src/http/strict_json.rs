@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::LazyLock;
 
-use dobot_api::kinds::{INVALID, MALFORMED};
+use dobot_api::problem_kinds::{INVALID, MALFORMED};
 use dobot_api::{FromClient, Problem};
 use schemars::schema_for;
 use serde::Deserialize;

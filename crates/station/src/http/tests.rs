@@ -165,8 +165,8 @@ impl Answer {
         let problem: dobot_api::Problem = serde_json::from_str(&self.body).unwrap();
         assert_eq!(problem.status, self.status);
         let kind = problem.kind.strip_prefix("/api/v1/problems/").unwrap();
-        let known =
-            dobot_api::kinds::named(kind).unwrap_or_else(|| panic!("{kind} is not explained"));
+        let known = dobot_api::problem_kinds::named(kind)
+            .unwrap_or_else(|| panic!("{kind} is not explained"));
         assert_eq!(
             (known.title, known.status),
             (&*problem.title, problem.status)

@@ -58,7 +58,7 @@ pub(super) fn pieces(
 
 /// How much a window of 42 bytes looks like a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Trust {
+enum Confidence {
     /// Not at all.
     No,
     /// It begins and ends like one.
@@ -79,14 +79,18 @@ enum Sender {
 /// How a window looks as a packet of either sender.
 #[derive(Clone, Copy, Debug)]
 struct View {
-    client: Trust,
-    arm: Trust,
+    client: Confidence,
+    arm: Confidence,
 }
 
 impl View {
     fn of(window: &[u8; PACKET_LEN], from: From) -> Self {
-        let unless = |it: From, trust: fn(&[u8; PACKET_LEN]) -> Trust| {
-            if from == it { Trust::No } else { trust(window) }
+        let unless = |it: From, trust: fn(&[u8; PACKET_LEN]) -> Confidence| {
+            if from == it {
+                Confidence::No
+            } else {
+                trust(window)
+            }
         };
         Self {
             client: unless(From::Arm, as_command),
@@ -94,7 +98,7 @@ impl View {
         }
     }
 
-    fn trust(self) -> Trust {
+    fn trust(self) -> Confidence {
         self.client.max(self.arm)
     }
 
@@ -108,7 +112,7 @@ impl View {
                 Sender::Arm
             };
         }
-        if self.arm == Trust::Sure {
+        if self.arm == Confidence::Sure {
             return Sender::Arm;
         }
         prevailing.unwrap_or_else(|| {
@@ -139,13 +143,13 @@ fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
     while let Some((window, view)) = view_at(offset) {
         let trust = view.trust();
         let least = if in_step {
-            Trust::Delimited
+            Confidence::Delimited
         } else {
-            Trust::Believable
+            Confidence::Believable
         };
         let is_better = |inside| view_at(inside).is_some_and(|(_, it)| it.trust() > trust);
         in_step = trust >= least
-            && (trust == Trust::Sure || !(offset + 1..offset + PACKET_LEN).any(is_better));
+            && (trust == Confidence::Sure || !(offset + 1..offset + PACKET_LEN).any(is_better));
         if in_step {
             found.push(Found {
                 offset,
@@ -164,7 +168,7 @@ fn prevailing(found: &[Found]) -> Option<Sender> {
         found
             .iter()
             .map(|it| it.view)
-            .filter(|it| it.trust() >= Trust::Believable)
+            .filter(|it| it.trust() >= Confidence::Believable)
     };
     let by_client = views().any(|it| it.client > it.arm);
     let by_arm = views().any(|it| it.client <= it.arm);
@@ -189,7 +193,7 @@ fn skip(pieces: &mut Vec<Piece>, from: usize, to: usize) {
 fn content(
     window: &[u8; PACKET_LEN],
     sender: Sender,
-    trust: Trust,
+    trust: Confidence,
     dialect: Option<Dialect>,
 ) -> Content {
     let frame = Frame::from_bytes(window);
@@ -200,7 +204,7 @@ fn content(
     }
 }
 
-fn status(frame: &Frame, trust: Trust) -> Content {
+fn status(frame: &Frame, trust: Confidence) -> Content {
     if is_status(&frame.to_bytes(), plausible)
         && let Ok(status) = Status::parse(frame)
     {
@@ -208,7 +212,7 @@ fn status(frame: &Frame, trust: Trust) -> Content {
     }
     let oddity = match rounded(frame) {
         _ if is_pose_lost(frame) => Oddity::PoseLost,
-        Some(off_mm) if trust >= Trust::Believable => Oddity::Rounded { off_mm },
+        Some(off_mm) if trust >= Confidence::Believable => Oddity::Rounded { off_mm },
         _ => Oddity::Damaged,
     };
     Content::OddStatus(told(frame), oddity)
@@ -242,27 +246,27 @@ fn told(frame: &Frame) -> Status {
     }
 }
 
-fn as_status(window: &[u8; PACKET_LEN]) -> Trust {
+fn as_status(window: &[u8; PACKET_LEN]) -> Confidence {
     let Some(frame) = Frame::from_bytes(window) else {
-        return Trust::No;
+        return Confidence::No;
     };
     if frame.floats() == Frame::ZERO.floats() {
-        return Trust::Delimited; // It agrees with the first message over Bluetooth (note N38), and says nothing.
+        return Confidence::Delimited; // It agrees with the first message over Bluetooth (note N38), and says nothing.
     }
     if is_status(window, plausible) {
-        return Trust::Sure;
+        return Confidence::Sure;
     }
     let is_rounded = is_status(window, |frame| rounded(frame).is_some());
     if is_rounded || is_pose_lost(&frame) && frame.float(1).is_nan() {
-        Trust::Believable
+        Confidence::Believable
     } else {
-        Trust::Delimited
+        Confidence::Delimited
     }
 }
 
-fn as_command(window: &[u8; PACKET_LEN]) -> Trust {
+fn as_command(window: &[u8; PACKET_LEN]) -> Confidence {
     let Some(packet) = Packet::from_bytes(window) else {
-        return Trust::No;
+        return Confidence::No;
     };
     // A byte of noise brings a decoder out of step: then it trusts only what is believable (N24).
     let mut out_of_step = Decoder::commands();
@@ -270,15 +274,15 @@ fn as_command(window: &[u8; PACKET_LEN]) -> Trust {
     if out_of_step.feed(window).count() > 0 {
         let is_allowed = |dialect: &Dialect| Command::parse(&packet, dialect).is_ok();
         return if Dialect::ALL.iter().any(is_allowed) {
-            Trust::Sure
+            Confidence::Sure
         } else {
-            Trust::Believable
+            Confidence::Believable
         };
     }
     if Decoder::commands().feed(window).count() > 0 {
-        Trust::Delimited
+        Confidence::Delimited
     } else {
-        Trust::No
+        Confidence::No
     }
 }
 

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::reach::folders;
 
 #[derive(Serialize)]
-struct Line<'a> {
+struct EstimateLine<'a> {
     at: Timestamp,
     title: &'a str,
     estimated_s: f64,
@@ -28,7 +28,7 @@ pub(super) fn keep(title: &str, times: Times) -> Result<(), Failure> {
     else {
         return Ok(());
     };
-    let line = Line {
+    let line = EstimateLine {
         at: Timestamp::now(),
         title,
         estimated_s: estimated.as_secs_f64(),

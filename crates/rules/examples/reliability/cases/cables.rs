@@ -112,7 +112,7 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     scene.it.run_for(chance.time(Duration::from_secs(6)));
     let (back, burnt) = (scene.it.now(), scene.burns());
     scene.it.plug();
-    let dark = |it: &dobot_rules::Rehearsal| !super::scene::burns(it);
+    let dark = |it: &dobot_rules::VirtualStation| !super::scene::burns(it);
     if !scene.it.run_until(back + Duration::from_secs(10), dark) {
         return Err(Wrong("the laser burns on".into()));
     }

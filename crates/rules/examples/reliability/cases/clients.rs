@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{Jog, Request};
 use dobot_arm::{Position, Tool, forward};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
 use super::chance::Chance;
@@ -108,7 +108,7 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
             .as_secs_f64(),
     );
     let mut lit = if scene.burns() { scene.it.now() } else { at };
-    let note = |it: &Rehearsal| {
+    let note = |it: &VirtualStation| {
         if burns(it) {
             lit = it.now();
         }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_api::JobState;
 use dobot_controller::Personality;
 use dobot_journal::{Journal, StorageBackend};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 
 use super::chance::Chance;
 use super::jobs::Sort;
@@ -77,7 +77,7 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 /// Until the job works no more, and a bit: is it dark then?
 fn wait(figures: &mut Disks, scene: &mut Scene) {
     let latest = scene.it.now() + Duration::from_secs(60);
-    let works = |it: &Rehearsal| it.supervisor().job().is_some_and(|it| it.reason.is_none());
+    let works = |it: &VirtualStation| it.supervisor().job().is_some_and(|it| it.reason.is_none());
     scene.it.run_until(latest, |it| !works(it));
     let (paused, burnt) = (scene.it.now(), scene.burns());
     scene

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Request};
 use dobot_controller::{Personality, Refused};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet};
 
 use super::chance::Chance;
@@ -145,7 +145,7 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
     command.emit(&scene.personality().dialect())
 }
 
-fn overruns(figures: &mut Floods, it: &mut Rehearsal) {
+fn overruns(figures: &mut Floods, it: &mut VirtualStation) {
     while let Some(refused) = it.arm_mut().poll_refused() {
         let lost = match refused {
             // The first packet of a stop does not wait for the line; it is said again.

@@ -9,9 +9,9 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_safety::Policy;
-use dobot_sim::{Fault, Line, VirtualArm};
+use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_wire::{Command, Packet};
 
 use self::asking::{Asking, FuzzStep};
@@ -102,7 +102,7 @@ fn one(figures: &mut Fuzz, seed: u64) {
 }
 
 struct Case {
-    it: Rehearsal,
+    it: VirtualStation,
     judge: Judge,
     chance: Chance,
     asking: Asking,
@@ -123,7 +123,7 @@ impl Case {
             0 => vec![chance.one(&FAULTS)],
             _ => Vec::new(),
         };
-        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         let parsed: Vec<Fault> = faults.iter().filter_map(|it| it.parse().ok()).collect();
         let arm = if parsed.is_empty() {
             arm
@@ -131,7 +131,7 @@ impl Case {
             arm.with_faults(power_up, &parsed, seed)
         };
         let policy = Policy::from_toml(chance.one(&POLICIES)).unwrap_or_default();
-        let mut it = Rehearsal::with_arm(arm, power_up, policy.clone());
+        let mut it = VirtualStation::with_arm(arm, power_up, policy.clone());
         it.run_for(Duration::from_millis(700));
         let burns = chance.below(4) == 0;
         let resets = faults

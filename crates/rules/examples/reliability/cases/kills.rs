@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::JobState;
 use dobot_api::Request;
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 
 use super::chance::Chance;
 use super::jobs::Sort;
@@ -91,7 +91,7 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
     figures.at_work += usize::from(scene.it.supervisor().job().is_some());
     let (began, burnt) = (scene.it.now(), scene.burns());
     let mut last = began;
-    let rests = |it: &Rehearsal| {
+    let rests = |it: &VirtualStation| {
         if burns(it) {
             last = it.now();
         }

@@ -7,9 +7,9 @@ use dobot_api::JobState;
 use dobot_api::{ClientId, JobPhase, NewJob, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_journal::{Journal, JournalError};
-use dobot_rules::{Refusal, Rehearsal};
+use dobot_rules::{Refusal, VirtualStation};
 use dobot_safety::Policy;
-use dobot_sim::{Fault, Line, RECORDING_PERIOD, VirtualArm};
+use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, Packet};
 
 use super::jobs::{Sort, counts};
@@ -19,7 +19,7 @@ use super::paper::Paper;
 #[derive(Debug)]
 pub(crate) struct Scene {
     /// What happens.
-    pub it: Rehearsal,
+    pub it: VirtualStation,
     /// The person.
     pub anna: ClientId,
     personality: Personality,
@@ -82,14 +82,14 @@ impl Scene {
         journal: Journal,
     ) -> Result<Self, Wrong> {
         let power_up = PowerUp::new(personality);
-        let mut arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         if !faults.is_empty() {
             let parsed: Result<Vec<Fault>, _> = faults.iter().map(|it| it.parse()).collect();
             let parsed = parsed.map_err(|error| Wrong(error.to_string()))?;
             arm = arm.with_faults(power_up, &parsed, seed);
         }
         arm.record(RECORDING_PERIOD);
-        let mut it = Rehearsal::with_journal(arm, power_up, Policy::default(), journal);
+        let mut it = VirtualStation::with_journal(arm, power_up, Policy::default(), journal);
         it.run_for(Duration::from_secs(1));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease)?;
@@ -133,12 +133,12 @@ impl Scene {
     /// Waits until a job can be started or is over, and the arm rests.
     pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
         let latest = self.it.now() + PATIENCE;
-        let works = |it: &Rehearsal| {
+        let works = |it: &VirtualStation| {
             it.supervisor()
                 .job()
                 .is_some_and(|it| it.phase == JobPhase::Running)
         };
-        let settled = |it: &Rehearsal| {
+        let settled = |it: &VirtualStation| {
             let kept = match state(it, job) {
                 None | Some(JobState::Running) => false,
                 Some(JobState::Queued) => it.supervisor().job().is_none(),
@@ -241,11 +241,11 @@ impl Scene {
 }
 
 /// Whether the laser burns.
-pub(crate) fn burns(it: &Rehearsal) -> bool {
+pub(crate) fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
-fn state(it: &Rehearsal, job: u64) -> Option<JobState> {
+fn state(it: &VirtualStation, job: u64) -> Option<JobState> {
     it.job(job).ok().map(|it| it.state)
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::JobState;
 use dobot_api::{ClientId, JobPhase, News, Request};
 use dobot_controller::{Personality, Refused};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::Command;
 
 use super::chance::Chance;
@@ -156,7 +156,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     let job = scene.begin(&Sort::Burn.job(chance))?;
     for _ in 0..chance.below(3) {
         scene.it.run_for(chance.time(Duration::from_secs(8)));
-        let runs = |it: &Rehearsal| {
+        let runs = |it: &VirtualStation| {
             let phase = it.supervisor().job().map(|it| it.phase);
             phase == Some(JobPhase::Running)
         };
@@ -173,7 +173,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     }
 }
 
-fn failed(it: &Rehearsal, job: u64) -> bool {
+fn failed(it: &VirtualStation, job: u64) -> bool {
     it.job(job)
         .is_ok_and(|it| matches!(it.state, JobState::Failed { .. }))
 }

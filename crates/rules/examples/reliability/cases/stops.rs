@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{Jog, Request};
 use dobot_controller::Personality;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode};
 
 use super::chance::Chance;
@@ -125,7 +125,7 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
     let mut lit = at;
-    let note = |it: &Rehearsal| {
+    let note = |it: &VirtualStation| {
         if burns(it) {
             lit = it.now();
         }

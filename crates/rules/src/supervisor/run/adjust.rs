@@ -3,7 +3,7 @@
 use dobot_journal::HeightChange;
 use dobot_safety::Policy;
 
-use super::{Effect, Phase, Run, Wish};
+use super::{Effect, JobEffect, Phase, Run};
 use crate::refusal::Refusal;
 use crate::supervisor::JobPlan;
 
@@ -31,7 +31,7 @@ impl Run {
     }
 
     /// Draws the vectors that are not given yet at another speed.
-    pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> Wish {
+    pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> JobEffect {
         self.begun.adjustment.speed_percent = percent;
         self.change_pace();
         self.keep_adjustment()
@@ -42,7 +42,7 @@ impl Run {
         &mut self,
         offset_mm: f64,
         policy: &Policy,
-    ) -> Result<Wish, Refusal> {
+    ) -> Result<JobEffect, Refusal> {
         let (plan, change) = self.at_height(offset_mm);
         plan.check_lowest(policy, change.from)?;
         self.begun.plan = plan;
@@ -52,8 +52,8 @@ impl Run {
         Ok(self.keep_adjustment())
     }
 
-    fn keep_adjustment(&self) -> Wish {
-        Wish::Ask(Effect::Adjust {
+    fn keep_adjustment(&self) -> JobEffect {
+        JobEffect::Ask(Effect::Adjust {
             job: self.job(),
             adjustment: self.begun.adjustment.clone(),
         })

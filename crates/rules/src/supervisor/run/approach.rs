@@ -7,7 +7,7 @@ use dobot_journal::prelude;
 use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
 
 use super::watch::{THERE_MM, locate_at};
-use super::{Begun, Effect, Left, Phase, Run, ToolHeight, Wish};
+use super::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 
@@ -17,7 +17,7 @@ impl Run {
         begun: Begun,
         arm: &mut Arm,
         paused: Option<&Self>,
-    ) -> Result<(Self, [Wish; 2]), Refusal> {
+    ) -> Result<(Self, [JobEffect; 2]), Refusal> {
         let status = arm.last();
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = located(begun, status)?;
@@ -42,7 +42,7 @@ impl Run {
         Ok((run, wishes))
     }
 
-    fn begins(&self) -> [Wish; 2] {
+    fn begins(&self) -> [JobEffect; 2] {
         let (job, phase) = (self.job(), JobPhase::Running);
         let text = format!("job {job} ({}) is under way", self.begun.title);
         let effect = Effect::Phase {
@@ -53,14 +53,14 @@ impl Run {
             behind: self.begun.behind,
         };
         [
-            Wish::Keep(effect),
-            Wish::Notify(News::Job { job, phase }, text),
+            JobEffect::Keep(effect),
+            JobEffect::Notify(News::Job { job, phase }, text),
         ]
     }
 
     /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
     /// left, or else what the plan says.
-    fn left_before(&self, paused: Option<&Self>) -> Left {
+    fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
         let paused = paused.filter(|it| it.job() == self.job());
         let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
         left.unwrap_or_else(|| self.planned_left())

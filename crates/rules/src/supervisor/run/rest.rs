@@ -3,12 +3,12 @@
 use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
 
-use super::{Effect, Phase, Rests, Run, ToolHeight, Wish, straight, word};
+use super::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
 use crate::supervisor::arm::Arm;
 
 impl Run {
     /// Ends a job that gives the arm no commands any more, with what its phase needs for that.
-    pub(in crate::supervisor) fn end(&mut self, why: &str) -> Option<Wish> {
+    pub(in crate::supervisor) fn end(&mut self, why: &str) -> Option<JobEffect> {
         match &mut self.phase {
             // Nothing moves for its sake: how far the job got, nobody needs to know any more.
             Phase::Paused { .. } | Phase::Locating { .. } => {
@@ -25,19 +25,19 @@ impl Run {
 
     /// The job goes no further: it comes to rest on its way, and the tool is lifted. What was not sent
     /// is forgotten already.
-    pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> Wish {
+    pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> JobEffect {
         let rests = if self.is_down() {
             Rests::Lifted
         } else {
             Rests::AsItIs
         };
-        let wish = self.drain(then, why, rests);
+        let effect = self.drain(then, why, rests);
         self.brake();
-        wish
+        effect
     }
 
     /// The job goes no further: what is under way comes to its end, then it is paused.
-    pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<Wish> {
+    pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<JobEffect> {
         if self.is_at_work() {
             return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
         }
@@ -58,11 +58,11 @@ impl Run {
     }
 
     /// A job that burns goes no further, and the tool is lifted.
-    pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> Wish {
+    pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> JobEffect {
         self.drain(JobPhase::Paused, why, Rests::Lifted)
     }
 
-    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, rests: Rests) -> Wish {
+    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, rests: Rests) -> JobEffect {
         self.phase = Phase::Draining {
             then,
             reason: reason.to_owned(),
@@ -93,18 +93,18 @@ impl Run {
     }
 
     /// Nothing of the job is under way any more: how far it got is certain, and kept.
-    pub(super) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<Wish> {
+    pub(super) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         let window = self.come_to_end(&reason);
         arm.part_from_laser();
-        let mut wishes = vec![Wish::Keep(Effect::Phase {
+        let mut effects = vec![JobEffect::Keep(Effect::Phase {
             job: self.job(),
             phase: then,
             reason: Some(reason),
             window,
             behind: self.begun.behind,
         })];
-        wishes.extend(then.is_over().then_some(Wish::Forget));
-        wishes
+        effects.extend(then.is_over().then_some(JobEffect::Forget));
+        effects
     }
 
     /// Gives how far the job is, where that is certain.
@@ -128,10 +128,10 @@ impl Run {
         self.begun.doubt.is_none().then(|| self.certain())
     }
 
-    pub(super) fn notify(&self, phase: JobPhase, reason: &str) -> Wish {
+    pub(super) fn notify(&self, phase: JobPhase, reason: &str) -> JobEffect {
         let job = self.job();
         let text = format!("job {job} is {}: {reason}", word(phase));
-        Wish::Notify(News::Job { job, phase }, text)
+        JobEffect::Notify(News::Job { job, phase }, text)
     }
 
     /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to

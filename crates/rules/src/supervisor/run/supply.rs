@@ -6,7 +6,7 @@ use dobot_api::JobPhase;
 use dobot_client::CommandId;
 use dobot_wire::{Command, Status};
 
-use super::{Effect, Phase, Ran, Rests, Run, SentCommand, ToolHeight, Wish};
+use super::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 
@@ -54,26 +54,26 @@ impl Run {
     }
 
     /// Keeps the session and the journal supplied. The tool is lifted only where it may.
-    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<Wish> {
+    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
             self.set_out(arm.now());
         }
         if !self.gives() {
             return Vec::new();
         }
-        let mut wishes: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
+        let mut effects: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
         while arm.session().waiting() < KEEP_WAITING
             && let Some(command) = self.next_command()
         {
             let given = self.lower(arm).and_then(|()| self.give(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
-                wishes.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
+                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
                 break;
             }
         }
-        wishes.extend(self.reach_limit(arm, may_lift));
-        wishes
+        effects.extend(self.reach_limit(arm, may_lift));
+        effects
     }
 
     fn next_command(&mut self) -> Option<Command> {
@@ -104,7 +104,7 @@ impl Run {
     }
 
     /// All was given up to where the job comes to rest: for a person, or to be lifted.
-    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<Wish> {
+    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<JobEffect> {
         if self.next < self.upto() {
             return None;
         }
@@ -124,14 +124,14 @@ impl Run {
         }
     }
 
-    fn wait_for_person(&mut self) -> Option<Wish> {
+    fn wait_for_person(&mut self) -> Option<JobEffect> {
         let here = self.begun.next_pause().filter(|it| it.before == self.next);
         let message = here?.message.clone();
         Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson))
     }
 
     /// The journal is asked in time, so that the arm does not wait for the disk.
-    fn ask_journal(&mut self, status: Option<Status>) -> Option<Wish> {
+    fn ask_journal(&mut self, status: Option<Status>) -> Option<JobEffect> {
         if !self.permit.is_low(self.next) {
             return None;
         }
@@ -145,7 +145,7 @@ impl Run {
         };
         self.permit
             .ask(upto, completed)
-            .then_some(Wish::Ask(effect))
+            .then_some(JobEffect::Ask(effect))
     }
 
     /// Where the job goes on is reached: the commands follow, up to where it waits for a person.

@@ -6,7 +6,7 @@ use dobot_journal::{Unclear, Window, locate, model_at};
 use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
-use super::{Begun, Effect, Phase, Run, Wish, word};
+use super::{Begun, Effect, JobEffect, Phase, Run, word};
 use crate::supervisor::arm::Arm;
 
 impl Run {
@@ -48,7 +48,7 @@ impl Run {
     }
 
     /// With each status: is the job located, drained, lifted, done?
-    pub(in crate::supervisor) fn handle_status(&mut self, arm: &mut Arm) -> Vec<Wish> {
+    pub(in crate::supervisor) fn handle_status(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
         match &self.phase {
             Phase::Locating { window } if arm.still() >= self.rests_after(window) => {
                 let window = *window;
@@ -76,7 +76,7 @@ impl Run {
     }
 
     /// All of the job was seen to be over, and the arm rests: where the job ends?
-    fn finish(&mut self, arm: &mut Arm) -> Vec<Wish> {
+    fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
         arm.part_from_laser();
         self.note_ran();
         let (job, title) = (self.job(), &self.begun.title);
@@ -96,14 +96,14 @@ impl Run {
             behind: self.begun.behind,
         };
         vec![
-            Wish::Keep(effect),
-            Wish::Notify(News::Job { job, phase }, text),
-            Wish::Forget,
+            JobEffect::Keep(effect),
+            JobEffect::Notify(News::Job { job, phase }, text),
+            JobEffect::Forget,
         ]
     }
 
     /// The arm rests: which command was the last one that it did?
-    fn locate(&mut self, arm: &mut Arm, window: &Window) -> Vec<Wish> {
+    fn locate(&mut self, arm: &mut Arm, window: &Window) -> Vec<JobEffect> {
         let Some(status) = arm.last() else {
             return Vec::new();
         };

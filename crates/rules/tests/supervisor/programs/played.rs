@@ -6,9 +6,9 @@ use std::time::Duration;
 use dobot_api::{ClientId, News};
 use dobot_client::plausible;
 use dobot_controller::{Controller, Personality, PowerUp, Refused};
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::{Decoder, Frame, Statuses};
 
 use super::recorded::{Program, RecordedPacket, Within};
@@ -170,7 +170,7 @@ fn at_an_arm(
     is_played: impl Fn(&RecordedPacket) -> bool,
 ) -> (Seen, Vec<Refused>) {
     let controller = Controller::power_up(power_up(program));
-    let mut arm = VirtualArm::new(controller, Line::STOCK);
+    let mut arm = VirtualArm::new(controller, SerialLine::STOCK);
     let mut heard: Decoder<Statuses> = Decoder::statuses(plausible);
     let mut play = Play::new(program, is_played);
     let mut seen = Seen::default();
@@ -201,7 +201,7 @@ pub(super) struct Served {
 
 /// The program at the raw port of a station with the policy that it has if nobody says otherwise.
 pub(super) fn at_a_station(program: &Program) -> Served {
-    let mut it = Rehearsal::new(power_up(program), Policy::default());
+    let mut it = VirtualStation::new(power_up(program), Policy::default());
     let client = it.client("a raw program");
     let mut play = Play::new(program, |_| true);
     let mut served = Served {
@@ -231,13 +231,13 @@ pub(super) fn at_a_station(program: &Program) -> Served {
     served
 }
 
-fn send(it: &mut Rehearsal, client: ClientId, packet: &RecordedPacket) -> (bool, Vec<String>) {
+fn send(it: &mut VirtualStation, client: ClientId, packet: &RecordedPacket) -> (bool, Vec<String>) {
     let before = it.notices().len();
     let is_refused = it.send_raw(client, &packet.frame().into()).is_err();
     (is_refused, troubles(it, before))
 }
 
-fn troubles(it: &Rehearsal, from: usize) -> Vec<String> {
+fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
     let is_trouble = |news: &News| {
         matches!(
             news,

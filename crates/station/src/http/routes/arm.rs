@@ -1,6 +1,6 @@
 //! The laser, the pose and the dialect of the arm.
 
-use dobot_api::kinds::{
+use dobot_api::problem_kinds::{
     DIALECT_NOT_FOUND, JOB_RUNNING, NO_LEASE, NO_LINK, OUT_OF_RANGE, POLICY, STOPPED,
 };
 use dobot_api::{Reply, Request};
@@ -19,7 +19,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/laser",
             "Lets the laser be switched on for a while: a person has put the \
                 goggles on",
-            |Body(new): Body<Arming>| Request::ArmLaser { for_s: new.for_s },
+            |Body(new): Body<ArmLaser>| Request::ArmLaser { for_s: new.for_s },
         )
         .example(r#"{"for_s": 600}"#)
         .gives::<Reply>(200, "the laser is armed")
@@ -44,7 +44,7 @@ pub(super) fn all() -> Vec<Route> {
             PUT,
             "/api/v1/dialect",
             "Says which dialect the arm speaks (admin)",
-            |Body(new): Body<Speech>| Request::SetDialect {
+            |Body(new): Body<UseDialect>| Request::SetDialect {
                 dialect: new.dialect,
             },
         )
@@ -66,7 +66,7 @@ pub(super) fn all() -> Vec<Route> {
 /// For how long the laser may be switched on.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Arming {
+struct ArmLaser {
     /// In seconds.
     #[schemars(range(min = 1.0, max = 3600.0))]
     for_s: f64,
@@ -75,7 +75,7 @@ struct Arming {
 /// Which dialect the arm speaks.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Speech {
+struct UseDialect {
     /// The dialect.
     dialect: Dialect,
 }

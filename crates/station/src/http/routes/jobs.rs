@@ -5,7 +5,7 @@ use std::sync::Arc;
 use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
-use dobot_api::kinds::{
+use dobot_api::problem_kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, MALFORMED, NO_JOB_RUNS, NO_LEASE,
     NO_SUCH_JOB, OUT_OF_RANGE, POLICY, TOO_MANY,
 };

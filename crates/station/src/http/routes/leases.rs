@@ -1,7 +1,7 @@
 //! Control of the arm.
 
 use axum::Json;
-use dobot_api::kinds::{INVALID, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
+use dobot_api::problem_kinds::{INVALID, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
 use dobot_api::{ClientId, LeaseView, Problem, Reply, Request};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,7 +37,7 @@ pub(super) fn all() -> Vec<Route> {
             POST,
             "/api/v1/lease/grant",
             "Gives control to one who asked",
-            |Body(new): Body<Heir>| Request::GrantLease { to: new.to },
+            |Body(new): Body<HandOver>| Request::GrantLease { to: new.to },
         )
         .example(r#"{"to": 3}"#)
         .gives::<Reply>(200, "who has control now")
@@ -54,9 +54,9 @@ pub(super) fn all() -> Vec<Route> {
 
 /// A route that asks for control, and keeps the client if that is granted.
 fn holds(path: &'static str, summary: &'static str, what: &'static str, request: Request) -> Route {
-    let hold = move |asker: Asker, Maybe(wish): Maybe<Wish>| hold(asker, wish, request);
+    let hold = move |asker: Asker, Maybe(wanted): Maybe<LeaseRequest>| hold(asker, wanted, request);
     Route::new(POST, path, summary, hold)
-        .brings::<Maybe<Wish>>()
+        .brings::<Maybe<LeaseRequest>>()
         .example(r#"{"name": "my script"}"#)
         .gives::<Granted>(200, what)
 }
@@ -64,7 +64,7 @@ fn holds(path: &'static str, summary: &'static str, what: &'static str, request:
 /// Who wants control.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Wish {
+struct LeaseRequest {
     /// What the client calls itself.
     #[serde(default)]
     #[schemars(length(min = 1, max = 60))]
@@ -85,14 +85,18 @@ struct Granted {
 /// Who is to get control.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Heir {
+struct HandOver {
     /// One of those who ask.
     to: ClientId,
 }
 
 /// Asks for control, and keeps the client if that is granted.
-async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted>, NotDone> {
-    let name = called(wish, &asker.caller)?;
+async fn hold(
+    asker: Asker,
+    wanted: LeaseRequest,
+    request: Request,
+) -> Result<Json<Granted>, NotDone> {
+    let name = called(wanted, &asker.caller)?;
     let client = match &asker.lease {
         Some(_) => asker.client().await?,
         None => asker.come(&name).await?,
@@ -115,8 +119,8 @@ async fn hold(asker: Asker, wish: Wish, request: Request) -> Result<Json<Granted
 }
 
 /// What a client wants to be called, or else what its token is called.
-fn called(wish: Wish, caller: &Caller) -> Result<String, Problem> {
-    let Some(name) = wish.name else {
+fn called(wanted: LeaseRequest, caller: &Caller) -> Result<String, Problem> {
+    let Some(name) = wanted.name else {
         return Ok(caller.name.clone());
     };
     if is_name(&name) {

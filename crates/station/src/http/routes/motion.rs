@@ -5,7 +5,7 @@ use std::sync::Arc;
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
-use dobot_api::kinds::{NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, STILL_MOVING};
+use dobot_api::problem_kinds::{NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, STILL_MOVING};
 use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
 use dobot_wire::Command;
@@ -38,7 +38,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/jog",
             "Holds a jog button; it is released when this is not said again \
                 within the dead-man time (150 ms by default)",
-            |Body(new): Body<Press>| Request::Jog { jog: new.jog },
+            |Body(new): Body<HoldJog>| Request::Jog { jog: new.jog },
         )
         .example(r#"{"jog": {"frame": "linear", "axis": "x_plus", "speed_percent": 50}}"#)
         .gives::<Reply>(200, "the button is held")
@@ -87,7 +87,7 @@ struct NewCommand {
 /// A button.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Press {
+struct HoldJog {
     /// Which one.
     jog: Jog,
 }

@@ -1,6 +1,8 @@
 //! What everyone may see: the document, the state of the arm.
 
-use dobot_api::kinds::{ENDING, Kind, MALFORMED, TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE};
+use dobot_api::problem_kinds::{
+    ENDING, MALFORMED, ProblemKind, TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
+};
 use dobot_api::{Notice, State};
 use dobot_safety::Policy;
 
@@ -25,7 +27,7 @@ pub(super) fn all() -> Vec<Route> {
             calls::problem,
         )
         .open()
-        .gives::<Kind>(200, "the kind")
+        .gives::<ProblemKind>(200, "the kind")
         .problems(&[UNKNOWN_PATH]),
         Route::new(
             GET,

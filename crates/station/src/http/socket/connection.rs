@@ -5,18 +5,18 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, close_code};
-use dobot_api::{Notice, Problem, ToClient};
-use dobot_rules::{Answer, Client};
+use dobot_api::{Notice, Problem, Reply, ToClient};
+use dobot_rules::{Client, Refusal};
 use futures_util::{Sink, SinkExt, Stream, StreamExt};
-use tokio::sync::{broadcast, mpsc};
+use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::timeout;
 
 use super::super::app::{App, ended};
 use super::super::messages;
 use super::Wants;
-use super::pace::Pace;
 use super::receive::receive;
-use super::tell::News;
+use super::send::News;
+use super::state_stream::StateStream;
 
 /// One client's connection.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(super) struct SocketConnection {
     app: Arc<App>,
     client: Client,
     name: String,
-    pace: Pace,
+    states: StateStream,
     notices: Option<broadcast::Receiver<Arc<Notice>>>,
 }
 
@@ -48,7 +48,7 @@ pub(super) enum End {
 /// What is to be sent to the client, apart from states and notices.
 #[derive(Debug)]
 pub(super) enum Owed {
-    Answer(u64, Answer),
+    Answer(u64, oneshot::Receiver<Result<Reply, Refusal>>),
     Text(String),
 }
 
@@ -61,7 +61,7 @@ impl SocketConnection {
     pub(super) fn new(app: &Arc<App>, client: Client, name: String, wants: &Wants) -> Self {
         let notices = wants.notices.unwrap_or(true).then(|| app.handle.notices());
         Self {
-            pace: Pace::new(app.handle.every_state(), wants.states),
+            states: StateStream::new(app.handle.every_state(), wants.states),
             app: app.clone(),
             client,
             name,
@@ -79,7 +79,7 @@ impl SocketConnection {
         let (owe, owed) = mpsc::channel(OWED);
         let (app, client) = (&*self.app, &self.client);
         let news = News {
-            pace: self.pace,
+            states: self.states,
             notices: self.notices,
             owed,
         };

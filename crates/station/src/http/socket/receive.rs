@@ -6,7 +6,7 @@ use std::time::Duration;
 use axum::body::Bytes;
 use axum::extract::ws::Message;
 use dobot_api::FromClient;
-use dobot_api::kinds::INVALID;
+use dobot_api::problem_kinds::INVALID;
 use dobot_rules::Client;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, NewJob, Request};
 use dobot_arm::Position;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, Frame, Gesture, JointJog, JointJogAxis,
     LinearJog, LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, Packet,
@@ -46,7 +46,7 @@ pub(crate) struct Asking {
 
 impl Asking {
     /// What is asked next.
-    pub(crate) fn next(&mut self, chance: &mut Chance, it: &Rehearsal) -> FuzzStep {
+    pub(crate) fn next(&mut self, chance: &mut Chance, it: &VirtualStation) -> FuzzStep {
         let who = chance.one(&self.people);
         let holder = it.supervisor().state().lease.map_or(who, |it| it.client);
         let who = if chance.below(10) == 0 { who } else { holder };
@@ -188,7 +188,7 @@ fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
 }
 
 /// Somewhere in reach, or a little away from where the arm will be.
-fn place(chance: &mut Chance, it: &Rehearsal) -> [f32; 3] {
+fn place(chance: &mut Chance, it: &VirtualStation) -> [f32; 3] {
     let model = it.supervisor().session().model();
     let here = model.map_or(Position::new(200.0, 0.0, 0.0), |it| it.place.pose.position);
     if chance.below(3) == 0 {
@@ -217,7 +217,7 @@ fn step(chance: &mut Chance) -> f32 {
     }
 }
 
-fn command(chance: &mut Chance, it: &Rehearsal) -> Command {
+fn command(chance: &mut Chance, it: &VirtualStation) -> Command {
     let mode = chance.one(&[MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ]);
     let pause_s = match chance.below(6) {
         0 => number(chance, 0.0, 2.0),

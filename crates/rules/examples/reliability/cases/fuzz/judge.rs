@@ -2,7 +2,7 @@
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_controller::Refused;
-use dobot_rules::Rehearsal;
+use dobot_rules::VirtualStation;
 use dobot_safety::{Bounds, Policy};
 
 /// Looks at the arm in every moment in which something happens: at every control tick at least,
@@ -40,7 +40,7 @@ impl Judge {
     }
 
     /// Judges this moment.
-    pub(crate) fn look(&mut self, it: &Rehearsal) {
+    pub(crate) fn look(&mut self, it: &VirtualStation) {
         let arm = it.arm();
         let tick = arm.controller().tick_count();
         if self.lost.is_some() || tick == self.tick {
@@ -76,7 +76,7 @@ impl Judge {
     }
 
     /// Takes what the controller says of itself.
-    pub(crate) fn hear(&mut self, it: &mut Rehearsal) {
+    pub(crate) fn hear(&mut self, it: &mut VirtualStation) {
         while let Some(refused) = it.arm_mut().poll_refused() {
             match refused {
                 Refused::Hangs(_) => self.lose(HANGS, refused.to_string()),

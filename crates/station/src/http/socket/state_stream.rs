@@ -11,7 +11,7 @@ use tokio::time::{Instant, sleep_until};
 
 /// The states of one client, at the rate that it chose.
 #[derive(Debug)]
-pub(super) struct Pace {
+pub(super) struct StateStream {
     states: broadcast::Receiver<Arc<Snapshot>>,
     rate: Rate,
     /// The newest state that waits until it is due.
@@ -26,7 +26,7 @@ enum Rate {
     Spaced(Duration),
 }
 
-impl Pace {
+impl StateStream {
     /// At most `per_s` states in a second, or every one.
     pub(super) fn new(states: broadcast::Receiver<Arc<Snapshot>>, per_s: Option<f64>) -> Self {
         let rate = match per_s {
@@ -121,19 +121,19 @@ mod tests {
     #[tokio::test(start_paused = true)]
     async fn who_wants_every_state_gets_every_state() {
         let (tell, states) = broadcast::channel(16);
-        let mut pace = Pace::new(states, None);
+        let mut stream = StateStream::new(states, None);
         for n in 0..10 {
             tell.send(snapshot(n)).unwrap();
         }
         for n in 0..10 {
-            assert_eq!(number(&pace.next().await.unwrap()), f64::from(n));
+            assert_eq!(number(&stream.next().await.unwrap()), f64::from(n));
         }
     }
 
     #[tokio::test(start_paused = true)]
     async fn who_wants_two_in_a_second_gets_the_newest_every_half_second() {
         let (tell, states) = broadcast::channel(1024);
-        let mut pace = Pace::new(states, Some(2.0));
+        let mut stream = StateStream::new(states, Some(2.0));
         let telling = tokio::spawn(async move {
             for n in 0..500 {
                 tell.send(snapshot(n)).unwrap();
@@ -142,7 +142,7 @@ mod tests {
         });
         let began = Instant::now();
         let mut got = Vec::new();
-        while let Ok(message) = pace.next().await {
+        while let Ok(message) = stream.next().await {
             got.push((began.elapsed().as_millis(), number(&message)));
         }
         telling.await.unwrap();
@@ -156,13 +156,13 @@ mod tests {
     #[tokio::test(start_paused = true)]
     async fn the_last_state_comes_even_when_nothing_follows() {
         let (tell, states) = broadcast::channel(16);
-        let mut pace = Pace::new(states, Some(1.0));
+        let mut stream = StateStream::new(states, Some(1.0));
         for n in 0..3 {
             tell.send(snapshot(n)).unwrap();
         }
-        let mut last = number(&pace.next().await.unwrap());
+        let mut last = number(&stream.next().await.unwrap());
         while last < 2.0 {
-            last = number(&pace.next().await.unwrap());
+            last = number(&stream.next().await.unwrap());
         }
         assert_eq!(last, 2.0);
     }
@@ -170,10 +170,10 @@ mod tests {
     #[tokio::test(start_paused = true)]
     async fn a_client_of_all_states_that_lags_too_far_is_told() {
         let (tell, states) = broadcast::channel(4);
-        let mut pace = Pace::new(states, None);
+        let mut stream = StateStream::new(states, None);
         for n in 0..9 {
             tell.send(snapshot(n)).unwrap();
         }
-        assert!(matches!(pace.next().await, Err(RecvError::Lagged(_))));
+        assert!(matches!(stream.next().await, Err(RecvError::Lagged(_))));
     }
 }

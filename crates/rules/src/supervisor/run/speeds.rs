@@ -9,7 +9,7 @@ use crate::supervisor::JobPlan;
 /// At which speeds the vectors go that are not sent yet: as planned, or at a share of that, or as
 /// it takes to begin or to come to rest in the middle of a stroke.
 #[derive(Clone, Debug)]
-pub(super) struct Pace {
+pub(super) struct Speeds {
     share: f64,
     machine: Machine,
     /// The first vector with a speed of its own.
@@ -19,7 +19,7 @@ pub(super) struct Pace {
     rests_until: usize,
 }
 
-impl Pace {
+impl Speeds {
     pub(super) const fn new(speed_percent: f64, machine: Machine) -> Self {
         Self {
             share: speed_percent / 100.0,

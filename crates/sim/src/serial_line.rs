@@ -11,7 +11,7 @@ use dobot_wire::PACKET_LEN;
 /// bytes, as many as a serial port of a computer keeps. What is sent beyond that is lost, and
 /// counted.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct SerialLine {
     byte_time: Duration,
     /// When the last byte sent arrives.
     busy_until: Duration,
@@ -28,7 +28,7 @@ struct Burst {
     len: usize,
 }
 
-impl Line {
+impl SerialLine {
     /// A line as that of a stock arm: 9600 baud nominal, of which its chip makes 1.04 ms a byte,
     /// 43.68 ms a packet (note N26).
     pub const STOCK: Self = Self::new(STOCK_BYTE_TIME);
@@ -144,14 +144,14 @@ mod tests {
 
     #[test]
     fn a_packet_takes_43_68_ms() {
-        let mut line = Line::STOCK;
+        let mut line = SerialLine::STOCK;
         line.send(us(1000), &[0xA5; 42]);
         assert_eq!(line.next_burst(), Some(us(1000 + 43_680)));
     }
 
     #[test]
     fn bytes_arrive_one_by_one_and_bursts_queue_up_behind_each_other() {
-        let mut line = Line::new(us(100));
+        let mut line = SerialLine::new(us(100));
         line.send(us(0), &[1, 2]);
         line.send(us(50), &[3]);
         let mut bytes = Vec::new();
@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn more_than_4096_waiting_bytes_are_lost_and_counted() {
-        let mut line = Line::new(us(1));
+        let mut line = SerialLine::new(us(1));
         line.send(us(0), &[1; 4000]);
         line.send(us(0), &[2; 100]);
         assert_eq!(line.lost(), 4);
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn what_is_under_way_when_the_sender_falls_silent_never_arrives() {
-        let mut line = Line::new(us(100));
+        let mut line = SerialLine::new(us(100));
         line.send(us(0), &[1, 2, 3]);
         assert_eq!(line.pop(us(150)), Some((us(100), 1)));
         line.cut(us(150));
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn nothing_sent_is_no_burst() {
-        let mut line = Line::STOCK;
+        let mut line = SerialLine::STOCK;
         line.send(us(0), &[]);
         assert_eq!(line.next_burst(), None);
     }

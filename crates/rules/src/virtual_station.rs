@@ -7,7 +7,7 @@ use dobot_api::{ClientId, JobView, LinkPhase, NewJob, Notice, Reply, Request, Ro
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
-use dobot_sim::{Line, VirtualArm};
+use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::Packet;
 
 use crate::Refusal;
@@ -17,10 +17,10 @@ use crate::supervisor::{Begun, Effect, Supervisor};
 /// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
 ///
-/// The arm goes on whatever becomes of the supervisor: [`Rehearsal::crash`] takes the supervisor away in the
+/// The arm goes on whatever becomes of the supervisor: [`VirtualStation::crash`] takes the supervisor away in the
 /// middle of whatever it does, and puts a new one in its place, as after a SIGKILL.
 #[derive(Debug)]
-pub struct Rehearsal {
+pub struct VirtualStation {
     supervisor: Supervisor,
     arm: VirtualArm,
     journal: Journal,
@@ -44,7 +44,7 @@ pub struct Rehearsal {
     packets: Vec<(Duration, [u8; 42])>,
 }
 
-impl Rehearsal {
+impl VirtualStation {
     /// A station that has just been started, with an arm that has just been switched on.
     ///
     /// # Panics
@@ -52,7 +52,7 @@ impl Rehearsal {
     /// Never: a journal in memory can always be made.
     #[must_use]
     pub fn new(power_up: PowerUp, policy: Policy) -> Self {
-        let arm = VirtualArm::new(Controller::power_up(power_up), Line::STOCK);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         Self::with_arm(arm, power_up, policy)
     }
 
@@ -75,7 +75,7 @@ impl Rehearsal {
         policy: Policy,
         journal: Journal,
     ) -> Self {
-        let mut rehearsal = Self {
+        let mut virtual_station = Self {
             supervisor: Supervisor::new(policy.clone(), Some(power_up.personality.dialect())),
             arm,
             journal,
@@ -92,8 +92,8 @@ impl Rehearsal {
             notices: Vec::new(),
             packets: Vec::new(),
         };
-        rehearsal.plug();
-        rehearsal
+        virtual_station.plug();
+        virtual_station
     }
 
     /// From now on the computer has so much else to do that it looks at its port and its clock only

@@ -8,7 +8,7 @@ use crate::Problem;
 
 /// A kind of problem, explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct Kind {
+pub struct ProblemKind {
     /// Its name: the last part of the problem type's address.
     #[serde(rename = "kind")]
     pub name: &'static str,
@@ -20,7 +20,7 @@ pub struct Kind {
     pub explanation: &'static str,
 }
 
-impl Kind {
+impl ProblemKind {
     /// A problem of this kind.
     #[must_use]
     pub fn problem(self, detail: impl Into<String>) -> Problem {
@@ -48,7 +48,7 @@ impl Kind {
 
 /// The kind of that name.
 #[must_use]
-pub fn named(name: &str) -> Option<&'static Kind> {
+pub fn named(name: &str) -> Option<&'static ProblemKind> {
     ALL.iter().find(|kind| kind.name == name)
 }
 
@@ -56,7 +56,7 @@ macro_rules! kinds {
     ($($constant:ident = $status:literal $name:literal $title:literal $explanation:literal;)*) => {
         $(
             #[doc = $title]
-            pub const $constant: Kind = Kind {
+            pub const $constant: ProblemKind = ProblemKind {
                 name: $name,
                 title: $title,
                 status: $status,
@@ -65,7 +65,7 @@ macro_rules! kinds {
         )*
 
         /// All kinds.
-        pub const ALL: &[Kind] = &[$($constant),*];
+        pub const ALL: &[ProblemKind] = &[$($constant),*];
     };
 }
 

@@ -8,7 +8,7 @@ use dobot_wire::Packet;
 
 /// The line, and what is to go over it before all that waits.
 #[derive(Debug, Default)]
-pub(super) struct Line {
+pub(super) struct UrgentQueue {
     urgent: VecDeque<Packet>,
     /// When the packet before is over, and the gap behind it.
     free: Duration,
@@ -16,7 +16,7 @@ pub(super) struct Line {
     at_once: bool,
 }
 
-impl Line {
+impl UrgentQueue {
     pub(super) fn push(&mut self, packet: Packet) {
         self.urgent.push_back(packet);
     }

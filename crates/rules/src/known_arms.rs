@@ -10,14 +10,14 @@ use serde::{Deserialize, Serialize};
 
 /// What is known of each arm, in a file that a person can read and change.
 #[derive(Debug)]
-pub(crate) struct Arms {
+pub(crate) struct KnownArms {
     file: PathBuf,
-    known: BTreeMap<String, Arm>,
+    known: BTreeMap<String, KnownArm>,
 }
 
 /// What is known of one arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Arm {
+pub(crate) struct KnownArm {
     pub(crate) dialect: Dialect,
     /// How that was found, in words; empty where a person has said it.
     #[serde(default)]
@@ -27,7 +27,7 @@ pub(crate) struct Arm {
 /// Why the file of the arms is of no use.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum ArmsError {
+pub enum KnownArmsError {
     /// It cannot be read.
     #[error("cannot read {file}")]
     Read {
@@ -47,17 +47,17 @@ pub enum ArmsError {
     },
 }
 
-impl Arms {
-    pub(crate) fn read(file: &Path) -> Result<Self, ArmsError> {
+impl KnownArms {
+    pub(crate) fn read(file: &Path) -> Result<Self, KnownArmsError> {
         let known = match fs::read_to_string(file) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => BTreeMap::new(),
             Err(source) => {
-                return Err(ArmsError::Read {
+                return Err(KnownArmsError::Read {
                     file: file.display().to_string(),
                     source,
                 });
             }
-            Ok(text) => toml::from_str(&text).map_err(|error| ArmsError::Content {
+            Ok(text) => toml::from_str(&text).map_err(|error| KnownArmsError::Content {
                 file: file.display().to_string(),
                 why: error.to_string(),
             })?,
@@ -81,7 +81,7 @@ impl Arms {
         finding: Option<&Finding>,
     ) -> io::Result<()> {
         let evidence = finding.map(Finding::lines).unwrap_or_default();
-        let arm = Arm { dialect, evidence };
+        let arm = KnownArm { dialect, evidence };
         if self.known.get(address) == Some(&arm) {
             return Ok(());
         }
@@ -103,11 +103,11 @@ mod tests {
     fn what_was_found_of_an_arm_is_known_the_next_time() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("arms.toml");
-        let mut arms = Arms::read(&file).unwrap();
+        let mut arms = KnownArms::read(&file).unwrap();
         assert_eq!(arms.dialect("serial:/dev/ttyUSB0@9600"), None);
         arms.keep("serial:/dev/ttyUSB0@9600", Dialect::FIRMWARE_1_1, None)
             .unwrap();
-        let again = Arms::read(&file).unwrap();
+        let again = KnownArms::read(&file).unwrap();
         let known = again.dialect("serial:/dev/ttyUSB0@9600");
         assert_eq!(known, Some(Dialect::FIRMWARE_1_1));
         assert_eq!(again.dialect("serial:/dev/ttyUSB1@9600"), None);
@@ -118,7 +118,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("arms.toml");
         fs::write(&file, "[arm]\ndialect = \"klingon\"").unwrap();
-        let error = Arms::read(&file).unwrap_err().to_string();
+        let error = KnownArms::read(&file).unwrap_err().to_string();
         assert!(error.contains("arms.toml"), "{error}");
     }
 }

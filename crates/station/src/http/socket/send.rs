@@ -7,17 +7,17 @@ use std::time::Duration;
 use axum::body::Bytes;
 use axum::extract::ws::Message;
 use dobot_api::{Hello, Notice, Reply, ToClient};
-use dobot_rules::{Answer, Client, Refusal};
+use dobot_rules::{Client, Refusal};
 use futures_util::stream::FuturesUnordered;
 use futures_util::{Sink, SinkExt, StreamExt};
 use tokio::sync::broadcast::error::RecvError;
-use tokio::sync::{broadcast, mpsc};
+use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::{Interval, MissedTickBehavior, interval, timeout};
 
 use super::super::app::App;
 use super::super::messages;
 use super::connection::{End, Owed};
-use super::pace::{Pace, message};
+use super::state_stream::{StateStream, message};
 
 /// How often the client is asked whether it is there.
 const PING_EVERY: Duration = Duration::from_secs(2);
@@ -27,7 +27,7 @@ const READ_WITHIN: Duration = Duration::from_secs(5);
 /// What a client wants to be told.
 #[derive(Debug)]
 pub(super) struct News {
-    pub(super) pace: Pace,
+    pub(super) states: StateStream,
     pub(super) notices: Option<broadcast::Receiver<Arc<Notice>>>,
     pub(super) owed: mpsc::Receiver<Owed>,
 }
@@ -39,7 +39,7 @@ impl News {
         O: Sink<Message> + Unpin,
     {
         let mut sent = send(outgoing, hello(app, client)).await;
-        if self.pace.is_wanted() && sent.is_ok() {
+        if self.states.is_wanted() && sent.is_ok() {
             sent = send(outgoing, Message::Text(message(&app.handle.state()))).await;
         }
         let mut answers = FuturesUnordered::new();
@@ -54,7 +54,7 @@ impl News {
                     }
                 },
                 Some(answer) = answers.next() => send(outgoing, answer).await,
-                state = self.pace.next() => match state {
+                state = self.states.next() => match state {
                     Ok(state) => send(outgoing, Message::Text(state)).await,
                     Err(error) => Err(missed(&error)),
                 },
@@ -86,7 +86,7 @@ fn pings() -> Interval {
 }
 
 /// The answer to a request, when it is there.
-async fn numbered(id: u64, answer: Answer) -> Message {
+async fn numbered(id: u64, answer: oneshot::Receiver<Result<Reply, Refusal>>) -> Message {
     reply(id, answer.await.unwrap_or(Err(Refusal::Ending)))
 }
 
