@@ -17,15 +17,14 @@ main() {
   rm -rf "$folder"
   mkdir -p "$folder"
 
-  # Nobody reads the names of functions in a program that was handed on.
-  CARGO_PROFILE_RELEASE_STRIP=symbols cargo build --locked --release -p dobot-cli
+  cargo build --locked --profile dist -p dobot-cli
   fill "$folder" "$host"
   (cd "$archives" && pack "$name" "$host")
 }
 
 fill() {
   local folder=$1 host=$2 program shell
-  program=${CARGO_TARGET_DIR:-target}/release/dobot
+  program=${CARGO_TARGET_DIR:-target}/dist/dobot
   [[ $host != *windows* ]] || program+=.exe
   cp "$program" README.md CHANGELOG.md SECURITY.md LICENSE LICENSE-MIT LICENSE-APACHE "$folder"
   mkdir -p "$folder/man" "$folder/completions"
