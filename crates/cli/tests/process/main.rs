@@ -20,6 +20,8 @@ mod recordings;
 mod services;
 mod simulating;
 #[cfg(unix)]
+mod states;
+#[cfg(unix)]
 mod stations;
 #[cfg(unix)]
 mod wire;
