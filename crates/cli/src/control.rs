@@ -53,7 +53,7 @@ pub(crate) async fn carry_out(
     station: &mut StationClient,
     command: Command,
 ) -> Result<(), Failure> {
-    let reply = station.request(Request::Command { command }).await?;
+    let reply = request_at_rest(station, Request::Command { command }).await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
         return Ok(());

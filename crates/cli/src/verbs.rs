@@ -31,7 +31,7 @@ mod stop;
 mod token;
 mod up;
 mod vector;
-mod watch;
+pub(crate) mod watch;
 mod world;
 
 use clap::Subcommand;

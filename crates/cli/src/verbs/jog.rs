@@ -1,6 +1,4 @@
-//! `dobot jog`: move one axis for a while.
-
-mod button;
+//! `dobot jog`: move one axis for a while, or all of them with keys.
 
 use std::time::Duration;
 
@@ -9,17 +7,18 @@ use dobot_api::{Jog, Request};
 use dobot_rules::StationClient;
 use dobot_wire::Status;
 
-use self::button::{Button, JogFrame};
 use crate::connect::To;
 use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
+use crate::pendant::{self, Button, Drive, JogFrame, check_terminal};
 
-/// Move one axis for a while, or switch the suction cup or the laser
+/// Move one axis for a while, or all with keys; switch the suction cup or the laser
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
+  dobot jog                              with keys, for as long as they are held
   dobot jog x+ --for 1.5                 forward for a second and a half
   dobot jog base- --for 0.5 --speed 20   slowly to the right
   dobot jog suction-on
@@ -27,23 +26,33 @@ Examples:
 
 The axis is released when the time is over, on Ctrl-C, and when anything goes wrong, also when this program
 is killed. The laser stays off without `--arm-laser`, and where the policy forbids a light that stands
-(`laser.standing`): focus with it allowed.")]
+(`laser.standing`): focus with it allowed.
+
+With keys: arrows, page up and page down move along x, y and z (Tab: the joints), r and f turn the tool, o and c
+move the gripper, u and j switch the pump, 1 to 9 and 0 are the speed; Space, Esc or s stops the arm, q leaves.
+Most terminals do not tell when a key is let go: there the arm stops when the key repeats no more, after the
+dead-man time of the policy (0.15 s), so the first press is a short step.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
-    /// suction-on suction-off laser-on laser-off
-    button: Button,
+    /// suction-on suction-off laser-on laser-off; without one, keys of this terminal are the buttons
+    button: Option<Button>,
     /// How long, in seconds
-    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds)]
+    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds, requires = "button")]
     time: Duration,
     /// With which jog: joint (state 2) or linear (state 7); x, y and z have the linear one alone, base, rear and
     /// fore the joint one, and the others have both (default: joint)
-    #[arg(long, value_name = "joint|linear")]
+    #[arg(long, value_name = "joint|linear", requires = "button")]
     frame: Option<JogFrame>,
     /// Share of the jog speed, in percent from 1 to 100
-    #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
+    #[arg(
+        long,
+        value_name = "PERCENT",
+        default_value_t = 50.0,
+        requires = "button"
+    )]
     speed: f32,
     /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "button")]
     arm_laser: Option<Duration>,
     #[command(flatten)]
     to: To,
@@ -53,15 +62,24 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let jog = async |station: &mut StationClient| args.press(station).await;
+    if args.button.is_none() {
+        check_terminal(
+            "`dobot jog` without an axis",
+            "name one: `dobot jog x+ --for 1`",
+        )?;
+    }
+    let jog = async |station: &mut StationClient| match args.button {
+        Some(button) => args.press(station, button).await,
+        None => with_keys(station, &args.to, Drive::Jog).await,
+    };
     let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
     /// A button has to be held, and a switch has not.
-    async fn press(&self, station: &mut StationClient) -> Result<Status, Failure> {
-        let button = self.button.with_frame(self.frame)?;
+    async fn press(&self, station: &mut StationClient, button: Button) -> Result<Status, Failure> {
+        let button = button.with_frame(self.frame)?;
         let jog = button.jog(self.speed);
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
@@ -85,6 +103,20 @@ impl Args {
         }
         control::rest(station).await
     }
+}
+
+/// Lets a person move the arm with keys.
+pub(crate) async fn with_keys(
+    station: &mut StationClient,
+    to: &To,
+    drive: Drive,
+) -> Result<Status, Failure> {
+    check_pose(station, to.pose_confirmed).await?;
+    take_control(station).await?;
+    // The first press moves the arm at once.
+    control::rest_soon(station).await?;
+    pendant::run(station, drive).await?;
+    control::rest(station).await
 }
 
 /// Holds a button by saying so again and again, until its time is over or Ctrl-C.

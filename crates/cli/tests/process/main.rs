@@ -13,6 +13,8 @@ mod killing;
 mod links;
 #[cfg(unix)]
 mod logging;
+#[cfg(target_os = "linux")]
+mod pendant;
 mod policy;
 mod program;
 mod recordings;
@@ -23,6 +25,8 @@ mod simulating;
 mod states;
 #[cfg(unix)]
 mod stations;
+#[cfg(target_os = "linux")]
+mod terminal;
 #[cfg(unix)]
 mod wire;
 mod worlds;

@@ -45,6 +45,13 @@ impl Button {
         }
     }
 
+    /// Its name, as in `dobot jog x+`; a button of linear jog has that of joint jog where both have it.
+    pub(crate) fn name(self) -> &'static str {
+        let joint = |it: &Self| it.code() > LAST_OWN_AXIS && it.code() == self.code();
+        let named = |(_, it): &&(&str, Self)| *it == self || joint(it);
+        BUTTONS.iter().find(named).map_or("released", |it| it.0)
+    }
+
     /// What is sent while the button is pressed.
     pub(crate) const fn jog(self, speed_percent: f32) -> Jog {
         match self {
