@@ -117,6 +117,7 @@ fn a_stop_by_key_holds_the_arm_until_the_person_lets_it_move_again() {
     let mut bench = Bench::new(&["jog"], Keyboard::Plain);
     bench.terminal.types(" ");
     bench.terminal.shows("STOPPED");
+    bench.terminal.shows("at rest)");
     bench.terminal.types("r");
     bench.terminal.shows("let the arm move again?");
     bench.terminal.types("y");
