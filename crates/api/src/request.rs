@@ -83,6 +83,11 @@ pub enum Request {
         /// Its number.
         job: u64,
     },
+    /// Do the next step of a queued or paused job, and pause behind it.
+    StepJob {
+        /// Its number.
+        job: u64,
+    },
     /// Pause the running job after what the arm has got already.
     #[serde(deserialize_with = "without_fields")]
     PauseJob,

@@ -1,16 +1,20 @@
 //! A job looked at from its beginning to its end, before anything moves.
 
+mod cycle;
 mod height;
 
+use std::ops::Range;
 use std::sync::Arc;
 
+use dobot_api::JobProgram;
 use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model, burns};
-use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
+use dobot_wire::{Command, Configuration, Dialect, JointJogAxis, Status, WriteVector};
 
+use self::cycle::Cycle;
 use self::height::Height;
 use crate::Refusal;
 
@@ -28,6 +32,8 @@ pub struct JobPlan {
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
+    /// Which of them are done again.
+    cycle: Option<Cycle>,
 }
 
 /// What vectors are drawn with.
@@ -47,6 +53,8 @@ struct Step {
     /// How far above that it is by now: a person has changed the height meanwhile.
     higher_mm: f64,
     moves: bool,
+    /// It changes what pump or gripper hold.
+    grips: bool,
     /// How long it and all before it take, in seconds.
     until_s: f64,
 }
@@ -54,7 +62,8 @@ struct Step {
 impl JobPlan {
     /// Looks at every command of a job, from where the arm is, at the heights to which a person has
     /// changed it. The way to its first target is not judged where the job has gone on from there
-    /// already.
+    /// already. A cycle is looked at until it repeats itself, and stands here as often as a window of the
+    /// journal may reach.
     ///
     /// # Errors
     ///
@@ -66,8 +75,11 @@ impl JobPlan {
         heights: &[HeightChange],
         lift_mm: f32,
         completed: usize,
+        program: &JobProgram,
     ) -> Result<Self, Refusal> {
         let first = check_beginning(&commands)?;
+        let cycle = Cycle::of(program, commands.len());
+        let commands = cycle.map_or(commands.clone(), |it| it.unroll(commands));
         let burns = commands.iter().any(burns);
         let mut look = PlanWalk {
             policy,
@@ -84,6 +96,7 @@ impl JobPlan {
             settings: vec![(0, look.drawn_with())],
             burns,
             lift_mm,
+            cycle,
         };
         let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
         let mut drawn = Vec::with_capacity(commands.len());
@@ -187,7 +200,18 @@ impl JobPlan {
         self.settings[later.saturating_sub(1)].1
     }
 
-    /// How many commands there are.
+    /// Which commands are done again.
+    #[must_use]
+    pub(super) const fn cycle(&self) -> Option<&Cycle> {
+        self.cycle.as_ref()
+    }
+
+    /// Whether a command changes what pump or gripper hold.
+    pub(super) fn grips(&self, index: usize) -> bool {
+        self.steps.get(index).is_some_and(|it| it.grips)
+    }
+
+    /// How many commands there are, those of a cycle as often as they stand here.
     #[must_use]
     pub fn len(&self) -> usize {
         self.commands.len()
@@ -233,6 +257,11 @@ impl JobPlan {
         self.steps.get(last).map(Step::now)
     }
 
+    /// The arm when a command is over.
+    pub(super) fn end_of(&self, index: usize) -> Option<Status> {
+        self.steps.get(index).map(Step::now)
+    }
+
     /// Where the tool is then.
     #[must_use]
     pub fn start_position(&self, index: usize) -> Option<Position> {
@@ -244,17 +273,34 @@ impl JobPlan {
         first.unwrap_or(self.steps.len())
     }
 
-    /// How long all of it takes, in seconds.
+    /// How long all of it takes, in seconds; `None` where it goes on until a person ends it.
     #[must_use]
-    pub fn planned_s(&self) -> f64 {
-        self.steps.last().map_or(0.0, |it| it.until_s)
+    pub fn planned_s(&self) -> Option<f64> {
+        let Some(cycle) = &self.cycle else {
+            return Some(self.until_s(self.len()));
+        };
+        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        let more = cycle.times?.saturating_sub(1) as f64;
+        Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
     }
 
-    /// How long all from a command on takes, in seconds.
+    /// How long a cycle takes that follows another one, in seconds; `None` where there is none.
     #[must_use]
-    pub fn left_s(&self, index: usize) -> f64 {
-        let over = index.checked_sub(1).and_then(|it| self.steps.get(it));
-        self.planned_s() - over.map_or(0.0, |it| it.until_s)
+    pub fn cycle_s(&self) -> Option<f64> {
+        let cycle = self.cycle.as_ref()?;
+        let second = cycle.end() + cycle.len;
+        (second <= self.len()).then(|| self.until_s(second) - self.until_s(cycle.end()))
+    }
+
+    /// How long the commands of a range take, in seconds.
+    #[must_use]
+    pub fn takes_s(&self, commands: Range<usize>) -> f64 {
+        self.until_s(commands.end) - self.until_s(commands.start)
+    }
+
+    fn until_s(&self, index: usize) -> f64 {
+        let over = index.min(self.len()).checked_sub(1);
+        over.map_or(0.0, |it| self.steps[it].until_s)
     }
 }
 
@@ -304,10 +350,14 @@ impl PlanWalk<'_> {
         let takes_s = trajectory.duration_s().ok_or_else(|| {
             bad("a jog goes on until it is released; a job may not hold one".into())
         })?;
+        let before = self.model;
         self.model = self.model.after(command, &trajectory);
         self.until_s += takes_s;
         Ok(Step {
             end: self.model.status(),
+            grips: before.suction != self.model.suction
+                || before.gripper_deg != self.model.gripper_deg
+                || is_grip_switch(command),
             raised_mm: self.height.raised_mm,
             higher_mm: 0.0,
             moves: trajectory.moves(),
@@ -321,6 +371,11 @@ impl PlanWalk<'_> {
             tool: self.model.tool,
         }
     }
+}
+
+/// A pump that is switched to what it does already may have been seen wrongly.
+const fn is_grip_switch(command: &Command) -> bool {
+    matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
 }
 
 /// The same arm, so much higher; where it cannot be there, the way to there will be refused.

@@ -33,7 +33,7 @@ impl Run {
     /// Draws the vectors that are not given yet at another speed.
     pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> JobEffect {
         self.begun.adjustment.speed_percent = percent;
-        self.change_pace();
+        self.change_speeds();
         self.keep_adjustment()
     }
 
@@ -47,7 +47,7 @@ impl Run {
         plan.check_lowest(policy, change.from)?;
         self.begun.plan = plan;
         self.note_height(change);
-        self.change_pace();
+        self.change_speeds();
         self.permit.wait_for(self.begun.adjustment.clone());
         Ok(self.keep_adjustment())
     }
@@ -59,10 +59,10 @@ impl Run {
         })
     }
 
-    fn change_pace(&mut self) {
+    fn change_speeds(&mut self) {
         let speed_mm_s = self.speed_mm_s();
         let percent = self.begun.adjustment.speed_percent;
-        self.pace
+        self.speeds
             .change(&self.begun.plan, self.next, speed_mm_s, percent);
     }
 

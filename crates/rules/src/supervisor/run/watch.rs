@@ -29,7 +29,7 @@ impl Run {
     /// What is wrong with the place where the arm rests when all is over. A vector leads from
     /// wherever the arm is: where one was lost, all behind it are displaced.
     fn misses_end(&self, status: &Status) -> Option<String> {
-        let end = self.begun.plan.start_position(self.begun.plan.len())?;
+        let end = self.begun.plan.start_position(self.begun.end())?;
         let off_mm = end.distance(position(status)).0;
         (off_mm > THERE_MM).then(|| {
             format!(
@@ -43,8 +43,11 @@ impl Run {
         let Some(ran_s) = self.begun.behind.ran_s else {
             return String::new();
         };
-        let planned_s = self.begun.plan.planned_s();
-        format!(", in {ran_s:.1} s, planned were {planned_s:.1} s")
+        let planned = self.begun.plan.planned_s();
+        let planned = planned
+            .map(|it| format!(", planned were {it:.1} s"))
+            .unwrap_or_default();
+        format!(", in {ran_s:.1} s{planned}")
     }
 
     /// With each status: is the job located, drained, lifted, done?
@@ -72,7 +75,7 @@ impl Run {
     }
 
     fn is_complete(&self) -> bool {
-        self.begun.completed == self.begun.plan.len()
+        self.begun.completed == self.begun.end()
     }
 
     /// All of the job was seen to be over, and the arm rests: where the job ends?
@@ -92,7 +95,7 @@ impl Run {
             job,
             phase,
             reason,
-            window: Some(self.certain()),
+            window: Some(self.begun.counted(self.certain())),
             behind: self.begun.behind,
         };
         vec![
@@ -111,6 +114,10 @@ impl Run {
         let reason = match locate_at(&self.begun, window, &status) {
             Ok(next) => {
                 self.begun.completed = next;
+                let (_, next) = self
+                    .begun
+                    .program
+                    .at(next + self.begun.back, self.begun.commands);
                 format!("{restarted}; the arm rests where command {next} begins")
             }
             Err(unclear) => {

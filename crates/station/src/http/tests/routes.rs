@@ -124,6 +124,7 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         Request::SetDialect { dialect },
         Request::Detect,
         Request::StartJob { job: 5 },
+        Request::StepJob { job: 5 },
         Request::PauseJob,
         Request::CancelJob { job: 5 },
         Request::Release,
