@@ -211,6 +211,21 @@ impl JobPlan {
         self.steps.get(index).is_some_and(|it| it.grips)
     }
 
+    /// Whether it does so without a motion.
+    pub(super) fn grips_in_place(&self, index: usize) -> bool {
+        self.steps
+            .get(index)
+            .is_some_and(|it| it.grips && !it.moves)
+    }
+
+    /// Whether a status shows what a command did with pump and gripper.
+    pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
+        self.steps.get(index).is_none_or(|it| {
+            status.suction == it.end.suction
+                && (status.gripper_deg - it.end.gripper_deg).abs() < SAME_GRIP_DEG
+        })
+    }
+
     /// How many commands there are, those of a cycle as often as they stand here.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -255,11 +270,6 @@ impl JobPlan {
         let moved = before > self.first_motion();
         let last = before.checked_sub(1).filter(|_| moved)?;
         self.steps.get(last).map(Step::now)
-    }
-
-    /// The arm when a command is over.
-    pub(super) fn end_of(&self, index: usize) -> Option<Status> {
-        self.steps.get(index).map(Step::now)
     }
 
     /// Where the tool is then.
@@ -377,6 +387,9 @@ impl PlanWalk<'_> {
 const fn is_grip_switch(command: &Command) -> bool {
     matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
 }
+
+/// As near as this a gripper is where it should be, in degrees.
+const SAME_GRIP_DEG: f32 = 0.5;
 
 /// The same arm, so much higher; where it cannot be there, the way to there will be refused.
 fn raised(status: &Status, by_mm: f64) -> Status {

@@ -10,6 +10,7 @@ mod burns;
 mod chance;
 mod commands;
 mod crashes;
+mod cycles;
 mod drawing;
 mod hands;
 mod heights;

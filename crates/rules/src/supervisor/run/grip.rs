@@ -28,10 +28,7 @@ impl Run {
 
     /// Whether a status shows what a command did with pump and gripper.
     pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
-        let held = |end: Status| {
-            status.suction == end.suction && (status.gripper_deg - end.gripper_deg).abs() < SAME_DEG
-        };
-        !self.begun.plan.grips(index) || self.begun.plan.end_of(index).is_none_or(held)
+        !self.begun.plan.grips(index) || self.begun.plan.shows_grip(index, status)
     }
 
     /// The grip was seen, or is not waited for any longer: then says why.
@@ -54,7 +51,5 @@ impl Run {
     }
 }
 
-/// As near as this a gripper is where it should be, in degrees.
-const SAME_DEG: f32 = 0.5;
 /// Statuses come twelve times a second: after so long one would have shown it.
 pub(super) const SEEN_WITHIN: Duration = Duration::from_millis(1500);

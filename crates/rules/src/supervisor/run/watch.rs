@@ -1,5 +1,7 @@
 //! What the statuses tell of a job: how far it got, and whether it ends where it should.
 
+use std::ops::Range;
+
 use dobot_api::{JobPhase, News};
 use dobot_client::position;
 use dobot_journal::{Unclear, Window, locate, model_at};
@@ -7,6 +9,7 @@ use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
 use super::{Begun, Effect, JobEffect, Phase, Run, word};
+use crate::supervisor::JobPlan;
 use crate::supervisor::arm::Arm;
 
 impl Run {
@@ -139,7 +142,14 @@ pub(super) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Resu
     let (commands, dialect) = (begun.plan.commands(), begun.dialect);
     let model = model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = begun.plan.lift();
-    locate(commands, window, &model, lift_mm, position(status)).map(|it| it.next)
+    let next = locate(commands, window, &model, lift_mm, position(status))?.next;
+    Ok(behind_seen_grips(&begun.plan, next..window.upto, status))
+}
+
+/// A grip leaves its trace in the status, not in where the arm rests: those that are seen are done.
+fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
+    let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
+    commands.start + commands.take_while(seen).count()
 }
 
 const fn pause_s(command: &Command) -> f32 {

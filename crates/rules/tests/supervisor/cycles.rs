@@ -1,0 +1,273 @@
+//! A program that is done again and again: a cube is carried to and fro.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobKind, JobPause, JobPhase, JobProgram, JobRepeat, NewJob, Request};
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_rules::VirtualStation;
+use dobot_safety::Policy;
+use dobot_sim::world::{Scene, World};
+use dobot_sim::{Fault, SerialLine, VirtualArm};
+use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo};
+
+const SCENE: &str = r#"
+[suction-cup]
+down_z_mm = -60
+give_mm = 3
+diameter_mm = 20
+lifts_g = 500
+
+[[box]]
+name = "cube"
+size_mm = [25, 25, 25]
+at_mm = [200, 80]
+mass_g = 12
+color = "red"
+"#;
+/// Where the cube lies at first, and where it is carried to; the cup touches it there.
+const HERE: [f32; 3] = [200.0, 80.0, -36.0];
+const THERE: [f32; 3] = [240.0, -80.0, -36.0];
+
+const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
+
+fn to([x_mm, y_mm, z_mm]: [f32; 3], suction: bool) -> Command {
+    MoveTo {
+        suction,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
+    }
+    .into()
+}
+
+fn switch(axis: JointJogAxis) -> Command {
+    JointJog::new(axis, 100.0).into()
+}
+
+/// Takes the cube here and puts it down there.
+fn carry(from: [f32; 3], there: [f32; 3]) -> [Command; 4] {
+    let (on, off) = (JointJogAxis::SuctionOn, JointJogAxis::SuctionOff);
+    [to(from, false), switch(on), to(there, true), switch(off)]
+}
+
+/// There and back, so many times.
+fn shuttle(times: Option<u64>) -> NewJob {
+    let above = to([220.0, 0.0, 40.0], false);
+    let commands = [&[above][..], &carry(HERE, THERE), &carry(THERE, HERE)].concat();
+    NewJob {
+        title: "to and fro".into(),
+        kind: JobKind::Program,
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+        program: JobProgram {
+            steps: vec![0, 1, 3, 5, 7],
+            repeat: Some(JobRepeat { from: 1, times }),
+        },
+        commands,
+    }
+}
+
+fn station(personality: Personality, faults: &[&str], seed: u64) -> (VirtualStation, ClientId) {
+    let power_up = PowerUp::new(personality);
+    let faults: Vec<Fault> = faults.iter().map(|it| it.parse().unwrap()).collect();
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK)
+        .with_faults(power_up, &faults, seed)
+        .with_world(World::new(Scene::parse(SCENE).unwrap()));
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+    it.run_for(Duration::from_secs(1));
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    (it, anna)
+}
+
+fn cube_mm(it: &VirtualStation) -> [f64; 2] {
+    let state = it.arm().world().unwrap().state();
+    let cube = state.objects.iter().find(|it| it.name == "cube").unwrap();
+    [cube.at_mm.x, cube.at_mm.y]
+}
+
+fn is_near([x, y]: [f64; 2], place: [f32; 3]) -> bool {
+    (x - f64::from(place[0])).hypot(y - f64::from(place[1])) < 0.5
+}
+
+/// Neither the supervisor nor the journal has it at work: the arm rests.
+fn rests(it: &VirtualStation, job: u64) -> bool {
+    let works = |it| matches!(it, JobPhase::Queued | JobPhase::Running);
+    let current = it.supervisor().job().filter(|it| it.job == job);
+    !works(it.job(job).unwrap().state.phase()) && !current.is_some_and(|it| works(it.phase))
+}
+
+fn run_until_rest(it: &mut VirtualStation, job: u64, hours: u64) {
+    let latest = it.now() + Duration::from_secs(hours * 3600);
+    assert!(
+        it.run_until(latest, |it| rests(it, job)),
+        "{:?}",
+        it.supervisor().job()
+    );
+}
+
+#[test]
+fn a_cycle_is_done_as_often_as_it_was_told() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(Some(7))).unwrap();
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 1);
+        let job = it.job(job).unwrap();
+        assert_eq!(job.state.to_string(), "done");
+        assert_eq!(job.window.completed, 1 + 7 * 8);
+        assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+        let carried = it
+            .notices()
+            .iter()
+            .filter(|it| it.text.contains("sent again"));
+        assert_eq!(carried.count(), 0);
+    }
+}
+
+/// Where the cube lies after so many carries.
+fn belongs(carries: u64) -> [f32; 3] {
+    if carries.is_multiple_of(2) {
+        HERE
+    } else {
+        THERE
+    }
+}
+
+#[test]
+fn cycles_are_counted_and_timed_while_they_run() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(None)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_secs(300));
+        let view = it.supervisor().job().unwrap();
+        let program = view.program.unwrap();
+        assert_eq!(
+            (view.phase, program.cycles, view.left_s),
+            (JobPhase::Running, None, None)
+        );
+        assert!(program.cycles_done > 10, "{program:?}");
+        let (planned_s, mean_s) = (
+            program.planned_cycle_s.unwrap(),
+            program.mean_cycle_s.unwrap(),
+        );
+        // Each of the four grips waits for the motion before it to be seen to end, and is itself seen.
+        assert!(
+            (planned_s..planned_s + 4.0).contains(&mean_s),
+            "{planned_s} {mean_s}"
+        );
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(Duration::from_secs(20));
+        let paused = it.supervisor().job().unwrap();
+        assert_eq!(paused.phase, JobPhase::Paused);
+        let done = paused.program.unwrap().cycles_done;
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_secs(120));
+        let running = it.supervisor().job().unwrap().program.unwrap();
+        assert!(running.cycles_done > done + 3, "{running:?}");
+        it.ask(anna, Request::CancelJob { job }).unwrap();
+        run_until_rest(&mut it, job, 1);
+        assert_eq!(it.job(job).unwrap().state.phase(), JobPhase::Stopped);
+    }
+}
+
+#[test]
+fn a_program_goes_on_step_by_step_where_that_is_asked_for() {
+    let (mut it, anna) = station(Personality::Firmware11, &[], 0);
+    let job = it.submit(&shuttle(Some(2))).unwrap();
+    let mut seen = Vec::new();
+    for _ in 0..40 {
+        if it.ask(anna, Request::StepJob { job }).is_err() {
+            break;
+        }
+        run_until_rest(&mut it, job, 1);
+        seen.push(it.job(job).unwrap().window.completed);
+    }
+    assert_eq!(seen, [1, 3, 5, 7, 9, 11, 13, 15, 17]);
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    assert!(is_near(cube_mm(&it), HERE));
+}
+
+#[test]
+fn a_person_is_waited_for_in_every_cycle() {
+    let (mut it, anna) = station(Personality::Specification, &[], 0);
+    let pauses = vec![JobPause {
+        before: 5,
+        message: "turn the cube".into(),
+    }];
+    let job = NewJob {
+        pauses,
+        ..shuttle(Some(5))
+    };
+    let job = it.submit(&job).unwrap();
+    for cycle in 0..5 {
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 1);
+        let kept = it.job(job).unwrap();
+        assert_eq!(kept.state.to_string(), "paused (turn the cube)");
+        assert_eq!(kept.window.completed, 5 + cycle * 8);
+        assert!(is_near(cube_mm(&it), THERE));
+    }
+    it.start(anna, job).unwrap();
+    run_until_rest(&mut it, job, 1);
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+}
+
+/// Starts it whenever it is paused, as a person does who looks at the arm first.
+fn attend(it: &mut VirtualStation, job: u64, name: &str) {
+    let anna = it.client(name);
+    it.ask(anna, Request::TakeLease).unwrap();
+    // The arm may be on its way yet.
+    it.run_for(Duration::from_secs(12));
+    if it.job(job).unwrap().state.is_over() {
+        return;
+    }
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    it.start(anna, job).unwrap();
+}
+
+#[test]
+fn no_object_is_lost_or_misplaced_by_damaged_packets() {
+    for personality in BOTH {
+        let faults = ["flip=0.05%", "drop=0.02%"];
+        let (mut it, anna) = station(personality, &faults, 7);
+        let job = it.submit(&shuttle(Some(60))).unwrap();
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 10);
+        let state = it.job(job).unwrap().state;
+        assert_eq!(state.to_string(), "done");
+        let again = it
+            .notices()
+            .iter()
+            .filter(|it| it.text.contains("sent again"))
+            .count();
+        assert!(again > 0, "nothing was lost: the faults are too few");
+        assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+    }
+}
+
+#[test]
+fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
+    for personality in BOTH {
+        for seed in 0..6 {
+            let (mut it, anna) = station(personality, &[], seed);
+            let job = it.submit(&shuttle(Some(12))).unwrap();
+            it.start(anna, job).unwrap();
+            for kill in 0..12 {
+                it.run_for(Duration::from_millis(5000 + 1370 * kill + 217 * seed));
+                if it.job(job).unwrap().state.is_over() {
+                    break;
+                }
+                it.crash(Duration::from_millis(300 * kill)).unwrap();
+                attend(&mut it, job, "Anna");
+            }
+            run_until_rest(&mut it, job, 10);
+            let kept = it.job(job).unwrap();
+            assert_eq!(
+                kept.state.to_string(),
+                "done",
+                "seed {seed} on {personality:?}"
+            );
+            assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+        }
+    }
+}
