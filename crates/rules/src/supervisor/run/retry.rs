@@ -50,13 +50,10 @@ impl Run {
     fn may_try_again(&self) -> bool {
         let counted = self.begun.completed + self.begun.back;
         let is_new = self.retries.command != counted;
-        let all_lead_somewhere = self.given.iter().all(|it| {
-            !matches!(
-                self.begun.plan.commands().get(it.index),
-                Some(Command::WriteVector(_))
-            )
-        });
-        all_lead_somewhere && (is_new || self.retries.times < MOST_RETRIES)
+        let sent = self.begun.completed..self.next;
+        let mut sent = self.begun.plan.commands()[sent].iter();
+        let leads_somewhere = sent.all(|it| !matches!(it, Command::WriteVector(_)));
+        leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
     }
 
     /// What was lost cannot be sent again: the job is paused.

@@ -105,6 +105,7 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         ("PUT", "/api/v1/dialect", r#"{"dialect": "specification"}"#),
         ("POST", "/api/v1/dialect/detect", ""),
         ("POST", "/api/v1/jobs/5/start", ""),
+        ("POST", "/api/v1/jobs/5/step", ""),
         ("POST", "/api/v1/jobs/pause", ""),
         ("DELETE", "/api/v1/jobs/5", ""),
         ("POST", "/api/v1/jog/release", ""),
