@@ -123,15 +123,6 @@ fn a_cycle_is_done_as_often_as_it_was_told() {
     }
 }
 
-/// Where the cube lies after so many carries.
-fn belongs(carries: u64) -> [f32; 3] {
-    if carries.is_multiple_of(2) {
-        HERE
-    } else {
-        THERE
-    }
-}
-
 #[test]
 fn cycles_are_counted_and_timed_while_they_run() {
     for personality in BOTH {
