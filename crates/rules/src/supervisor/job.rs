@@ -8,7 +8,7 @@ use dobot_journal::Window;
 use dobot_wire::Status;
 
 use super::Supervisor;
-use super::run::{Begun, Run, check_height, check_speed};
+use super::run::{Begun, Run, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -80,6 +80,12 @@ impl Supervisor {
         self.run.as_ref().map(Run::view)
     }
 
+    /// How many commands of that job are over, counted over all cycles, and how far it is.
+    #[must_use]
+    pub fn job_progress(&self) -> Option<(usize, JobPhase)> {
+        self.run.as_ref().map(Run::progress)
+    }
+
     fn job_reply(&self) -> Reply {
         self.job().map_or(Reply::Done, |job| Reply::Job { job })
     }
@@ -125,8 +131,10 @@ impl Supervisor {
         percent: f64,
     ) -> Result<Reply, Refusal> {
         self.leases.check(client)?;
-        check_speed(percent)?;
         self.check_adjustable()?;
+        if let Some(run) = &self.run {
+            run.check_speed(percent)?;
+        }
         self.take_back();
         self.of_run(|run, _| Some(run.set_speed(percent)));
         Ok(self.job_reply())

@@ -12,7 +12,9 @@ use dobot_client::position;
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model, burns};
-use dobot_wire::{Command, Configuration, Dialect, JointJogAxis, Status, WriteVector};
+use dobot_wire::{
+    Command, Configuration, Dialect, JointJogAxis, PlaybackAdjustment, Status, WriteVector, single,
+};
 
 use self::cycle::Cycle;
 use self::height::Height;
@@ -28,7 +30,7 @@ pub struct JobPlan {
     steps: Arc<[Step]>,
     /// From this command on they are as submitted, and only the height may be another one.
     altered_until: usize,
-    /// What vectors are drawn with, and from which command on.
+    /// What commands are done with, and from which one on.
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
@@ -36,11 +38,13 @@ pub struct JobPlan {
     cycle: Option<Cycle>,
 }
 
-/// What vectors are drawn with.
+/// What commands are done with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnWith {
     pub(super) acceleration_mm_s2: f64,
     pub(super) tool: Tool,
+    /// How fast targets are gone to.
+    pub(super) playback: PlaybackAdjustment,
 }
 
 /// One command of a job.
@@ -119,7 +123,10 @@ impl JobPlan {
         if drawn != planned {
             self.altered_until = index + 1;
         }
-        if matches!(planned, Command::Configuration(_)) {
+        if matches!(
+            planned,
+            Command::Configuration(_) | Command::PlaybackAdjustment(_)
+        ) {
             self.settings.push((index + 1, with));
         }
     }
@@ -194,7 +201,7 @@ impl JobPlan {
             })
     }
 
-    /// What a vector is drawn with.
+    /// What a command is done with.
     pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
         let later = self.settings.partition_point(|it| it.0 <= index);
         self.settings[later.saturating_sub(1)].1
@@ -224,6 +231,15 @@ impl JobPlan {
             status.suction == it.end.suction
                 && (status.gripper_deg - it.end.gripper_deg).abs() < SAME_GRIP_DEG
         })
+    }
+
+    /// The fastest that targets are gone to, in percent of the configured speed.
+    pub(super) fn fastest_percent(&self) -> f64 {
+        let percents = self
+            .settings
+            .iter()
+            .map(|it| f64::from(it.1.playback.speed_percent));
+        percents.fold(0.0, f64::max)
     }
 
     /// How many commands there are, those of a cycle as often as they stand here.
@@ -375,10 +391,15 @@ impl PlanWalk<'_> {
         })
     }
 
-    const fn drawn_with(&self) -> DrawnWith {
+    fn drawn_with(&self) -> DrawnWith {
         DrawnWith {
             acceleration_mm_s2: self.model.settings.write_acceleration_mm_s2,
             tool: self.model.tool,
+            playback: PlaybackAdjustment {
+                speed_percent: single(self.model.settings.speed_percent),
+                acceleration_percent: single(self.model.settings.acceleration_percent),
+                teach_speed_percent: single(self.model.settings.teach_percent),
+            },
         }
     }
 }

@@ -20,9 +20,9 @@ use dobot_client::CommandId;
 use dobot_journal::{Window, model_at, window_end};
 use dobot_plan::{Machine, end_speed_mm_s};
 use dobot_trajectory::Model;
-use dobot_wire::{Command, Status};
+use dobot_wire::{Command, PlaybackAdjustment, Status};
 
-pub(super) use self::adjust::{check_height, check_speed};
+pub(super) use self::adjust::check_height;
 use self::approach::straight;
 pub use self::begun::{Begun, Effect};
 use self::cycles::CycleTimes;
@@ -47,6 +47,8 @@ pub(super) struct Run {
     /// What the last command has left that is over.
     left: CarriedOver,
     tool: ToolHeight,
+    /// Sets the speed of targets before the next command, since a person has changed it.
+    target_speed: Option<PlaybackAdjustment>,
     /// From where it goes on to where it rests.
     ran: Option<Ran>,
     /// Where it comes to rest because it is done step by step.
@@ -181,6 +183,7 @@ impl Run {
             given: VecDeque::new(),
             left: CarriedOver::default(),
             tool: ToolHeight::Down,
+            target_speed: None,
             ran: None,
             step_end: None,
             unseen: None,
@@ -343,6 +346,10 @@ impl Run {
     /// The arm as the first command that is not over finds it.
     fn start(&self) -> Option<Status> {
         self.begun.plan.start(self.begun.completed).or(self.from)
+    }
+
+    pub(super) const fn progress(&self) -> (usize, JobPhase) {
+        (self.begun.completed + self.begun.back, self.view_phase())
     }
 
     pub(super) fn view(&self) -> JobView {

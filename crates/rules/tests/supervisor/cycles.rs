@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, JobKind, JobPause, JobPhase, JobProgram, JobRepeat, NewJob, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::VirtualStation;
+use dobot_rules::{VirtualStation, predict};
 use dobot_safety::Policy;
 use dobot_sim::world::{Scene, World};
 use dobot_sim::{Fault, SerialLine, VirtualArm};
@@ -260,5 +260,51 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
             );
             assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
         }
+    }
+}
+
+#[test]
+fn a_program_is_done_faster_and_slower_while_it_runs() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(None)).unwrap();
+        it.start(anna, job).unwrap();
+        let mut mean_s = [100.0, 25.0, 200.0].map(|percent| {
+            it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
+            it.run_for(Duration::from_secs(100));
+            let before = it.supervisor().job().unwrap().program.unwrap().cycles_done;
+            it.run_for(Duration::from_secs(400));
+            let after = it.supervisor().job().unwrap().program.unwrap().cycles_done;
+            400.0 / (after - before) as f64
+        });
+        mean_s.rotate_right(1);
+        assert!(mean_s.is_sorted(), "{mean_s:?}");
+        // An arm is at 50 % unless it was told otherwise, so twice as fast is all that it can.
+        let refused = it
+            .ask(anna, Request::SetJobSpeed { percent: 201.0 })
+            .unwrap_err();
+        assert!(refused.to_string().contains("10 to 200 %"), "{refused}");
+    }
+}
+
+#[test]
+fn a_cycle_takes_as_long_as_was_predicted_to_the_tick() {
+    for personality in BOTH {
+        let predicted = predict(&shuttle(None), &Policy::default(), personality).unwrap();
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(Some(20))).unwrap();
+        it.start(anna, job).unwrap();
+        let latest = it.now() + Duration::from_secs(3600);
+        let nineteen = |it: &VirtualStation| {
+            let program = it.supervisor().job().unwrap().program.unwrap();
+            program.cycles_done == 19
+        };
+        assert!(it.run_until(latest, nineteen));
+        let program = it.supervisor().job().unwrap().program.unwrap();
+        let (found_s, predicted_s) = (program.mean_cycle_s.unwrap(), predicted.cycle_s.unwrap());
+        assert!(
+            (found_s - predicted_s).abs() < 1e-6,
+            "{found_s} s, predicted were {predicted_s} s"
+        );
     }
 }

@@ -26,6 +26,8 @@ impl Run {
         let step_end = begun.single_step.then(|| begun.step_end());
         let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
         run.step_end = step_end;
+        let is_planned = run.begun.adjustment.speed_percent == 100.0;
+        run.target_speed = run.begun.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
             run.speeds.rest_each(&run.begun.plan, run.begun.completed);

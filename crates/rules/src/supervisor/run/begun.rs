@@ -2,7 +2,7 @@
 
 use dobot_api::{JobKind, JobPause, JobPhase, JobProgram};
 use dobot_journal::{Adjustment, Behind, Job, Window};
-use dobot_wire::{Dialect, Status};
+use dobot_wire::{Dialect, PlaybackAdjustment, Status, single};
 
 use crate::supervisor::JobPlan;
 
@@ -148,6 +148,29 @@ impl Begun {
     /// A window of the journal by its places in the plan.
     pub(super) fn in_plan(&self, window: Window) -> Window {
         back_by(window, self.back)
+    }
+
+    /// How fast it may be done at the most, in percent of the plan.
+    pub(super) fn most_percent(&self) -> f64 {
+        match self.kind {
+            JobKind::Drawing => f64::INFINITY,
+            JobKind::Program => 100.0 * 100.0 / self.plan.fastest_percent(),
+        }
+    }
+
+    /// How fast the targets from a command on are gone to, where a person has changed that.
+    pub(super) fn target_speed(&self, index: usize) -> Option<PlaybackAdjustment> {
+        let playback = self.plan.drawn_with(index).playback;
+        (self.kind == JobKind::Program).then(|| self.at_speed(playback))
+    }
+
+    /// A playback adjustment of a program at the speed that a person has chosen.
+    pub(super) fn at_speed(&self, planned: PlaybackAdjustment) -> PlaybackAdjustment {
+        let percent = f64::from(planned.speed_percent) * self.adjustment.speed_percent / 100.0;
+        PlaybackAdjustment {
+            speed_percent: single(percent),
+            ..planned
+        }
     }
 
     /// Goes back by a cycle, if one is over that may be done again; says by how many commands.

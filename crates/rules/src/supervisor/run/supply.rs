@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::JobPhase;
+use dobot_api::{JobKind, JobPhase};
 use dobot_client::CommandId;
 use dobot_journal::Window;
 use dobot_wire::{Command, Status};
@@ -68,7 +68,9 @@ impl Run {
         while arm.session().waiting() < KEEP_WAITING
             && let Some(command) = self.next_command()
         {
-            let given = self.lower(arm).and_then(|()| self.give(arm, &command));
+            let command = self.scaled(command);
+            let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
+            let given = given.and_then(|()| self.give(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
                 effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
@@ -85,6 +87,23 @@ impl Run {
         }
         let speed_mm_s = self.speed_mm_s();
         self.speeds.command(&self.begun.plan, self.next, speed_mm_s)
+    }
+
+    /// A program that is done at another speed goes to its targets at that.
+    fn scaled(&self, command: Command) -> Command {
+        match command {
+            Command::PlaybackAdjustment(it) if self.begun.kind == JobKind::Program => {
+                self.begun.at_speed(it).into()
+            }
+            command => command,
+        }
+    }
+
+    fn set_target_speed(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Some(speed) = self.target_speed.take() {
+            arm.send(&speed.into())?;
+        }
+        Ok(())
     }
 
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
