@@ -49,7 +49,7 @@ pub fn predict(
     let mut dry_run = DryRun::begin(&job, policy, personality)?;
     let until = dry_run.finish(&job)?;
     let cycle = repeat.map(|it| commands - it.from).filter(|_| cycles > 1);
-    let cycle_s = cycle.map(|len| until[commands + len - 1] - until[commands - 1]);
+    let cycle_s = cycle.map(|len| until[commands + len - 1].saturating_sub(until[commands - 1]));
     Ok(Prediction {
         until_s: until[..commands]
             .iter()

@@ -57,10 +57,23 @@ struct Step {
     /// How far above that it is by now: a person has changed the height meanwhile.
     higher_mm: f64,
     moves: bool,
-    /// It changes what pump or gripper hold.
-    grips: bool,
+    /// What it changes of what is held.
+    grips: Grips,
     /// How long it and all before it take, in seconds.
     until_s: f64,
+}
+
+/// What a command changes of what is held. A switched pump may have been on already.
+#[derive(Clone, Copy, Debug)]
+struct Grips {
+    suction: bool,
+    gripper: bool,
+}
+
+impl Grips {
+    const fn any(self) -> bool {
+        self.suction || self.gripper
+    }
 }
 
 impl JobPlan {
@@ -215,21 +228,22 @@ impl JobPlan {
 
     /// Whether a command changes what pump or gripper hold.
     pub(super) fn grips(&self, index: usize) -> bool {
-        self.steps.get(index).is_some_and(|it| it.grips)
+        self.steps.get(index).is_some_and(|it| it.grips.any())
     }
 
     /// Whether it does so without a motion.
     pub(super) fn grips_in_place(&self, index: usize) -> bool {
         self.steps
             .get(index)
-            .is_some_and(|it| it.grips && !it.moves)
+            .is_some_and(|it| it.grips.any() && !it.moves)
     }
 
     /// Whether a status shows what a command did with pump and gripper.
     pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
         self.steps.get(index).is_none_or(|it| {
-            status.suction == it.end.suction
-                && (status.gripper_deg - it.end.gripper_deg).abs() < SAME_GRIP_DEG
+            let off_deg = (status.gripper_deg - it.end.gripper_deg).abs();
+            (!it.grips.suction || status.suction == it.end.suction)
+                && (!it.grips.gripper || off_deg < SAME_GRIP_DEG)
         })
     }
 
@@ -381,9 +395,10 @@ impl PlanWalk<'_> {
         self.until_s += takes_s;
         Ok(Step {
             end: self.model.status(),
-            grips: before.suction != self.model.suction
-                || before.gripper_deg != self.model.gripper_deg
-                || is_grip_switch(command),
+            grips: Grips {
+                suction: before.suction != self.model.suction || is_pump_switch(command),
+                gripper: before.gripper_deg != self.model.gripper_deg,
+            },
             raised_mm: self.height.raised_mm,
             higher_mm: 0.0,
             moves: trajectory.moves(),
@@ -404,8 +419,7 @@ impl PlanWalk<'_> {
     }
 }
 
-/// A pump that is switched to what it does already may have been seen wrongly.
-const fn is_grip_switch(command: &Command) -> bool {
+const fn is_pump_switch(command: &Command) -> bool {
     matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
 }
 

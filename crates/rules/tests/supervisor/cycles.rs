@@ -1,92 +1,15 @@
-//! A program that is done again and again: a cube is carried to and fro.
+//! A program that is done again and again: a cube is carried there and back.
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobKind, JobPause, JobPhase, JobProgram, JobRepeat, NewJob, Request};
-use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_api::{JobPause, JobPhase, NewJob, Request};
+use dobot_controller::Personality;
 use dobot_rules::{VirtualStation, predict};
 use dobot_safety::Policy;
-use dobot_sim::world::{Scene, World};
-use dobot_sim::{Fault, SerialLine, VirtualArm};
-use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo};
 
-const SCENE: &str = r#"
-[suction-cup]
-down_z_mm = -60
-give_mm = 3
-diameter_mm = 20
-lifts_g = 500
-
-[[box]]
-name = "cube"
-size_mm = [25, 25, 25]
-at_mm = [200, 80]
-mass_g = 12
-color = "red"
-"#;
-/// Where the cube lies at first, and where it is carried to; the cup touches it there.
-const HERE: [f32; 3] = [200.0, 80.0, -36.0];
-const THERE: [f32; 3] = [240.0, -80.0, -36.0];
+use crate::carries::{HERE, THERE, attend, cube_is_at, shuttle, station};
 
 const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
-
-fn to([x_mm, y_mm, z_mm]: [f32; 3], suction: bool) -> Command {
-    MoveTo {
-        suction,
-        ..MoveTo::to(x_mm, y_mm, z_mm)
-    }
-    .into()
-}
-
-fn switch(axis: JointJogAxis) -> Command {
-    JointJog::new(axis, 100.0).into()
-}
-
-/// Takes the cube here and puts it down there.
-fn carry(from: [f32; 3], there: [f32; 3]) -> [Command; 4] {
-    let (on, off) = (JointJogAxis::SuctionOn, JointJogAxis::SuctionOff);
-    [to(from, false), switch(on), to(there, true), switch(off)]
-}
-
-/// There and back, so many times.
-fn shuttle(times: Option<u64>) -> NewJob {
-    let above = to([220.0, 0.0, 40.0], false);
-    let commands = [&[above][..], &carry(HERE, THERE), &carry(THERE, HERE)].concat();
-    NewJob {
-        title: "to and fro".into(),
-        kind: JobKind::Program,
-        lift_mm: 0.0,
-        pauses: Vec::new(),
-        program: JobProgram {
-            steps: vec![0, 1, 3, 5, 7],
-            repeat: Some(JobRepeat { from: 1, times }),
-        },
-        commands,
-    }
-}
-
-fn station(personality: Personality, faults: &[&str], seed: u64) -> (VirtualStation, ClientId) {
-    let power_up = PowerUp::new(personality);
-    let faults: Vec<Fault> = faults.iter().map(|it| it.parse().unwrap()).collect();
-    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK)
-        .with_faults(power_up, &faults, seed)
-        .with_world(World::new(Scene::parse(SCENE).unwrap()));
-    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
-    it.run_for(Duration::from_secs(1));
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    (it, anna)
-}
-
-fn cube_mm(it: &VirtualStation) -> [f64; 2] {
-    let state = it.arm().world().unwrap().state();
-    let cube = state.objects.iter().find(|it| it.name == "cube").unwrap();
-    [cube.at_mm.x, cube.at_mm.y]
-}
-
-fn is_near([x, y]: [f64; 2], place: [f32; 3]) -> bool {
-    (x - f64::from(place[0])).hypot(y - f64::from(place[1])) < 0.5
-}
 
 /// Neither the supervisor nor the journal has it at work: the arm rests.
 fn rests(it: &VirtualStation, job: u64) -> bool {
@@ -114,7 +37,7 @@ fn a_cycle_is_done_as_often_as_it_was_told() {
         let job = it.job(job).unwrap();
         assert_eq!(job.state.to_string(), "done");
         assert_eq!(job.window.completed, 1 + 7 * 8);
-        assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+        assert!(cube_is_at(&it, HERE));
         let carried = it
             .notices()
             .iter()
@@ -175,7 +98,7 @@ fn a_program_goes_on_step_by_step_where_that_is_asked_for() {
     }
     assert_eq!(seen, [1, 3, 5, 7, 9, 11, 13, 15, 17]);
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
-    assert!(is_near(cube_mm(&it), HERE));
+    assert!(cube_is_at(&it, HERE));
 }
 
 #[test]
@@ -196,24 +119,11 @@ fn a_person_is_waited_for_in_every_cycle() {
         let kept = it.job(job).unwrap();
         assert_eq!(kept.state.to_string(), "paused (turn the cube)");
         assert_eq!(kept.window.completed, 5 + cycle * 8);
-        assert!(is_near(cube_mm(&it), THERE));
+        assert!(cube_is_at(&it, THERE));
     }
     it.start(anna, job).unwrap();
     run_until_rest(&mut it, job, 1);
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
-}
-
-/// Starts it whenever it is paused, as a person does who looks at the arm first.
-fn attend(it: &mut VirtualStation, job: u64, name: &str) {
-    let anna = it.client(name);
-    it.ask(anna, Request::TakeLease).unwrap();
-    // The arm may be on its way yet.
-    it.run_for(Duration::from_secs(12));
-    if it.job(job).unwrap().state.is_over() {
-        return;
-    }
-    it.ask(anna, Request::ConfirmPose).unwrap();
-    it.start(anna, job).unwrap();
 }
 
 #[test]
@@ -232,7 +142,7 @@ fn no_object_is_lost_or_misplaced_by_damaged_packets() {
             .filter(|it| it.text.contains("sent again"))
             .count();
         assert!(again > 0, "nothing was lost: the faults are too few");
-        assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+        assert!(cube_is_at(&it, HERE));
     }
 }
 
@@ -249,7 +159,7 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
                     break;
                 }
                 it.crash(Duration::from_millis(300 * kill)).unwrap();
-                attend(&mut it, job, "Anna");
+                attend(&mut it, job);
             }
             run_until_rest(&mut it, job, 10);
             let kept = it.job(job).unwrap();
@@ -258,7 +168,7 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
                 "done",
                 "seed {seed} on {personality:?}"
             );
-            assert!(is_near(cube_mm(&it), HERE), "{:?}", cube_mm(&it));
+            assert!(cube_is_at(&it, HERE));
         }
     }
 }
@@ -275,7 +185,7 @@ fn a_program_is_done_faster_and_slower_while_it_runs() {
             let before = it.supervisor().job().unwrap().program.unwrap().cycles_done;
             it.run_for(Duration::from_secs(400));
             let after = it.supervisor().job().unwrap().program.unwrap().cycles_done;
-            400.0 / (after - before) as f64
+            400.0 / f64::from(u32::try_from(after - before).unwrap())
         });
         mean_s.rotate_right(1);
         assert!(mean_s.is_sorted(), "{mean_s:?}");

@@ -5,6 +5,9 @@
 mod arrivals;
 mod bluetooth;
 mod burns;
+#[path = "../../examples/reliability/cases/carries.rs"]
+#[expect(dead_code, reason = "the figures of reliability use all of it")]
+mod carries;
 #[path = "../../examples/reliability/cases/chance.rs"]
 #[expect(dead_code, reason = "the figures of reliability use all of it")]
 mod chance;
