@@ -499,6 +499,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/step": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Does the next step of a queued or paused job, and pauses behind it */
+        post: operations["post_jobs_id_step"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/pause": {
         parameters: {
             query?: never;
@@ -821,12 +838,12 @@ export interface components {
             reason?: string | null;
             /**
              * Format: uint
-             * @description How many commands it has.
+             * @description How many commands it has; those of a cycle count once.
              */
             commands: number;
             /**
              * Format: uint
-             * @description How many of them are over.
+             * @description How many of them are over, in this cycle.
              */
             completed: number;
             /**
@@ -856,11 +873,47 @@ export interface components {
              * @description How far above the plan it is drawn, in millimetres.
              */
             height_mm: number;
+            /** @description How far it is in its steps and cycles, if it is a program. */
+            program?: components["schemas"]["ProgramView"] | null;
         };
         /** @description What kind of job. */
         JobKind: "drawing" | "program";
         /** @description How far a job is. */
         JobPhase: "queued" | "running" | "paused" | "stopped" | "done" | "failed";
+        /** @description How far a program is in its steps and cycles. */
+        ProgramView: {
+            /**
+             * Format: uint
+             * @description How many steps it has.
+             */
+            steps: number;
+            /**
+             * Format: uint
+             * @description The step that it is at, counted from 0; the number of steps where all are over.
+             */
+            step: number;
+            /**
+             * Format: uint64
+             * @description How many cycles are over.
+             */
+            cycles_done: number;
+            /**
+             * Format: uint64
+             * @description How many it does in all; none where it goes on until a person ends it.
+             */
+            cycles?: number | null;
+            /**
+             * Format: double
+             * @description How long a cycle takes, in seconds, by the motion model.
+             */
+            planned_cycle_s?: number | null;
+            /**
+             * Format: double
+             * @description How long a cycle really took, in seconds, without pauses: the mean of those that were done in one go
+             *     since the job was started last.
+             */
+            mean_cycle_s?: number | null;
+        };
         /** @description Something that happened, for all who watch. */
         Notice: {
             /**
@@ -1911,6 +1964,8 @@ export interface components {
              * @default []
              */
             pauses: components["schemas"]["JobPause"][];
+            /** @description How it goes through its commands, if it is a program. */
+            program?: components["schemas"]["JobProgram"];
         };
         /** @description Where a job waits for a person: to change the pen, say. `start` goes on. */
         JobPause: {
@@ -1921,6 +1976,26 @@ export interface components {
             before: number;
             /** @description What the person is told. */
             message: string;
+        };
+        /** @description How a job goes through its commands: in steps, and perhaps more than once. */
+        JobProgram: {
+            /** @description The first command of each step, in order; without them each command is a step. */
+            steps?: number[];
+            /** @description Which commands are done again. */
+            repeat?: components["schemas"]["JobRepeat"] | null;
+        };
+        /** @description A cycle: the commands at the end of a job that are done again. */
+        JobRepeat: {
+            /**
+             * Format: uint
+             * @description The first of them, counted from 0; those before it are done once.
+             */
+            from: number;
+            /**
+             * Format: uint64
+             * @description How often they are done in all; without it, until a person ends the job.
+             */
+            times?: number | null;
         };
         /** @description How fast a job is drawn. */
         Speed: {
@@ -2063,6 +2138,14 @@ export interface components {
         } | {
             /** @constant */
             type: "start_job";
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            job: number;
+        } | {
+            /** @constant */
+            type: "step_job";
             /**
              * Format: uint64
              * @description Its number.
@@ -5599,6 +5682,175 @@ export interface operations {
         };
         responses: {
             /** @description the job runs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-lease`: this client does not have control
+             *     - `stopped`: the arm is stopped
+             *     - `still-moving`: the arm still moves
+             *     - `laser-disarmed`: the laser is disarmed
+             *     - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `job-phase`: the job does not allow this now
+             *     - `cannot-resume`: the job cannot be gone on with
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `command`: the command is not sent
+             *     - `policy`: the policy does not allow this
+             *     - `out-of-range`: a number is not allowed
+             *     - `bad-job`: the job cannot be done
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_step: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the step is under way */
             200: {
                 headers: {
                     [name: string]: unknown;

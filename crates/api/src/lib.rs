@@ -33,7 +33,7 @@ mod state;
 
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};
-pub use job::{JobKind, JobPause, JobPhase, JobView, NewJob};
+pub use job::{JobKind, JobPause, JobPhase, JobProgram, JobRepeat, JobView, NewJob, ProgramView};
 pub use job_state::JobState;
 pub use lease::{Asking, ClientId, LeaseView};
 pub use message::{FromClient, Hello, ToClient};

@@ -83,11 +83,17 @@ pub enum Request {
         /// Its number.
         job: u64,
     },
+    /// Do the next step of a queued or paused job, and pause behind it.
+    StepJob {
+        /// Its number.
+        job: u64,
+    },
     /// Pause the running job after what the arm has got already.
     #[serde(deserialize_with = "without_fields")]
     PauseJob,
-    /// Draw the vectors of the job that runs or is paused faster or slower than planned, from the
-    /// next vector on that is not sent yet.
+    /// Do the job that runs or is paused faster or slower than planned, from the next command on that is not
+    /// sent yet: the vectors of a drawing, the vectors and targets of a program. To its targets an arm goes at
+    /// 100 % of its configured speed at the most.
     SetJobSpeed {
         /// In percent of the planned speed.
         #[schemars(range(min = 10.0, max = 200.0))]

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobPhase, JobView, News, RemoteError, Request, State, StationEvent};
+use dobot_api::{JobPhase, JobView, News, ProgramView, RemoteError, Request, State, StationEvent};
 use dobot_rules::StationClient;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -42,6 +42,35 @@ pub(crate) async fn start(
             End::Paused(text) => go_on(station, job, &text).await?,
             End::Interrupted => go_on(station, job, "interrupted; the tool is up").await?,
         }
+    }
+}
+
+/// Does the next step of a job, until it rests behind that.
+pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Failure> {
+    take_control(station).await?;
+    request_at_rest(station, Request::StepJob { job }).await?;
+    let ended = follow(station, job, |_| {}).await?;
+    control::idle(station).await?;
+    match ended {
+        End::Over(text) => Err(anyhow!(text).into()),
+        End::Done | End::Paused(_) | End::Interrupted => Ok(()),
+    }
+}
+
+/// `cycle 12 of 40, 8.3 s each`: how far a program is.
+pub(crate) fn place(program: &ProgramView) -> String {
+    let step = format!(
+        "step {} of {}",
+        (program.step + 1).min(program.steps),
+        program.steps
+    );
+    let cycle_s = program.mean_cycle_s.or(program.planned_cycle_s);
+    let each = cycle_s.map_or_else(String::new, |it| format!(", {it:.1} s each"));
+    let cycle = program.cycles_done + 1;
+    match program.cycles {
+        Some(1) => step,
+        Some(cycles) => format!("cycle {} of {cycles}{each}, {step}", cycle.min(cycles)),
+        None => format!("cycle {cycle}{each}, {step}"),
     }
 }
 
@@ -203,7 +232,10 @@ fn progress_bar() -> ProgressBar {
 fn show(bar: &ProgressBar, job: &JobView) {
     bar.set_length(job.commands as u64);
     bar.set_position(job.completed as u64);
-    bar.set_message(time_left(job.left_s));
+    let place = job.program.as_ref().map(place);
+    let left = job.left_s.map(|it| time_left(Some(it)));
+    let parts: Vec<String> = [place, left].into_iter().flatten().collect();
+    bar.set_message(parts.join(", "));
 }
 
 #[cfg(test)]

@@ -9,11 +9,11 @@
 //! use dobot_client::Link;
 //! use dobot_conformance::{Options, Suite, Verdict};
 //! use dobot_controller::{Controller, PowerUp};
-//! use dobot_sim::{InProcess, Line, VirtualArm};
+//! use dobot_sim::{InProcess, SerialLine, VirtualArm};
 //!
 //! # #[tokio::main(flavor = "current_thread")]
 //! # async fn main() {
-//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
 //! let link = Link::over_peer(InProcess::new(arm));
 //! let report = Suite::new(link, Options::default()).run(|row| println!("{row}")).await;
 //! assert_eq!(report.verdict(), Verdict::Specification);

@@ -52,6 +52,7 @@ fn job(commands: usize) -> PlannedJob {
         planned_s: None,
         commands: vec![command; commands],
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

@@ -116,6 +116,10 @@ pub enum JournalError {
         commands: usize,
     },
 
+    /// Its steps or its cycle do not fit its commands.
+    #[error("the program of the job makes no sense: {0}")]
+    Program(String),
+
     /// A number of the job is none that can be written.
     #[error("{name} of the job is {found}; a finite number is allowed")]
     Number {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use dobot_api::{JobKind, JobPause, JobState};
+use dobot_api::{JobKind, JobPause, JobProgram, JobState};
 use dobot_wire::{Command, Dialect};
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +38,8 @@ pub struct PlannedJob {
     pub commands: Vec<Command>,
     /// Where it waits for a person, in order.
     pub pauses: Vec<JobPause>,
+    /// How it goes through its commands.
+    pub program: JobProgram,
 }
 
 /// A job in the journal, without its commands.
@@ -62,6 +64,8 @@ pub struct Job {
     pub commands: usize,
     /// Where it waits for a person, in order.
     pub pauses: Vec<JobPause>,
+    /// How it goes through its commands.
+    pub program: JobProgram,
     /// What a person has changed while it runs.
     pub adjustment: Adjustment,
     /// What became of it.
@@ -76,7 +80,7 @@ pub struct Job {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Behind {
-    /// At how many of its [pause](JobPause)s it has waited.
+    /// At how many of its [pause](JobPause)s it has waited, over all cycles.
     pub pauses: usize,
     /// How long it ran, without pauses, in seconds; `None` where a crash has left nobody who knows.
     pub ran_s: Option<f64>,

@@ -337,7 +337,8 @@ fn check_window(job: &Job, window: &Window) -> Result<(), JournalError> {
         });
     }
     let done = job.window.completed;
-    if done <= window.completed && window.completed <= window.upto && window.upto <= job.commands {
+    let commands = job.program.total(job.commands).unwrap_or(usize::MAX);
+    if done <= window.completed && window.completed <= window.upto && window.upto <= commands {
         return Ok(());
     }
     Err(JournalError::Window {
@@ -345,7 +346,7 @@ fn check_window(job: &Job, window: &Window) -> Result<(), JournalError> {
         completed: window.completed,
         upto: window.upto,
         done,
-        commands: job.commands,
+        commands,
     })
 }
 

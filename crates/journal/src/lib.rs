@@ -8,7 +8,7 @@
 //! a window end at one place.
 //!
 //! ```
-//! use dobot_api::{JobKind, JobState};
+//! use dobot_api::{JobKind, JobProgram, JobState};
 //! use dobot_journal::{Journal, PlannedJob, Window};
 //! use dobot_wire::{Configuration, Dialect};
 //!
@@ -22,6 +22,7 @@
 //!     planned_s: None,
 //!     commands: vec![Configuration::Writing { acceleration_mm_s2: 100.0 }.into()],
 //!     pauses: Vec::new(),
+//!     program: JobProgram::default(),
 //! })?;
 //!
 //! journal.set_state(id, &JobState::Running)?;

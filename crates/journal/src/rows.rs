@@ -1,6 +1,6 @@
 //! Jobs as rows of tables: what is written, and what is refused because it would not come back.
 
-use dobot_api::{JobKind, JobPause, JobState};
+use dobot_api::{JobKind, JobPause, JobProgram, JobState};
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +26,9 @@ pub(crate) struct JobRow {
     pub(crate) adjustment: Adjustment,
     #[serde(default = "unknown")]
     pub(crate) behind: Behind,
+    // Nor those of format 2 this.
+    #[serde(default, skip_serializing_if = "JobProgram::is_plain")]
+    program: JobProgram,
 }
 
 /// A job that began before anybody counted.
@@ -46,6 +49,8 @@ impl JobRow {
             return Err(JournalError::Lift(lift_mm));
         }
         check_pauses(job)?;
+        let program = job.program.check(job.commands.len());
+        program.map_err(JournalError::Program)?;
         Ok(Self {
             title: job.title.clone(),
             kind: job.kind,
@@ -58,6 +63,7 @@ impl JobRow {
             pauses: job.pauses.clone(),
             adjustment: Adjustment::default(),
             behind: Behind::default(),
+            program: job.program.clone(),
         })
     }
 
@@ -89,6 +95,7 @@ impl JobRow {
             adjustment: self.adjustment,
             state: self.state,
             behind: self.behind,
+            program: self.program,
             window,
         })
     }

@@ -4,7 +4,7 @@ use dobot_trajectory::Model;
 use dobot_wire::{Status, single};
 
 /// Which commands of a job the arm may have done: those before `completed` for sure, those in
-/// `completed..upto` perhaps, those from `upto` on for sure not.
+/// `completed..upto` perhaps, those from `upto` on for sure not. Those of a cycle count each time.
 ///
 /// ```text
 ///   0          completed            upto           commands

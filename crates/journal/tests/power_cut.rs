@@ -230,6 +230,7 @@ impl Content {
             planned_s: new.planned_s,
             commands: new.commands.len(),
             pauses: new.pauses,
+            program: new.program,
             adjustment: Adjustment::default(),
             state: JobState::Queued,
             behind: Behind::default(),

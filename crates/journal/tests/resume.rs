@@ -231,6 +231,7 @@ fn submit(journal: &Journal, dialect: Dialect, commands: &[Command]) -> JobId {
             planned_s: None,
             commands: commands.to_vec(),
             pauses: Vec::new(),
+            program: dobot_api::JobProgram::default(),
         })
         .unwrap();
     journal.set_state(id, &JobState::Running).unwrap();

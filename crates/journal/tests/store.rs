@@ -269,7 +269,7 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
     change
         .open_table(FACTS)
         .unwrap()
-        .insert("format", 3)
+        .insert("format", 4)
         .unwrap();
     change.commit().unwrap();
     drop(newer);
@@ -279,8 +279,8 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
         matches!(
             error,
             JournalError::Newer {
-                found: 3,
-                known: 2,
+                found: 4,
+                known: 3,
                 ..
             }
         ),
@@ -326,6 +326,7 @@ fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
     let wanted = PlannedJob {
         planned_s: Some(12.5),
         pauses: pauses.clone(),
+        program: dobot_api::JobProgram::default(),
         ..job("a picture", 3)
     };
     let id = journal.submit(&wanted).unwrap();

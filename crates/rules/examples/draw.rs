@@ -38,6 +38,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
         commands: plan.commands().collect(),
         lift_mm: plan.lift_mm() as f32,
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     };
     let Reply::Job { job } = station.request(Request::SubmitJob { job }).await? else {
         return Err("a job was expected".into());

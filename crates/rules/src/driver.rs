@@ -19,7 +19,7 @@ use crate::Refusal;
 use crate::connect::{Connecting, Source};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message};
-use crate::jobs::{Jobs, Written, recovery_model};
+use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::known_arms::KnownArms;
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
@@ -72,10 +72,8 @@ pub(crate) struct DriverParts {
 /// A start that waits until its job has come to rest.
 #[derive(Debug)]
 struct HeldStart {
-    client: ClientId,
-    job: u64,
+    start: JobStart,
     until: Duration,
-    reply: oneshot::Sender<Result<Reply, Refusal>>,
 }
 
 /// What the driver waits for.
@@ -380,14 +378,15 @@ impl Driver {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
-            Request::StartJob { job } => {
+            Request::StartJob { job } | Request::StepJob { job } => {
                 let until = self.now() + HOLD_START;
-                self.start_job(HeldStart {
+                let start = JobStart {
                     client,
                     job,
-                    until,
+                    single_step: matches!(request, Request::StepJob { .. }),
                     reply,
-                });
+                };
+                self.start_job(HeldStart { start, until });
             }
             Request::CancelJob { job } if self.supervisor.job().is_none_or(|it| it.job != job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
@@ -398,27 +397,31 @@ impl Driver {
     }
 
     /// Starts a job, or holds that while the job comes to rest.
-    fn start_job(&mut self, start: HeldStart) {
-        match self.startable(start.job) {
+    fn start_job(&mut self, held: HeldStart) {
+        match self.startable(held.start.job) {
             Err(Refusal::StillMoving { .. })
-                if self.now() < start.until && self.held_start.is_none() =>
+                if self.now() < held.until && self.held_start.is_none() =>
             {
-                self.held_start = Some(start);
+                self.held_start = Some(held);
             }
-            Err(refusal) => drop(start.reply.send(Err(refusal))),
+            Err(refusal) => drop(held.start.reply.send(Err(refusal))),
             Ok(model) => {
-                let (job, client, own) = (start.job, start.client, self.own.clone());
+                let own = self.own.clone();
                 // The journal has to know that it is paused, which may have come just now.
                 self.write_effects();
-                self.jobs.clone().plan(job, model, client, own, start.reply);
+                self.jobs.clone().plan(held.start, model, own);
             }
         }
     }
 
     fn try_held_start(&mut self) {
         // Whoever asked may have left.
-        if let Some(start) = self.held_start.take().filter(|it| !it.reply.is_closed()) {
-            self.start_job(start);
+        if let Some(held) = self
+            .held_start
+            .take()
+            .filter(|it| !it.start.reply.is_closed())
+        {
+            self.start_job(held);
         }
     }
 
@@ -428,9 +431,9 @@ impl Driver {
             request,
             Request::PauseJob | Request::CancelJob { .. } | Request::Stop { .. }
         );
-        if let Some(start) = self.held_start.take_if(|_| rests) {
+        if let Some(held) = self.held_start.take_if(|_| rests) {
             let why = "it was told to rest before it had come to rest".to_owned();
-            drop(start.reply.send(Err(Refusal::CannotResume(why))));
+            drop(held.start.reply.send(Err(Refusal::CannotResume(why))));
         }
     }
 

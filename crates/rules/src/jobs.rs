@@ -26,6 +26,16 @@ pub(crate) struct Jobs {
     orders: mpsc::UnboundedSender<Order>,
 }
 
+/// A client wants a job to be started, or gone on with.
+#[derive(Debug)]
+pub(crate) struct JobStart {
+    pub(crate) client: ClientId,
+    pub(crate) job: u64,
+    /// It comes to rest behind the next step.
+    pub(crate) single_step: bool,
+    pub(crate) reply: oneshot::Sender<Result<Reply, Refusal>>,
+}
+
 /// What came back from the disk.
 #[derive(Debug)]
 pub(crate) struct Written {
@@ -99,21 +109,23 @@ impl Jobs {
     }
 
     /// Plans a job that is to be started, and hands it to the driver of the arm.
-    pub(crate) fn plan(
-        self,
-        job: u64,
-        model: Model,
-        client: ClientId,
-        driver: mpsc::Sender<Message>,
-        reply: oneshot::Sender<Result<Reply, Refusal>>,
-    ) {
+    pub(crate) fn plan(self, start: JobStart, model: Model, driver: mpsc::Sender<Message>) {
+        let JobStart {
+            client,
+            job,
+            single_step,
+            reply,
+        } = start;
         tokio::task::spawn_blocking(move || match self.startable(job, model) {
             Err(refusal) => {
                 // Whoever asked may have left.
                 let _ = reply.send(Err(refusal));
             }
             Ok(begun) => {
-                let begun = Box::new(begun);
+                let begun = Box::new(Begun {
+                    single_step,
+                    ..begun
+                });
                 // A driver that ends drops the message, and with it the reply.
                 let _ = driver.blocking_send(Message::Planned {
                     client,
@@ -234,12 +246,13 @@ pub(crate) fn view(job: &Job) -> JobView {
         phase: job.state.phase(),
         reason: job.state.reason().map(str::to_owned),
         commands: job.commands,
-        completed: job.window.completed,
+        completed: job.program.at(job.window.completed, job.commands).1,
         planned_s: job.planned_s,
         left_s: job.planned_s.filter(|_| job.window.completed == 0),
         took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
         speed_percent: job.adjustment.speed_percent,
         height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
+        program: job.program.view(job.commands, job.window.completed),
     }
 }
 
@@ -254,7 +267,15 @@ pub(crate) fn submit(
     job.title = plain(&job.title, usize::MAX);
     check_new(&job)?;
     let dialect = model.dialect;
-    let plan = JobPlan::new(policy, model, job.commands, &[], job.lift_mm, 0)?;
+    let plan = JobPlan::new(
+        policy,
+        model,
+        job.commands.clone(),
+        &[],
+        job.lift_mm,
+        0,
+        &job.program,
+    )?;
     journal
         .submit(&dobot_journal::PlannedJob {
             title: job.title,
@@ -262,9 +283,10 @@ pub(crate) fn submit(
             dialect,
             lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
             created_ms: now_ms,
-            planned_s: Some(plan.planned_s()),
-            commands: plan.commands().to_vec(),
+            planned_s: plan.planned_s(),
+            commands: job.commands,
             pauses: job.pauses,
+            program: job.program,
         })
         .map_err(|error| journal_refusal(&error))
 }
@@ -311,20 +333,16 @@ pub(crate) fn look_again(
         .commands(job.id)
         .map_err(|error| journal_refusal(&error))?;
     let lift_mm = job.lift_mm.unwrap_or(0.0);
-    let (heights, completed) = (&job.adjustment.heights, job.window.completed);
-    let plan = JobPlan::new(policy, model, commands, heights, lift_mm, completed)?;
-    Ok(Begun {
-        job: job.id.0,
-        title: job.title.clone(),
-        kind: job.kind,
-        dialect: job.dialect,
-        plan,
-        pauses: job.pauses.clone(),
-        adjustment: job.adjustment.clone(),
-        completed,
-        behind: job.behind,
-        doubt: (job.window.upto > job.window.completed).then_some(job.window),
-    })
+    let plan = JobPlan::new(
+        policy,
+        model,
+        commands,
+        &job.adjustment.heights,
+        lift_mm,
+        job.window.completed,
+        &job.program,
+    )?;
+    Ok(Begun::new(job, plan))
 }
 
 /// The model from which an interrupted job is looked at again: its first target says where it

@@ -170,6 +170,7 @@ impl Supervisor {
         if self.stop.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
         }
+        self.judge_grip(&status);
         self.of_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job that has the arm would forbid.
         self.watch_detection(&status);
@@ -212,6 +213,7 @@ impl Supervisor {
                 JobEffect::Keep(effect) => self.save.keep_phase(effect),
                 JobEffect::Notify(news, text) => self.notify(news, text),
                 JobEffect::Forget => self.run = None,
+                JobEffect::TryAgain => self.try_again(),
             }
             self.outbox.note_change();
         }

@@ -208,7 +208,7 @@ impl VirtualStation {
         if self.supervisor.check_request(client, &request).is_ok() {
             if matches!(
                 request,
-                Request::StartJob { .. } | Request::CancelJob { .. }
+                Request::StartJob { .. } | Request::StepJob { .. } | Request::CancelJob { .. }
             ) {
                 self.catch_up();
             }
@@ -218,6 +218,7 @@ impl VirtualStation {
                     return self.kept(job);
                 }
                 Request::StartJob { job } => return self.start(client, job),
+                Request::StepJob { job } => return self.start_with(client, job, true),
                 Request::CancelJob { job }
                     if self.supervisor.job().is_none_or(|it| it.job != job) =>
                 {
@@ -261,9 +262,22 @@ impl VirtualStation {
     ///
     /// [`Refusal`].
     pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        self.start_with(client, job, false)
+    }
+
+    fn start_with(
+        &mut self,
+        client: ClientId,
+        job: u64,
+        single_step: bool,
+    ) -> Result<Reply, Refusal> {
         self.supervisor.check_rests(job)?;
         let model = self.supervisor.planning_model()?;
         let begun = jobs::startable(&self.journal, &self.policy, job, model)?;
+        let begun = Begun {
+            single_step,
+            ..begun
+        };
         let now = self.supervisor_now();
         let reply = self.supervisor.handle_start(now, client, begun);
         self.settle();

@@ -7,12 +7,12 @@
 //! ```
 //! use dobot_client::Connection;
 //! use dobot_controller::{Controller, PowerUp};
-//! use dobot_sim::{InProcess, Line, VirtualArm};
+//! use dobot_sim::{InProcess, SerialLine, VirtualArm};
 //! use dobot_wire::Dialect;
 //!
 //! # #[tokio::main(flavor = "current_thread")]
 //! # async fn main() -> Result<(), dobot_client::LinkError> {
-//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), Line::STOCK);
+//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
 //! let mut connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
 //! assert_eq!(connection.next_status().await?.rear_deg, 45.0);
 //! # Ok(())

@@ -108,6 +108,7 @@ mod measure {
             commands: commands.collect(),
             lift_mm: 0.0,
             pauses: Vec::new(),
+            program: dobot_api::JobProgram::default(),
         }
     }
 

@@ -21,6 +21,7 @@ pub(crate) fn job(number: u64) -> JobView {
         took_s: None,
         speed_percent: 100.0,
         height_mm: 0.0,
+        program: None,
     }
 }
 

@@ -13,7 +13,7 @@ use dobot_rules::StationClient;
 use crate::connect::To;
 use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
-use crate::follow;
+use crate::follow::{self, place};
 use crate::output::{self, clock, time_left};
 use crate::verbs::jog::laser_seconds;
 
@@ -24,6 +24,7 @@ Examples:
   dobot jobs                             all of them
   dobot jobs show 4
   dobot jobs start 4                     start it, or go on with it, and follow it
+  dobot jobs step 4                      do its next step, and pause behind it
   dobot jobs pause                       the one that runs, with the tool lifted
   dobot jobs speed 150                   draw it half as fast again as planned
   dobot jobs height -0.2                 0.2 mm lower than planned: the pen leaves no ink
@@ -60,9 +61,14 @@ enum Action {
         #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
         arm_laser: Option<Duration>,
     },
+    /// Do the next step of a queued or paused job, and pause behind it
+    Step {
+        /// Its number
+        job: u64,
+    },
     /// Pause the running job after what the arm has got already
     Pause,
-    /// Draw the job that runs or is paused faster or slower than planned, from its next vector on
+    /// Do the job that runs or is paused faster or slower than planned, from its next vector or target on
     Speed {
         /// In percent of the planned speed, 10 to 200; 100 is as planned
         #[arg(value_name = "PERCENT", allow_negative_numbers = true)]
@@ -97,6 +103,7 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
         Action::List => return list(station, args.json).await,
         Action::Show { job } => return show(station, job, args.json).await,
         Action::Start { job, arm_laser } => return start(station, args, job, arm_laser).await,
+        Action::Step { job } => return step(station, args, job).await,
         Action::Pause => (Request::PauseJob, "the job is paused".to_owned()),
         Action::Speed { percent } => {
             let done = "the job goes at another speed".to_owned();
@@ -164,6 +171,12 @@ async fn start(
     Ok(output::line(&format!("job {job} is done{took}"))?)
 }
 
+async fn step(station: &mut StationClient, args: &Args, job: u64) -> Result<(), Failure> {
+    check_pose(station, args.to.pose_confirmed).await?;
+    follow::step(station, job).await?;
+    show(station, job, args.json).await
+}
+
 /// Asks, with control of the arm where nobody else has it.
 async fn ask(
     station: &mut StationClient,
@@ -205,12 +218,14 @@ fn line(job: &JobView) -> String {
         time_left(job.left_s)
     };
     let reason = job.reason.as_ref().map(|it| format!(": {it}"));
+    let place = job.program.as_ref().map(|it| format!(" ({})", place(it)));
     format!(
-        "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}{}",
+        "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}{}{}",
         job.job,
         job.completed,
         job.commands,
         job.title,
+        place.unwrap_or_default(),
         adjusted(job),
         reason.unwrap_or_default()
     )

@@ -46,6 +46,7 @@ pub(crate) fn spiral() -> NewJob {
         commands,
         lift_mm: 0.0,
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_wire::{Command, Decoder, Dialect, JointJog, JointJogAxis};
-use serde_json::Value;
+use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use crate::going::Going;
@@ -342,3 +342,31 @@ fn a_station_that_was_killed_is_not_waited_for() {
 const HOME: &str = r#"{"title": "home", "kind": "program", "commands": [{"type": "move_joints",
     "base_deg": 0, "rear_deg": 30, "fore_deg": 40, "servo_deg": 0, "suction": false,
     "mode": "movj", "gripper_deg": 0, "pause_s": 0}]}"#;
+
+#[test]
+fn a_program_is_done_step_by_step_and_then_to_the_end_of_its_cycles() {
+    let up = Up::new(&["--speed", "20"]);
+    let target = |x_mm: f64| {
+        json!({"type": "move_to", "x_mm": x_mm, "y_mm": 0.0, "z_mm": 20.0, "rotation_deg": 0.0,
+            "suction": false, "mode": "jump", "gripper_deg": 0.0, "pause_s": 0.0})
+    };
+    let job = json!({
+        "title": "to and fro", "kind": "program",
+        "commands": [target(220.0), target(240.0), target(200.0)],
+        "program": {"steps": [0, 1, 2], "repeat": {"from": 1, "times": 3}},
+    });
+    let file = up.folder.path().join("program.json");
+    std::fs::write(&file, job.to_string()).expect("there is room");
+    let file = file.to_str().expect("the path is text");
+    up.dobot(&["jobs", "submit", file]).succeeds();
+    let first = up.dobot(&["jobs", "step", "1"]).succeeds().stdout;
+    assert!(
+        first.contains("paused") && first.contains("cycle 1 of 3"),
+        "{first}"
+    );
+    assert!(first.contains("step 2 of 3"), "{first}");
+    up.dobot(&["jobs", "start", "1"]).succeeds();
+    let all = up.json(&["jobs"]);
+    assert_eq!(all[0]["phase"], "done");
+    assert_eq!(all[0]["program"]["cycles_done"], 3);
+}

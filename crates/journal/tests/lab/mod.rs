@@ -27,6 +27,7 @@ pub fn job(title: &str, commands: u16) -> PlannedJob {
         planned_s: None,
         commands: (0..commands).map(command).collect(),
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

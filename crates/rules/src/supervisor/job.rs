@@ -5,9 +5,10 @@ use std::time::Duration;
 use dobot_api::{ClientId, JobPhase, JobView, Reply};
 use dobot_client::CommandId;
 use dobot_journal::Window;
+use dobot_wire::Status;
 
 use super::Supervisor;
-use super::run::{Begun, Run, check_height, check_speed};
+use super::run::{Begun, Run, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -79,6 +80,12 @@ impl Supervisor {
         self.run.as_ref().map(Run::view)
     }
 
+    /// How many commands of that job are over, counted over all cycles, and how far it is.
+    #[must_use]
+    pub fn job_progress(&self) -> Option<(usize, JobPhase)> {
+        self.run.as_ref().map(Run::progress)
+    }
+
     fn job_reply(&self) -> Reply {
         self.job().map_or(Reply::Done, |job| Reply::Job { job })
     }
@@ -124,8 +131,10 @@ impl Supervisor {
         percent: f64,
     ) -> Result<Reply, Refusal> {
         self.leases.check(client)?;
-        check_speed(percent)?;
         self.check_adjustable()?;
+        if let Some(run) = &self.run {
+            run.check_speed(percent)?;
+        }
         self.take_back();
         self.of_run(|run, _| Some(run.set_speed(percent)));
         Ok(self.job_reply())
@@ -200,13 +209,45 @@ impl Supervisor {
         let Some(run) = &mut self.run else {
             return;
         };
-        let is_done = failed.is_none();
-        if run.handle_over(id, now, is_done)
+        let (is_done, status) = (failed.is_none(), self.arm.last());
+        if run.handle_over(id, now, is_done, status.as_ref())
             && let Some(why) = failed
         {
-            self.arm.part_from_laser();
-            self.drop_waiting(why);
-            self.interrupt_run(why);
+            self.fail_run(why);
+        }
+    }
+
+    /// The job has failed to do something: what waits is not sent, and it tries again or is paused.
+    fn fail_run(&mut self, why: &str) {
+        self.arm.part_from_laser();
+        self.drop_waiting(why);
+        self.of_run(|run, _| run.fail(why));
+    }
+
+    /// With each status: is the grip seen that was waited for?
+    pub(super) fn judge_grip(&mut self, status: &Status) {
+        let now = self.arm.now();
+        let lost = self.run.as_mut().and_then(|it| it.judge_grip(now, status));
+        if let Some(why) = lost {
+            self.fail_run(&why);
+        }
+    }
+
+    /// What was lost on the way is sent again.
+    pub(super) fn try_again(&mut self) {
+        let Some(run) = self.run.take() else {
+            return;
+        };
+        match run.try_again(&mut self.arm) {
+            Ok((run, effects)) => {
+                self.run = Some(run);
+                self.fulfil(effects);
+            }
+            Err(refusal) => {
+                self.run = Some(run);
+                let why = refusal.to_string();
+                self.of_run(|run, _| Some(run.give_up(&why)));
+            }
         }
     }
 }

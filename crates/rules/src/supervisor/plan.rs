@@ -1,16 +1,22 @@
 //! A job looked at from its beginning to its end, before anything moves.
 
+mod cycle;
 mod height;
 
+use std::ops::Range;
 use std::sync::Arc;
 
+use dobot_api::JobProgram;
 use dobot_arm::{Joints, Position, Tool};
 use dobot_client::position;
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model, burns};
-use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
+use dobot_wire::{
+    Command, Configuration, Dialect, JointJogAxis, PlaybackAdjustment, Status, WriteVector, single,
+};
 
+use self::cycle::Cycle;
 use self::height::Height;
 use crate::Refusal;
 
@@ -24,17 +30,21 @@ pub struct JobPlan {
     steps: Arc<[Step]>,
     /// From this command on they are as submitted, and only the height may be another one.
     altered_until: usize,
-    /// What vectors are drawn with, and from which command on.
+    /// What commands are done with, and from which one on.
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
+    /// Which of them are done again.
+    cycle: Option<Cycle>,
 }
 
-/// What vectors are drawn with.
+/// What commands are done with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnWith {
     pub(super) acceleration_mm_s2: f64,
     pub(super) tool: Tool,
+    /// How fast targets are gone to.
+    pub(super) playback: PlaybackAdjustment,
 }
 
 /// One command of a job.
@@ -47,14 +57,30 @@ struct Step {
     /// How far above that it is by now: a person has changed the height meanwhile.
     higher_mm: f64,
     moves: bool,
+    /// What it changes of what is held.
+    grips: Grips,
     /// How long it and all before it take, in seconds.
     until_s: f64,
+}
+
+/// What a command changes of what is held. A switched pump may have been on already.
+#[derive(Clone, Copy, Debug)]
+struct Grips {
+    suction: bool,
+    gripper: bool,
+}
+
+impl Grips {
+    const fn any(self) -> bool {
+        self.suction || self.gripper
+    }
 }
 
 impl JobPlan {
     /// Looks at every command of a job, from where the arm is, at the heights to which a person has
     /// changed it. The way to its first target is not judged where the job has gone on from there
-    /// already.
+    /// already. A cycle is looked at until it repeats itself, and stands here as often as a window of the
+    /// journal may reach.
     ///
     /// # Errors
     ///
@@ -66,8 +92,11 @@ impl JobPlan {
         heights: &[HeightChange],
         lift_mm: f32,
         completed: usize,
+        program: &JobProgram,
     ) -> Result<Self, Refusal> {
         let first = check_beginning(&commands)?;
+        let cycle = Cycle::of(program, commands.len());
+        let commands = cycle.map_or(commands.clone(), |it| it.unroll(commands));
         let burns = commands.iter().any(burns);
         let mut look = PlanWalk {
             policy,
@@ -84,6 +113,7 @@ impl JobPlan {
             settings: vec![(0, look.drawn_with())],
             burns,
             lift_mm,
+            cycle,
         };
         let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
         let mut drawn = Vec::with_capacity(commands.len());
@@ -106,7 +136,10 @@ impl JobPlan {
         if drawn != planned {
             self.altered_until = index + 1;
         }
-        if matches!(planned, Command::Configuration(_)) {
+        if matches!(
+            planned,
+            Command::Configuration(_) | Command::PlaybackAdjustment(_)
+        ) {
             self.settings.push((index + 1, with));
         }
     }
@@ -181,13 +214,49 @@ impl JobPlan {
             })
     }
 
-    /// What a vector is drawn with.
+    /// What a command is done with.
     pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
         let later = self.settings.partition_point(|it| it.0 <= index);
         self.settings[later.saturating_sub(1)].1
     }
 
-    /// How many commands there are.
+    /// Which commands are done again.
+    #[must_use]
+    pub(super) const fn cycle(&self) -> Option<&Cycle> {
+        self.cycle.as_ref()
+    }
+
+    /// Whether a command changes what pump or gripper hold.
+    pub(super) fn grips(&self, index: usize) -> bool {
+        self.steps.get(index).is_some_and(|it| it.grips.any())
+    }
+
+    /// Whether it does so without a motion.
+    pub(super) fn grips_in_place(&self, index: usize) -> bool {
+        self.steps
+            .get(index)
+            .is_some_and(|it| it.grips.any() && !it.moves)
+    }
+
+    /// Whether a status shows what a command did with pump and gripper.
+    pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
+        self.steps.get(index).is_none_or(|it| {
+            let off_deg = (status.gripper_deg - it.end.gripper_deg).abs();
+            (!it.grips.suction || status.suction == it.end.suction)
+                && (!it.grips.gripper || off_deg < SAME_GRIP_DEG)
+        })
+    }
+
+    /// The fastest that targets are gone to, in percent of the configured speed.
+    pub(super) fn fastest_percent(&self) -> f64 {
+        let percents = self
+            .settings
+            .iter()
+            .map(|it| f64::from(it.1.playback.speed_percent));
+        percents.fold(0.0, f64::max)
+    }
+
+    /// How many commands there are, those of a cycle as often as they stand here.
     #[must_use]
     pub fn len(&self) -> usize {
         self.commands.len()
@@ -244,17 +313,34 @@ impl JobPlan {
         first.unwrap_or(self.steps.len())
     }
 
-    /// How long all of it takes, in seconds.
+    /// How long all of it takes, in seconds; `None` where it goes on until a person ends it.
     #[must_use]
-    pub fn planned_s(&self) -> f64 {
-        self.steps.last().map_or(0.0, |it| it.until_s)
+    pub fn planned_s(&self) -> Option<f64> {
+        let Some(cycle) = &self.cycle else {
+            return Some(self.until_s(self.len()));
+        };
+        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        let more = cycle.times?.saturating_sub(1) as f64;
+        Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
     }
 
-    /// How long all from a command on takes, in seconds.
+    /// How long a cycle takes that follows another one, in seconds; `None` where there is none.
     #[must_use]
-    pub fn left_s(&self, index: usize) -> f64 {
-        let over = index.checked_sub(1).and_then(|it| self.steps.get(it));
-        self.planned_s() - over.map_or(0.0, |it| it.until_s)
+    pub fn cycle_s(&self) -> Option<f64> {
+        let cycle = self.cycle.as_ref()?;
+        let second = cycle.end() + cycle.len;
+        (second <= self.len()).then(|| self.until_s(second) - self.until_s(cycle.end()))
+    }
+
+    /// How long the commands of a range take, in seconds.
+    #[must_use]
+    pub fn takes_s(&self, commands: Range<usize>) -> f64 {
+        self.until_s(commands.end) - self.until_s(commands.start)
+    }
+
+    fn until_s(&self, index: usize) -> f64 {
+        let over = index.min(self.len()).checked_sub(1);
+        over.map_or(0.0, |it| self.steps[it].until_s)
     }
 }
 
@@ -304,10 +390,15 @@ impl PlanWalk<'_> {
         let takes_s = trajectory.duration_s().ok_or_else(|| {
             bad("a jog goes on until it is released; a job may not hold one".into())
         })?;
+        let before = self.model;
         self.model = self.model.after(command, &trajectory);
         self.until_s += takes_s;
         Ok(Step {
             end: self.model.status(),
+            grips: Grips {
+                suction: before.suction != self.model.suction || is_pump_switch(command),
+                gripper: before.gripper_deg != self.model.gripper_deg,
+            },
             raised_mm: self.height.raised_mm,
             higher_mm: 0.0,
             moves: trajectory.moves(),
@@ -315,13 +406,25 @@ impl PlanWalk<'_> {
         })
     }
 
-    const fn drawn_with(&self) -> DrawnWith {
+    fn drawn_with(&self) -> DrawnWith {
         DrawnWith {
             acceleration_mm_s2: self.model.settings.write_acceleration_mm_s2,
             tool: self.model.tool,
+            playback: PlaybackAdjustment {
+                speed_percent: single(self.model.settings.speed_percent),
+                acceleration_percent: single(self.model.settings.acceleration_percent),
+                teach_speed_percent: single(self.model.settings.teach_percent),
+            },
         }
     }
 }
+
+const fn is_pump_switch(command: &Command) -> bool {
+    matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
+}
+
+/// As near as this a gripper is where it should be, in degrees.
+const SAME_GRIP_DEG: f32 = 0.5;
 
 /// The same arm, so much higher; where it cannot be there, the way to there will be refused.
 fn raised(status: &Status, by_mm: f64) -> Status {

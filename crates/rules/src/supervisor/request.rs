@@ -51,7 +51,7 @@ impl Supervisor {
     /// Takes a request. `None` when the answer takes its time: [`Supervisor::poll_answer`] has it then.
     ///
     /// Jobs are kept and planned by the caller, since that may take long: he answers
-    /// [`Request::SubmitJob`], and turns [`Request::StartJob`] into [`Supervisor::handle_start`].
+    /// [`Request::SubmitJob`], and turns [`Request::StartJob`] and [`Request::StepJob`] into [`Supervisor::handle_start`].
     pub fn handle_request(
         &mut self,
         now: Duration,
@@ -125,9 +125,12 @@ impl Supervisor {
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
-            Request::Detect | Request::SubmitJob { .. } | Request::StartJob { .. } => Err(
-                Refusal::Malformed("jobs and detections are not asked for this way".into()),
-            ),
+            Request::Detect
+            | Request::SubmitJob { .. }
+            | Request::StartJob { .. }
+            | Request::StepJob { .. } => Err(Refusal::Malformed(
+                "jobs and detections are not asked for this way".into(),
+            )),
         }
     }
 

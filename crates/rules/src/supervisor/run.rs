@@ -3,8 +3,11 @@
 mod adjust;
 mod approach;
 mod begun;
+mod cycles;
+mod grip;
 mod permit;
 mod rest;
+mod retry;
 mod speeds;
 mod supply;
 mod watch;
@@ -17,12 +20,15 @@ use dobot_client::CommandId;
 use dobot_journal::{Window, model_at, window_end};
 use dobot_plan::{Machine, end_speed_mm_s};
 use dobot_trajectory::Model;
-use dobot_wire::{Command, Status};
+use dobot_wire::{Command, PlaybackAdjustment, Status};
 
-pub(super) use self::adjust::{check_height, check_speed};
+pub(super) use self::adjust::check_height;
 use self::approach::straight;
 pub use self::begun::{Begun, Effect};
+use self::cycles::CycleTimes;
+use self::grip::UnseenGrip;
 use self::permit::Permit;
+use self::retry::Retries;
 use self::speeds::Speeds;
 
 /// The job that the arm is at, or that is paused.
@@ -35,14 +41,22 @@ pub(super) struct Run {
     /// The next command to be given to the session.
     next: usize,
     permit: Permit,
-    pace: Speeds,
+    speeds: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
     /// What the last command has left that is over.
     left: CarriedOver,
     tool: ToolHeight,
+    /// Sets the speed of targets before the next command, since a person has changed it.
+    target_speed: Option<PlaybackAdjustment>,
     /// From where it goes on to where it rests.
     ran: Option<Ran>,
+    /// Where it comes to rest because it is done step by step.
+    step_end: Option<usize>,
+    /// A grip that is done, and not seen yet.
+    unseen: Option<UnseenGrip>,
+    retries: Retries,
+    cycle_times: CycleTimes,
 }
 
 /// What a job wants of the supervisor.
@@ -56,6 +70,8 @@ pub(super) enum JobEffect {
     Notify(News, String),
     /// Nobody needs the job any more.
     Forget,
+    /// What was lost on the way is sent again.
+    TryAgain,
 }
 
 /// A command of the job that the session has.
@@ -134,6 +150,8 @@ enum Rests {
     Lifted,
     /// A person is waited for there.
     ForPerson,
+    /// What was lost on the way is sent again from there.
+    ToTryAgain,
 }
 
 impl Run {
@@ -143,6 +161,7 @@ impl Run {
     pub(super) fn recovered(mut begun: Begun, window: Window) -> Self {
         // How long it ran nobody knows any more.
         begun.behind.ran_s = None;
+        let window = begun.in_plan(window);
         let kept = begun.completed;
         let mut run = Self::new(begun, kept, Phase::Locating { window }, None);
         run.left.is_unknown = true;
@@ -153,18 +172,23 @@ impl Run {
     fn new(begun: Begun, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = begun.completed;
         let machine = Machine::of(begun.dialect);
-        let pace = Speeds::new(begun.adjustment.speed_percent, machine);
+        let speeds = Speeds::new(begun.adjustment.speed_percent, machine);
         Self {
             begun,
             phase,
             from,
             next: completed,
             permit: Permit::new(completed, kept),
-            pace,
+            speeds,
             given: VecDeque::new(),
             left: CarriedOver::default(),
             tool: ToolHeight::Down,
+            target_speed: None,
             ran: None,
+            step_end: None,
+            unseen: None,
+            retries: Retries::default(),
+            cycle_times: CycleTimes::default(),
         }
     }
 
@@ -198,12 +222,12 @@ impl Run {
 
     /// What a command leaves that comes next, on what the one before has left.
     fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
-        let machine = self.pace.machine_at(&self.begun.plan, self.next);
+        let machine = self.speeds.machine_at(&self.begun.plan, self.next);
         match command {
             Command::WriteVector(it) => CarriedOver {
                 speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
                 moves: it.end_speed_mm_s > 0.0 && !it.stop,
-                is_unknown: before.is_unknown && self.pace.rests_each(self.next),
+                is_unknown: before.is_unknown && self.speeds.rests_each(self.next),
             },
             _ if machine.has_ticks => CarriedOver {
                 moves: false,
@@ -249,7 +273,10 @@ impl Run {
     /// Takes what the journal has, perhaps of this job.
     pub(super) fn handle_written(&mut self, effect: &Effect) {
         match effect {
-            Effect::Give { job, upto, .. } if *job == self.job() => self.permit.handle_given(*upto),
+            Effect::Give { job, upto, .. } if *job == self.job() => {
+                self.permit
+                    .handle_given(upto.saturating_sub(self.begun.back));
+            }
             Effect::Adjust { job, adjustment } if *job == self.job() => {
                 self.permit.handle_adjusted(adjustment);
             }
@@ -270,7 +297,7 @@ impl Run {
             return 0.0;
         };
         let plan = &self.begun.plan;
-        let given_s = plan.left_s(window.completed) - plan.left_s(window.upto);
+        let given_s = plan.takes_s(window.completed..window.upto);
         let commands = u32::try_from(window.upto - window.completed).unwrap_or(u32::MAX);
         given_s * ROUNDING + f64::from(commands) * COMMAND_S + APPROACH_S
     }
@@ -321,6 +348,10 @@ impl Run {
         self.begun.plan.start(self.begun.completed).or(self.from)
     }
 
+    pub(super) const fn progress(&self) -> (usize, JobPhase) {
+        (self.begun.completed + self.begun.back, self.view_phase())
+    }
+
     pub(super) fn view(&self) -> JobView {
         let Begun {
             job,
@@ -329,21 +360,26 @@ impl Run {
             plan,
             adjustment,
             completed,
+            back,
             ..
         } = &self.begun;
+        let counted = completed + back;
         JobView {
             job: *job,
             title: title.clone(),
             kind: *kind,
             phase: self.view_phase(),
             reason: self.reason(),
-            commands: plan.len(),
-            completed: *completed,
-            planned_s: Some(plan.planned_s()),
-            left_s: Some(plan.left_s(*completed) * 100.0 / adjustment.speed_percent),
+            commands: self.begun.commands,
+            completed: self.begun.program.at(counted, self.begun.commands).1,
+            planned_s: plan.planned_s(),
+            left_s: self
+                .left_s()
+                .map(|it| it * 100.0 / adjustment.speed_percent),
             took_s: None,
             speed_percent: adjustment.speed_percent,
             height_mm: self.begun.height_mm(),
+            program: self.program_view(counted),
         }
     }
 }

@@ -35,6 +35,7 @@ fn laser_job(personality: Personality) -> NewJob {
         commands: plan.commands().collect(),
         lift_mm: 0.0,
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

@@ -57,6 +57,7 @@ fn job(title: &str, vectors: &[[f32; 2]], burns: bool) -> NewJob {
         commands,
         lift_mm: if burns { 0.0 } else { 5.0 },
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

@@ -5,11 +5,15 @@
 mod arrivals;
 mod bluetooth;
 mod burns;
+#[path = "../../examples/reliability/cases/carries.rs"]
+#[expect(dead_code, reason = "the figures of reliability use all of it")]
+mod carries;
 #[path = "../../examples/reliability/cases/chance.rs"]
 #[expect(dead_code, reason = "the figures of reliability use all of it")]
 mod chance;
 mod commands;
 mod crashes;
+mod cycles;
 mod drawing;
 mod hands;
 mod heights;

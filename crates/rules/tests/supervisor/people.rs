@@ -158,6 +158,7 @@ fn a_pause_that_makes_no_sense_is_refused() {
     let spiral = pen_job(personality, &[(crate::strokes::spiral(), None)]);
     let moving = NewJob {
         pauses: vec![pause(40, "x")],
+        program: dobot_api::JobProgram::default(),
         ..spiral
     };
     let refused = it.submit(&moving).unwrap_err();

@@ -59,6 +59,7 @@ pub(crate) fn pen_job_at(
         commands: plan.commands().collect(),
         lift_mm: 5.0,
         pauses: plan.breaks_in_commands().map(pause).collect(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 
@@ -208,6 +209,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
         commands: plan.commands().collect(),
         lift_mm: 5.0,
         pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
     };
     let (mut it, _, job) = started(personality, &planned);
     let hours = it.now() + Duration::from_secs(7200);

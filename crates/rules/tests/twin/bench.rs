@@ -72,6 +72,7 @@ impl Bench {
             commands: plan.commands().collect(),
             lift_mm: plan.lift_mm() as f32,
             pauses: plan.breaks_in_commands().map(pause).collect(),
+            program: dobot_api::JobProgram::default(),
         };
         match self
             .station

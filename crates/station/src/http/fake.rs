@@ -113,9 +113,10 @@ fn granted(client: ClientId, request: &Request) -> Reply {
         Request::AskLease | Request::ReleaseLease | Request::GrantLease { .. } => {
             Reply::Lease { lease: None }
         }
-        Request::SubmitJob { .. } | Request::StartJob { .. } | Request::PauseJob => {
-            Reply::Job { job: job(8) }
-        }
+        Request::SubmitJob { .. }
+        | Request::StartJob { .. }
+        | Request::StepJob { .. }
+        | Request::PauseJob => Reply::Job { job: job(8) },
         _ => Reply::Done,
     }
 }

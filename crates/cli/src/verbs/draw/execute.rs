@@ -119,6 +119,7 @@ fn job(plan: &Plan, title: &str) -> NewJob {
         commands: plan.commands().collect(),
         lift_mm: single(plan.lift_mm()),
         pauses: pauses.collect(),
+        program: dobot_api::JobProgram::default(),
     }
 }
 

@@ -314,6 +314,7 @@ mod tests {
                 took_s: None,
                 speed_percent: 100.0,
                 height_mm: 0.0,
+                program: None,
             });
         });
         shows(

@@ -36,6 +36,7 @@ impl Sort {
             commands,
             lift_mm: if self == Self::Pen { 5.0 } else { 0.0 },
             pauses: Vec::new(),
+            program: dobot_api::JobProgram::default(),
         }
     }
 }

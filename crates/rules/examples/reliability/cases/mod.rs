@@ -1,6 +1,11 @@
 //! What can go wrong, in virtual time: each case gives its figures.
 
 pub(crate) mod cables;
+#[allow(
+    dead_code,
+    reason = "tests ask less of it than the example of its name"
+)]
+pub(crate) mod carries;
 pub(crate) mod chance;
 pub(crate) mod clients;
 #[path = "../../../tests/supervisor/commands.rs"]

@@ -7,33 +7,33 @@ use super::{Effect, JobEffect, Phase, Run};
 use crate::refusal::Refusal;
 use crate::supervisor::JobPlan;
 
-/// Whether a job may be drawn at this share of its speed.
-pub(in crate::supervisor) fn check_speed(percent: f64) -> Result<(), Refusal> {
-    check_range("percent", percent, SLOWEST_PERCENT, FASTEST_PERCENT, "%")
-}
-
 /// Whether a job may be drawn so much higher.
 pub(in crate::supervisor) fn check_height(offset_mm: f64) -> Result<(), Refusal> {
     check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")
 }
 
 impl Run {
-    /// Whether the vectors of a job that is not coming to rest can be changed.
+    /// Whether speed and height of a job that is not coming to rest can be changed.
     pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
         if self.begun.doubt.is_some() {
             let why = "nobody knows yet how far it is; start it first".to_owned();
             return Err(Refusal::CannotResume(why));
         }
-        if !self.begun.plan.has_vectors() {
-            return Err(Refusal::NoVectors(self.job()));
-        }
         Ok(())
     }
 
-    /// Draws the vectors that are not given yet at another speed.
+    /// Whether a job may be done at this share of its speed.
+    pub(in crate::supervisor) fn check_speed(&self, percent: f64) -> Result<(), Refusal> {
+        let most = self.begun.most_percent().min(FASTEST_PERCENT);
+        check_range("percent", percent, SLOWEST_PERCENT, most, "%")
+    }
+
+    /// Does what is not given yet at another speed: vectors, and the targets of a program, which an arm goes to
+    /// at 100 % of its configured speed at the most.
     pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> JobEffect {
         self.begun.adjustment.speed_percent = percent;
-        self.change_pace();
+        self.target_speed = self.begun.target_speed(self.next);
+        self.change_speeds();
         self.keep_adjustment()
     }
 
@@ -43,11 +43,14 @@ impl Run {
         offset_mm: f64,
         policy: &Policy,
     ) -> Result<JobEffect, Refusal> {
+        if !self.begun.plan.has_vectors() || self.begun.plan.cycle().is_some() {
+            return Err(Refusal::NoVectors(self.job()));
+        }
         let (plan, change) = self.at_height(offset_mm);
         plan.check_lowest(policy, change.from)?;
         self.begun.plan = plan;
         self.note_height(change);
-        self.change_pace();
+        self.change_speeds();
         self.permit.wait_for(self.begun.adjustment.clone());
         Ok(self.keep_adjustment())
     }
@@ -59,10 +62,10 @@ impl Run {
         })
     }
 
-    fn change_pace(&mut self) {
+    fn change_speeds(&mut self) {
         let speed_mm_s = self.speed_mm_s();
         let percent = self.begun.adjustment.speed_percent;
-        self.pace
+        self.speeds
             .change(&self.begun.plan, self.next, speed_mm_s, percent);
     }
 

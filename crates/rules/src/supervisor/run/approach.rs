@@ -21,11 +21,16 @@ impl Run {
         let status = arm.last();
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = located(begun, status)?;
+        check_holds(&begun, status)?;
         let JobApproach { first, lower } = approach(&begun, status);
+        let step_end = begun.single_step.then(|| begun.step_end());
         let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
+        run.step_end = step_end;
+        let is_planned = run.begun.adjustment.speed_percent == 100.0;
+        run.target_speed = run.begun.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
-            run.pace.rest_each(&run.begun.plan, run.begun.completed);
+            run.speeds.rest_each(&run.begun.plan, run.begun.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
@@ -101,14 +106,13 @@ fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
     if above.distance(here).0 <= THERE_MM {
         below_mm = here.z.0 - start.z.0;
     } else {
-        let held = last_target(&begun.plan.commands()[..begun.completed]);
-        first.push(hop(above, &status, held));
+        first.push(hop(above, &status, held(begun)));
         if lift_mm == 0.0 && may_jump(begun) {
             first.extend(settle());
         }
     }
     let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
-    if begun.completed == begun.plan.len() {
+    if begun.completed == begun.end() {
         // Nothing comes behind it.
         first.extend(lower.take());
     }
@@ -154,14 +158,24 @@ fn may_jump(begun: &Begun) -> bool {
     !begun.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
-/// What the last target did with suction and gripper.
-fn last_target(commands: &[Command]) -> (bool, f32) {
-    let target = |it: &Command| match it {
-        Command::MoveTo(it) => Some((it.suction, it.gripper_deg)),
-        Command::MoveJoints(it) => Some((it.suction, it.gripper_deg)),
-        _ => None,
-    };
-    commands.iter().rev().find_map(target).unwrap_or_default()
+/// What pump and gripper do where a job goes on.
+fn held(begun: &Begun) -> (bool, f32) {
+    let start = begun.plan.start(begun.completed);
+    start.map_or((false, 0.0), |it| (it.suction, it.gripper_deg))
+}
+
+/// An object that the arm held has fallen where its pump is off by now: what comes next would do without it.
+fn check_holds(begun: &Begun, status: Option<Status>) -> Result<(), Refusal> {
+    let (suction, _) = held(begun);
+    if suction && status.is_some_and(|it| !it.suction) {
+        let (_, step) = begun
+            .program
+            .at(begun.completed + begun.back, begun.commands);
+        return Err(Refusal::CannotResume(format!(
+            "the pump is off, and before command {step} the program had it on: what the arm held has fallen. Put it back, and run the program from the step that takes it"
+        )));
+    }
+    Ok(())
 }
 
 const SETTLE_MM: f64 = 1.0;

@@ -76,6 +76,16 @@ impl Permit {
         self.adjustment.take_if(same);
     }
 
+    /// Takes that the places in the plan have gone back.
+    pub(super) fn go_back(&mut self, back: usize) {
+        self.upto -= back;
+        self.kept = self.kept.saturating_sub(back);
+        if let Some(asked) = &mut self.asked {
+            asked.upto -= back;
+            asked.completed = asked.completed.saturating_sub(back);
+        }
+    }
+
     /// As many commands are done as the journal has it.
     pub(super) const fn kept(&self) -> usize {
         self.kept

@@ -94,6 +94,14 @@ impl Run {
 
     /// Nothing of the job is under way any more: how far it got is certain, and kept.
     pub(super) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
+        if let Phase::Draining {
+            rests: Rests::ToTryAgain,
+            ..
+        } = self.phase
+        {
+            self.next = self.begun.completed;
+            return vec![JobEffect::TryAgain];
+        }
         let window = self.come_to_end(&reason);
         arm.part_from_laser();
         let mut effects = vec![JobEffect::Keep(Effect::Phase {
@@ -117,7 +125,9 @@ impl Run {
             self.left = self.after(self.left, &straight(self.lift_mm().into()));
         }
         self.next = self.begun.completed;
-        let waited = self.begun.next_pause().map(|it| it.before);
+        self.cycle_times.forget();
+        self.step_end = None;
+        let waited = self.begun.next_pause().map(|it| it.0);
         if for_person && waited == Some(self.next) {
             self.begun.behind.pauses += 1;
         }
@@ -125,7 +135,10 @@ impl Run {
         self.phase = Phase::Paused {
             reason: reason.to_owned(),
         };
-        self.begun.doubt.is_none().then(|| self.certain())
+        self.begun
+            .doubt
+            .is_none()
+            .then(|| self.begun.counted(self.certain()))
     }
 
     pub(super) fn notify(&self, phase: JobPhase, reason: &str) -> JobEffect {
@@ -140,7 +153,7 @@ impl Run {
         let left = self.left();
         if left.moves
             && let Some(end) = self
-                .pace
+                .speeds
                 .brake(&self.begun.plan, self.next, left.speed_mm_s)
             && let Phase::Draining { upto, .. } = &mut self.phase
         {

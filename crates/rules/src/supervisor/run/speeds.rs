@@ -71,6 +71,15 @@ impl Speeds {
         self.go_on(plan, index, speed_mm_s);
     }
 
+    /// Takes that the places in the plan have gone back.
+    pub(super) fn go_back(&mut self, back: usize) {
+        match self.first.checked_sub(back) {
+            Some(first) => self.first = first,
+            None => self.vectors.clear(),
+        }
+        self.rests_until = self.rests_until.saturating_sub(back);
+    }
+
     /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
     /// command before which the arm rests.
     pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
@@ -79,7 +88,7 @@ impl Speeds {
             speed * speed / (2.0 * plan.drawn_with(index).acceleration_mm_s2) * TO_SPARE;
         self.go_on(plan, index, speed_mm_s);
         let count = reaching(&self.vectors, needed_mm);
-        let takes_s = (plan.left_s(index) - plan.left_s(index + count)) / self.share;
+        let takes_s = plan.takes_s(index..index + count) / self.share;
         let any_burns = self.vectors[..count].iter().any(|it| burns(&(*it).into()));
         if count == 0 || any_burns || takes_s > SOON_S {
             return None;

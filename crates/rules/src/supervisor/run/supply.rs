@@ -2,10 +2,12 @@
 
 use std::time::Duration;
 
-use dobot_api::JobPhase;
+use dobot_api::{JobKind, JobPhase};
 use dobot_client::CommandId;
+use dobot_journal::Window;
 use dobot_wire::{Command, Status};
 
+use super::grip::{SEEN_WITHIN, UnseenGrip};
 use super::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
@@ -33,6 +35,7 @@ impl Run {
         id: CommandId,
         now: Duration,
         is_done: bool,
+        status: Option<&Status>,
     ) -> bool {
         let of_job = self.given.iter().position(|it| it.id == id);
         let of_way = match &self.phase {
@@ -40,7 +43,7 @@ impl Run {
             _ => matches!(self.tool, ToolHeight::Lowering(it, _) if it == id),
         };
         if let Some(at) = of_job {
-            self.over(at, now, is_done);
+            self.over(at, now, is_done, status);
         }
         if !is_done {
             return of_job.is_some() || of_way || self.is_approaching();
@@ -65,7 +68,9 @@ impl Run {
         while arm.session().waiting() < KEEP_WAITING
             && let Some(command) = self.next_command()
         {
-            let given = self.lower(arm).and_then(|()| self.give(arm, &command));
+            let command = self.scaled(command);
+            let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
+            let given = given.and_then(|()| self.give(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
                 effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
@@ -77,11 +82,28 @@ impl Run {
     }
 
     fn next_command(&mut self) -> Option<Command> {
-        if self.next >= self.upto() || !self.permit.allows(self.next) {
+        if self.next >= self.upto() || !self.permit.allows(self.next) || self.waits_for_grip() {
             return None;
         }
         let speed_mm_s = self.speed_mm_s();
-        self.pace.command(&self.begun.plan, self.next, speed_mm_s)
+        self.speeds.command(&self.begun.plan, self.next, speed_mm_s)
+    }
+
+    /// A program that is done at another speed goes to its targets at that.
+    fn scaled(&self, command: Command) -> Command {
+        match command {
+            Command::PlaybackAdjustment(it) if self.begun.kind == JobKind::Program => {
+                self.begun.at_speed(it).into()
+            }
+            command => command,
+        }
+    }
+
+    fn set_target_speed(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Some(speed) = self.target_speed.take() {
+            arm.send(&speed.into())?;
+        }
+        Ok(())
     }
 
     /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
@@ -125,9 +147,14 @@ impl Run {
     }
 
     fn wait_for_person(&mut self) -> Option<JobEffect> {
-        let here = self.begun.next_pause().filter(|it| it.before == self.next);
-        let message = here?.message.clone();
-        Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson))
+        let here = self.begun.next_pause().filter(|it| it.0 == self.next);
+        if let Some((_, message)) = here {
+            let message = message.to_owned();
+            return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
+        }
+        let is_over = self.next == self.begun.end();
+        let here = self.step_end.filter(|it| *it == self.next && !is_over);
+        here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
     }
 
     /// The journal is asked in time, so that the arm does not wait for the disk.
@@ -137,11 +164,16 @@ impl Run {
         }
         let completed = self.begun.completed;
         let upto = self.window_end(&status?).min(self.upto());
-        let effect = Effect::Give {
-            job: self.job(),
+        let counted = self.begun.counted(Window {
             completed,
             upto,
             start: self.start(),
+        });
+        let effect = Effect::Give {
+            job: self.job(),
+            completed: counted.completed,
+            upto: counted.upto,
+            start: counted.start,
         };
         self.permit
             .ask(upto, completed)
@@ -150,10 +182,7 @@ impl Run {
 
     /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
     fn set_out(&mut self, now: Duration) {
-        let pause = self.begun.next_pause().map(|it| it.before);
-        self.phase = Phase::Running {
-            upto: pause.unwrap_or(self.begun.plan.len()),
-        };
+        self.phase = self.running();
         self.ran = Some(Ran {
             since: now,
             last_over: now,
@@ -182,15 +211,29 @@ impl Run {
     }
 
     /// The command at this place of those given is over.
-    fn over(&mut self, at: usize, now: Duration, is_done: bool) {
+    fn over(&mut self, at: usize, now: Duration, is_done: bool, status: Option<&Status>) {
         let given = self.given.remove(at).expect("it was found there");
         if let Some(ran) = &mut self.ran {
             ran.last_over = now;
         }
-        if is_done && self.begun.completed == given.index {
-            self.begun.completed = given.index + 1;
-            self.left = given.left;
+        if !is_done || self.begun.completed != given.index {
+            return;
         }
+        if status.is_some_and(|it| self.shows_grip(given.index, it)) {
+            self.handle_done(given, now);
+        } else {
+            let until = now + SEEN_WITHIN;
+            self.unseen = Some(UnseenGrip {
+                command: given,
+                until,
+            });
+        }
+    }
+
+    pub(super) fn handle_done(&mut self, given: SentCommand, now: Duration) {
+        self.begun.completed = given.index + 1;
+        self.left = given.left;
+        self.handle_progress(now);
     }
 }
 

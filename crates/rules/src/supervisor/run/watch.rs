@@ -1,5 +1,7 @@
 //! What the statuses tell of a job: how far it got, and whether it ends where it should.
 
+use std::ops::Range;
+
 use dobot_api::{JobPhase, News};
 use dobot_client::position;
 use dobot_journal::{Unclear, Window, locate, model_at};
@@ -7,6 +9,7 @@ use dobot_trajectory::Model;
 use dobot_wire::{Command, Status};
 
 use super::{Begun, Effect, JobEffect, Phase, Run, word};
+use crate::supervisor::JobPlan;
 use crate::supervisor::arm::Arm;
 
 impl Run {
@@ -29,7 +32,7 @@ impl Run {
     /// What is wrong with the place where the arm rests when all is over. A vector leads from
     /// wherever the arm is: where one was lost, all behind it are displaced.
     fn misses_end(&self, status: &Status) -> Option<String> {
-        let end = self.begun.plan.start_position(self.begun.plan.len())?;
+        let end = self.begun.plan.start_position(self.begun.end())?;
         let off_mm = end.distance(position(status)).0;
         (off_mm > THERE_MM).then(|| {
             format!(
@@ -43,8 +46,11 @@ impl Run {
         let Some(ran_s) = self.begun.behind.ran_s else {
             return String::new();
         };
-        let planned_s = self.begun.plan.planned_s();
-        format!(", in {ran_s:.1} s, planned were {planned_s:.1} s")
+        let planned = self.begun.plan.planned_s();
+        let planned = planned
+            .map(|it| format!(", planned were {it:.1} s"))
+            .unwrap_or_default();
+        format!(", in {ran_s:.1} s{planned}")
     }
 
     /// With each status: is the job located, drained, lifted, done?
@@ -72,7 +78,7 @@ impl Run {
     }
 
     fn is_complete(&self) -> bool {
-        self.begun.completed == self.begun.plan.len()
+        self.begun.completed == self.begun.end()
     }
 
     /// All of the job was seen to be over, and the arm rests: where the job ends?
@@ -92,7 +98,7 @@ impl Run {
             job,
             phase,
             reason,
-            window: Some(self.certain()),
+            window: Some(self.begun.counted(self.certain())),
             behind: self.begun.behind,
         };
         vec![
@@ -111,6 +117,10 @@ impl Run {
         let reason = match locate_at(&self.begun, window, &status) {
             Ok(next) => {
                 self.begun.completed = next;
+                let (_, next) = self
+                    .begun
+                    .program
+                    .at(next + self.begun.back, self.begun.commands);
                 format!("{restarted}; the arm rests where command {next} begins")
             }
             Err(unclear) => {
@@ -132,7 +142,14 @@ pub(super) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Resu
     let (commands, dialect) = (begun.plan.commands(), begun.dialect);
     let model = model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = begun.plan.lift();
-    locate(commands, window, &model, lift_mm, position(status)).map(|it| it.next)
+    let next = locate(commands, window, &model, lift_mm, position(status))?.next;
+    Ok(behind_seen_grips(&begun.plan, next..window.upto, status))
+}
+
+/// A grip leaves its trace in the status, not in where the arm rests: those that are seen are done.
+fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
+    let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
+    commands.start + commands.take_while(seen).count()
 }
 
 const fn pause_s(command: &Command) -> f32 {

@@ -52,6 +52,15 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, JOURNAL]),
         Route::asks(
             POST,
+            "/api/v1/jobs/{id}/step",
+            "Does the next step of a queued or paused job, and pauses behind it",
+            |OfJob(job)| Request::StepJob { job },
+        )
+        .gives::<Reply>(200, "the step is under way")
+        .problems(MOVES)
+        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, JOURNAL]),
+        Route::asks(
+            POST,
             "/api/v1/jobs/pause",
             "Pauses the running job after what the arm has got already",
             |_: Maybe<Nothing>| Request::PauseJob,

@@ -1,0 +1,102 @@
+//! A job that does its cycle again: its places go back, and each cycle is timed.
+
+use std::time::Duration;
+
+use dobot_api::ProgramView;
+
+use super::{Phase, Run};
+
+/// How long the cycles took that were done in one go.
+#[derive(Debug, Default)]
+pub(super) struct CycleTimes {
+    /// When the cycle began that is under way, if it did without a pause since.
+    begun: Option<Duration>,
+    total: Duration,
+    count: u32,
+}
+
+impl CycleTimes {
+    /// A cycle is over, and the next one begins.
+    fn handle_over(&mut self, now: Duration) {
+        if let Some(begun) = self.begun.replace(now) {
+            self.total += now.saturating_sub(begun);
+            self.count += 1;
+        }
+    }
+
+    /// The cycle that is under way does not count: the job rests in it.
+    pub(super) const fn forget(&mut self) {
+        self.begun = None;
+    }
+
+    fn mean_s(&self) -> Option<f64> {
+        (self.count > 0).then(|| self.total.as_secs_f64() / f64::from(self.count))
+    }
+}
+
+impl Run {
+    /// Takes that one more command is over: perhaps a cycle is, and the places in the plan go back.
+    pub(super) fn handle_progress(&mut self, now: Duration) {
+        let Some(cycle) = self.begun.plan.cycle() else {
+            return;
+        };
+        let counted = self.begun.completed + self.begun.back;
+        if counted > cycle.from && (counted - cycle.from).is_multiple_of(cycle.len) {
+            self.cycle_times.handle_over(now);
+        }
+        if let Some(back) = self.begun.go_back() {
+            self.go_back(back);
+        }
+    }
+
+    fn go_back(&mut self, back: usize) {
+        self.next -= back;
+        self.permit.go_back(back);
+        self.speeds.go_back(back);
+        for given in &mut self.given {
+            given.index -= back;
+        }
+        if let Some(end) = &mut self.step_end {
+            *end -= back;
+        }
+        match &mut self.phase {
+            Phase::Running { upto } | Phase::Draining { upto, .. } => *upto -= back,
+            _ => {}
+        }
+        if let Phase::Running { .. } = self.phase {
+            self.phase = self.running();
+        }
+    }
+
+    /// At work, up to where it waits for a person, or ends.
+    pub(super) fn running(&self) -> Phase {
+        let pause = self.begun.next_pause().map(|it| it.0);
+        let ends = [
+            Some(self.begun.end()),
+            Some(self.begun.plan.len()),
+            pause,
+            self.step_end,
+        ];
+        let upto = ends.into_iter().flatten().min().unwrap_or(0);
+        Phase::Running { upto }
+    }
+
+    /// How long the rest takes, in seconds, by the motion model.
+    pub(super) fn left_s(&self) -> Option<f64> {
+        let (begun, plan) = (&self.begun, &self.begun.plan);
+        let cycles = plan.cycle().map_or(0, |it| begun.back / it.len);
+        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        let over_s =
+            plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..begun.completed);
+        Some(plan.planned_s()? - over_s)
+    }
+
+    pub(super) fn program_view(&self, counted: usize) -> Option<ProgramView> {
+        let view = self.begun.program.view(self.begun.commands, counted)?;
+        Some(ProgramView {
+            planned_cycle_s: self.begun.plan.cycle_s(),
+            mean_cycle_s: self.cycle_times.mean_s(),
+            ..view
+        })
+    }
+}

@@ -1,0 +1,92 @@
+//! What was lost on the way is sent again: a program goes on by itself where that is safe.
+
+use dobot_api::JobPhase;
+use dobot_journal::Window;
+use dobot_wire::Command;
+
+use super::{Begun, JobEffect, Phase, Rests, Run};
+use crate::refusal::Refusal;
+use crate::supervisor::arm::Arm;
+
+/// How often the same command was sent again, one time after the other.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Retries {
+    /// The command, counted over all cycles.
+    command: usize,
+    times: u32,
+}
+
+impl Run {
+    /// A command of the job failed, and the job rests for that: to go on by itself where that is safe.
+    pub(in crate::supervisor) fn fail(&mut self, why: &str) -> Option<JobEffect> {
+        let is_running = matches!(self.phase, Phase::Running { .. });
+        if !is_running || !self.may_try_again() {
+            return self.interrupt(why);
+        }
+        let counted = self.begun.completed + self.begun.back;
+        let before = if self.retries.command == counted {
+            self.retries.times
+        } else {
+            0
+        };
+        self.retries = Retries {
+            command: counted,
+            times: before + 1,
+        };
+        let window = self.certain();
+        self.begun.doubt = Some(Window {
+            upto: self.next,
+            ..window
+        });
+        Some(self.drain(
+            JobPhase::Running,
+            &format!("{why}; it is sent again"),
+            Rests::ToTryAgain,
+        ))
+    }
+
+    /// A target says itself where it leads: it may be sent again wherever the arm is. Vectors go on from where
+    /// they were.
+    fn may_try_again(&self) -> bool {
+        let counted = self.begun.completed + self.begun.back;
+        let is_new = self.retries.command != counted;
+        let sent = self.begun.completed..self.next;
+        let mut sent = self.begun.plan.commands()[sent].iter();
+        let leads_somewhere = sent.all(|it| !matches!(it, Command::WriteVector(_)));
+        leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
+    }
+
+    /// What was lost cannot be sent again: the job is paused.
+    pub(in crate::supervisor) fn give_up(&mut self, why: &str) -> JobEffect {
+        self.drain(JobPhase::Paused, why, Rests::AsItIs)
+    }
+
+    /// Goes on from where the arm rests: behind what it has done, or where that is unclear, from the first
+    /// command that nobody saw it do.
+    pub(in crate::supervisor) fn try_again(
+        &self,
+        arm: &mut Arm,
+    ) -> Result<(Self, Vec<JobEffect>), Refusal> {
+        let begun = self.begun.clone();
+        let begun = Begun {
+            single_step: self.step_end.is_some(),
+            ..begun
+        };
+        let (mut run, effects) = Self::begin(begun.clone(), arm, Some(self)).or_else(|_| {
+            let begun = Begun {
+                doubt: None,
+                ..begun
+            };
+            Self::begin(begun, arm, Some(self))
+        })?;
+        run.retries = self.retries;
+        // Those who watch know that it goes on.
+        let kept = effects
+            .into_iter()
+            .filter(|it| matches!(it, JobEffect::Keep(_)));
+        Ok((run, kept.collect()))
+    }
+}
+
+/// A link on which a command is lost so often in turn is no link.
+const MOST_RETRIES: u32 = 5;
