@@ -21,7 +21,8 @@ use self::keys::{KeyMeaning, folded, meaning};
 pub(crate) use self::button::{Button, JogFrame};
 pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::{Mouse, kept_rotation_deg};
-pub(crate) use self::session::run;
+pub(crate) use self::screen::{alarm, answer, held, key_line, move_lines};
+pub(crate) use self::session::{Panel, run};
 pub(crate) use self::terminal::check_terminal;
 
 /// The pendant as an engine: events of the terminal and of the station go in, requests come out. The
@@ -130,6 +131,26 @@ impl Pendant {
         self.answer = Some(why);
     }
 
+    /// Asks the station for something.
+    pub(crate) fn ask(&mut self, request: Request) {
+        self.requests.push_back(request);
+    }
+
+    /// Tells the person something.
+    pub(crate) fn tell(&mut self, text: String) {
+        self.answer = Some(text);
+    }
+
+    /// Lets go of whatever is held.
+    pub(crate) fn let_go(&mut self) {
+        self.hold.let_go();
+    }
+
+    /// What the station told last.
+    pub(crate) const fn state(&self) -> Option<&State> {
+        self.state.as_ref()
+    }
+
     /// Takes the passing of time.
     pub(crate) fn handle_time(&mut self, now: Duration) {
         self.hold.handle_time(now);
@@ -210,14 +231,15 @@ impl Pendant {
         self.hold.handle_press(now, folded(key), button);
     }
 
-    fn switch_suction(&mut self, on: bool) {
+    /// Switches the pump.
+    pub(crate) fn switch_suction(&mut self, on: bool) {
         let axis = if on {
             JointJogAxis::SuctionOn
         } else {
             JointJogAxis::SuctionOff
         };
         let command = JointJog::new(axis, 0.0).into();
-        self.requests.push_back(Request::Command { command });
+        self.ask(Request::Command { command });
     }
 
     fn change_frame(&mut self) {
@@ -251,6 +273,29 @@ impl Question {
         }
     }
 }
+
+/// An arm at rest, for tests.
+#[cfg(test)]
+pub(crate) const STATE: &str = r#"{
+    "at_s": 61.0,
+    "link": {
+        "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
+        "statuses_per_s": 12.5, "lost_statuses": 0, "damaged_bytes": 0, "latency_ms": 46.0
+    },
+    "arm": {
+        "x_mm": 220.0, "y_mm": 0.0, "z_mm": 30.0, "rotation_deg": 15.0,
+        "base_deg": 0.0, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": 15.0,
+        "suction": true, "gripper_deg": 12.0, "moving": false
+    },
+    "dialect": "specification",
+    "trust": {"trusted": true, "reason": null},
+    "queue": {"waiting": 0, "under_way": 0, "ahead_s": 0.0},
+    "lease": null,
+    "stop": null,
+    "laser": {"armed_for_s": 0.0, "on": false},
+    "job": null,
+    "clients": 1
+}"#;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
@@ -438,25 +483,4 @@ mod tests {
     }
 
     const DEAD_MAN: Duration = Duration::from_millis(150);
-
-    const STATE: &str = r#"{
-        "at_s": 61.0,
-        "link": {
-            "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
-            "statuses_per_s": 12.5, "lost_statuses": 0, "damaged_bytes": 0, "latency_ms": 46.0
-        },
-        "arm": {
-            "x_mm": 220.0, "y_mm": 0.0, "z_mm": 30.0, "rotation_deg": 15.0,
-            "base_deg": 0.0, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": 15.0,
-            "suction": true, "gripper_deg": 12.0, "moving": false
-        },
-        "dialect": "specification",
-        "trust": {"trusted": true, "reason": null},
-        "queue": {"waiting": 0, "under_way": 0, "ahead_s": 0.0},
-        "lease": null,
-        "stop": null,
-        "laser": {"armed_for_s": 0.0, "on": false},
-        "job": null,
-        "clients": 1
-    }"#;
 }

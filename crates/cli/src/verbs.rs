@@ -28,6 +28,7 @@ mod set;
 mod simulate;
 mod status;
 mod stop;
+mod teach;
 mod token;
 mod up;
 mod vector;
@@ -53,6 +54,7 @@ pub(crate) enum Verb {
     Say(say::Args),
     Hand(hand::Args),
     Vector(vector::Args),
+    Teach(teach::Args),
     Set(set::Args),
     Simulate(simulate::Args),
     Decode(decode::Args),
@@ -101,6 +103,7 @@ impl Verb {
             Self::Say(args) => wait_for(say::run(args)),
             Self::Hand(args) => wait_for(hand::run(args)),
             Self::Vector(args) => wait_for(vector::run(args)),
+            Self::Teach(args) => wait_for(teach::run(args)),
             Self::Set(args) => wait_for(set::run(args)),
             Self::Simulate(args) => simulate::run(&args),
             Self::Decode(args) => decode::run(&args),

@@ -20,15 +20,20 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
         Constraint::Min(0),
         Constraint::Length(2),
     ];
-    let [top, alarm, arm, rest, keys, bottom] = Layout::vertical(rows).areas(frame.area());
+    let [top, alarm_row, arm, rest, keys, bottom] = Layout::vertical(rows).areas(frame.area());
     frame.render_widget(held(pendant), top);
-    frame.render_widget(bar(&alarm_of_state(pendant.state.as_ref())), alarm);
+    frame.render_widget(alarm(pendant), alarm_row);
     if let Some(state) = &pendant.state {
         panels::arm(frame, arm, state);
         panels::rest(frame, rest, state);
     }
     keys_of(frame, keys, pendant);
     frame.render_widget(answer(pendant), bottom);
+}
+
+/// What a person has to know first.
+pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
+    bar(alarm_of_state(pendant.state.as_ref()))
 }
 
 /// What is held, and how fast.
@@ -58,27 +63,8 @@ const fn frame_name(frame: JogFrame) -> &'static str {
 
 /// The keys, and what this terminal tells of them.
 fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
-    let [arrows, sides, pages] = match pendant.frame {
-        JogFrame::Linear => ["x+ x-", "y+ y-", "z+ z-"],
-        JogFrame::Joint => ["rear+ rear-", "base+ base-", "fore- fore+"],
-    };
-    let mut lines = vec![
-        line(&[("Space Esc s", "STOP")]),
-        line(&[("↑ ↓", arrows), ("← →", sides), ("PgUp PgDn", pages)]),
-        line(&[
-            ("1 … 9 0", "speed"),
-            ("u j", "pump on, off"),
-            ("q", "leave"),
-        ]),
-    ];
-    if matches!(pendant.drive, Drive::Jog) {
-        let tool = [
-            ("r f", "tool turns"),
-            ("o c", "gripper opens, closes"),
-            ("Tab", "joints or x, y, z"),
-        ];
-        lines.insert(2, line(&tool));
-    }
+    let mut lines = move_lines(pendant);
+    lines.push(key_line(&[("u j", "pump on, off"), ("q", "leave")]));
     lines.push(match pendant.hold.keys() {
         KeyReports::Releases => "the arm moves while a key is held".dim().into(),
         KeyReports::Presses => {
@@ -90,7 +76,28 @@ fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
     panels::panel(frame, area, "keys", lines);
 }
 
-fn line(keys: &[(&'static str, &'static str)]) -> Line<'static> {
+/// The keys that stop and move the arm.
+pub(crate) fn move_lines(pendant: &Pendant) -> Vec<Line<'static>> {
+    let [arrows, sides, pages] = match pendant.frame {
+        JogFrame::Linear => ["x+ x-", "y+ y-", "z+ z-"],
+        JogFrame::Joint => ["rear+ rear-", "base+ base-", "fore- fore+"],
+    };
+    let mut lines = vec![
+        key_line(&[("Space Esc s", "STOP"), ("1 … 9 0", "speed")]),
+        key_line(&[("↑ ↓", arrows), ("← →", sides), ("PgUp PgDn", pages)]),
+    ];
+    if matches!(pendant.drive, Drive::Jog) {
+        lines.push(key_line(&[
+            ("r f", "tool turns"),
+            ("o c", "gripper opens, closes"),
+            ("Tab", "joints or x, y, z"),
+        ]));
+    }
+    lines
+}
+
+/// Keys with what they do.
+pub(crate) fn key_line(keys: &[(&'static str, &'static str)]) -> Line<'static> {
     let spans = keys
         .iter()
         .flat_map(|(key, what)| [format!(" {key} ").reversed(), format!(" {what}  ").into()]);

@@ -1,11 +1,14 @@
 //! The pendant at work: between the terminal and the station.
 
+use std::io;
+use std::path::PathBuf;
 use std::time::Duration;
 
-use crossterm::event::EventStream;
-use dobot_api::{RemoteError, StationEvent};
+use crossterm::event::{Event, EventStream};
+use dobot_api::{RemoteError, Reply, Request, State, StationEvent};
 use dobot_rules::StationClient;
 use futures_util::StreamExt;
+use ratatui::Frame;
 use tokio::time::Instant;
 
 use super::screen::draw;
@@ -14,31 +17,88 @@ use super::{Drive, Pendant};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 
-/// Lets a person move the arm with keys until they leave; control has been taken.
-pub(crate) async fn run(station: &mut StationClient, drive: Drive) -> Result<(), Failure> {
+/// A pendant, and what its keys mean beside.
+pub(crate) trait Panel {
+    /// The pendant.
+    fn pendant(&mut self) -> &mut Pendant;
+
+    /// Draws everything.
+    fn draw(&self, frame: &mut Frame);
+
+    /// Takes what the terminal tells.
+    fn handle_event(&mut self, now: Duration, event: &Event) {
+        self.pendant().handle_event(now, event);
+    }
+
+    /// Takes what the station tells all the time.
+    fn handle_state(&mut self, state: State) {
+        self.pendant().handle_state(state);
+    }
+
+    /// Takes what the station answers.
+    fn handle_reply(&mut self, reply: &Reply) {
+        self.pendant().handle_reply(reply);
+    }
+
+    /// Takes that the station refuses a request.
+    fn handle_refused(&mut self, request: &Request, why: String) {
+        self.pendant().handle_refused(request, why);
+    }
+
+    /// A file that is to be written, and its text.
+    fn poll_file(&mut self) -> Option<(PathBuf, String)> {
+        None
+    }
+
+    /// Takes what came of writing this text.
+    fn handle_saved(&mut self, _: String, _: io::Result<()>) {}
+}
+
+impl Panel for Pendant {
+    fn pendant(&mut self) -> &mut Pendant {
+        self
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        draw(frame, self);
+    }
+}
+
+/// Lets a person move the arm with keys until they leave; control has been taken. `panel` makes what is
+/// on the screen of a pendant that jogs.
+pub(crate) async fn run<P: Panel>(
+    station: &mut StationClient,
+    drive: Drive,
+    panel: impl FnOnce(Pendant) -> P,
+) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
     let mut screen = Screen::open()?;
     let mut events = EventStream::new();
     let clock = Clock::of(station);
-    let mut pendant = Pendant::new(station.id(), screen.keys(), station.dead_man(), drive);
+    let pendant = Pendant::new(station.id(), screen.keys(), station.dead_man(), drive);
+    let mut panel = panel(pendant);
     loop {
-        screen.draw(|frame| draw(frame, &pendant))?;
+        screen.draw(|frame| panel.draw(frame))?;
         tokio::select! {
             biased;
-            () = &mut interrupt => pendant.quit(),
+            () = &mut interrupt => panel.pendant().quit(),
             event = events.next() => match event.transpose()? {
-                Some(event) => pendant.handle_event(clock.now(), &event),
-                None => pendant.quit(),
+                Some(event) => panel.handle_event(clock.now(), &event),
+                None => panel.pendant().quit(),
             },
-            () = clock.wait_until(pendant.poll_wakeup()) => {}
+            () = clock.wait_until(panel.pendant().poll_wakeup()) => {}
             heard = clock.next(station) => match heard? {
-                StationEvent::State(state) => pendant.handle_state(*state),
-                StationEvent::Notice(notice) => pendant.handle_notice(notice),
+                StationEvent::State(state) => panel.handle_state(*state),
+                StationEvent::Notice(notice) => panel.pendant().handle_notice(notice),
             },
         }
-        pendant.handle_time(clock.now());
-        ask_all(station, &mut pendant, clock).await?;
-        if pendant.is_over() {
+        panel.pendant().handle_time(clock.now());
+        ask_all(station, &mut panel, clock).await?;
+        if let Some((file, text)) = panel.poll_file() {
+            let saved = std::fs::write(file, &text);
+            panel.handle_saved(text, saved);
+        }
+        if panel.pendant().is_over() {
             return Ok(());
         }
     }
@@ -47,15 +107,15 @@ pub(crate) async fn run(station: &mut StationClient, drive: Drive) -> Result<(),
 /// Asks for all that the pendant wants now.
 async fn ask_all(
     station: &mut StationClient,
-    pendant: &mut Pendant,
+    panel: &mut impl Panel,
     clock: Clock,
 ) -> Result<(), Failure> {
-    while let Some(request) = pendant.poll_request(clock.now()) {
+    while let Some(request) = panel.pendant().poll_request(clock.now()) {
         match station.request(request.clone()).await {
-            Ok(reply) => pendant.handle_reply(&reply),
+            Ok(reply) => panel.handle_reply(&reply),
             Err(RemoteError::Refused(problem)) => {
                 let hint = problem.hint.map(|it| format!("; {it}")).unwrap_or_default();
-                pendant.handle_refused(&request, format!("{}{hint}", problem.detail));
+                panel.handle_refused(&request, format!("{}{hint}", problem.detail));
             }
             Err(error) => return Err(error.into()),
         }

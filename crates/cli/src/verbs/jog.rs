@@ -12,7 +12,7 @@ use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, ta
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
-use crate::pendant::{self, Button, Drive, JogFrame, check_terminal};
+use crate::pendant::{self, Button, Drive, JogFrame, Panel, Pendant, check_terminal};
 
 /// Move one axis for a while, or all with keys; switch the suction cup or the laser
 #[derive(Debug, clap::Args)]
@@ -70,7 +70,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let jog = async |station: &mut StationClient| match args.button {
         Some(button) => args.press(station, button).await,
-        None => with_keys(station, &args.to, Drive::Jog).await,
+        None => with_keys(station, &args.to, Drive::Jog, |it| it).await,
     };
     let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
@@ -105,17 +105,18 @@ impl Args {
     }
 }
 
-/// Lets a person move the arm with keys.
-pub(crate) async fn with_keys(
+/// Lets a person move the arm with keys; `panel` makes what is on the screen of a pendant.
+pub(crate) async fn with_keys<P: Panel>(
     station: &mut StationClient,
     to: &To,
     drive: Drive,
+    panel: impl FnOnce(Pendant) -> P,
 ) -> Result<Status, Failure> {
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
     // The first press moves the arm at once.
     control::rest_soon(station).await?;
-    pendant::run(station, drive).await?;
+    pendant::run(station, drive, panel).await?;
     control::rest(station).await
 }
 

@@ -57,7 +57,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let go = async |station: &mut StationClient| {
         if args.keys {
-            return with_keys(station, &args.to, Drive::Mouse(Mouse::new())).await;
+            return with_keys(station, &args.to, Drive::Mouse(Mouse::new()), |it| it).await;
         }
         let command = |status: &Status, dialect| Ok(args.command(status, dialect));
         carry_out_one(station, &args.to, None, command).await

@@ -62,7 +62,9 @@ pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
         }
     }
     let places = places.iter().zip(kept);
-    places.filter_map(|(it, kept)| kept.then_some(*it)).collect()
+    places
+        .filter_map(|(it, kept)| kept.then_some(*it))
+        .collect()
 }
 
 /// Where a chord has to be split: where the tool changes first, else at the place that is farthest from
