@@ -285,12 +285,9 @@ impl Lesson {
         actions: Vec<Action>,
     ) -> Result<(), ProgramError> {
         let last = actions.len().saturating_sub(1);
-        let program = Program {
-            title: self.title.clone(),
-            points,
-            steps: Steps::new(actions),
-            ..Program::default()
-        };
+        let mut program = program_of(actions);
+        program.title.clone_from(&self.title);
+        program.points = points;
         self.document = Some(ProgramDocument::new(&program.to_toml())?);
         self.done.push(Done {
             changes: 0,
@@ -402,6 +399,12 @@ fn looped(mut program: Program) -> Program {
     program
 }
 
+fn program_of(actions: Vec<Action>) -> Program {
+    let mut program = Program::default();
+    program.steps = Steps::new(actions);
+    program
+}
+
 fn compile(program: &Program) -> Result<Compiled, String> {
     program
         .compile(&mut NoFiles)
@@ -432,11 +435,7 @@ fn rounded(number: f64, parts: f64) -> f64 {
 
 /// `go = "p1", path = "movl"`
 fn line(action: &Action) -> String {
-    let steps = Program {
-        steps: Steps::new(vec![action.clone()]),
-        ..Program::default()
-    };
-    let text = steps.to_toml();
+    let text = program_of(vec![action.clone()]).to_toml();
     let lines = text.lines().map(str::trim);
     let lines: Vec<&str> = lines
         .filter(|it| !it.is_empty() && *it != "[[steps]]")
