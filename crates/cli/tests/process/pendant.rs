@@ -3,6 +3,8 @@
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
+use dobot_teach::Program;
+use dobot_wire::JointJogAxis::SuctionOn;
 use dobot_wire::{Command, LinearJogAxis, MouseMove};
 
 use crate::going::Going;
@@ -86,6 +88,18 @@ impl Bench {
         }
     }
 
+    /// Waits until the arm tells the same place for half a second.
+    fn rests(&self) {
+        let (mut last, mut same) = (None, 0);
+        while same < 6 {
+            if let Passed::FromArm(_, status) = self.next() {
+                let place = Some([status.x_mm, status.y_mm, status.z_mm]);
+                same = if place == last { same + 1 } else { 0 };
+                last = place;
+            }
+        }
+    }
+
     fn leaves(mut self) {
         self.terminal.types("q");
         assert!(self.terminal.ends().success());
@@ -136,6 +150,55 @@ fn keys_move_the_arm_as_a_mouse_does() {
     };
     assert_eq!([x, y, z], [2.5, 0.0, 0.0]);
     bench.leaves();
+}
+
+#[test]
+fn a_program_is_taught_run_and_saved_with_keys() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("cubes.toml");
+    let name = file.to_str().expect("the path is text");
+    let mut bench = Bench::new(&["teach", name], Keyboard::Plain);
+    bench.rests();
+    bench.terminal.types("\r");
+    bench.jogs_forward();
+    bench.gets_jog(LinearJogAxis::Released);
+    bench.rests();
+    bench.terminal.types("\r");
+    bench.terminal.types("u");
+    let pump = |it: &Command| matches!(it, Command::JointJog(jog) if jog.axis == SuctionOn);
+    bench.gets(pump);
+    bench.terminal.types("g");
+    let x_mm = |it: &Command| match it {
+        Command::MoveTo(it) => Some(it.x_mm),
+        _ => None,
+    };
+    let first = x_mm(&bench.gets(|it| x_mm(it).is_some()));
+    // It stood with both arms at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
+    assert!(
+        (first.expect("a target") - 263.67).abs() < 0.01,
+        "{first:?}"
+    );
+    bench.gets(|it| x_mm(it) > first);
+    bench.rests();
+    bench.terminal.types("w");
+    bench.leaves();
+    let text = std::fs::read_to_string(&file).expect("it was saved");
+    let program = Program::from_toml(&text).expect("it is a program");
+    assert_eq!(program.points.len(), 2, "{text}");
+    assert_eq!(program.steps.0.len(), 3, "{text}");
+    assert!(text.contains("suction = true"), "{text}");
+}
+
+#[test]
+fn what_is_no_program_is_not_taught() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("poem.toml");
+    std::fs::write(&file, "roses = \"red\"\n").expect("there is room");
+    let name = file.to_str().expect("the path is text");
+    let verb = ["teach", name, "--to", "virtual:"];
+    let status = Terminal::new(&command(&verb), Keyboard::Plain).ends();
+    assert_eq!(status.code(), Some(1));
+    dobot(&verb).fails(1, &["needs a terminal", "dobot check"]);
 }
 
 #[test]
