@@ -1,6 +1,7 @@
 //! A pendant in the terminal: keys that are held move the arm, and it stops when they are let go.
 
 mod button;
+mod gamepad;
 mod hold;
 mod keys;
 mod mouse;
@@ -15,10 +16,12 @@ use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind};
 use dobot_api::{ClientId, News, Notice, Reply, Request, State};
 use dobot_wire::{JointJog, JointJogAxis};
 
+use self::gamepad::{EVENT_LEN, Gamepad, PadAction};
 use self::hold::{Beat, HoldToRun};
 use self::keys::{KeyMeaning, folded, meaning};
 
 pub(crate) use self::button::{Button, JogFrame};
+pub(crate) use self::gamepad::PadArgs;
 pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::{Mouse, kept_rotation_deg};
 pub(crate) use self::screen::{alarm, answer, held, key_line, move_lines};
@@ -30,7 +33,10 @@ pub(crate) use self::terminal::check_terminal;
 #[derive(Debug)]
 pub(crate) struct Pendant {
     client: ClientId,
-    hold: HoldToRun<KeyCode, Button>,
+    hold: HoldToRun<Source, Button>,
+    pad: Gamepad,
+    /// The share of the speed at which the gamepad is held.
+    pad_share: f32,
     drive: Drive,
     frame: JogFrame,
     speed_percent: f32,
@@ -48,6 +54,13 @@ pub(crate) enum Drive {
     Jog,
     /// Mouse packets (state 1).
     Mouse(Mouse),
+}
+
+/// With what a button is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Source {
+    Key(KeyCode),
+    Pad,
 }
 
 /// What a person is asked before the arm may move again.
@@ -71,6 +84,8 @@ impl Pendant {
         Self {
             client,
             hold: HoldToRun::new(keys, dead_man),
+            pad: Gamepad::new(),
+            pad_share: 1.0,
             drive,
             frame: JogFrame::Linear,
             speed_percent: 50.0,
@@ -86,12 +101,37 @@ impl Pendant {
     pub(crate) fn handle_event(&mut self, now: Duration, event: &Event) {
         match event {
             Event::Key(key) if key.kind == KeyEventKind::Release => {
-                self.hold.handle_release(&folded(key.code));
+                self.hold.handle_release(&Source::Key(folded(key.code)));
             }
             Event::Key(key) => self.handle_key(now, key),
             // Who does not look at this window does not see what its keys do.
             Event::FocusLost => self.hold.let_go(),
             _ => {}
+        }
+    }
+
+    /// Takes what the gamepad tells; `None` where it is gone.
+    pub(crate) fn handle_pad(&mut self, now: Duration, event: Option<[u8; EVENT_LEN]>) {
+        let Some(event) = event else {
+            self.hold.handle_release(&Source::Pad);
+            self.answer = Some("the gamepad is gone".into());
+            return;
+        };
+        match self.pad.handle(event) {
+            Some(PadAction::Hold(button, share)) => {
+                self.pad_share = share;
+                self.press(now, Source::Pad, button);
+            }
+            Some(PadAction::Release) => self.hold.handle_release(&Source::Pad),
+            Some(PadAction::Suction(on)) => {
+                self.hold.let_go();
+                self.switch_suction(on);
+            }
+            Some(PadAction::Stop) => {
+                self.hold.let_go();
+                self.stop();
+            }
+            None => {}
         }
     }
 
@@ -153,6 +193,8 @@ impl Pendant {
 
     /// Takes the passing of time.
     pub(crate) fn handle_time(&mut self, now: Duration) {
+        // A stick tells only that it moved; the device says when it is gone.
+        self.hold.handle_still(now, &Source::Pad);
         self.hold.handle_time(now);
     }
 
@@ -191,7 +233,7 @@ impl Pendant {
         }
         match meaning {
             KeyMeaning::Stop => self.stop(),
-            KeyMeaning::Hold(button) => self.press(now, key.code, button),
+            KeyMeaning::Hold(button) => self.press(now, Source::Key(folded(key.code)), button),
             KeyMeaning::Speed(percent) => self.speed_percent = percent,
             KeyMeaning::Suction(on) => self.switch_suction(on),
             KeyMeaning::Frame => self.change_frame(),
@@ -220,7 +262,7 @@ impl Pendant {
         self.answer = None;
     }
 
-    fn press(&mut self, now: Duration, key: KeyCode, button: Button) {
+    fn press(&mut self, now: Duration, source: Source, button: Button) {
         if let (Drive::Mouse(_), Err(why)) = (&self.drive, Mouse::check(button)) {
             self.answer = Some(why.to_owned());
             return;
@@ -228,7 +270,7 @@ impl Pendant {
         if self.hold.button() != Some(button) {
             self.answer = None;
         }
-        self.hold.handle_press(now, folded(key), button);
+        self.hold.handle_press(now, source, button);
     }
 
     /// Switches the pump.
@@ -249,15 +291,22 @@ impl Pendant {
         };
     }
 
+    /// In percent: a stick that is held half-way is half as fast.
+    fn speed_now(&self) -> f32 {
+        let by_pad = self.hold.is_held_by(&Source::Pad);
+        let share = if by_pad { self.pad_share } else { 1.0 };
+        (self.speed_percent * share).max(1.0)
+    }
+
     /// What the station is asked for because a button is held or let go.
     fn driven(&self, beat: Beat<Button>) -> Option<Request> {
         match (&self.drive, beat) {
             (Drive::Jog, Beat::Hold(button)) => Some(Request::Jog {
-                jog: button.jog(self.speed_percent),
+                jog: button.jog(self.speed_now()),
             }),
             (Drive::Jog, Beat::Release) => Some(Request::Release),
             (Drive::Mouse(mouse), Beat::Hold(button)) => {
-                let command = mouse.packet(button, self.speed_percent, self.state.as_ref()?)?;
+                let command = mouse.packet(button, self.speed_now(), self.state.as_ref()?)?;
                 Some(Request::Command { command })
             }
             (Drive::Mouse(_), Beat::Release) => None,
@@ -426,6 +475,43 @@ mod tests {
         let all = keyed(&mut it, Duration::ZERO, KeyCode::Left);
         let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 50.0));
         assert_eq!(all, [Request::Jog { jog }]);
+    }
+
+    /// An event of the joystick driver: the left stick's up and down.
+    fn stick(value: i16) -> [u8; EVENT_LEN] {
+        let [low, high] = value.to_ne_bytes();
+        [0, 0, 0, 0, low, high, 2, 1]
+    }
+
+    #[test]
+    fn a_stick_jogs_until_it_is_back_or_the_gamepad_is_gone() {
+        for end in [Some(stick(0)), None] {
+            let mut it = pendant(Drive::Jog);
+            it.handle_pad(Duration::ZERO, Some(stick(-32767)));
+            assert_eq!(asked(&mut it, Duration::ZERO), [forward(50.0)]);
+            // It tells nothing while it stays where it is.
+            assert_eq!(asked(&mut it, DEAD_MAN - DEAD_MAN / 10), [forward(50.0)]);
+            it.handle_pad(DEAD_MAN, end);
+            assert_eq!(asked(&mut it, DEAD_MAN), [Request::Release], "{end:?}");
+            assert_eq!(asked(&mut it, DEAD_MAN * 2), []);
+        }
+    }
+
+    #[test]
+    fn a_stick_that_is_held_half_way_is_half_as_fast() {
+        let mut it = pendant(Drive::Jog);
+        // The dead zone is a quarter: 0.625 is half of the rest.
+        it.handle_pad(Duration::ZERO, Some(stick(-20479)));
+        let all = asked(&mut it, Duration::ZERO);
+        let [
+            Request::Jog {
+                jog: Jog::Linear(jog),
+            },
+        ] = all[..]
+        else {
+            panic!("{all:?} is no jog");
+        };
+        assert!((jog.speed_percent - 25.0).abs() < 0.1, "{jog:?}");
     }
 
     fn mouse_packet(all: &[Request]) -> MouseMove {

@@ -77,6 +77,13 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
         });
     }
 
+    /// Takes that a key is still held that does not repeat by itself.
+    pub(crate) fn handle_still(&mut self, now: Duration, key: &K) {
+        if let Some(held) = self.held.as_mut().filter(|it| it.key == *key) {
+            held.until = now + self.dead_man;
+        }
+    }
+
     /// Takes that a key is let go.
     pub(crate) fn handle_release(&mut self, key: &K) {
         if self.held.as_ref().is_some_and(|it| it.key == *key) {
@@ -130,6 +137,11 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
     pub(crate) fn button(&self) -> Option<B> {
         let held = self.held.as_ref().filter(|it| !it.refused)?;
         Some(held.button)
+    }
+
+    /// Whether it is held with this key.
+    pub(crate) fn is_held_by(&self, key: &K) -> bool {
+        self.held.as_ref().is_some_and(|it| it.key == *key)
     }
 
     /// What the terminal tells.

@@ -11,6 +11,7 @@ use futures_util::StreamExt;
 use ratatui::Frame;
 use tokio::time::Instant;
 
+use super::gamepad::{EVENT_LEN, PadEvents};
 use super::screen::draw;
 use super::terminal::Screen;
 use super::{Drive, Pendant};
@@ -41,7 +42,7 @@ pub(crate) trait Panel {
     }
 
     /// Takes that the station refuses a request.
-    fn handle_refused(&mut self, request: &Request, why: String) {
+    fn handle_refused(&mut self, request: &Request, _kind: Option<&str>, why: String) {
         self.pendant().handle_refused(request, why);
     }
 
@@ -69,6 +70,7 @@ impl Panel for Pendant {
 pub(crate) async fn run<P: Panel>(
     station: &mut StationClient,
     drive: Drive,
+    mut pad: Option<PadEvents>,
     panel: impl FnOnce(Pendant) -> P,
 ) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
@@ -86,6 +88,7 @@ pub(crate) async fn run<P: Panel>(
                 Some(event) => panel.handle_event(clock.now(), &event),
                 None => panel.pendant().quit(),
             },
+            event = pad_event(&mut pad) => panel.pendant().handle_pad(clock.now(), event),
             () = clock.wait_until(panel.pendant().poll_wakeup()) => {}
             heard = clock.next(station) => match heard? {
                 StationEvent::State(state) => panel.handle_state(*state),
@@ -104,6 +107,18 @@ pub(crate) async fn run<P: Panel>(
     }
 }
 
+/// What the gamepad tells next; once `None` where it is gone, and nothing where there is none.
+async fn pad_event(pad: &mut Option<PadEvents>) -> Option<[u8; EVENT_LEN]> {
+    let Some(events) = pad else {
+        return std::future::pending().await;
+    };
+    let event = events.recv().await;
+    if event.is_none() {
+        *pad = None;
+    }
+    event
+}
+
 /// Asks for all that the pendant wants now.
 async fn ask_all(
     station: &mut StationClient,
@@ -113,9 +128,10 @@ async fn ask_all(
     while let Some(request) = panel.pendant().poll_request(clock.now()) {
         match station.request(request.clone()).await {
             Ok(reply) => panel.handle_reply(&reply),
-            Err(RemoteError::Refused(problem)) => {
-                let hint = problem.hint.map(|it| format!("; {it}")).unwrap_or_default();
-                panel.handle_refused(&request, format!("{}{hint}", problem.detail));
+            Err(error @ RemoteError::Refused(_)) => {
+                let hint = error.hint().map(|it| format!("; {it}"));
+                let why = format!("{error}{}", hint.unwrap_or_default());
+                panel.handle_refused(&request, error.kind(), why);
             }
             Err(error) => return Err(error.into()),
         }

@@ -12,13 +12,14 @@ use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, ta
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
-use crate::pendant::{self, Button, Drive, JogFrame, Panel, Pendant, check_terminal};
+use crate::pendant::{self, Button, Drive, JogFrame, PadArgs, Panel, Pendant, check_terminal};
 
 /// Move one axis for a while, or all with keys; switch the suction cup or the laser
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot jog                              with keys, for as long as they are held
+  dobot jog --gamepad /dev/input/js0     and with a gamepad (Linux)
   dobot jog x+ --for 1.5                 forward for a second and a half
   dobot jog base- --for 0.5 --speed 20   slowly to the right
   dobot jog suction-on
@@ -55,6 +56,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "button")]
     arm_laser: Option<Duration>,
     #[command(flatten)]
+    pad: PadArgs,
+    #[command(flatten)]
     to: To,
     /// Print the last status as JSON
     #[arg(long)]
@@ -70,7 +73,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let jog = async |station: &mut StationClient| match args.button {
         Some(button) => args.press(station, button).await,
-        None => with_keys(station, &args.to, Drive::Jog, |it| it).await,
+        None => with_keys(station, &args.to, &args.pad, Drive::Jog, |it| it).await,
     };
     let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
@@ -109,14 +112,16 @@ impl Args {
 pub(crate) async fn with_keys<P: Panel>(
     station: &mut StationClient,
     to: &To,
+    pad: &PadArgs,
     drive: Drive,
     panel: impl FnOnce(Pendant) -> P,
 ) -> Result<Status, Failure> {
+    let pad = pad.open()?;
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
     // The first press moves the arm at once.
     control::rest_soon(station).await?;
-    pendant::run(station, drive, panel).await?;
+    pendant::run(station, drive, pad, panel).await?;
     control::rest(station).await
 }
 

@@ -7,7 +7,7 @@ use crate::connect::To;
 use crate::control::carry_out_one;
 use crate::failure::Failure;
 use crate::output;
-use crate::pendant::{Drive, Mouse, check_terminal, kept_rotation_deg};
+use crate::pendant::{Drive, Mouse, PadArgs, check_terminal, kept_rotation_deg};
 use crate::verbs::jog::with_keys;
 use crate::verbs::move_::on_off;
 
@@ -45,6 +45,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "on|off", value_parser = on_off)]
     suction: Option<bool>,
     #[command(flatten)]
+    pad: PadArgs,
+    #[command(flatten)]
     to: To,
     /// Print the last status as JSON
     #[arg(long)]
@@ -57,7 +59,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let go = async |station: &mut StationClient| {
         if args.keys {
-            return with_keys(station, &args.to, Drive::Mouse(Mouse::new()), |it| it).await;
+            let drive = Drive::Mouse(Mouse::new());
+            return with_keys(station, &args.to, &args.pad, drive, |it| it).await;
         }
         let command = |status: &Status, dialect| Ok(args.command(status, dialect));
         carry_out_one(station, &args.to, None, command).await

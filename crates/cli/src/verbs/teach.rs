@@ -17,7 +17,7 @@ use self::teacher::Teacher;
 use crate::connect::To;
 use crate::failure::Failure;
 use crate::output;
-use crate::pendant::{Drive, check_terminal};
+use crate::pendant::{Drive, PadArgs, check_terminal};
 use crate::verbs::jog::with_keys;
 
 /// Show the arm a program with keys, try it, and save it
@@ -46,6 +46,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "MM", default_value = "0.5", value_parser = tolerance)]
     tolerance: f64,
     #[command(flatten)]
+    pad: PadArgs,
+    #[command(flatten)]
     to: To,
 }
 
@@ -58,7 +60,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let file = args.program.clone();
     let teach = async |station: &mut StationClient| {
         let panel = |pendant| Teacher::new(pendant, lesson, file, args.tolerance);
-        with_keys(station, &args.to, Drive::Jog, panel).await
+        with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await
     };
     let status = args.to.with_arm("teach", teach).await?;
     Ok(output::status(&status, false)?)

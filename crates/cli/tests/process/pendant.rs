@@ -1,11 +1,16 @@
 //! An arm that is moved with keys, and what it gets.
 
+use std::fs::File;
+use std::io::Write;
 use std::sync::mpsc::Receiver;
+use std::thread;
 use std::time::Duration;
 
 use dobot_teach::Program;
 use dobot_wire::JointJogAxis::SuctionOn;
 use dobot_wire::{Command, LinearJogAxis, MouseMove};
+
+use rustix::fs::{CWD, FileType, Mode, mknodat};
 
 use crate::going::Going;
 use crate::program::{command, dobot};
@@ -150,6 +155,45 @@ fn keys_move_the_arm_as_a_mouse_does() {
     };
     assert_eq!([x, y, z], [2.5, 0.0, 0.0]);
     bench.leaves();
+}
+
+/// An event of the joystick driver: time, value, kind (2 is an axis), number (1 is up and down).
+fn stick(value: i16) -> [u8; 8] {
+    let [low, high] = value.to_ne_bytes();
+    [0, 0, 0, 0, low, high, 2, 1]
+}
+
+#[test]
+fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let device = folder.path().join("js0");
+    let mode = Mode::RUSR | Mode::WUSR;
+    mknodat(CWD, &device, FileType::Fifo, mode, 0).expect("a pipe can be made");
+    let name = device.to_str().expect("the path is text").to_owned();
+    // Either end waits for the other one.
+    let writer = thread::spawn(move || File::options().write(true).open(device));
+    let bench = Bench::new(&["jog", "--gamepad", &name], Keyboard::Plain);
+    let mut pad = writer.join().expect("it waits").expect("it is there");
+    for end in [Some(stick(0)), None] {
+        pad.write_all(&stick(-32767)).expect("it is open");
+        bench.gets_jog(LinearJogAxis::XPlus);
+        bench.still_jogs_for(4);
+        match end {
+            Some(back) => pad.write_all(&back).expect("it is open"),
+            None => break,
+        }
+        bench.gets_jog(LinearJogAxis::Released);
+    }
+    drop(pad);
+    bench.gets_jog(LinearJogAxis::Released);
+    bench.leaves();
+}
+
+#[test]
+fn a_gamepad_that_is_not_there_is_told() {
+    let verb = ["jog", "--to", "virtual:", "--gamepad", "/dev/input/js99"];
+    let status = Terminal::new(&command(&verb), Keyboard::Plain).ends();
+    assert_eq!(status.code(), Some(1));
 }
 
 #[test]

@@ -179,11 +179,7 @@ impl Lesson {
 
     /// Teaches that the arm waits here.
     pub(crate) fn pause(&mut self) -> Result<(), ProgramError> {
-        let pause = Some(GRIP_S);
-        self.insert(Action::Here(Here {
-            pause,
-            ..Here::default()
-        }))
+        self.insert(Action::Here(WAIT))
     }
 
     /// Takes the step at the cursor away.
@@ -284,11 +280,25 @@ impl Lesson {
         points: BTreeMap<String, Point>,
         actions: Vec<Action>,
     ) -> Result<(), ProgramError> {
-        let last = actions.len().saturating_sub(1);
-        let mut program = program_of(actions);
+        let mut program = program_of(actions.clone());
         program.title.clone_from(&self.title);
-        program.points = points;
-        self.document = Some(ProgramDocument::new(&program.to_toml())?);
+        if !points.is_empty() {
+            // No step may name a point that is not there yet.
+            program.steps = Steps::new(vec![Action::Here(WAIT)]);
+        }
+        let mut document = ProgramDocument::new(&program.to_toml())?;
+        for (name, point) in points {
+            document.set_point(&name, point)?;
+        }
+        let last = actions.len().saturating_sub(1);
+        for (at, action) in actions.into_iter().enumerate() {
+            if at < document.steps() {
+                document.replace(at, action)?;
+            } else {
+                document.insert(at, action)?;
+            }
+        }
+        self.document = Some(document);
         self.done.push(Done {
             changes: 0,
             cursor: 0,
@@ -445,6 +455,11 @@ fn line(action: &Action) -> String {
 
 /// How long an arm waits with the pump, in seconds, until it holds or has let go.
 const GRIP_S: f64 = 0.5;
+const WAIT: Here = Here {
+    suction: None,
+    gripper: None,
+    pause: Some(GRIP_S),
+};
 /// How far the tool is lifted while the job is paused, in mm: it stays where it is, for it may hold something.
 const LIFT_MM: f32 = 0.0;
 
@@ -479,6 +494,7 @@ mod tests {
         let it = pick_and_place();
         let program = Program::from_toml(&it.text()).unwrap();
         assert_eq!(program.title, "cubes");
+        assert!(it.text().contains("p1 = { x = 200"), "{}", it.text());
         assert_eq!(program.points["p1"], Point::xyz(200.0, 0.0, 10.0));
         assert_eq!(program.points["p2"], Point::xyz(250.0, 0.0, 10.0));
         let lines = it.lines();

@@ -28,6 +28,10 @@ pub(crate) struct Teacher {
     job: Option<Taught>,
     /// What is done with the job that was submitted, once the station has told its number.
     submitting: Option<JobStart>,
+    /// What starts the job, as soon as the arm rests.
+    starting: Option<Request>,
+    /// How often the arm did not rest yet when that was asked.
+    tries: u8,
     is_saving: bool,
     leaves_unsaved: bool,
 }
@@ -67,6 +71,8 @@ impl Teacher {
             captured: None,
             job: None,
             submitting: None,
+            starting: None,
+            tries: 0,
             is_saving: false,
             leaves_unsaved: false,
         }
@@ -267,6 +273,13 @@ impl Panel for Teacher {
                 places.push(place);
             }
         }
+        if state.stop.is_some() {
+            self.starting = None;
+        } else if rests(&state)
+            && let Some(request) = self.starting.take()
+        {
+            self.pendant.ask(request);
+        }
         self.pendant.handle_state(state);
     }
 
@@ -274,7 +287,8 @@ impl Panel for Teacher {
         if let Reply::Job { job } = reply
             && let Some(start) = self.submitting.take()
         {
-            self.pendant.ask(start.request(job.job));
+            self.starting = Some(start.request(job.job));
+            self.tries = 0;
             self.job = Some(Taught {
                 job: job.job,
                 text: self.lesson.text(),
@@ -283,7 +297,13 @@ impl Panel for Teacher {
         self.pendant.handle_reply(reply);
     }
 
-    fn handle_refused(&mut self, request: &Request, why: String) {
+    fn handle_refused(&mut self, request: &Request, kind: Option<&str>, why: String) {
+        let starts = matches!(request, Request::StartJob { .. } | Request::StepJob { .. });
+        if starts && kind == Some("still-moving") && self.tries < MOST_TRIES {
+            self.tries += 1;
+            self.starting = Some(request.clone());
+            return;
+        }
         if matches!(request, Request::SubmitJob { .. }) {
             self.submitting = None;
         }
@@ -335,6 +355,14 @@ const fn next_path(path: MovingMode) -> MovingMode {
     }
 }
 
+/// Whether nothing is under way, as far as the station has told.
+fn rests(state: &State) -> bool {
+    let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+    !moving && state.queue.waiting + state.queue.under_way == 0
+}
+
+/// About two seconds of states.
+const MOST_TRIES: u8 = 25;
 /// An hour of statuses.
 const MOST_PLACES: usize = 45_000;
 
@@ -447,7 +475,13 @@ mod tests {
         it.handle_reply(&Reply::Job {
             job: job_view(4, JobPhase::Queued),
         });
-        assert_eq!(asked(&mut it), [Request::StartJob { job: 4 }]);
+        assert_eq!(asked(&mut it), [], "the pump may still be under way");
+        it.handle_state(state());
+        let start = Request::StartJob { job: 4 };
+        assert_eq!(asked(&mut it), [start.clone()]);
+        it.handle_refused(&start, Some("still-moving"), "the arm still moves".into());
+        it.handle_state(state());
+        assert_eq!(asked(&mut it), [start]);
         let mut paused = state();
         paused.job = Some(job_view(4, JobPhase::Paused));
         it.handle_state(paused);
