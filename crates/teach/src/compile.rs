@@ -1,0 +1,436 @@
+//! From a program to commands.
+
+mod emit;
+mod resolve;
+mod state;
+
+use std::collections::BTreeMap;
+use std::sync::Arc as Shared;
+
+use dobot_api::{JobPause, JobRepeat};
+use dobot_wire::{Command, MovingMode};
+use toml::Spanned;
+
+use self::resolve::Spot;
+use self::state::State;
+use crate::files::{Called, MOST_COMMANDS, beside, error};
+use crate::program::{Arc, Drawing, Go};
+use crate::{Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times};
+
+impl Program {
+    /// Makes commands of the program. `files` gives the programs that it calls and the drawings.
+    ///
+    /// Inner repeats and grids are written out, up to 1,000,000 commands; a repeat that is the program's last step
+    /// is not: [`Compiled::repeat`] says so. Where its first cycle differs from the later ones, it is written out
+    /// before them.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] with the step's line: a file that cannot be read, calls that never end, too many commands, a
+    /// frame or an arc whose points lie on a line, a step that needs to know where the arm is before the first
+    /// motion.
+    pub fn compile(&self, files: &mut dyn Files) -> Result<Compiled, ProgramError> {
+        let mut called = Called::default();
+        called.load(self, files, &mut Vec::new())?;
+        let mut compiler = Compiler {
+            files,
+            called: &called,
+            state: State::new(self.start_speed_percent),
+            out: Compiled {
+                title: self.title.clone(),
+                ..Compiled::default()
+            },
+        };
+        let scope = Scope {
+            program: self,
+            path: None,
+            file: None,
+            cells: BTreeMap::new(),
+        };
+        compiler.whole(&scope)?;
+        compiler.finish(&scope)
+    }
+}
+
+struct Compiler<'a> {
+    files: &'a mut dyn Files,
+    called: &'a Called,
+    state: State,
+    out: Compiled,
+}
+
+/// Where names mean something: a program, and the cells that its grids have here.
+#[derive(Clone)]
+struct Scope<'a> {
+    program: &'a Program,
+    path: Option<&'a str>,
+    file: Option<Shared<str>>,
+    cells: BTreeMap<&'a str, Spot>,
+}
+
+impl Scope<'_> {
+    fn error(&self, step: &Spanned<Action>, reason: String) -> ProgramError {
+        error(
+            self.program,
+            step,
+            self.path.map(str::to_owned).as_ref(),
+            reason,
+        )
+    }
+}
+
+impl Compiler<'_> {
+    /// The program itself: a repeat at its end is not written out.
+    fn whole(&mut self, scope: &Scope<'_>) -> Result<(), ProgramError> {
+        let steps = &scope.program.steps.0;
+        let Some((last, before)) = steps.split_last() else {
+            return Ok(());
+        };
+        self.steps(scope, before)?;
+        match last.get_ref() {
+            Action::Repeat(Times::Count(1), inner) => self.steps(scope, &inner.0),
+            Action::Repeat(times, inner) => self.cycle(scope, *times, inner),
+            _ => self.step(scope, last),
+        }
+    }
+
+    /// Compiles a cycle twice: where the second time is another one than the first, the first stands alone.
+    fn cycle(
+        &mut self,
+        scope: &Scope<'_>,
+        times: Times,
+        inner: &Steps,
+    ) -> Result<(), ProgramError> {
+        let first = self.mark();
+        self.steps(scope, &inner.0)?;
+        let second = self.mark();
+        self.steps(scope, &inner.0)?;
+        let same = self.out.commands[first.commands..second.commands]
+            == self.out.commands[second.commands..];
+        if same {
+            self.out.commands.truncate(second.commands);
+            self.out.steps.truncate(second.steps);
+            self.out.pauses.truncate(second.pauses);
+        }
+        let times = match times {
+            Times::Forever => None,
+            Times::Count(count) => Some(if same { count } else { count - 1 }),
+        };
+        self.out.first_apart = !same;
+        let from = if same {
+            first.commands
+        } else {
+            second.commands
+        };
+        // What is done once is no cycle.
+        self.out.repeat = Some(JobRepeat { from, times }).filter(|it| it.times != Some(1));
+        Ok(())
+    }
+
+    fn mark(&self) -> Mark {
+        Mark {
+            commands: self.out.commands.len(),
+            steps: self.out.steps.len(),
+            pauses: self.out.pauses.len(),
+        }
+    }
+
+    fn finish(self, scope: &Scope<'_>) -> Result<Compiled, ProgramError> {
+        let commands = self.out.commands.len() as u64;
+        let bad = |reason| ProgramError {
+            file: None,
+            line: scope
+                .program
+                .steps
+                .0
+                .first()
+                .map(|it| scope.program.line_of(it)),
+            reason,
+        };
+        if commands > MOST_COMMANDS {
+            return Err(bad(format!(
+                "the program has {commands} commands; a job may have {MOST_COMMANDS}"
+            )));
+        }
+        if self.out.pauses.len() > MOST_PAUSES {
+            let found = self.out.pauses.len();
+            return Err(bad(format!(
+                "it waits {found} times for a person; a job may wait {MOST_PAUSES} times"
+            )));
+        }
+        if !self.state.has_moved {
+            return Err(bad(
+                "nothing in it moves the arm; it needs a step with go at least".into(),
+            ));
+        }
+        Ok(self.out)
+    }
+
+    fn steps(&mut self, scope: &Scope<'_>, steps: &[Spanned<Action>]) -> Result<(), ProgramError> {
+        steps.iter().try_for_each(|step| self.step(scope, step))
+    }
+
+    fn step(&mut self, scope: &Scope<'_>, step: &Spanned<Action>) -> Result<(), ProgramError> {
+        let bad = |reason| scope.error(step, reason);
+        match step.get_ref() {
+            Action::Repeat(times, inner) => {
+                let Times::Count(count) = times else {
+                    return Err(bad(
+                        "a repeat for ever has to be the program's last step".into()
+                    ));
+                };
+                return (0..*count).try_for_each(|_| self.steps(scope, &inner.0));
+            }
+            Action::Each(grids, inner) => return self.each(scope, step, grids, inner),
+            Action::Call(file) => return self.call(scope, step, file),
+            _ => {}
+        }
+        let first = self.out.commands.len();
+        self.simple(scope, step.get_ref()).map_err(bad)?;
+        self.limit().map_err(bad)?;
+        // A wait before the first motion belongs to the step behind it.
+        if self.out.commands.len() > first {
+            self.out.steps.push(CompiledStep {
+                first,
+                file: scope.file.clone(),
+                line: scope.program.line_of(step),
+                label: label(step.get_ref()).into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// A first cycle may stand here besides.
+    fn limit(&self) -> Result<(), String> {
+        let found = self.out.commands.len() as u64;
+        if found > 2 * MOST_COMMANDS {
+            return Err(format!(
+                "up to here there are {found} commands; a job may have {MOST_COMMANDS}"
+            ));
+        }
+        Ok(())
+    }
+
+    fn each(
+        &mut self,
+        scope: &Scope<'_>,
+        step: &Spanned<Action>,
+        grids: &[String],
+        inner: &Steps,
+    ) -> Result<(), ProgramError> {
+        let bad = |reason| scope.error(step, reason);
+        let names: Vec<_> = grids
+            .iter()
+            .filter_map(|it| scope.program.grids.get_key_value(it))
+            .collect();
+        let count = names.first().map_or(0, |it| it.1.cells());
+        for cell in 0..count {
+            let mut within = scope.clone();
+            for (name, grid) in &names {
+                let spot = scope.cell(grid, cell, &self.state).map_err(bad)?;
+                within.cells.insert(name, spot);
+            }
+            self.steps(&within, &inner.0)?;
+        }
+        Ok(())
+    }
+
+    fn call(
+        &mut self,
+        scope: &Scope<'_>,
+        step: &Spanned<Action>,
+        file: &str,
+    ) -> Result<(), ProgramError> {
+        let path = beside(scope.path, file);
+        let called = self.called;
+        let Some(program) = called.get(&path) else {
+            return Err(scope.error(step, format!("{path} is not there any more")));
+        };
+        let within = Scope {
+            program,
+            file: Some(path.as_str().into()),
+            path: Some(&path),
+            cells: BTreeMap::new(),
+        };
+        self.steps(&within, &program.steps.0)
+    }
+
+    fn simple(&mut self, scope: &Scope<'_>, action: &Action) -> Result<(), String> {
+        match action {
+            Action::Go(go) => self.go(scope, go),
+            Action::Here(then) => self.here(then),
+            Action::Laser(on) => {
+                self.push(emit::laser(*on));
+                Ok(())
+            }
+            Action::Wait(message) => self.wait(message),
+            Action::Speed(speed) => {
+                let commands = self.state.set_speed(speed);
+                self.out.commands.extend(commands);
+                Ok(())
+            }
+            Action::Tool(name) => {
+                let Some(tool) = scope.program.tools.get(name) else {
+                    return Err(format!("there is no tool {name:?}"));
+                };
+                self.state.mount(tool);
+                self.push(emit::mounted(tool));
+                Ok(())
+            }
+            Action::Arc(arc) => self.arc(scope, arc, false),
+            Action::Circle(arc) => self.arc(scope, arc, true),
+            Action::Drawing(drawing) => self.drawing(scope, drawing),
+            Action::Repeat(..) | Action::Each(..) | Action::Call(_) => Ok(()),
+        }
+    }
+
+    fn push(&mut self, command: Command) {
+        self.out.commands.push(command);
+    }
+
+    fn go(&mut self, scope: &Scope<'_>, go: &Go) -> Result<(), String> {
+        let spot = scope
+            .spot(&go.to, &self.state)?
+            .moved(go.offset, &self.state);
+        self.state.grip(&go.then);
+        self.target(emit::target(&spot, go.path, go.then.pause, &self.state));
+        Ok(())
+    }
+
+    /// A target; the first one is gone to softly.
+    fn target(&mut self, target: Command) {
+        let soft = self.state.soft_start();
+        if let Some([slow, _]) = soft {
+            self.push(slow);
+        }
+        self.push(target);
+        if let Some([_, normal]) = soft {
+            self.push(normal);
+        }
+        self.state.arrived(target);
+    }
+
+    /// The arm is told to go where it is, by its joints: that moves nothing, and is no trap (note N34).
+    fn here(&mut self, then: &Here) -> Result<(), String> {
+        self.state.grip(then);
+        let again = self.state.again(then.pause).ok_or(NOWHERE)?;
+        self.target(again);
+        Ok(())
+    }
+
+    /// Where the arm is somewhere, a command of its own follows: so a step can be waited for at a program's end.
+    fn wait(&mut self, message: &str) -> Result<(), String> {
+        let before = self.out.commands.len();
+        if self.out.pauses.last().is_some_and(|it| it.before == before) {
+            return Err(
+                "two waits stand side by side before the first motion; make one of them".into(),
+            );
+        }
+        self.out.pauses.push(JobPause {
+            before,
+            message: message.to_owned(),
+        });
+        match self.state.again(None) {
+            Some(again) => self.target(again),
+            None if self.state.has_moved => return Err(NOWHERE.to_owned()),
+            None => {}
+        }
+        Ok(())
+    }
+
+    fn arc(&mut self, scope: &Scope<'_>, arc: &Arc, is_circle: bool) -> Result<(), String> {
+        let from = self.state.spot().ok_or(NOWHERE)?;
+        let through = scope.spot(&arc.through, &self.state)?;
+        let to = scope.spot(&arc.to, &self.state)?;
+        let at = [from, through, to].map(|it| it.pose(&self.state).position);
+        let places = crate::round::chords(at, is_circle, arc.tolerance)?;
+        let turned = |it: &Spot| it.pose(&self.state).rotation.0;
+        let (begin, end) = (
+            turned(&from),
+            if is_circle {
+                turned(&from)
+            } else {
+                turned(&to)
+            },
+        );
+        let count = places.len();
+        for (index, place) in places.into_iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "some thousands at most")]
+            let share = (index + 1) as f64 / count as f64;
+            let spot = Spot::wrist(place, begin + (end - begin) * share);
+            self.target(emit::target(&spot, MovingMode::MovL, None, &self.state));
+        }
+        Ok(())
+    }
+
+    fn drawing(&mut self, scope: &Scope<'_>, drawing: &Drawing) -> Result<(), String> {
+        let path = beside(scope.path, &drawing.file);
+        let commands = self.files.drawing(&path, drawing)?;
+        let moves = |it: &&Command| {
+            !matches!(
+                it,
+                Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::JointJog(_)
+            )
+        };
+        let Some(Command::MoveTo(_) | Command::MoveJoints(_)) = commands.iter().find(moves) else {
+            return Err(format!(
+                "the drawing {path} does not begin with a target (state 3 or 6), which says where it is"
+            ));
+        };
+        self.out.commands.extend(commands);
+        self.state.drawn();
+        Ok(())
+    }
+}
+
+/// How much there is.
+struct Mark {
+    commands: usize,
+    steps: usize,
+    pauses: usize,
+}
+
+/// What a step does, for a person.
+fn label(action: &Action) -> String {
+    use crate::Place;
+    let name = |place: &Place| match place {
+        Place::Named(name) => name.clone(),
+        Place::At(crate::Point::Cartesian {
+            position: [x, y, z],
+            ..
+        }) => format!("x {x} y {y} z {z}"),
+        Place::At(crate::Point::Joints([base, rear, fore, _])) => {
+            format!("base {base} rear {rear} fore {fore}")
+        }
+    };
+    match action {
+        Action::Go(go) => format!("go to {}", name(&go.to)),
+        Action::Here(then) => here_label(then),
+        Action::Laser(on) => format!("laser {}", on_off(*on)),
+        Action::Wait(message) => format!("wait: {message}"),
+        Action::Speed(_) => "speed".to_owned(),
+        Action::Tool(tool) => format!("tool {tool}"),
+        Action::Arc(arc) => format!("arc to {}", name(&arc.to)),
+        Action::Circle(arc) => format!("circle through {}", name(&arc.through)),
+        Action::Drawing(drawing) => format!("draw {}", drawing.file),
+        Action::Repeat(..) => "repeat".to_owned(),
+        Action::Each(grids, _) => format!("each of {}", grids.join(", ")),
+        Action::Call(file) => format!("call {file}"),
+    }
+}
+
+fn here_label(then: &Here) -> String {
+    let suction = then.suction.map(|on| format!("suction {}", on_off(on)));
+    let gripper = then.gripper.map(|angle| format!("gripper {angle}°"));
+    let pause = then.pause.map(|seconds| format!("pause {seconds} s"));
+    let all: Vec<String> = [suction, gripper, pause].into_iter().flatten().collect();
+    all.join(", ")
+}
+
+const fn on_off(on: bool) -> &'static str {
+    if on { "on" } else { "off" }
+}
+
+/// What a job may have.
+const MOST_PAUSES: usize = 1000;
+const NOWHERE: &str = "nothing says where the arm is by now: a step with go has to come before it (behind a drawing, too)";

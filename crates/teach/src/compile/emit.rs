@@ -1,0 +1,54 @@
+//! Commands of steps.
+
+use dobot_wire::{
+    Command, Configuration, JointJog, JointJogAxis, MoveJoints, MoveTo, MovingMode, single,
+};
+
+use super::resolve::{Spot, SpotKind};
+use super::state::State;
+use crate::program::MountedTool;
+
+/// Goes to a place, and sets the tool as the state says.
+pub(super) fn target(spot: &Spot, mode: MovingMode, pause: Option<f64>, state: &State) -> Command {
+    let (suction, gripper_deg) = (state.suction, single(state.gripper_deg));
+    let pause_s = single(pause.unwrap_or(0.0));
+    match spot.to {
+        SpotKind::Joints(it) => MoveJoints {
+            suction,
+            mode,
+            gripper_deg,
+            pause_s,
+            ..MoveJoints::to([it.base.0, it.rear.0, it.fore.0, it.servo.0].map(single))
+        }
+        .into(),
+        SpotKind::Wrist(pose) => {
+            let [x_mm, y_mm, z_mm, rotation_deg] = Spot::numbers(&pose).map(single);
+            MoveTo {
+                x_mm,
+                y_mm,
+                z_mm,
+                rotation_deg,
+                suction,
+                mode,
+                gripper_deg,
+                pause_s,
+            }
+            .into()
+        }
+    }
+}
+
+/// Switches the laser (state 2, buttons 13 and 14).
+pub(super) fn laser(on: bool) -> Command {
+    let axis = if on {
+        JointJogAxis::LaserOn
+    } else {
+        JointJogAxis::LaserOff
+    };
+    JointJog::new(axis, 0.0).into()
+}
+
+/// Says what is mounted (state 9, mode 4).
+pub(super) fn mounted(tool: &MountedTool) -> Command {
+    Configuration::EndEffector { tool: tool.kind }.into()
+}

@@ -1,0 +1,271 @@
+//! A program's text that is edited, with its comments.
+
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
+
+use crate::{Action, Point, Program, ProgramError, Steps};
+
+/// A program's text, edited step by step: what is not touched keeps its comments and its form.
+///
+/// Each change is kept, so that it can be undone; one after which the text would be no program is not made.
+/// Steps are those of the program itself, counted from 0; those within `repeat` and `each` move with their step.
+#[derive(Clone, Debug)]
+pub struct ProgramDocument {
+    document: DocumentMut,
+    undone: Vec<DocumentMut>,
+    before: Vec<DocumentMut>,
+}
+
+impl ProgramDocument {
+    /// Begins to edit a text.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if it is no program, or if its steps are not written as `[[steps]]`.
+    pub fn new(text: &str) -> Result<Self, ProgramError> {
+        Program::from_toml(text)?;
+        let document: DocumentMut = text
+            .parse()
+            .map_err(|error: toml_edit::TomlError| bad(error.to_string()))?;
+        if document
+            .get("steps")
+            .and_then(Item::as_array_of_tables)
+            .is_none()
+        {
+            return Err(bad(
+                "the steps are in one array; to be edited each has to be written as [[steps]]"
+                    .into(),
+            ));
+        }
+        Ok(Self {
+            document,
+            undone: Vec::new(),
+            before: Vec::new(),
+        })
+    }
+
+    /// The text as it is now.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.document.to_string()
+    }
+
+    /// The program as it is now.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] never comes of a text that was changed by these operations alone.
+    pub fn program(&self) -> Result<Program, ProgramError> {
+        Program::from_toml(&self.text())
+    }
+
+    /// How many steps there are.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.document
+            .get("steps")
+            .and_then(Item::as_array_of_tables)
+            .map_or(0, ArrayOfTables::len)
+    }
+
+    /// Puts a step before the one that has this number; behind the last one with their number.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if there are not so many, or if it names what is not there.
+    pub fn insert(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
+        let table = table_of(action)?;
+        self.change(|steps| {
+            within(at, steps.len() + 1)?;
+            steps.insert(at, table);
+            Ok(())
+        })
+    }
+
+    /// Puts another step in place of one; the comment above it stays.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if there is none of this number, or if it names what is not there.
+    pub fn replace(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
+        let mut table = table_of(action)?;
+        self.change(|steps| {
+            within(at, steps.len())?;
+            if let Some(old) = steps.get(at) {
+                *table.decor_mut() = old.decor().clone();
+            }
+            steps.replace(at, table);
+            Ok(())
+        })
+    }
+
+    /// Takes a step away, with the comment above it.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if there is none of this number, or if it is the only one.
+    pub fn remove(&mut self, at: usize) -> Result<(), ProgramError> {
+        self.change(|steps| {
+            within(at, steps.len())?;
+            steps.remove(at);
+            Ok(())
+        })
+    }
+
+    /// Moves a step, with the comment above it, so that it has another number.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if there is none of one of the numbers.
+    pub fn move_step(&mut self, from: usize, to: usize) -> Result<(), ProgramError> {
+        self.change(|steps| {
+            within(from.max(to), steps.len())?;
+            let table = steps.remove(from);
+            steps.insert(to, table);
+            Ok(())
+        })
+    }
+
+    /// Sets a named point, which may be new.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if it is in a frame that is not there.
+    pub fn set_point(&mut self, name: &str, point: Point) -> Result<(), ProgramError> {
+        let mut new = self.document.clone();
+        let fields = toml_edit::ser::to_document(&point).map_err(|error| bad(error.to_string()))?;
+        let had_points = new.contains_key("points");
+        let points = new.entry("points").or_insert_with(|| {
+            let mut table = Table::new();
+            table.set_implicit(true);
+            // Behind the title, before the tables that are there.
+            table.set_position(Some(0));
+            Item::Table(table)
+        });
+        let points = points
+            .as_table_like_mut()
+            .ok_or_else(|| bad("points is no table".into()))?;
+        let mut inline = fields.as_table().clone().into_inline_table();
+        inline.fmt();
+        match points.get_mut(name).and_then(Item::as_table_like_mut) {
+            Some(old) => {
+                let keys: Vec<String> = old.iter().map(|(key, _)| key.to_owned()).collect();
+                for key in keys.iter().filter(|key| !inline.contains_key(key)) {
+                    old.remove(key);
+                }
+                for (key, field) in &inline {
+                    old.insert(key, value(field.clone()));
+                }
+            }
+            None => {
+                points.insert(name, value(inline));
+            }
+        }
+        if !had_points && let Some(table) = new["points"].as_table_mut() {
+            table.set_implicit(false);
+        }
+        self.take(new)
+    }
+
+    /// Takes back the last change; `false` where there is none.
+    pub fn undo(&mut self) -> bool {
+        let Some(before) = self.before.pop() else {
+            return false;
+        };
+        self.undone
+            .push(std::mem::replace(&mut self.document, before));
+        true
+    }
+
+    /// Makes the change again that was taken back last; `false` where there is none.
+    pub fn redo(&mut self) -> bool {
+        let Some(undone) = self.undone.pop() else {
+            return false;
+        };
+        self.before
+            .push(std::mem::replace(&mut self.document, undone));
+        true
+    }
+
+    fn change(
+        &mut self,
+        edit: impl FnOnce(&mut ArrayOfTables) -> Result<(), ProgramError>,
+    ) -> Result<(), ProgramError> {
+        let mut new = self.document.clone();
+        let steps = new.get_mut("steps").and_then(Item::as_array_of_tables_mut);
+        let steps = steps.ok_or_else(|| bad("there are no [[steps]]".into()))?;
+        edit(steps)?;
+        // In the order of the list, wherever they stood in the text.
+        steps.iter_mut().for_each(forget_position);
+        self.take(new)
+    }
+
+    fn take(&mut self, new: DocumentMut) -> Result<(), ProgramError> {
+        Program::from_toml(&new.to_string())?;
+        self.before.push(std::mem::replace(&mut self.document, new));
+        self.undone.clear();
+        Ok(())
+    }
+}
+
+/// A step as the table that stands in a text.
+fn table_of(action: Action) -> Result<Table, ProgramError> {
+    #[derive(serde::Serialize)]
+    struct One {
+        steps: Steps,
+    }
+    let one = One {
+        steps: Steps::new(vec![action]),
+    };
+    let text = toml::to_string(&one).map_err(|error| bad(error.to_string()))?;
+    let document: DocumentMut = text
+        .parse()
+        .map_err(|error: toml_edit::TomlError| bad(error.to_string()))?;
+    let steps = document.get("steps").and_then(Item::as_array_of_tables);
+    let mut table = steps
+        .and_then(|it| it.get(0))
+        .cloned()
+        .ok_or_else(|| bad("a step cannot be written".into()))?;
+    inline(&mut table);
+    table.decor_mut().set_prefix("\n");
+    Ok(table)
+}
+
+/// Tables of a step that are no steps stand on one line.
+fn inline(table: &mut Table) {
+    for (_, item) in table.iter_mut() {
+        if let Item::Table(inner) = item {
+            let mut line = std::mem::take(inner).into_inline_table();
+            line.fmt();
+            *item = value(line);
+        } else if let Item::ArrayOfTables(steps) = item {
+            steps.iter_mut().for_each(inline);
+        }
+    }
+}
+
+fn forget_position(table: &mut Table) {
+    table.set_position(None);
+    for (_, item) in table.iter_mut() {
+        match item {
+            Item::Table(inner) => forget_position(inner),
+            Item::ArrayOfTables(steps) => steps.iter_mut().for_each(forget_position),
+            _ => {}
+        }
+    }
+}
+
+fn within(at: usize, count: usize) -> Result<(), ProgramError> {
+    if at < count {
+        return Ok(());
+    }
+    let most = count.saturating_sub(1);
+    Err(bad(format!("the step is {at}; allowed are 0 to {most}")))
+}
+
+const fn bad(reason: String) -> ProgramError {
+    ProgramError {
+        file: None,
+        line: None,
+        reason,
+    }
+}

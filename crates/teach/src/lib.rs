@@ -1,0 +1,67 @@
+//! Taught programs of an original Dobot Arm: read, checked, edited, and made into the commands of a job.
+//!
+//! A program is TOML: named points, and steps that go to them. `docs/teaching.md` describes it.
+//!
+//! ```
+//! use dobot_safety::Policy;
+//! use dobot_teach::{NoFiles, Program, check};
+//! use dobot_trajectory::Model;
+//! use dobot_wire::{Dialect, Status};
+//!
+//! let program = Program::from_toml(r#"
+//!     title = "one cube, to and fro"
+//!     start_speed_percent = 20
+//!
+//!     [points]
+//!     here = { x = 200, y = 60, z = 0 }
+//!     there = { x = 200, y = -60, z = 0 }
+//!
+//!     [[steps]]
+//!     repeat = "forever"
+//!     [[steps.steps]]
+//!     go = "here"
+//!     suction = true
+//!     pause = 0.5
+//!     [[steps.steps]]
+//!     go = "there"
+//!     suction = false
+//!     pause = 0.5
+//! "#)?;
+//! let compiled = program.compile(&mut NoFiles)?;
+//! // The first cycle begins softly, so it stands before those that repeat.
+//! assert_eq!(compiled.repeat.map(|it| it.from), Some(4));
+//!
+//! let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
+//! let report = check(&compiled, &Policy::default(), start);
+//! assert!(report.problems.is_empty() && report.cycle_s > Some(2.0));
+//!
+//! let error = Program::from_toml("[[steps]]\ngo = \"there\"").unwrap_err();
+//! assert!(error.to_string().starts_with("line 1: there is no point \"there\""));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod axes;
+mod check;
+mod compile;
+mod compiled;
+mod document;
+mod error;
+mod files;
+mod lines;
+mod number;
+mod place;
+mod program;
+mod read;
+mod round;
+mod step_table;
+
+pub use check::{Problem, Report, check};
+pub use compiled::{Compiled, CompiledStep};
+pub use document::ProgramDocument;
+pub use error::ProgramError;
+pub use files::{Files, NoFiles};
+pub use place::{Place, Point};
+pub use program::{
+    Action, Arc, DEFAULT_TOLERANCE_MM, Drawing, Frame, Go, Grid, Here, MountedTool, Offset,
+    Program, Speed, Steps, Times,
+};

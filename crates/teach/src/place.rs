@@ -1,0 +1,217 @@
+//! Places of a program: by name, or by numbers.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::number::perhaps;
+
+/// A place: the name of a point or of a grid's cell, or a point itself.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Place {
+    /// By its name.
+    Named(String),
+    /// By its numbers.
+    At(Point),
+}
+
+/// A point, as a place in mm or as joint angles in degrees.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "PointTable", into = "PointTable")]
+pub enum Point {
+    /// A place in the base frame, or in a frame of the program.
+    Cartesian {
+        /// x, y and z in mm.
+        position: [f64; 3],
+        /// How the tool is turned, in degrees, counter-clockwise from the frame's x axis; 0 if nothing is said.
+        rotation: Option<f64>,
+        /// The frame; the base frame if nothing is said.
+        frame: Option<String>,
+    },
+    /// Angles of base, rear arm, forearm and servo.
+    Joints([f64; 4]),
+}
+
+impl Point {
+    /// A place in the base frame, in mm.
+    #[must_use]
+    pub const fn xyz(x: f64, y: f64, z: f64) -> Self {
+        Self::Cartesian {
+            position: [x, y, z],
+            rotation: None,
+            frame: None,
+        }
+    }
+}
+
+impl From<Point> for Place {
+    fn from(point: Point) -> Self {
+        Self::At(point)
+    }
+}
+
+impl From<&str> for Place {
+    fn from(name: &str) -> Self {
+        Self::Named(name.to_owned())
+    }
+}
+
+impl<'de> Deserialize<'de> for Place {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_any(PlaceVisitor)
+    }
+}
+
+struct PlaceVisitor;
+
+impl<'de> Visitor<'de> for PlaceVisitor {
+    type Value = Place;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a point, or { x, y, z } or { base, rear, fore }")
+    }
+
+    fn visit_str<E>(self, name: &str) -> Result<Place, E> {
+        Ok(Place::Named(name.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Place, A::Error> {
+        Point::deserialize(MapAccessDeserializer::new(map)).map(Place::At)
+    }
+}
+
+impl JsonSchema for Point {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        PointTable::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        PointTable::json_schema(generator)
+    }
+}
+
+/// A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
+/// servo if it is not at 0.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+#[schemars(rename = "Point")]
+pub(crate) struct PointTable {
+    /// Forward of the base's axis, or along the frame's x axis, in mm.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    x: Option<f64>,
+    /// To the left of it, or along the frame's y axis, in mm.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    y: Option<f64>,
+    /// Above the rear arm's pivot, or along the frame's z axis, in mm.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    z: Option<f64>,
+    /// How the tool is turned from the frame's x axis, counter-clockwise, in degrees; 0 if nothing is said.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    rotation: Option<f64>,
+    /// The name of a frame; the base frame if nothing is said.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    frame: Option<String>,
+    /// The base's angle in degrees, counter-clockwise seen from above.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    base: Option<f64>,
+    /// The rear arm's angle in degrees from the vertical, forward positive.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    rear: Option<f64>,
+    /// The forearm's angle in degrees below the horizontal.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    fore: Option<f64>,
+    /// The servo's angle in degrees.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    servo: Option<f64>,
+}
+
+impl TryFrom<PointTable> for Point {
+    type Error = String;
+
+    fn try_from(it: PointTable) -> Result<Self, String> {
+        let found = it.found();
+        match it {
+            PointTable {
+                x: Some(x),
+                y: Some(y),
+                z: Some(z),
+                rotation,
+                frame,
+                base: None,
+                rear: None,
+                fore: None,
+                servo: None,
+            } => Ok(Self::Cartesian {
+                position: [x, y, z],
+                rotation,
+                frame,
+            }),
+            PointTable {
+                base: Some(base),
+                rear: Some(rear),
+                fore: Some(fore),
+                servo,
+                x: None,
+                y: None,
+                z: None,
+                rotation: None,
+                frame: None,
+            } => Ok(Self::Joints([base, rear, fore, servo.unwrap_or(0.0)])),
+            _ => Err(format!(
+                "a point has {found}; it needs x, y and z (and may have rotation and frame), or base, rear and fore (and may have servo)"
+            )),
+        }
+    }
+}
+
+impl PointTable {
+    /// The keys that are there, for an error.
+    fn found(&self) -> String {
+        let keys = [
+            ("x", self.x.is_some()),
+            ("y", self.y.is_some()),
+            ("z", self.z.is_some()),
+            ("rotation", self.rotation.is_some()),
+            ("frame", self.frame.is_some()),
+            ("base", self.base.is_some()),
+            ("rear", self.rear.is_some()),
+            ("fore", self.fore.is_some()),
+            ("servo", self.servo.is_some()),
+        ];
+        let there: Vec<&str> = keys.iter().filter(|it| it.1).map(|it| it.0).collect();
+        if there.is_empty() {
+            return "nothing".to_owned();
+        }
+        there.join(", ")
+    }
+}
+
+impl From<Point> for PointTable {
+    fn from(point: Point) -> Self {
+        match point {
+            Point::Cartesian {
+                position: [x, y, z],
+                rotation,
+                frame,
+            } => Self {
+                x: Some(x),
+                y: Some(y),
+                z: Some(z),
+                rotation,
+                frame,
+                ..Self::default()
+            },
+            Point::Joints([base, rear, fore, servo]) => Self {
+                base: Some(base),
+                rear: Some(rear),
+                fore: Some(fore),
+                servo: Some(servo).filter(|it| *it != 0.0),
+                ..Self::default()
+            },
+        }
+    }
+}
