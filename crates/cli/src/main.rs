@@ -8,6 +8,7 @@ mod interrupt;
 mod logging;
 mod output;
 mod reach;
+mod taught;
 mod verbs;
 
 use std::process::ExitCode;

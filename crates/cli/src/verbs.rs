@@ -16,6 +16,7 @@ mod log;
 mod man;
 mod materials;
 mod move_;
+mod play;
 mod policy;
 mod ports;
 mod replay;
@@ -57,6 +58,7 @@ pub(crate) enum Verb {
     Stop(stop::Args),
     Watch(watch::Args),
     Jobs(jobs::Args),
+    Play(Box<play::Args>),
     Lease(lease::Args),
     Confirm(confirm::Args),
     Detect(detect::Args),
@@ -101,6 +103,7 @@ impl Verb {
             Self::Stop(args) => wait_for(stop::run(args)),
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
+            Self::Play(args) => wait_for(play::run(*args)),
             Self::Lease(args) => wait_for(lease::run(args)),
             Self::Confirm(args) => wait_for(confirm::run(args)),
             Self::Detect(args) => wait_for(detect::run(args)),
