@@ -71,7 +71,7 @@ impl Called {
         let mut sum = 0_u64;
         for (index, step) in steps.0.iter().enumerate() {
             let is_last = is_main && index + 1 == steps.0.len();
-            
+
             let count = match step.get_ref() {
                 Action::Repeat(crate::Times::Forever, _) if !is_last => {
                     return Err(error(program, step, calling.last(), NOT_FOREVER.to_owned()));
@@ -92,7 +92,9 @@ impl Called {
                     let path = beside(calling.last().map(String::as_str), file);
                     {
                         let called = self.call(path, files, calling);
-                        called.map_err(|it| it.or(|reason| error(program, step, calling.last(), reason)))?
+                        called.map_err(|it| {
+                            it.or(|reason| error(program, step, calling.last(), reason))
+                        })?
                     }
                 }
                 _ => 1,
