@@ -84,7 +84,10 @@ pub fn program_of(points: &[VendorPoint]) -> Program {
             ..Go::to(Point::Joints(it.joints_deg))
         })
     });
-    Program { steps: Steps::new(steps.collect()), ..Program::default() }
+    Program {
+        steps: Steps::new(steps.collect()),
+        ..Program::default()
+    }
 }
 
 /// The points of a program, and what such a file cannot carry of it: its lines, each with what is lost.
@@ -125,10 +128,18 @@ impl Held {
         let (joints_deg, mode) = match (at, self.last) {
             (Some(at), _) => at,
             (None, Some(last)) => (last.joints_deg, MovingMode::MovJ),
-            (None, None) => return Err("nothing says where the arm is; this step is left out".to_owned()),
+            (None, None) => {
+                return Err("nothing says where the arm is; this step is left out".to_owned());
+            }
         };
         let pause_s = then.pause.unwrap_or(0.0);
-        let point = VendorPoint { joints_deg, mode, grab: self.grab, gripper_deg: self.gripper_deg, pause_s };
+        let point = VendorPoint {
+            joints_deg,
+            mode,
+            grab: self.grab,
+            gripper_deg: self.gripper_deg,
+            pause_s,
+        };
         self.last = Some(point);
         Ok(point)
     }
@@ -141,11 +152,19 @@ fn place(program: &Program, go: &Go) -> Result<([f64; 4], MovingMode), String> {
         Place::Named(name) => program.points.get(name),
     };
     match point {
-        Some(Point::Joints(joints)) if go.offset == crate::Offset::default() => Ok((*joints, go.path)),
-        _ => Err("the file knows joint angles alone, without offsets; this step is left out".to_owned()),
+        Some(Point::Joints(joints)) if go.offset == crate::Offset::default() => {
+            Ok((*joints, go.path))
+        }
+        _ => Err(
+            "the file knows joint angles alone, without offsets; this step is left out".to_owned(),
+        ),
     }
 }
 
 fn bad(line: impl Into<Option<usize>>, reason: impl Into<String>) -> ProgramError {
-    ProgramError { file: None, line: line.into(), reason: reason.into() }
+    ProgramError {
+        file: None,
+        line: line.into(),
+        reason: reason.into(),
+    }
 }

@@ -258,7 +258,7 @@ fn a_grid_has_its_cells_row_by_row_then_layer_by_layer() {
 fn grids_side_by_side_need_as_many_cells() {
     let text = "[grids.a]\nat = {x=200,y=0,z=0}\ncolumns=3\npitch={x=20}\n[grids.b]\nat={x=200,y=90,z=0}\nrows=2\npitch={y=20}\n[[steps]]\neach=[\"a\",\"b\"]\nsteps=[{go=\"a\"},{go=\"b\"}]";
     assert!(
-        error(text, &mut NoFiles).contains("3 cells"),
+        error(text, &mut NoFiles).contains("grid \"a\" 3"),
         "{}",
         error(text, &mut NoFiles)
     );

@@ -3,8 +3,8 @@
 use dobot_wire::{Command, Configuration, PlaybackAdjustment, single};
 use serde::{Deserialize, Serialize};
 
-use super::text::decode;
 use super::bad;
+use super::text::decode;
 use crate::ProgramError;
 use crate::number::{finite, within};
 use crate::program::Speed;
@@ -172,7 +172,10 @@ impl PlaybackParams {
             teach_speed_percent: 100.0,
         };
         let pause_s = single(self.pause_time / 1000.0);
-        [Configuration::playback(speeds, pause_s, single(self.jump_height)).into(), adjustment.into()]
+        [
+            Configuration::playback(speeds, pause_s, single(self.jump_height)).into(),
+            adjustment.into(),
+        ]
     }
 
     /// The same as a step of a program, which has no pause for targets that say none.
@@ -197,13 +200,21 @@ impl PlaybackParams {
         let vendor = Self::default();
         Self {
             velocity_ratio: speed.percent.unwrap_or(vendor.velocity_ratio),
-            acceleration_ratio: speed.acceleration_percent.unwrap_or(vendor.acceleration_ratio),
+            acceleration_ratio: speed
+                .acceleration_percent
+                .unwrap_or(vendor.acceleration_ratio),
             joint_velocity: speed.joint.unwrap_or(vendor.joint_velocity),
-            joint_acceleration: speed.joint_acceleration.unwrap_or(vendor.joint_acceleration),
+            joint_acceleration: speed
+                .joint_acceleration
+                .unwrap_or(vendor.joint_acceleration),
             servo_velocity: speed.servo.unwrap_or(vendor.servo_velocity),
-            servo_acceleration: speed.servo_acceleration.unwrap_or(vendor.servo_acceleration),
+            servo_acceleration: speed
+                .servo_acceleration
+                .unwrap_or(vendor.servo_acceleration),
             linear_velocity: speed.line.unwrap_or(vendor.linear_velocity),
-            linear_acceleration: speed.line_acceleration.unwrap_or(vendor.linear_acceleration),
+            linear_acceleration: speed
+                .line_acceleration
+                .unwrap_or(vendor.linear_acceleration),
             jump_height: speed.jump_height.unwrap_or(vendor.jump_height),
             ..vendor
         }
@@ -227,10 +238,23 @@ fn json<T: for<'de> Deserialize<'de>>(bytes: &[u8]) -> Result<T, ProgramError> {
 }
 
 fn check(speeds: &[f64], percents: &[f64]) -> Result<(), ProgramError> {
-    let names = ["jointVelocity", "jointAcceleration", "servoVelocity", "servoAcceleration", "linearVelocity", "linearAcceleration"];
+    let names = [
+        "jointVelocity",
+        "jointAcceleration",
+        "servoVelocity",
+        "servoAcceleration",
+        "linearVelocity",
+        "linearAcceleration",
+    ];
     let ratios = ["velocityRatio", "accelerationRatio"];
-    let speeds = names.iter().zip(speeds).map(|(name, it)| (name, it, 10_000.0));
-    let ratios = ratios.iter().zip(percents).map(|(name, it)| (name, it, 100.0));
+    let speeds = names
+        .iter()
+        .zip(speeds)
+        .map(|(name, it)| (name, it, 10_000.0));
+    let ratios = ratios
+        .iter()
+        .zip(percents)
+        .map(|(name, it)| (name, it, 100.0));
     for (name, found, most) in speeds.chain(ratios) {
         within(name, "", *found, LEAST_SPEED, most).map_err(|reason| bad(None, reason))?;
     }

@@ -16,13 +16,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
     let (text, warning) = decode(bytes);
     let mut warnings: Vec<String> = warning.into_iter().collect();
     let mut points = Vec::new();
-    for (index, line) in text.lines().enumerate().filter(|it| !it.1.trim().is_empty()) {
+    for (index, line) in text
+        .lines()
+        .enumerate()
+        .filter(|it| !it.1.trim().is_empty())
+    {
         points.push(point(line.trim(), index + 1, &mut warnings)?);
     }
     if points.is_empty() {
         return Err(bad(None, "there are no points; it needs one line at least"));
     }
-    Ok(Read { it: points, warnings })
+    Ok(Read {
+        it: points,
+        warnings,
+    })
 }
 
 fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPoint, ProgramError> {
@@ -33,20 +40,32 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
     }
     if fields.len() < LEAST_FIELDS || fields.len() > FIELDS {
         let found = fields.len();
-        return Err(bad(line, format!("it has {found} fields; a point has {FIELDS}, of which the last two may be missing")));
+        return Err(bad(
+            line,
+            format!(
+                "it has {found} fields; a point has {FIELDS}, of which the last two may be missing"
+            ),
+        ));
     }
     if fields[0] != "6" {
-        return Err(bad(line, format!("the state is {:?}; a point has 6", fields[0])));
+        return Err(bad(
+            line,
+            format!("the state is {:?}; a point has 6", fields[0]),
+        ));
     }
     if fields.len() < FIELDS {
-        warnings.push(format!("line {line}: gripper or pause is missing; read as 0"));
+        warnings.push(format!(
+            "line {line}: gripper or pause is missing; read as 0"
+        ));
     }
     let mut value = |at: usize, name: &str, least: f64, most: f64| {
         let text = fields.get(at).copied().unwrap_or("0");
-        let (value, is_comma) =
-            number(text).ok_or_else(|| bad(line, format!("{name} is {text:?}; it needs a number")))?;
+        let (value, is_comma) = number(text)
+            .ok_or_else(|| bad(line, format!("{name} is {text:?}; it needs a number")))?;
         if is_comma {
-            warnings.push(format!("line {line}: {name} is {text:?}; the comma is read as a point"));
+            warnings.push(format!(
+                "line {line}: {name} is {text:?}; the comma is read as a point"
+            ));
         }
         within(name, "", value, least, most).map_err(|reason| bad(line, reason))
     };
@@ -69,14 +88,22 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
 /// `0:Jump`: the word counts, for the numbers mean different ways to different arms (note N2).
 fn way(text: &str, line: usize) -> Result<MovingMode, ProgramError> {
     let word = text.rsplit(':').next().unwrap_or(text);
-    mode(word).ok_or_else(|| bad(line, format!("the way is {text:?}; allowed are 0:Jump, 1:Movj and 2:Movl")))
+    mode(word).ok_or_else(|| {
+        bad(
+            line,
+            format!("the way is {text:?}; allowed are 0:Jump, 1:Movj and 2:Movl"),
+        )
+    })
 }
 
 fn grab(text: &str, line: usize) -> Result<bool, ProgramError> {
     match text.to_ascii_uppercase().as_str() {
         "YES" => Ok(true),
         "NO" => Ok(false),
-        _ => Err(bad(line, format!("grab is {text:?}; allowed are YES and NO"))),
+        _ => Err(bad(
+            line,
+            format!("grab is {text:?}; allowed are YES and NO"),
+        )),
     }
 }
 
@@ -92,7 +119,10 @@ pub(super) fn write(points: &[VendorPoint]) -> String {
         let grab = if it.grab { "YES" } else { "NO" };
         let (gripper, pause) = (it.gripper_deg, it.pause_s);
         // Writing into a text cannot fail.
-        let _ = writeln!(text, "6;;{way};{base:.3};{rear:.3};{fore:.3};{servo:.3};{grab};{gripper};{pause};");
+        let _ = writeln!(
+            text,
+            "6;;{way};{base:.3};{rear:.3};{fore:.3};{servo:.3};{grab};{gripper};{pause};"
+        );
     }
     text
 }

@@ -13,7 +13,10 @@ pub fn decode(bytes: &[u8]) -> (String, Option<String>) {
         [0xEF, 0xBB, 0xBF, rest @ ..] => return utf8(rest),
         _ => return utf8(bytes),
     };
-    (text, Some(format!("the file is in {encoding}; read as such")))
+    (
+        text,
+        Some(format!("the file is in {encoding}; read as such")),
+    )
 }
 
 fn utf8(bytes: &[u8]) -> (String, Option<String>) {
@@ -28,7 +31,10 @@ fn utf8(bytes: &[u8]) -> (String, Option<String>) {
 }
 
 fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
-    let units: Vec<u16> = bytes.chunks_exact(2).map(|it| number([it[0], it[1]])).collect();
+    let units: Vec<u16> = bytes
+        .chunks_exact(2)
+        .map(|it| number([it[0], it[1]]))
+        .collect();
     String::from_utf16_lossy(&units)
 }
 
@@ -36,7 +42,13 @@ fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
 pub(super) fn number(text: &str) -> Option<(f64, bool)> {
     let text = text.trim();
     let is_comma = text.matches(',').count() == 1 && !text.contains('.');
-    let number: f64 = if is_comma { text.replace(',', ".") } else { text.to_owned() }.parse().ok()?;
+    let number: f64 = if is_comma {
+        text.replace(',', ".")
+    } else {
+        text.to_owned()
+    }
+    .parse()
+    .ok()?;
     // Larger than any angle or time: nothing that an arm was taught.
     (number.abs() <= 1e6).then_some((number, is_comma))
 }
