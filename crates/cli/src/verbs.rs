@@ -1,9 +1,11 @@
 //! The verbs of the program, a file each: what comes behind `dobot`.
 
 mod arm;
+mod check;
 mod completions;
 mod confirm;
 mod conformance;
+mod convert;
 mod decode;
 mod detect;
 mod draw;
@@ -41,6 +43,8 @@ use crate::logging::LogFormat;
 pub(crate) enum Verb {
     Up(up::Args),
     Draw(Box<draw::Args>),
+    Check(check::Args),
+    Convert(convert::Args),
     Materials(materials::Args),
     Arm(arm::Args),
     Status(status::Args),
@@ -86,6 +90,8 @@ impl Verb {
         match self {
             Self::Up(args) => wait_for(up::run(args)),
             Self::Draw(args) => wait_for(draw::run(*args)),
+            Self::Check(args) => check::run(&args),
+            Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
             Self::Arm(args) => wait_for(arm::run(args)),
             Self::Status(args) => wait_for(status::run(args)),

@@ -241,6 +241,7 @@ fn inline(table: &mut Table) {
             steps.iter_mut().for_each(inline);
         }
     }
+    table.fmt();
 }
 
 fn forget_position(table: &mut Table) {
