@@ -9,7 +9,6 @@ mod logging;
 mod output;
 mod program_file;
 mod reach;
-mod taught;
 mod verbs;
 
 use std::process::ExitCode;

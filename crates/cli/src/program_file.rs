@@ -7,7 +7,7 @@ use anyhow::{Context, anyhow};
 use dobot_draw::{DrawingRequest, Materials, Options, Subject};
 use dobot_source::Source;
 use dobot_teach::vendor::{self, VendorPoint};
-use dobot_teach::{Compiled, Drawing, Files, Program, ProgramError};
+use dobot_teach::{Compiled, Drawing, Files, Problem, Program, ProgramError, Report};
 use dobot_wire::{Command, Dialect};
 
 use crate::failure::Failure;
@@ -46,6 +46,22 @@ pub(crate) fn read(file: &Path) -> Result<Program, Failure> {
             "`dobot convert PlayBackParams.json speeds.toml` makes a step of it",
         )),
     }
+}
+
+/// What is wrong with a program, a line each: `step 3 (line 12, go to tray): what; what helps`.
+pub(crate) fn problems(report: &Report) -> Vec<String> {
+    report.problems.iter().map(problem).collect()
+}
+
+fn problem(it: &Problem) -> String {
+    let file = it
+        .file
+        .as_ref()
+        .map_or_else(String::new, |file| format!("{file}, "));
+    format!(
+        "step {} ({file}line {}, {}): {}; {}",
+        it.step, it.line, it.label, it.message, it.remedy
+    )
 }
 
 /// What a file is, by the end of its name.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use dobot_safety::Policy;
-use dobot_teach::{Compiled, Problem, Program, Report, check};
+use dobot_teach::{Compiled, Program, Report, check};
 use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Status};
 use serde_json::json;
@@ -78,7 +78,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
-    let mut lines: Vec<String> = report.problems.iter().map(problem).collect();
+    let mut lines: Vec<String> = program_file::problems(report);
     lines.push(format!(
         "{}: {} steps, {} commands, {} waits for a person",
         compiled.title,
@@ -94,15 +94,4 @@ fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
         None => "it goes on until a person ends it".to_owned(),
     });
     lines
-}
-
-fn problem(it: &Problem) -> String {
-    let file = it
-        .file
-        .as_ref()
-        .map_or_else(String::new, |file| format!("{file}, "));
-    format!(
-        "step {} ({file}line {}, {}): {}; {}",
-        it.step, it.line, it.label, it.message, it.remedy
-    )
 }

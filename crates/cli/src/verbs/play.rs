@@ -16,7 +16,7 @@ use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::output::{self, clock};
-use crate::taught;
+use crate::program_file;
 use crate::verbs::jog::laser_seconds;
 
 /// Play a taught program: check it, say how long it takes, and do it
@@ -33,7 +33,7 @@ Examples:
 The program becomes a job, which survives a crash and a power cut: `dobot jobs` shows its step and cycle, pauses
 it, and makes it faster or slower.")]
 pub(crate) struct Args {
-    /// The program, a TOML file
+    /// The program: a TOML file, or PlayBackPoints.xml or a .play file of the vendor's program
     program: PathBuf,
     /// How often it is done; without this as often as the program itself says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "forever")]
@@ -112,13 +112,16 @@ struct Planned {
 
 impl Planned {
     fn new(args: &Args, dialect: Option<Dialect>) -> Result<Self, Failure> {
-        let program = taught::read(&args.program)?;
-        let mut compiled = taught::compile(&program, &args.program, dialect)?;
-        repeat(&mut compiled, args);
         let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
+        let mut compiled = program_file::compile(&args.program, dialect)?;
+        repeat(&mut compiled, args);
         let policy = args.to.policy()?;
         let report = check(&compiled, &policy, Model::new(dialect, &Status::AT_ZERO));
-        taught::check_report(&args.program, &report)?;
+        let problems = program_file::problems(&report);
+        if !problems.is_empty() {
+            let (file, count) = (args.program.display(), problems.len());
+            return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());
+        }
         let draws = |it: &Command| matches!(it, Command::WriteVector(_));
         let lift_mm = if compiled.commands.iter().any(draws) {
             LIFT_MM

@@ -13,6 +13,7 @@ mod killing;
 mod links;
 #[cfg(unix)]
 mod logging;
+mod playing;
 mod policy;
 mod program;
 mod recordings;
