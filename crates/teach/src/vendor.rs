@@ -13,7 +13,7 @@ use dobot_wire::MovingMode;
 pub use self::params::{JogParams, PlaybackParams};
 pub use self::text::decode;
 use crate::program::{Go, Here};
-use crate::{Action, Place, Point, Program, ProgramError, Steps};
+use crate::{Action, Place, Point, Program, ProgramError};
 
 /// A point of the vendor's programs: where to go by joint angles, and what the tool does there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,10 +84,7 @@ pub fn program_of(points: &[VendorPoint]) -> Program {
             ..Go::to(Point::Joints(it.joints_deg))
         })
     });
-    Program {
-        steps: Steps::new(steps.collect()),
-        ..Program::default()
-    }
+    Program::new(steps.collect())
 }
 
 /// The points of a program, and what such a file cannot carry of it: its lines, each with what is lost.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_teach::vendor::{self, PlaybackParams};
-use dobot_teach::{Action, Program, Steps};
+use dobot_teach::{Action, Program};
 
 use crate::failure::Failure;
 use crate::program_file::{self, Kind};
@@ -75,11 +75,7 @@ fn speeds(file: &Path) -> Result<Program, Failure> {
             params.pause_time
         );
     }
-    let steps = Steps::new(vec![Action::Speed(params.speed())]);
-    Ok(Program {
-        steps,
-        ..Program::default()
-    })
+    Ok(Program::new(vec![Action::Speed(params.speed())]))
 }
 
 /// The first speeds of a program as `PlayBackParams.json`.
