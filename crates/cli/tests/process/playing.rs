@@ -58,14 +58,24 @@ fn number(value: &Value) -> f64 {
 fn a_program_takes_as_long_as_was_predicted_to_the_tick() {
     let file = InFile::new(CARRY);
     for dialect in ["specification", "firmware-1.1"] {
-        let play = ["play", &file.path(), "--to", "virtual:", "--dialect", dialect];
+        let play = [
+            "play",
+            &file.path(),
+            "--to",
+            "virtual:",
+            "--dialect",
+            dialect,
+        ];
         let predicted = json(&[&play[..], &["--dry-run"]].concat());
         let done = json(&play);
         let (wanted_s, took_s) = (number(&predicted["total_s"]), number(&done["took_s"]));
         assert!((wanted_s - took_s).abs() <= TICK_S, "{predicted} {done}");
         let twice = json(&[&play[..], &["--times", "10", "--dry-run"]].concat());
         let five_more_s = number(&twice["total_s"]) - wanted_s;
-        assert!((five_more_s - 5.0 * number(&predicted["cycle_s"])).abs() < 1e-6, "{twice}");
+        assert!(
+            (five_more_s - 5.0 * number(&predicted["cycle_s"])).abs() < 1e-6,
+            "{twice}"
+        );
     }
 }
 
@@ -75,7 +85,13 @@ fn every_problem_of_a_program_is_told_with_its_line_before_anything_moves() {
         "[points]\nfar = { x = 500, y = 0, z = 0 }\nlow = { x = 200, y = 0, z = -200 }\n\
          [[steps]]\ngo = \"far\"\n[[steps]]\ngo = \"low\"\n",
     );
-    let parts = ["2 problems", "line 4", "line 6", "149.93 mm too far", "22.6034° too much"];
+    let parts = [
+        "2 problems",
+        "line 4",
+        "line 6",
+        "149.93 mm too far",
+        "22.6034° too much",
+    ];
     for verb in ["play", "check"] {
         let outcome = dobot(&[verb, &file.path()]);
         assert_eq!(outcome.code, Some(1), "{outcome:?}");
@@ -92,7 +108,14 @@ fn an_old_file_of_the_vendors_program_plays_on_the_twin() {
     for name in ["PlayBackPoints.xml", "program.play"] {
         let file = data.join(name);
         let file = file.to_str().expect("the path is text");
-        let play = ["play", file, "--to", "virtual:", "--dialect", "firmware-1.1"];
+        let play = [
+            "play",
+            file,
+            "--to",
+            "virtual:",
+            "--dialect",
+            "firmware-1.1",
+        ];
         let done = dobot(&play).succeeds().stdout;
         assert!(done.contains("is done"), "{done}");
     }
