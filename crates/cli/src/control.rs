@@ -9,6 +9,7 @@ use dobot_rules::StationClient;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::time::timeout;
 
+use crate::connect::To;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -52,7 +53,7 @@ pub(crate) async fn carry_out(
     station: &mut StationClient,
     command: Command,
 ) -> Result<(), Failure> {
-    let reply = station.request(Request::Command { command }).await?;
+    let reply = request_at_rest(station, Request::Command { command }).await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
         return Ok(());
@@ -62,6 +63,23 @@ pub(crate) async fn carry_out(
         () = interrupt() => {}
     }
     stop(station).await
+}
+
+/// Carries out one command, which is made from how the arm stands and from its dialect; the laser may be
+/// switched on for so long. Gives how the arm rests then.
+pub(crate) async fn carry_out_one(
+    station: &mut StationClient,
+    to: &To,
+    laser: Option<Duration>,
+    command: impl FnOnce(&Status, Option<Dialect>) -> Result<Command, Failure>,
+) -> Result<Status, Failure> {
+    check_pose(station, to.pose_confirmed).await?;
+    let (arm, dialect) = arm(station).await?;
+    let command = command(&arm.status, dialect)?;
+    take_control(station).await?;
+    arm_laser(station, laser).await?;
+    carry_out(station, command).await?;
+    rest(station).await
 }
 
 /// Stops the arm, because this program was interrupted.

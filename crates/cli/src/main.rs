@@ -7,6 +7,7 @@ mod follow;
 mod interrupt;
 mod logging;
 mod output;
+mod pendant;
 mod program_file;
 mod reach;
 mod verbs;

@@ -11,26 +11,31 @@ mod detect;
 mod draw;
 #[cfg(unix)]
 mod guardian;
+mod hand;
 mod jobs;
 mod jog;
 mod lease;
 mod log;
 mod man;
 mod materials;
+mod mouse;
 mod move_;
 mod play;
 mod policy;
 mod ports;
 mod replay;
+mod say;
 #[cfg(unix)]
 mod service;
 mod set;
 mod simulate;
 mod status;
 mod stop;
+mod teach;
 mod token;
 mod up;
-mod watch;
+mod vector;
+pub(crate) mod watch;
 mod world;
 
 use clap::Subcommand;
@@ -50,6 +55,11 @@ pub(crate) enum Verb {
     Status(status::Args),
     Move(move_::Args),
     Jog(jog::Args),
+    Mouse(mouse::Args),
+    Say(say::Args),
+    Hand(hand::Args),
+    Vector(vector::Args),
+    Teach(teach::Args),
     Set(set::Args),
     Simulate(simulate::Args),
     Decode(decode::Args),
@@ -97,6 +107,11 @@ impl Verb {
             Self::Status(args) => wait_for(status::run(args)),
             Self::Move(args) => wait_for(move_::run(args)),
             Self::Jog(args) => wait_for(jog::run(args)),
+            Self::Mouse(args) => wait_for(mouse::run(args)),
+            Self::Say(args) => wait_for(say::run(args)),
+            Self::Hand(args) => wait_for(hand::run(args)),
+            Self::Vector(args) => wait_for(vector::run(args)),
+            Self::Teach(args) => wait_for(teach::run(args)),
             Self::Set(args) => wait_for(set::run(args)),
             Self::Simulate(args) => simulate::run(&args),
             Self::Decode(args) => decode::run(&args),

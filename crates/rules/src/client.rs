@@ -207,6 +207,18 @@ impl StationClient {
         }
     }
 
+    /// How long a jog button stays pressed without being said again.
+    #[must_use]
+    pub fn dead_man(&self) -> Duration {
+        let seconds = match &self.way {
+            ClientRoute::Running(remote, _) => remote.hello().dead_man_s,
+            ClientRoute::Local(local) => local.dead_man_s(),
+            ClientRoute::Virtual(station) => station.dead_man_s(),
+        };
+        // What a station says that cannot be is a button that nobody can hold.
+        Duration::try_from_secs_f64(seconds).unwrap_or_default()
+    }
+
     /// Lets time pass by the arm's clock.
     pub async fn wait(&mut self, time: Duration) {
         match &mut self.way {

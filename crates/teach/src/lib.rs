@@ -47,6 +47,7 @@ mod compiled;
 mod document;
 mod error;
 mod files;
+mod from_step;
 mod lines;
 mod number;
 mod place;

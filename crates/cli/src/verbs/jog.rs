@@ -1,42 +1,58 @@
-//! `dobot jog`: move one axis for a while.
+//! `dobot jog`: move one axis for a while, or all of them with keys.
 
 use std::time::Duration;
 
 use anyhow::bail;
 use dobot_api::{Jog, Request};
 use dobot_rules::StationClient;
-use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Status};
+use dobot_wire::Status;
 
 use crate::connect::To;
 use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
+use crate::pendant::{self, Button, Drive, JogFrame, Panel, Pendant, check_terminal};
 
-/// Move one axis for a while, or switch the suction cup or the laser
+/// Move one axis for a while, or all with keys; switch the suction cup or the laser
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
+  dobot jog                              with keys, for as long as they are held
   dobot jog x+ --for 1.5                 forward for a second and a half
   dobot jog base- --for 0.5 --speed 20   slowly to the right
   dobot jog suction-on
+  dobot jog servo+ --frame linear        the servo with the linear jog (state 7)
 
 The axis is released when the time is over, on Ctrl-C, and when anything goes wrong, also when this program
 is killed. The laser stays off without `--arm-laser`, and where the policy forbids a light that stands
-(`laser.standing`): focus with it allowed.")]
+(`laser.standing`): focus with it allowed.
+
+With keys: arrows, page up and page down move along x, y and z (Tab: the joints), r and f turn the tool, o and c
+move the gripper, u and j switch the pump, 1 to 9 and 0 are the speed; Space, Esc or s stops the arm, q leaves.
+Most terminals do not tell when a key is let go: there the arm stops when the key repeats no more, after the
+dead-man time of the policy (0.15 s), so the first press is a short step.")]
 pub(crate) struct Args {
     /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
-    /// suction-on suction-off laser-on laser-off
-    #[arg(value_parser = button)]
-    button: Button,
+    /// suction-on suction-off laser-on laser-off; without one, keys of this terminal are the buttons
+    button: Option<Button>,
     /// How long, in seconds
-    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds)]
+    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds, requires = "button")]
     time: Duration,
+    /// With which jog: joint (state 2) or linear (state 7); x, y and z have the linear one alone, base, rear and
+    /// fore the joint one, and the others have both (default: joint)
+    #[arg(long, value_name = "joint|linear", requires = "button")]
+    frame: Option<JogFrame>,
     /// Share of the jog speed, in percent from 1 to 100
-    #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
+    #[arg(
+        long,
+        value_name = "PERCENT",
+        default_value_t = 50.0,
+        requires = "button"
+    )]
     speed: f32,
     /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "button")]
     arm_laser: Option<Duration>,
     #[command(flatten)]
     to: To,
@@ -45,47 +61,63 @@ pub(crate) struct Args {
     json: bool,
 }
 
-/// What to press, and what to press when it is over.
-#[derive(Clone, Copy, Debug)]
-enum Button {
-    Joint(JointJogAxis),
-    Linear(LinearJogAxis),
-}
-
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let jog = async |station: &mut StationClient| args.press(station).await;
+    if args.button.is_none() {
+        check_terminal(
+            "`dobot jog` without an axis",
+            "name one: `dobot jog x+ --for 1`",
+        )?;
+    }
+    let jog = async |station: &mut StationClient| match args.button {
+        Some(button) => args.press(station, button).await,
+        None => with_keys(station, &args.to, Drive::Jog, |it| it).await,
+    };
     let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
     /// A button has to be held, and a switch has not.
-    async fn press(&self, station: &mut StationClient) -> Result<Status, Failure> {
-        if self.button.held(self.speed).is_some() {
+    async fn press(&self, station: &mut StationClient, button: Button) -> Result<Status, Failure> {
+        let button = button.with_frame(self.frame)?;
+        let jog = button.jog(self.speed);
+        if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
         }
         control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
-        let pressed = self.button.pressed(self.speed);
-        match (self.button.held(self.speed), self.button.released()) {
-            (Some(jog), _) => {
-                let held = hold(station, jog, self.time).await;
-                station.request(Request::Release).await?;
-                held?;
-            }
-            (None, None) => carry_out(station, pressed).await?,
-            (None, Some(released)) => {
-                carry_out(station, pressed).await?;
+        if button.moves() {
+            let held = hold(station, jog, self.time).await;
+            station.request(Request::Release).await?;
+            held?;
+        } else {
+            carry_out(station, jog.command()).await?;
+            if let Some(end) = button.end() {
                 tokio::select! {
                     () = station.wait(self.time) => {}
                     () = interrupt() => {}
                 }
-                carry_out(station, released).await?;
+                carry_out(station, end.command()).await?;
             }
         }
         control::rest(station).await
     }
+}
+
+/// Lets a person move the arm with keys; `panel` makes what is on the screen of a pendant.
+pub(crate) async fn with_keys<P: Panel>(
+    station: &mut StationClient,
+    to: &To,
+    drive: Drive,
+    panel: impl FnOnce(Pendant) -> P,
+) -> Result<Status, Failure> {
+    check_pose(station, to.pose_confirmed).await?;
+    take_control(station).await?;
+    // The first press moves the arm at once.
+    control::rest_soon(station).await?;
+    pendant::run(station, drive, panel).await?;
+    control::rest(station).await
 }
 
 /// Holds a button by saying so again and again, until its time is over or Ctrl-C.
@@ -106,65 +138,6 @@ async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(
         }
     }
     Ok(())
-}
-
-impl Button {
-    fn pressed(self, speed_percent: f32) -> Command {
-        match self {
-            Self::Joint(axis) => JointJog::new(axis, speed_percent).into(),
-            Self::Linear(axis) => LinearJog::new(axis, speed_percent).into(),
-        }
-    }
-
-    /// What has to be held; nothing, for a switch.
-    fn held(self, speed_percent: f32) -> Option<Jog> {
-        match self {
-            Self::Joint(axis) => axis
-                .moves()
-                .then_some(Jog::Joint(JointJog::new(axis, speed_percent))),
-            Self::Linear(axis) => Some(Jog::Linear(LinearJog::new(axis, speed_percent))),
-        }
-    }
-
-    /// What ends a switch; nothing where it may stay as it is, or where a button is let go.
-    fn released(self) -> Option<Command> {
-        match self {
-            Self::Joint(JointJogAxis::LaserOn) => {
-                Some(JointJog::new(JointJogAxis::LaserOff, 0.0).into())
-            }
-            Self::Joint(_) | Self::Linear(_) => None,
-        }
-    }
-}
-
-fn button(text: &str) -> anyhow::Result<Button> {
-    use JointJogAxis as J;
-    use LinearJogAxis as L;
-    Ok(match text {
-        "base+" => Button::Joint(J::BasePlus),
-        "base-" => Button::Joint(J::BaseMinus),
-        "rear+" => Button::Joint(J::RearPlus),
-        "rear-" => Button::Joint(J::RearMinus),
-        "fore+" => Button::Joint(J::ForePlus),
-        "fore-" => Button::Joint(J::ForeMinus),
-        "servo+" => Button::Joint(J::ServoPlus),
-        "servo-" => Button::Joint(J::ServoMinus),
-        "gripper+" => Button::Joint(J::GripperOpen),
-        "gripper-" => Button::Joint(J::GripperClose),
-        "suction-on" => Button::Joint(J::SuctionOn),
-        "suction-off" => Button::Joint(J::SuctionOff),
-        "laser-on" => Button::Joint(J::LaserOn),
-        "laser-off" => Button::Joint(J::LaserOff),
-        "x+" => Button::Linear(L::XPlus),
-        "x-" => Button::Linear(L::XMinus),
-        "y+" => Button::Linear(L::YPlus),
-        "y-" => Button::Linear(L::YMinus),
-        "z+" => Button::Linear(L::ZPlus),
-        "z-" => Button::Linear(L::ZMinus),
-        _ => bail!(
-            "allowed are base, rear, fore, servo, gripper, x, y and z with + or -, suction-on, suction-off, laser-on and laser-off"
-        ),
-    })
 }
 
 fn seconds(text: &str) -> anyhow::Result<Duration> {

@@ -8,7 +8,7 @@ use dobot_rules::StationClient;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
 use crate::connect::To;
-use crate::control::{self, carry_out, check_pose, take_control};
+use crate::control::carry_out_one;
 use crate::failure::Failure;
 use crate::output;
 
@@ -61,11 +61,8 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let go = async |station: &mut StationClient| {
-        check_pose(station, args.to.pose_confirmed).await?;
-        let command = args.command(&control::status(station).await?)?;
-        take_control(station).await?;
-        carry_out(station, command).await?;
-        control::rest(station).await
+        let command = |status: &Status, _| args.command(status);
+        carry_out_one(station, &args.to, None, command).await
     };
     let status = args.to.with_arm("move", go).await?;
     Ok(output::status(&status, args.json)?)
@@ -139,7 +136,8 @@ impl fmt::Display for NoSuchPath {
 
 impl std::error::Error for NoSuchPath {}
 
-fn on_off(text: &str) -> Result<bool, &'static str> {
+/// A switch on the command line.
+pub(crate) fn on_off(text: &str) -> Result<bool, &'static str> {
     match text {
         "on" => Ok(true),
         "off" => Ok(false),

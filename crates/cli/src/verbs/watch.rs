@@ -1,7 +1,7 @@
 //! `dobot watch`: a dashboard in the terminal.
 
-mod dashboard;
-mod panels;
+pub(crate) mod dashboard;
+pub(crate) mod panels;
 
 use std::io::IsTerminal;
 use std::time::Duration;

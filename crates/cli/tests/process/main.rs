@@ -13,6 +13,8 @@ mod killing;
 mod links;
 #[cfg(unix)]
 mod logging;
+#[cfg(target_os = "linux")]
+mod pendant;
 mod playing;
 mod policy;
 mod program;
@@ -21,7 +23,11 @@ mod recordings;
 mod services;
 mod simulating;
 #[cfg(unix)]
+mod states;
+#[cfg(unix)]
 mod stations;
+#[cfg(target_os = "linux")]
+mod terminal;
 #[cfg(unix)]
 mod wire;
 mod worlds;

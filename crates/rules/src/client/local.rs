@@ -116,6 +116,10 @@ impl Local {
         self.client.id()
     }
 
+    pub(super) fn dead_man_s(&self) -> f64 {
+        self.client.handle().rules().dead_man_s
+    }
+
     pub(super) const fn address(&self) -> &Address {
         &self.address
     }

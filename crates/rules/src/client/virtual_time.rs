@@ -19,10 +19,12 @@ pub(super) struct InVirtualTime {
     heard: VecDeque<StationEvent>,
     /// How many notices were told.
     told: usize,
+    dead_man_s: f64,
 }
 
 impl InVirtualTime {
     pub(super) fn new(power_up: PowerUp, policy: Policy, name: &str) -> Self {
+        let dead_man_s = policy.jog.dead_man_s;
         let mut station = VirtualStation::new(power_up, policy);
         station.free_laser();
         let client = station.client(name);
@@ -31,6 +33,7 @@ impl InVirtualTime {
             client,
             heard: VecDeque::new(),
             told: 0,
+            dead_man_s,
         }
     }
 
@@ -55,6 +58,10 @@ impl InVirtualTime {
             self.station.step(until);
             self.listen();
         }
+    }
+
+    pub(super) const fn dead_man_s(&self) -> f64 {
+        self.dead_man_s
     }
 
     pub(super) const fn now(&self) -> Duration {

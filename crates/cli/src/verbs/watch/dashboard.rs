@@ -66,7 +66,7 @@ pub(crate) fn draw(frame: &mut Frame, view: &View) {
     ];
     let [top, alarm, arm, rest, job, notices, keys] = Layout::vertical(rows).areas(frame.area());
     frame.render_widget(title(view), top);
-    frame.render_widget(bar(&alarm_of(view)), alarm);
+    frame.render_widget(bar(alarm_of(view)), alarm);
     if let Some(state) = &view.state {
         panels::arm(frame, arm, state);
         panels::rest(frame, rest, state);
@@ -92,23 +92,27 @@ fn title(view: &View) -> Paragraph<'_> {
 
 /// What a person has to know first.
 #[derive(Clone, Debug, PartialEq)]
-struct Alarm {
+pub(crate) struct Alarm {
     style: Style,
     text: String,
 }
 
 /// The worst of all that is wrong.
 fn alarm_of(view: &View) -> Alarm {
-    let red = Style::new()
-        .bg(Color::Red)
-        .fg(Color::White)
-        .add_modifier(Modifier::BOLD);
-    let yellow = Style::new().bg(Color::Yellow).fg(Color::Black);
-    let alarm = |style, text| Alarm { style, text };
-    if let Some(why) = &view.lost {
-        return alarm(red, format!("NO STATION: {why}; what is shown is old"));
+    match (&view.lost, &view.state) {
+        (Some(why), _) => {
+            let text = format!("NO STATION: {why}; what is shown is old");
+            Alarm { style: RED, text }
+        }
+        (None, state) => alarm_of_state(state.as_ref()),
     }
-    let Some(state) = &view.state else {
+}
+
+/// The worst of all that a station tells.
+pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
+    let alarm = |style, text| Alarm { style, text };
+    let (red, yellow) = (RED, YELLOW);
+    let Some(state) = state else {
         return alarm(yellow, "waiting for the station's first word".into());
     };
     if let Some(stop) = &state.stop {
@@ -149,7 +153,8 @@ fn no_link(state: &State) -> String {
     }
 }
 
-fn bar(alarm: &Alarm) -> Paragraph<'_> {
+/// An alarm as a bar across the screen.
+pub(crate) fn bar(alarm: Alarm) -> Paragraph<'static> {
     Paragraph::new(format!(" {}", alarm.text)).style(alarm.style)
 }
 
@@ -167,6 +172,11 @@ fn keys_of(view: &View) -> Paragraph<'_> {
     Paragraph::new(Line::from(spans))
 }
 
+const RED: Style = Style::new()
+    .bg(Color::Red)
+    .fg(Color::White)
+    .add_modifier(Modifier::BOLD);
+const YELLOW: Style = Style::new().bg(Color::Yellow).fg(Color::Black);
 /// More than fit on any screen.
 const MOST_NOTICES: usize = 200;
 

@@ -14,7 +14,7 @@ use ratatui::widgets::{Block, BorderType, LineGauge, Paragraph};
 use crate::output::{clock, time_left};
 
 /// Pose and joints.
-pub(super) fn arm(frame: &mut Frame, area: Rect, state: &State) {
+pub(crate) fn arm(frame: &mut Frame, area: Rect, state: &State) {
     let [pose, joints] =
         Layout::horizontal([Constraint::Length(24), Constraint::Min(0)]).areas(area);
     let status = state.arm.as_ref().map(|it| &it.status);
@@ -25,7 +25,7 @@ pub(super) fn arm(frame: &mut Frame, area: Rect, state: &State) {
 }
 
 /// Tool, link and queue.
-pub(super) fn rest(frame: &mut Frame, area: Rect, state: &State) {
+pub(crate) fn rest(frame: &mut Frame, area: Rect, state: &State) {
     let halves = [Constraint::Length(24), Constraint::Min(0)];
     let [tool, station] = Layout::horizontal(halves).areas(area);
     panel(frame, tool, "tool", tool_lines(state));
@@ -70,7 +70,8 @@ pub(super) fn notices(frame: &mut Frame, area: Rect, notices: &VecDeque<Notice>)
     panel(frame, area, "what happened", lines.collect());
 }
 
-fn panel(frame: &mut Frame, area: Rect, title: &'static str, lines: Vec<Line>) {
+/// A panel with lines of text.
+pub(crate) fn panel(frame: &mut Frame, area: Rect, title: &'static str, lines: Vec<Line>) {
     frame.render_widget(Paragraph::new(lines).block(block(title)), area);
 }
 

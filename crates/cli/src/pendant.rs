@@ -1,0 +1,486 @@
+//! A pendant in the terminal: keys that are held move the arm, and it stops when they are let go.
+
+mod button;
+mod hold;
+mod keys;
+mod mouse;
+mod screen;
+mod session;
+mod terminal;
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind};
+use dobot_api::{ClientId, News, Notice, Reply, Request, State};
+use dobot_wire::{JointJog, JointJogAxis};
+
+use self::hold::{Beat, HoldToRun};
+use self::keys::{KeyMeaning, folded, meaning};
+
+pub(crate) use self::button::{Button, JogFrame};
+pub(crate) use self::hold::KeyReports;
+pub(crate) use self::mouse::{Mouse, kept_rotation_deg};
+pub(crate) use self::screen::{alarm, answer, held, key_line, move_lines};
+pub(crate) use self::session::{Panel, run};
+pub(crate) use self::terminal::check_terminal;
+
+/// The pendant as an engine: events of the terminal and of the station go in, requests come out. The
+/// caller passes the time since it began.
+#[derive(Debug)]
+pub(crate) struct Pendant {
+    client: ClientId,
+    hold: HoldToRun<KeyCode, Button>,
+    drive: Drive,
+    frame: JogFrame,
+    speed_percent: f32,
+    state: Option<State>,
+    asks: Option<Question>,
+    answer: Option<String>,
+    requests: VecDeque<Request>,
+    is_over: bool,
+}
+
+/// By what a key that is held moves the arm.
+#[derive(Debug)]
+pub(crate) enum Drive {
+    /// Jogs (states 2 and 7).
+    Jog,
+    /// Mouse packets (state 1).
+    Mouse(Mouse),
+}
+
+/// What a person is asked before the arm may move again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Question {
+    /// Whether a stop is to end.
+    Reset,
+    /// Whether the arm stands where it says.
+    Confirm,
+}
+
+impl Pendant {
+    /// The pendant of a client, at half the speed. `dead_man` is how long a jog button stays pressed
+    /// without being said again.
+    pub(crate) const fn new(
+        client: ClientId,
+        keys: KeyReports,
+        dead_man: Duration,
+        drive: Drive,
+    ) -> Self {
+        Self {
+            client,
+            hold: HoldToRun::new(keys, dead_man),
+            drive,
+            frame: JogFrame::Linear,
+            speed_percent: 50.0,
+            state: None,
+            asks: None,
+            answer: None,
+            requests: VecDeque::new(),
+            is_over: false,
+        }
+    }
+
+    /// Takes what the terminal tells.
+    pub(crate) fn handle_event(&mut self, now: Duration, event: &Event) {
+        match event {
+            Event::Key(key) if key.kind == KeyEventKind::Release => {
+                self.hold.handle_release(&folded(key.code));
+            }
+            Event::Key(key) => self.handle_key(now, key),
+            // Who does not look at this window does not see what its keys do.
+            Event::FocusLost => self.hold.let_go(),
+            _ => {}
+        }
+    }
+
+    /// Takes what the station tells all the time.
+    pub(crate) fn handle_state(&mut self, state: State) {
+        self.state = Some(state);
+    }
+
+    /// Takes that something happened.
+    pub(crate) fn handle_notice(&mut self, notice: Notice) {
+        if let Drive::Mouse(mouse) = &mut self.drive {
+            mouse.handle_news(&notice.news);
+        }
+        let hinders = match notice.news {
+            News::Refused { client, .. } => client == self.client,
+            News::DeadMan | News::LinkLost | News::Stopped | News::CommandFailed { .. } => true,
+            _ => false,
+        };
+        if hinders {
+            self.hold.handle_refused();
+            self.answer = Some(notice.text);
+        }
+    }
+
+    /// Takes what the station answers.
+    pub(crate) fn handle_reply(&mut self, reply: &Reply) {
+        if let (Drive::Mouse(mouse), Reply::Accepted { command, .. }) = (&mut self.drive, reply) {
+            mouse.handle_accepted(*command);
+        }
+    }
+
+    /// Takes that the station refuses a request.
+    pub(crate) fn handle_refused(&mut self, request: &Request, why: String) {
+        if matches!(request, Request::Jog { .. } | Request::Command { .. }) {
+            self.hold.handle_refused();
+        }
+        self.answer = Some(why);
+    }
+
+    /// Asks the station for something.
+    pub(crate) fn ask(&mut self, request: Request) {
+        self.requests.push_back(request);
+    }
+
+    /// Tells the person something.
+    pub(crate) fn tell(&mut self, text: String) {
+        self.answer = Some(text);
+    }
+
+    /// Lets go of whatever is held.
+    pub(crate) fn let_go(&mut self) {
+        self.hold.let_go();
+    }
+
+    /// What the station told last.
+    pub(crate) const fn state(&self) -> Option<&State> {
+        self.state.as_ref()
+    }
+
+    /// Takes the passing of time.
+    pub(crate) fn handle_time(&mut self, now: Duration) {
+        self.hold.handle_time(now);
+    }
+
+    /// The person, or the system, wants to leave: what is held is let go.
+    pub(crate) fn quit(&mut self) {
+        self.hold.let_go();
+        self.is_over = true;
+    }
+
+    /// What the station is asked for next.
+    pub(crate) fn poll_request(&mut self, now: Duration) -> Option<Request> {
+        loop {
+            if let Some(request) = self.requests.pop_front() {
+                return Some(request);
+            }
+            let beat = self.hold.poll(now)?;
+            self.requests.extend(self.driven(beat));
+        }
+    }
+
+    /// When [`handle_time`](Self::handle_time) wants to be called next.
+    pub(crate) fn poll_wakeup(&self) -> Option<Duration> {
+        self.hold.poll_wakeup()
+    }
+
+    /// Whether the person has left, and all was asked for that this takes.
+    pub(crate) const fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    fn handle_key(&mut self, now: Duration, key: &KeyEvent) {
+        let meaning = meaning(key, self.frame, self.hindrance().is_some());
+        let asked = self.asks.take();
+        if !matches!(meaning, KeyMeaning::Hold(_) | KeyMeaning::Speed(_)) {
+            self.hold.let_go();
+        }
+        match meaning {
+            KeyMeaning::Stop => self.stop(),
+            KeyMeaning::Hold(button) => self.press(now, key.code, button),
+            KeyMeaning::Speed(percent) => self.speed_percent = percent,
+            KeyMeaning::Suction(on) => self.switch_suction(on),
+            KeyMeaning::Frame => self.change_frame(),
+            KeyMeaning::Ask => self.asks = self.hindrance(),
+            KeyMeaning::Yes => self.requests.extend(asked.map(Question::request)),
+            KeyMeaning::Quit => self.quit(),
+            KeyMeaning::Nothing => {}
+        }
+    }
+
+    /// What hinders the arm from moving until a person has looked at it.
+    fn hindrance(&self) -> Option<Question> {
+        let state = self.state.as_ref()?;
+        if state.stop.is_some() {
+            return Some(Question::Reset);
+        }
+        (state.arm.is_some() && !state.trust.trusted).then_some(Question::Confirm)
+    }
+
+    /// A stop goes before all that was asked for and is not sent.
+    fn stop(&mut self) {
+        self.requests.clear();
+        self.requests.push_back(Request::Stop {
+            reason: Some("a key of the pendant was pressed".into()),
+        });
+        self.answer = None;
+    }
+
+    fn press(&mut self, now: Duration, key: KeyCode, button: Button) {
+        if let (Drive::Mouse(_), Err(why)) = (&self.drive, Mouse::check(button)) {
+            self.answer = Some(why.to_owned());
+            return;
+        }
+        if self.hold.button() != Some(button) {
+            self.answer = None;
+        }
+        self.hold.handle_press(now, folded(key), button);
+    }
+
+    /// Switches the pump.
+    pub(crate) fn switch_suction(&mut self, on: bool) {
+        let axis = if on {
+            JointJogAxis::SuctionOn
+        } else {
+            JointJogAxis::SuctionOff
+        };
+        let command = JointJog::new(axis, 0.0).into();
+        self.ask(Request::Command { command });
+    }
+
+    fn change_frame(&mut self) {
+        self.frame = match self.frame {
+            JogFrame::Linear if matches!(self.drive, Drive::Jog) => JogFrame::Joint,
+            _ => JogFrame::Linear,
+        };
+    }
+
+    /// What the station is asked for because a button is held or let go.
+    fn driven(&self, beat: Beat<Button>) -> Option<Request> {
+        match (&self.drive, beat) {
+            (Drive::Jog, Beat::Hold(button)) => Some(Request::Jog {
+                jog: button.jog(self.speed_percent),
+            }),
+            (Drive::Jog, Beat::Release) => Some(Request::Release),
+            (Drive::Mouse(mouse), Beat::Hold(button)) => {
+                let command = mouse.packet(button, self.speed_percent, self.state.as_ref()?)?;
+                Some(Request::Command { command })
+            }
+            (Drive::Mouse(_), Beat::Release) => None,
+        }
+    }
+}
+
+impl Question {
+    const fn request(self) -> Request {
+        match self {
+            Self::Reset => Request::ResetStop,
+            Self::Confirm => Request::ConfirmPose,
+        }
+    }
+}
+
+/// An arm at rest, for tests.
+#[cfg(test)]
+pub(crate) const STATE: &str = r#"{
+    "at_s": 61.0,
+    "link": {
+        "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
+        "statuses_per_s": 12.5, "lost_statuses": 0, "damaged_bytes": 0, "latency_ms": 46.0
+    },
+    "arm": {
+        "x_mm": 220.0, "y_mm": 0.0, "z_mm": 30.0, "rotation_deg": 15.0,
+        "base_deg": 0.0, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": 15.0,
+        "suction": true, "gripper_deg": 12.0, "moving": false
+    },
+    "dialect": "specification",
+    "trust": {"trusted": true, "reason": null},
+    "queue": {"waiting": 0, "under_way": 0, "ahead_s": 0.0},
+    "lease": null,
+    "stop": null,
+    "laser": {"armed_for_s": 0.0, "on": false},
+    "job": null,
+    "clients": 1
+}"#;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use crossterm::event::KeyModifiers;
+    use dobot_api::Jog;
+    use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MouseMove};
+
+    use super::*;
+
+    fn pendant(drive: Drive) -> Pendant {
+        Pendant::new(ClientId(7), KeyReports::Presses, DEAD_MAN, drive)
+    }
+
+    fn press(code: KeyCode) -> Event {
+        Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
+    }
+
+    /// All that is asked for at a time.
+    fn asked(it: &mut Pendant, now: Duration) -> Vec<Request> {
+        it.handle_time(now);
+        std::iter::from_fn(|| it.poll_request(now)).collect()
+    }
+
+    /// All that is asked for after a key.
+    fn keyed(it: &mut Pendant, now: Duration, code: KeyCode) -> Vec<Request> {
+        it.handle_event(now, &press(code));
+        asked(it, now)
+    }
+
+    fn state() -> State {
+        serde_json::from_str(STATE).unwrap()
+    }
+
+    fn forward(speed_percent: f32) -> Request {
+        let jog = Jog::Linear(LinearJog::new(LinearJogAxis::XPlus, speed_percent));
+        Request::Jog { jog }
+    }
+
+    #[test]
+    fn an_arrow_jogs_until_it_repeats_no_more() {
+        let mut it = pendant(Drive::Jog);
+        assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Up), [forward(50.0)]);
+        assert_eq!(it.poll_wakeup(), Some(DEAD_MAN / 3));
+        assert_eq!(asked(&mut it, DEAD_MAN), [Request::Release]);
+        assert_eq!(it.poll_wakeup(), None);
+    }
+
+    #[test]
+    fn a_stop_goes_out_first_and_nothing_follows_it() {
+        let mut it = pendant(Drive::Jog);
+        it.handle_event(Duration::ZERO, &press(KeyCode::Char('u')));
+        it.handle_event(Duration::ZERO, &press(KeyCode::Up));
+        let all = keyed(&mut it, Duration::ZERO, KeyCode::Char(' '));
+        assert!(
+            matches!(all[..], [Request::Stop { .. }, Request::Release]),
+            "{all:?}"
+        );
+        assert_eq!(asked(&mut it, DEAD_MAN), []);
+    }
+
+    #[test]
+    fn a_speed_counts_from_the_next_beat_on() {
+        let mut it = pendant(Drive::Jog);
+        keyed(&mut it, Duration::ZERO, KeyCode::Char('3'));
+        assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Up), [forward(30.0)]);
+        keyed(&mut it, Duration::ZERO, KeyCode::Char('9'));
+        assert_eq!(asked(&mut it, DEAD_MAN / 3), [forward(90.0)]);
+    }
+
+    #[test]
+    fn leaving_the_window_or_the_pendant_lets_go() {
+        for event in [Event::FocusLost, press(KeyCode::Char('q'))] {
+            let mut it = pendant(Drive::Jog);
+            keyed(&mut it, Duration::ZERO, KeyCode::Up);
+            it.handle_event(Duration::ZERO, &event);
+            assert_eq!(
+                asked(&mut it, Duration::ZERO),
+                [Request::Release],
+                "{event:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_jog_that_the_station_refuses_is_told_and_asked_for_no_more() {
+        let mut it = pendant(Drive::Jog);
+        let all = keyed(&mut it, Duration::ZERO, KeyCode::Up);
+        it.handle_refused(&all[0], "x is 320 mm".into());
+        assert_eq!(asked(&mut it, DEAD_MAN / 2), []);
+        assert_eq!(it.answer.as_deref(), Some("x is 320 mm"));
+        let notice = |client| Notice {
+            number: 1,
+            at_s: 0.0,
+            news: News::Refused {
+                client: ClientId(client),
+                kind: "policy".into(),
+            },
+            text: format!("refused to {client}"),
+        };
+        keyed(&mut it, DEAD_MAN * 4, KeyCode::Down);
+        it.handle_notice(notice(8));
+        assert!(it.hold.button().is_some(), "it was another client's");
+        it.handle_notice(notice(7));
+        assert_eq!(it.hold.button(), None);
+    }
+
+    #[test]
+    fn the_arm_moves_again_only_after_a_yes_to_the_question() {
+        let mut it = pendant(Drive::Jog);
+        let mut lost = state();
+        lost.trust.trusted = false;
+        it.handle_state(lost);
+        let now = Duration::ZERO;
+        assert_eq!(keyed(&mut it, now, KeyCode::Char('y')), []);
+        assert_eq!(keyed(&mut it, now, KeyCode::Char('r')), []);
+        assert_eq!(keyed(&mut it, now, KeyCode::Char('n')), []);
+        assert_eq!(keyed(&mut it, now, KeyCode::Char('y')), []);
+        keyed(&mut it, now, KeyCode::Char('r'));
+        let confirmed = keyed(&mut it, now, KeyCode::Char('y'));
+        assert_eq!(confirmed, [Request::ConfirmPose]);
+    }
+
+    #[test]
+    fn the_arrows_move_joints_after_tab() {
+        let mut it = pendant(Drive::Jog);
+        keyed(&mut it, Duration::ZERO, KeyCode::Tab);
+        let all = keyed(&mut it, Duration::ZERO, KeyCode::Left);
+        let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 50.0));
+        assert_eq!(all, [Request::Jog { jog }]);
+    }
+
+    fn mouse_packet(all: &[Request]) -> MouseMove {
+        match all {
+            [
+                Request::Command {
+                    command: Command::MouseMove(packet),
+                },
+            ] => *packet,
+            other => panic!("{other:?} is no mouse packet"),
+        }
+    }
+
+    #[test]
+    fn a_mouse_has_two_packets_under_way_at_the_most() {
+        let mut it = pendant(Drive::Mouse(Mouse::new()));
+        it.handle_state(state());
+        let beat = |at: u32| DEAD_MAN / 3 * at;
+        for at in 0..2 {
+            let packet = mouse_packet(&keyed(&mut it, beat(at), KeyCode::Up));
+            assert_eq!((packet.x, packet.y, packet.z), (2.5, 0.0, 0.0));
+            assert_eq!((packet.rotation_deg, packet.suction), (15.0, true));
+            let command = at.into();
+            it.handle_reply(&Reply::Accepted {
+                command,
+                takes_s: None,
+            });
+        }
+        assert_eq!(keyed(&mut it, beat(2), KeyCode::Up), []);
+        it.handle_notice(Notice {
+            number: 1,
+            at_s: 0.0,
+            news: News::CommandDone { command: 0 },
+            text: String::new(),
+        });
+        mouse_packet(&keyed(&mut it, beat(3), KeyCode::Up));
+        assert_eq!(
+            asked(&mut it, beat(9)),
+            [],
+            "a mouse has nothing to release"
+        );
+    }
+
+    #[test]
+    fn left_is_left_with_a_mouse_whatever_the_dialect() {
+        let mut it = pendant(Drive::Mouse(Mouse::new()));
+        for (dialect, y) in [(Dialect::SPECIFICATION, 2.5), (Dialect::FIRMWARE_1_1, -2.5)] {
+            let mut state = state();
+            state.dialect = Some(dialect);
+            it.handle_state(state);
+            it.handle_event(Duration::ZERO, &Event::FocusLost);
+            let packet = mouse_packet(&keyed(&mut it, Duration::ZERO, KeyCode::Left));
+            assert_eq!(packet.y, y, "{dialect}");
+        }
+    }
+
+    const DEAD_MAN: Duration = Duration::from_millis(150);
+}

@@ -1,0 +1,138 @@
+//! The buttons of a jog: their names, and what pressing each sends.
+
+use std::str::FromStr;
+
+use anyhow::anyhow;
+use dobot_api::Jog;
+use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis};
+
+use crate::failure::Failure;
+
+/// A button of joint jog or of linear jog (Table 2.5; note N14).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Button {
+    /// State 2.
+    Joint(JointJogAxis),
+    /// State 7.
+    Linear(LinearJogAxis),
+}
+
+/// One of the two jogs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum JogFrame {
+    /// State 2.
+    Joint,
+    /// State 7.
+    Linear,
+}
+
+impl Button {
+    /// The same button of a jog that is named, where that jog has it.
+    pub(crate) fn with_frame(self, frame: Option<JogFrame>) -> Result<Self, Failure> {
+        let code = self.code();
+        let is_common = code > LAST_OWN_AXIS;
+        match (self, frame) {
+            (Self::Joint(_), Some(JogFrame::Linear)) if is_common => {
+                Ok(Self::Linear(LinearJogAxis::ALL[code]))
+            }
+            (Self::Joint(_), Some(JogFrame::Linear)) => Err(other_frame(
+                "base, rear and fore are axes of the joint jog (state 2)",
+            )),
+            (Self::Linear(_), Some(JogFrame::Joint)) => Err(other_frame(
+                "x, y and z are axes of the linear jog (state 7)",
+            )),
+            _ => Ok(self),
+        }
+    }
+
+    /// Its name, as in `dobot jog x+`; a button of linear jog has that of joint jog where both have it.
+    pub(crate) fn name(self) -> &'static str {
+        let joint = |it: &Self| it.code() > LAST_OWN_AXIS && it.code() == self.code();
+        let named = |(_, it): &&(&str, Self)| *it == self || joint(it);
+        BUTTONS.iter().find(named).map_or("released", |it| it.0)
+    }
+
+    /// What is sent while the button is pressed.
+    pub(crate) const fn jog(self, speed_percent: f32) -> Jog {
+        match self {
+            Self::Joint(axis) => Jog::Joint(JointJog::new(axis, speed_percent)),
+            Self::Linear(axis) => Jog::Linear(LinearJog::new(axis, speed_percent)),
+        }
+    }
+
+    /// Whether it moves something while it is held; else it is a switch.
+    pub(crate) const fn moves(self) -> bool {
+        match self {
+            Self::Joint(axis) => axis.moves(),
+            Self::Linear(axis) => axis.moves(),
+        }
+    }
+
+    /// What ends a switch that may not stay as it is: the laser goes off.
+    pub(crate) const fn end(self) -> Option<Jog> {
+        match self {
+            Self::Joint(JointJogAxis::LaserOn) => {
+                Some(Self::Joint(JointJogAxis::LaserOff).jog(0.0))
+            }
+            Self::Linear(LinearJogAxis::LaserOn) => {
+                Some(Self::Linear(LinearJogAxis::LaserOff).jog(0.0))
+            }
+            Self::Joint(_) | Self::Linear(_) => None,
+        }
+    }
+
+    /// Float 2 of its packet, which is its place in either list of axes.
+    const fn code(self) -> usize {
+        match self {
+            Self::Joint(axis) => axis as usize,
+            Self::Linear(axis) => axis as usize,
+        }
+    }
+}
+
+impl FromStr for Button {
+    type Err = anyhow::Error;
+
+    fn from_str(text: &str) -> anyhow::Result<Self> {
+        let named = |(name, _): &&(&str, Self)| *name == text;
+        let found = BUTTONS.iter().find(named);
+        found.map(|(_, button)| *button).ok_or_else(|| {
+            let names: Vec<&str> = BUTTONS.iter().map(|(name, _)| *name).collect();
+            anyhow!("allowed are {}", names.join(", "))
+        })
+    }
+}
+
+fn other_frame(why: &'static str) -> Failure {
+    Failure::new(anyhow!(why), "leave `--frame` out")
+}
+
+/// Behind this code the two jogs have the same axes (note N14).
+const LAST_OWN_AXIS: usize = 6;
+
+const BUTTONS: [(&str, Button); 20] = {
+    use JointJogAxis as J;
+    use LinearJogAxis as L;
+    [
+        ("base+", Button::Joint(J::BasePlus)),
+        ("base-", Button::Joint(J::BaseMinus)),
+        ("rear+", Button::Joint(J::RearPlus)),
+        ("rear-", Button::Joint(J::RearMinus)),
+        ("fore+", Button::Joint(J::ForePlus)),
+        ("fore-", Button::Joint(J::ForeMinus)),
+        ("servo+", Button::Joint(J::ServoPlus)),
+        ("servo-", Button::Joint(J::ServoMinus)),
+        ("gripper+", Button::Joint(J::GripperOpen)),
+        ("gripper-", Button::Joint(J::GripperClose)),
+        ("x+", Button::Linear(L::XPlus)),
+        ("x-", Button::Linear(L::XMinus)),
+        ("y+", Button::Linear(L::YPlus)),
+        ("y-", Button::Linear(L::YMinus)),
+        ("z+", Button::Linear(L::ZPlus)),
+        ("z-", Button::Linear(L::ZMinus)),
+        ("suction-on", Button::Joint(J::SuctionOn)),
+        ("suction-off", Button::Joint(J::SuctionOff)),
+        ("laser-on", Button::Joint(J::LaserOn)),
+        ("laser-off", Button::Joint(J::LaserOff)),
+    ]
+};

@@ -1,0 +1,200 @@
+//! The screen of the pendant, as a pure function of what is known and of the terminal's size.
+
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::{Style, Stylize};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Paragraph, Wrap};
+
+use super::{Drive, JogFrame, KeyReports, Pendant, Question};
+use crate::verbs::watch::dashboard::{alarm_of_state, bar};
+use crate::verbs::watch::panels;
+
+/// Draws everything.
+pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
+    let rows = [
+        Constraint::Length(1),
+        Constraint::Length(1),
+        Constraint::Length(6),
+        Constraint::Length(6),
+        Constraint::Min(0),
+        Constraint::Length(2),
+    ];
+    let [top, alarm_row, arm, rest, keys, bottom] = Layout::vertical(rows).areas(frame.area());
+    frame.render_widget(held(pendant), top);
+    frame.render_widget(alarm(pendant), alarm_row);
+    if let Some(state) = &pendant.state {
+        panels::arm(frame, arm, state);
+        panels::rest(frame, rest, state);
+    }
+    keys_of(frame, keys, pendant);
+    frame.render_widget(answer(pendant), bottom);
+}
+
+/// What a person has to know first.
+pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
+    bar(alarm_of_state(pendant.state.as_ref()))
+}
+
+/// What is held, and how fast.
+pub(crate) fn held(pendant: &Pendant) -> Paragraph<'static> {
+    let (name, unit) = match pendant.drive {
+        Drive::Jog => (" jog ", "% of the jog speed"),
+        Drive::Mouse(_) => (" mouse ", "% of the increment"),
+    };
+    let held = match pendant.hold.button() {
+        Some(button) => format!(" {} ", button.name()).bold().green(),
+        None => " no key held ".dim(),
+    };
+    Paragraph::new(Line::from(vec![
+        name.bold().reversed(),
+        held,
+        format!(" {:.0} {unit}  ", pendant.speed_percent).into(),
+        frame_name(pendant.frame).dim(),
+    ]))
+}
+
+const fn frame_name(frame: JogFrame) -> &'static str {
+    match frame {
+        JogFrame::Linear => "along x, y, z",
+        JogFrame::Joint => "joints",
+    }
+}
+
+/// The keys, and what this terminal tells of them.
+fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
+    let mut lines = move_lines(pendant);
+    lines.push(key_line(&[("u j", "pump on, off"), ("q", "leave")]));
+    lines.push(match pendant.hold.keys() {
+        KeyReports::Releases => "the arm moves while a key is held".dim().into(),
+        KeyReports::Presses => {
+            "the arm moves while a key repeats: first a short step, then on and on"
+                .dim()
+                .into()
+        }
+    });
+    panels::panel(frame, area, "keys", lines);
+}
+
+/// The keys that stop and move the arm.
+pub(crate) fn move_lines(pendant: &Pendant) -> Vec<Line<'static>> {
+    let [arrows, sides, pages] = match pendant.frame {
+        JogFrame::Linear => ["x+ x-", "y+ y-", "z+ z-"],
+        JogFrame::Joint => ["rear+ rear-", "base+ base-", "fore- fore+"],
+    };
+    let mut lines = vec![
+        key_line(&[("Space Esc s", "STOP"), ("1 … 9 0", "speed")]),
+        key_line(&[("↑ ↓", arrows), ("← →", sides), ("PgUp PgDn", pages)]),
+    ];
+    if matches!(pendant.drive, Drive::Jog) {
+        lines.push(key_line(&[
+            ("r f", "tool turns"),
+            ("o c", "gripper opens, closes"),
+            ("Tab", "joints or x, y, z"),
+        ]));
+    }
+    lines
+}
+
+/// Keys with what they do.
+pub(crate) fn key_line(keys: &[(&'static str, &'static str)]) -> Line<'static> {
+    let spans = keys
+        .iter()
+        .flat_map(|(key, what)| [format!(" {key} ").reversed(), format!(" {what}  ").into()]);
+    Line::from(spans.collect::<Vec<Span>>())
+}
+
+/// The question, or what there is to say about the last key.
+pub(crate) fn answer(pendant: &Pendant) -> Paragraph<'_> {
+    let question = match pendant.asks {
+        Some(Question::Reset) => " let the arm move again? look at it first   y yes   n no",
+        Some(Question::Confirm) => {
+            " does the arm stand where the screen says, and does it point there?   y yes   n no"
+        }
+        None => {
+            let text = pendant.answer.as_deref().or_else(|| pendant.remedy());
+            return Paragraph::new(text.unwrap_or_default().yellow()).wrap(Wrap { trim: true });
+        }
+    };
+    Paragraph::new(question).style(Style::new().reversed())
+}
+
+impl Pendant {
+    /// What to do where no key moves the arm.
+    fn remedy(&self) -> Option<&'static str> {
+        self.hindrance().map(|it| match it {
+            Question::Reset => "look at the arm; r lets it move again",
+            Question::Confirm => {
+                "see where the arm stands and points; if not as the screen says, turn it by hand; then r"
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use std::time::Duration;
+
+    use dobot_api::ClientId;
+    use ratatui::Terminal;
+    use ratatui::backend::TestBackend;
+
+    use super::*;
+    use crate::pendant::Mouse;
+
+    fn pendant(keys: KeyReports, drive: Drive) -> Pendant {
+        Pendant::new(ClientId(1), keys, Duration::from_millis(150), drive)
+    }
+
+    fn screen(pendant: &Pendant, width: u16, height: u16) -> String {
+        let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+        terminal.draw(|frame| draw(frame, pendant)).unwrap();
+        let buffer = terminal.backend().buffer();
+        let row = |y| (0..width).map(|x| buffer[(x, y)].symbol()).collect();
+        let rows: Vec<String> = (0..height).map(row).collect();
+        rows.join("\n")
+    }
+
+    #[test]
+    fn the_screen_shows_every_key_on_a_usual_terminal() {
+        let screen = screen(&pendant(KeyReports::Presses, Drive::Jog), 80, 24);
+        for part in [
+            "STOP",
+            "x+ x-",
+            "y+ y-",
+            "z+ z-",
+            "tool turns",
+            "gripper",
+            "pump",
+            "speed",
+            "leave",
+            "a key repeats",
+            "no key held",
+            "50 %",
+        ] {
+            assert!(screen.contains(part), "`{part}` is missing:\n{screen}");
+        }
+    }
+
+    #[test]
+    fn a_mouse_shows_no_keys_that_it_has_not() {
+        let mouse = Drive::Mouse(Mouse::new());
+        let screen = screen(&pendant(KeyReports::Releases, mouse), 80, 24);
+        assert!(
+            screen.contains("x+ x-") && screen.contains("is held"),
+            "{screen}"
+        );
+        assert!(!screen.contains("gripper opens"), "{screen}");
+    }
+
+    #[test]
+    fn every_size_of_terminal_can_be_drawn_on() {
+        let pendant = pendant(KeyReports::Presses, Drive::Jog);
+        for width in (1..=120).step_by(7) {
+            for height in 1..=40 {
+                screen(&pendant, width, height);
+            }
+        }
+    }
+}

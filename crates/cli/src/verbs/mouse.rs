@@ -1,0 +1,81 @@
+//! `dobot mouse`: move by a little, as a mouse does (state 1).
+
+use dobot_rules::StationClient;
+use dobot_wire::{Command, Dialect, MouseMove, Status};
+
+use crate::connect::To;
+use crate::control::carry_out_one;
+use crate::failure::Failure;
+use crate::output;
+use crate::pendant::{Drive, Mouse, check_terminal, kept_rotation_deg};
+use crate::verbs::jog::with_keys;
+use crate::verbs::move_::on_off;
+
+/// Move by a little, as a mouse does (state 1)
+#[derive(Debug, clap::Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "\
+Examples:
+  dobot mouse 5 0 0                      5 mm forward
+  dobot mouse 0 -2.5 10 --suction on     to the right and up, with the pump on
+  dobot mouse --keys                     with arrows, page up and page down
+  dobot mouse 10 4 0 --to serial:/dev/ttyUSB0 --dialect firmware-1.1
+
+The unit depends on the dialect. By the specification X, Y and Z are millimetres in the base frame: x forward,
+y left, z up. On an arm as it was sold, one unit of X changes the reach by 0.4 mm, one of Y swings the base by
+-0.225 degrees, and one of Z lifts by 0.4 mm; the arm averages each packet with up to ten before it. There it
+forgets the joint speeds of `dobot set moves`: set them again before the next target.
+
+With keys: Space, Esc or s stops the arm, q leaves, 1 to 9 and 0 are the length of a step, up to 5 units. When a
+key is let go, at most two steps are still made."
+)]
+pub(crate) struct Args {
+    /// How far, in the unit of the dialect
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys")]
+    by: Vec<f32>,
+    /// With keys, for as long as they are held: small steps one after the other
+    #[arg(long, conflicts_with_all = ["by", "rotation", "suction"])]
+    keys: bool,
+    /// How the tool is turned, in degrees (default: it stays); by the specification relative to the base frame,
+    /// on an arm as it was sold the servo's angle
+    #[arg(long, value_name = "DEGREES")]
+    rotation: Option<f32>,
+    /// The suction cup: on or off (default: it stays)
+    #[arg(long, value_name = "on|off", value_parser = on_off)]
+    suction: Option<bool>,
+    #[command(flatten)]
+    to: To,
+    /// Print the last status as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    if args.keys {
+        check_terminal("`--keys`", "`dobot mouse X Y Z` moves by so much")?;
+    }
+    let go = async |station: &mut StationClient| {
+        if args.keys {
+            return with_keys(station, &args.to, Drive::Mouse(Mouse::new()), |it| it).await;
+        }
+        let command = |status: &Status, dialect| Ok(args.command(status, dialect));
+        carry_out_one(station, &args.to, None, command).await
+    };
+    let status = args.to.with_arm("mouse", go).await?;
+    Ok(output::status(&status, args.json)?)
+}
+
+impl Args {
+    fn command(&self, from: &Status, dialect: Option<Dialect>) -> Command {
+        let [x, y, z] = [self.by[0], self.by[1], self.by[2]];
+        MouseMove {
+            y,
+            x,
+            z,
+            rotation_deg: self.rotation.unwrap_or(kept_rotation_deg(from, dialect)),
+            suction: self.suction.unwrap_or(from.suction),
+        }
+        .into()
+    }
+}

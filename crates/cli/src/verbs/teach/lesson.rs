@@ -1,0 +1,570 @@
+//! The program that is being taught: what each key changes in it.
+
+use std::collections::BTreeMap;
+
+use dobot_api::NewJob;
+use dobot_teach::{
+    Action, Compiled, Go, Here, NoFiles, Place as ProgramPlace, Point, Program, ProgramDocument,
+    ProgramError, Steps, Times,
+};
+use dobot_wire::MovingMode;
+
+use super::recording::Place;
+
+/// A program, and the step at which it is being taught.
+#[derive(Debug)]
+pub(crate) struct Lesson {
+    title: String,
+    /// None until the first point was taught: a program has a step.
+    document: Option<ProgramDocument>,
+    cursor: usize,
+    done: Vec<Done>,
+    saved: String,
+}
+
+/// What one key has changed.
+#[derive(Clone, Copy, Debug)]
+struct Done {
+    /// How many changes of the text that were; none where it began the program.
+    changes: usize,
+    /// Where the cursor was.
+    cursor: usize,
+}
+
+/// Which part of a program is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// All of it, as it says itself.
+    All,
+    /// All of it again and again, until a person ends it.
+    Loop,
+    /// From the step at the cursor on.
+    FromHere,
+}
+
+impl Lesson {
+    /// A new program.
+    pub(crate) const fn new(title: String) -> Self {
+        Self {
+            title,
+            document: None,
+            cursor: 0,
+            done: Vec::new(),
+            saved: String::new(),
+        }
+    }
+
+    /// Goes on with a program; new steps come behind its last one.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] where it is none, or cannot be edited.
+    pub(crate) fn of_text(text: &str) -> Result<Self, ProgramError> {
+        let document = ProgramDocument::new(text)?;
+        Ok(Self {
+            cursor: document.steps().saturating_sub(1),
+            saved: document.text(),
+            document: Some(document),
+            ..Self::new(String::new())
+        })
+    }
+
+    /// The text as it is now; empty before the first point.
+    pub(crate) fn text(&self) -> String {
+        self.document
+            .as_ref()
+            .map_or_else(String::new, ProgramDocument::text)
+    }
+
+    /// Whether something was changed since it was saved.
+    pub(crate) fn is_changed(&self) -> bool {
+        self.text() != self.saved
+    }
+
+    /// Takes that this text was saved.
+    pub(crate) fn handle_saved(&mut self, text: String) {
+        self.saved = text;
+    }
+
+    /// The steps, a line for each, as they stand in the text.
+    pub(crate) fn lines(&self) -> Vec<String> {
+        let steps = self.steps();
+        steps.0.iter().map(|it| line(it.get_ref())).collect()
+    }
+
+    /// The step at which new ones come behind.
+    pub(crate) const fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// Goes to the step before or behind.
+    pub(crate) fn move_cursor(&mut self, down: bool) {
+        let last = self.count().saturating_sub(1);
+        self.cursor = if down {
+            (self.cursor + 1).min(last)
+        } else {
+            self.cursor.saturating_sub(1)
+        };
+    }
+
+    /// Teaches where the arm is: a point, and a step that goes there. Gives the point's name.
+    pub(crate) fn capture(
+        &mut self,
+        place: &Place,
+        path: MovingMode,
+    ) -> Result<String, ProgramError> {
+        let name = self.free_name();
+        let go = Go {
+            path,
+            then: self.changed_tool(place),
+            ..Go::to(name.as_str())
+        };
+        if self.document.is_none() {
+            let points = BTreeMap::from([(name.clone(), point(place))]);
+            self.begin(points, vec![Action::Go(go)])?;
+            return Ok(name);
+        }
+        self.change(|document, at| {
+            document.set_point(&name, point(place))?;
+            document.insert(at, Action::Go(go))?;
+            Ok(Edited {
+                changes: 2,
+                cursor: at,
+            })
+        })?;
+        Ok(name)
+    }
+
+    /// Teaches a path that was jogged: straight lines through its places.
+    pub(crate) fn add_path(&mut self, places: &[Place]) -> Result<(), ProgramError> {
+        let mut before = self.tool_before();
+        let mut actions = Vec::new();
+        for place in places {
+            let then = before.changes_to(place);
+            before = before.after(then);
+            actions.push(Action::Go(Go {
+                path: MovingMode::MovL,
+                then,
+                ..Go::to(ProgramPlace::At(point(place)))
+            }));
+        }
+        if self.document.is_none() {
+            return self.begin(BTreeMap::new(), actions);
+        }
+        self.change(|document, at| {
+            let changes = actions.len();
+            for (index, action) in actions.into_iter().enumerate() {
+                document.insert(at + index, action)?;
+            }
+            Ok(Edited {
+                changes,
+                cursor: at + changes.saturating_sub(1),
+            })
+        })
+    }
+
+    /// Teaches that the pump is switched here. It is not taught before the first point, nor where the
+    /// program has it so already; says whether it was.
+    pub(crate) fn switch_suction(&mut self, on: bool) -> Result<bool, ProgramError> {
+        if self.document.is_none() || self.tool_before().suction == on {
+            return Ok(false);
+        }
+        let here = Here {
+            suction: Some(on),
+            gripper: None,
+            pause: Some(GRIP_S),
+        };
+        self.insert(Action::Here(here)).map(|()| true)
+    }
+
+    /// Teaches that the arm waits here.
+    pub(crate) fn pause(&mut self) -> Result<(), ProgramError> {
+        let pause = Some(GRIP_S);
+        self.insert(Action::Here(Here {
+            pause,
+            ..Here::default()
+        }))
+    }
+
+    /// Takes the step at the cursor away.
+    pub(crate) fn remove(&mut self) -> Result<(), ProgramError> {
+        let cursor = self.cursor;
+        self.change(|document, _| {
+            document.remove(cursor)?;
+            Ok(Edited {
+                changes: 1,
+                cursor: cursor.min(document.steps().saturating_sub(1)),
+            })
+        })
+    }
+
+    /// Moves the step at the cursor up or down.
+    pub(crate) fn shift(&mut self, down: bool) -> Result<(), ProgramError> {
+        let from = self.cursor;
+        let to = if down {
+            Some(from + 1)
+        } else {
+            from.checked_sub(1)
+        };
+        let Some(to) = to.filter(|it| *it < self.count()) else {
+            return Ok(());
+        };
+        self.change(|document, _| {
+            document.move_step(from, to)?;
+            Ok(Edited {
+                changes: 1,
+                cursor: to,
+            })
+        })
+    }
+
+    /// Takes back what the last key has changed; `false` where there is nothing.
+    pub(crate) fn undo(&mut self) -> bool {
+        let Some(done) = self.done.pop() else {
+            return false;
+        };
+        match (&mut self.document, done.changes) {
+            (document, 0) => *document = None,
+            (Some(document), changes) => {
+                for _ in 0..changes {
+                    document.undo();
+                }
+            }
+            (None, _) => {}
+        }
+        self.cursor = done.cursor;
+        true
+    }
+
+    /// The job of a part of it.
+    ///
+    /// # Errors
+    ///
+    /// Why it cannot be run, in one line.
+    pub(crate) fn job(&self, part: Part) -> Result<NewJob, String> {
+        let program = self.program().ok_or("there is no step yet")?;
+        let compiled = match part {
+            Part::Loop => compile(&looped(program))?,
+            Part::All => compile(&program)?,
+            Part::FromHere => {
+                let line = program
+                    .steps
+                    .0
+                    .get(self.cursor)
+                    .map(|it| program.line_of(it));
+                let compiled = compile(&program)?;
+                let here =
+                    |it: &dobot_teach::CompiledStep| it.file.is_none() && Some(it.line) >= line;
+                let step = compiled.steps.iter().position(here);
+                let rest = step.and_then(|it| compiled.from_step(it));
+                rest.ok_or("nothing is done from this step on")?
+            }
+        };
+        let mut job = compiled.job(LIFT_MM);
+        if job.title.is_empty() {
+            job.title.push_str("a taught program");
+        }
+        Ok(job)
+    }
+
+    fn program(&self) -> Option<Program> {
+        self.document.as_ref()?.program().ok()
+    }
+
+    fn steps(&self) -> Steps {
+        self.program().map_or_else(Steps::default, |it| it.steps)
+    }
+
+    fn count(&self) -> usize {
+        self.document.as_ref().map_or(0, ProgramDocument::steps)
+    }
+
+    fn begin(
+        &mut self,
+        points: BTreeMap<String, Point>,
+        actions: Vec<Action>,
+    ) -> Result<(), ProgramError> {
+        let last = actions.len().saturating_sub(1);
+        let mut program = program_of(actions);
+        program.title.clone_from(&self.title);
+        program.points = points;
+        self.document = Some(ProgramDocument::new(&program.to_toml())?);
+        self.done.push(Done {
+            changes: 0,
+            cursor: 0,
+        });
+        self.cursor = last;
+        Ok(())
+    }
+
+    fn insert(&mut self, action: Action) -> Result<(), ProgramError> {
+        self.change(|document, at| {
+            document.insert(at, action)?;
+            Ok(Edited {
+                changes: 1,
+                cursor: at,
+            })
+        })
+    }
+
+    /// Changes the program behind the cursor, as one thing to be undone.
+    fn change(
+        &mut self,
+        edit: impl FnOnce(&mut ProgramDocument, usize) -> Result<Edited, ProgramError>,
+    ) -> Result<(), ProgramError> {
+        let behind = (self.cursor + 1).min(self.count());
+        let Some(document) = &mut self.document else {
+            return Err(nothing_yet());
+        };
+        let mut edited = document.clone();
+        let Edited { changes, cursor } = edit(&mut edited, behind)?;
+        *document = edited;
+        self.done.push(Done {
+            changes,
+            cursor: self.cursor,
+        });
+        self.cursor = cursor;
+        Ok(())
+    }
+
+    /// A name that no point has.
+    fn free_name(&self) -> String {
+        let points = self.program().map(|it| it.points).unwrap_or_default();
+        let names = (1..=points.len() + 1).map(|it| format!("p{it}"));
+        let mut free = names.filter(|it| !points.contains_key(it));
+        free.next().unwrap_or_default()
+    }
+
+    fn changed_tool(&self, place: &Place) -> Here {
+        self.tool_before().changes_to(place)
+    }
+
+    /// How the program leaves the tool behind the cursor.
+    fn tool_before(&self) -> ToolState {
+        let steps = self.steps();
+        let until = (self.cursor + 1).min(steps.0.len());
+        let thens = steps.0[..until].iter().filter_map(|it| match it.get_ref() {
+            Action::Go(go) => Some(go.then),
+            Action::Here(here) => Some(*here),
+            _ => None,
+        });
+        thens.fold(ToolState::default(), ToolState::after)
+    }
+}
+
+/// What an edit came to: how many changes of the text, and where the cursor is then.
+struct Edited {
+    changes: usize,
+    cursor: usize,
+}
+
+/// What the tool does at some place of a program.
+#[derive(Clone, Copy, Debug, Default)]
+struct ToolState {
+    suction: bool,
+    gripper_deg: f64,
+}
+
+impl ToolState {
+    fn after(self, here: Here) -> Self {
+        Self {
+            suction: here.suction.unwrap_or(self.suction),
+            gripper_deg: here.gripper.unwrap_or(self.gripper_deg),
+        }
+    }
+
+    /// What has to be said so that the tool does as at a place.
+    fn changes_to(self, place: &Place) -> Here {
+        let gripper = rounded(place.gripper_deg, 10.0);
+        Here {
+            suction: Some(place.suction).filter(|it| *it != self.suction),
+            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
+            pause: None,
+        }
+    }
+}
+
+/// All of a program again and again.
+fn looped(mut program: Program) -> Program {
+    let repeats = |it: &Action| matches!(it, Action::Repeat(Times::Forever, _));
+    if !program
+        .steps
+        .0
+        .last()
+        .is_some_and(|it| repeats(it.get_ref()))
+    {
+        let steps = std::mem::take(&mut program.steps);
+        program.steps = Steps::new(vec![Action::Repeat(Times::Forever, steps)]);
+    }
+    program
+}
+
+fn program_of(actions: Vec<Action>) -> Program {
+    let mut program = Program::default();
+    program.steps = Steps::new(actions);
+    program
+}
+
+fn compile(program: &Program) -> Result<Compiled, String> {
+    program
+        .compile(&mut NoFiles)
+        .map_err(|error| error.to_string())
+}
+
+fn nothing_yet() -> ProgramError {
+    ProgramError {
+        file: None,
+        line: None,
+        reason: "there is no step yet; teach a point first".to_owned(),
+    }
+}
+
+/// To a hundredth of a millimetre and of a degree, which is finer than an arm goes.
+fn point(place: &Place) -> Point {
+    Point::Cartesian {
+        position: place.point_mm.map(|it| rounded(it, 100.0)),
+        rotation: Some(rounded(place.rotation_deg, 100.0)).filter(|it| *it != 0.0),
+        frame: None,
+    }
+}
+
+/// Without a negative zero.
+fn rounded(number: f64, parts: f64) -> f64 {
+    (number * parts).round() / parts + 0.0
+}
+
+/// `go = "p1", path = "movl"`
+fn line(action: &Action) -> String {
+    let text = program_of(vec![action.clone()]).to_toml();
+    let lines = text.lines().map(str::trim);
+    let lines: Vec<&str> = lines
+        .filter(|it| !it.is_empty() && *it != "[[steps]]")
+        .collect();
+    lines.join(", ")
+}
+
+/// How long an arm waits with the pump, in seconds, until it holds or has let go.
+const GRIP_S: f64 = 0.5;
+/// How far the tool is lifted while the job is paused, in mm: it stays where it is, for it may hold something.
+const LIFT_MM: f32 = 0.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use dobot_wire::Command;
+
+    use super::*;
+
+    fn place(x: f64, suction: bool) -> Place {
+        Place {
+            point_mm: [x, 0.0, 10.0],
+            rotation_deg: 0.0,
+            suction,
+            gripper_deg: 0.0,
+        }
+    }
+
+    /// A pick at 200, a place at 250.
+    fn pick_and_place() -> Lesson {
+        let mut it = Lesson::new("cubes".into());
+        it.capture(&place(200.0, false), MovingMode::Jump).unwrap();
+        assert!(it.switch_suction(true).unwrap());
+        it.capture(&place(250.0, true), MovingMode::Jump).unwrap();
+        assert!(it.switch_suction(false).unwrap());
+        it
+    }
+
+    #[test]
+    fn a_pick_and_place_is_taught_with_four_keys() {
+        let it = pick_and_place();
+        let program = Program::from_toml(&it.text()).unwrap();
+        assert_eq!(program.title, "cubes");
+        assert_eq!(program.points["p1"], Point::xyz(200.0, 0.0, 10.0));
+        assert_eq!(program.points["p2"], Point::xyz(250.0, 0.0, 10.0));
+        let lines = it.lines();
+        assert_eq!(lines.len(), 4, "{lines:?}");
+        assert!(lines[0].contains("go = \"p1\""), "{lines:?}");
+        assert!(lines[1].contains("suction = true"), "{lines:?}");
+        assert!(!lines[2].contains("suction"), "it is on already: {lines:?}");
+        assert_eq!(it.cursor(), 3);
+    }
+
+    #[test]
+    fn every_key_can_be_undone_down_to_the_empty_program() {
+        let mut it = pick_and_place();
+        it.shift(false).unwrap();
+        it.remove().unwrap();
+        it.add_path(&[place(260.0, true), place(270.0, true)])
+            .unwrap();
+        let mut texts = Vec::new();
+        while it.undo() {
+            texts.push((it.text(), it.cursor()));
+        }
+        assert_eq!(texts.len(), 7);
+        assert_eq!(texts.last(), Some(&(String::new(), 0)));
+        assert_eq!(texts[2].0, pick_and_place().text());
+    }
+
+    #[test]
+    fn a_step_is_put_behind_the_cursor_and_moved_with_it() {
+        let mut it = pick_and_place();
+        it.move_cursor(false);
+        it.move_cursor(false);
+        it.capture(&place(220.0, true), MovingMode::MovL).unwrap();
+        assert_eq!(it.cursor(), 2);
+        assert!(it.lines()[2].contains("p3"), "{:?}", it.lines());
+        it.shift(true).unwrap();
+        assert_eq!(it.cursor(), 3);
+        assert!(it.lines()[3].contains("p3"), "{:?}", it.lines());
+    }
+
+    #[test]
+    fn the_pump_is_not_taught_twice_nor_before_the_first_point() {
+        let mut it = Lesson::new(String::new());
+        assert!(!it.switch_suction(true).unwrap());
+        it.capture(&place(200.0, true), MovingMode::Jump).unwrap();
+        assert!(it.lines()[0].contains("suction = true"), "{:?}", it.lines());
+        assert!(!it.switch_suction(true).unwrap());
+    }
+
+    #[test]
+    fn a_program_goes_on_where_it_was_and_keeps_its_comments() {
+        let text = "# mine\n[points]\np1 = { x = 200, y = 0, z = 0 } # the pick\n\n[[steps]]\ngo = \"p1\"\n";
+        let mut it = Lesson::of_text(text).unwrap();
+        assert!(!it.is_changed());
+        assert_eq!(
+            it.capture(&place(230.0, false), MovingMode::MovJ).unwrap(),
+            "p2"
+        );
+        assert!(it.is_changed());
+        let now = it.text();
+        assert!(
+            now.contains("# mine") && now.contains("# the pick"),
+            "{now}"
+        );
+        it.handle_saved(now);
+        assert!(!it.is_changed());
+    }
+
+    fn targets(job: &NewJob) -> Vec<f32> {
+        let x = |it: &Command| match it {
+            Command::MoveTo(it) => Some(it.x_mm),
+            _ => None,
+        };
+        job.commands.iter().filter_map(x).collect()
+    }
+
+    #[test]
+    fn a_part_of_the_program_is_run_from_the_cursor_on() {
+        let mut it = pick_and_place();
+        it.move_cursor(false);
+        let rest = it.job(Part::FromHere).unwrap();
+        assert_eq!(targets(&rest).first(), Some(&250.0));
+        let all = it.job(Part::All).unwrap();
+        assert_eq!(targets(&all).first(), Some(&200.0));
+        assert_eq!(all.program.repeat, None);
+        let looped = it.job(Part::Loop).unwrap();
+        assert_eq!(looped.program.repeat.map(|it| it.times), Some(None));
+        assert!(Lesson::new(String::new()).job(Part::All).is_err());
+    }
+}

@@ -1,0 +1,190 @@
+//! A path that was jogged, with as few points as keep it within a tolerance.
+
+use dobot_wire::Status;
+
+/// A place of a path: where the tool was, and what it did there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// x, y and z, in millimetres in the base frame.
+    pub(crate) point_mm: [f64; 3],
+    /// The rotation of the tool relative to the base frame, in degrees.
+    pub(crate) rotation_deg: f64,
+    /// Whether the pump ran.
+    pub(crate) suction: bool,
+    /// The gripper's angle, in degrees.
+    pub(crate) gripper_deg: f64,
+}
+
+impl Place {
+    /// Where a status says that the arm is.
+    pub(crate) fn of(status: &Status) -> Self {
+        Self {
+            point_mm: [status.x_mm, status.y_mm, status.z_mm].map(f64::from),
+            rotation_deg: status.rotation_deg.into(),
+            suction: status.suction,
+            gripper_deg: status.gripper_deg.into(),
+        }
+    }
+
+    /// Whether the tool does the same at both.
+    fn has_tool_of(&self, other: &Self) -> bool {
+        self.suction == other.suction && self.gripper_deg == other.gripper_deg
+    }
+
+    /// Point and rotation as one, a degree being as much as a millimetre.
+    fn joined(&self) -> [f64; 4] {
+        let [x, y, z] = self.point_mm;
+        [x, y, z, self.rotation_deg]
+    }
+}
+
+/// The fewest places that Ramer, Douglas and Peucker's choice leaves: straight lines from one to the
+/// next stay within the tolerance of all, in millimetres for the point together with degrees for the
+/// rotation. The first and the last stay, and those where the tool changes.
+///
+/// ```text
+///                  far .
+///                   .     .            the place that is farthest from the chord
+///        from *-------------------* to splits it, until none is farther than the tolerance
+/// ```
+pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
+    let mut kept = vec![false; places.len()];
+    let mut spans = vec![(0, places.len().saturating_sub(1))];
+    for end in [places.first().map(|_| 0), places.len().checked_sub(1)] {
+        if let Some(end) = end {
+            kept[end] = true;
+        }
+    }
+    while let Some((from, to)) = spans.pop() {
+        if let Some(at) = split(places, from, to, tolerance) {
+            kept[at] = true;
+            spans.extend([(from, at), (at, to)]);
+        }
+    }
+    let places = places.iter().zip(kept);
+    places
+        .filter_map(|(it, kept)| kept.then_some(*it))
+        .collect()
+}
+
+/// Where a chord has to be split: where the tool changes first, else at the place that is farthest from
+/// it, if that is too far.
+fn split(places: &[Place], from: usize, to: usize, tolerance: f64) -> Option<usize> {
+    let mut between = from + 1..to;
+    let changes = |at: &usize| {
+        !places[*at].has_tool_of(&places[*at - 1]) || !places[*at].has_tool_of(&places[*at + 1])
+    };
+    if let Some(at) = between.clone().find(changes) {
+        return Some(at);
+    }
+    let (a, b) = (places.get(from)?.joined(), places.get(to)?.joined());
+    let far = |at: usize| distance(places[at].joined(), a, b);
+    let farthest = between.next().map(|first| {
+        between.fold((first, far(first)), |best, at| {
+            let found = far(at);
+            if found > best.1 { (at, found) } else { best }
+        })
+    });
+    farthest.filter(|it| it.1 > tolerance).map(|it| it.0)
+}
+
+/// How far a point is from the line from `a` to `b`.
+fn distance(point: [f64; 4], a: [f64; 4], b: [f64; 4]) -> f64 {
+    let less = |p: [f64; 4], q: [f64; 4]| std::array::from_fn(|i| p[i] - q[i]);
+    let dot = |p: [f64; 4], q: [f64; 4]| p.iter().zip(q).map(|(p, q)| p * q).sum::<f64>();
+    let (way, off): ([f64; 4], [f64; 4]) = (less(b, a), less(point, a));
+    let length2 = dot(way, way);
+    let share = if length2 > 0.0 {
+        (dot(off, way) / length2).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let rest: [f64; 4] = std::array::from_fn(|i| off[i] - way[i] * share);
+    dot(rest, rest).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn place(point_mm: [f64; 3]) -> Place {
+        Place {
+            point_mm,
+            rotation_deg: 0.0,
+            suction: false,
+            gripper_deg: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_straight_line_with_a_corner_becomes_three_places() {
+        let out = (0..=50).map(|it| place([200.0 + f64::from(it), 0.0, 0.0]));
+        let up = (1..=30).map(|it| place([250.0, 0.0, f64::from(it)]));
+        let path: Vec<Place> = out.chain(up).collect();
+        let corners = [[200.0, 0.0, 0.0], [250.0, 0.0, 0.0], [250.0, 0.0, 30.0]].map(place);
+        assert_eq!(simplified(&path, 0.1), corners);
+    }
+
+    #[test]
+    fn a_quarter_of_a_circle_becomes_as_many_chords_as_its_tolerance_takes() {
+        let at = |deg: f64| {
+            let (sin, cos) = deg.to_radians().sin_cos();
+            place([200.0 * cos, 200.0 * sin, 0.0])
+        };
+        let path: Vec<Place> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
+        // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving 90
+        // degrees comes to 11.25, which is 8 chords.
+        assert_eq!(simplified(&path, 1.0).len(), 9);
+    }
+
+    #[test]
+    fn where_the_pump_is_switched_stays_also_on_a_straight_line() {
+        let mut path: Vec<Place> = (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
+        for it in &mut path[6..] {
+            it.suction = true;
+        }
+        let kept = simplified(&path, 1.0);
+        assert_eq!(kept, [path[0], path[5], path[6], path[9]]);
+    }
+
+    #[test]
+    fn a_turn_of_the_tool_on_the_spot_stays() {
+        let turned = |rotation_deg| Place {
+            rotation_deg,
+            ..place([200.0, 0.0, 0.0])
+        };
+        let path = [0.0, 15.0, 30.0, 15.0, 0.0].map(turned);
+        let kept = simplified(&path, 0.5);
+        assert_eq!(kept, [turned(0.0), turned(30.0), turned(0.0)]);
+    }
+
+    #[test]
+    fn nothing_and_a_single_place_stay_as_they_are() {
+        assert_eq!(simplified(&[], 1.0), []);
+        let one = place([1.0, 2.0, 3.0]);
+        assert_eq!(simplified(&[one], 1.0), [one]);
+    }
+
+    proptest! {
+        #[test]
+        fn no_place_is_farther_from_the_lines_than_the_tolerance(
+            points in prop::collection::vec((prop::array::uniform3(-300.0..300.0), -90.0..90.0), 1..60),
+            tolerance in 0.0..50.0_f64,
+        ) {
+            let path: Vec<Place> = points
+                .into_iter()
+                .map(|(point_mm, rotation_deg)| Place { rotation_deg, ..place(point_mm) })
+                .collect();
+            let kept = simplified(&path, tolerance);
+            prop_assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
+            for it in &path {
+                let near = kept.windows(2).any(|ends| {
+                    distance(it.joined(), ends[0].joined(), ends[1].joined()) <= tolerance + 1e-9
+                });
+                prop_assert!(near || kept.contains(it));
+            }
+        }
+    }
+}

@@ -1,0 +1,494 @@
+//! Teaching as an engine: the pendant, the program, and the job that runs it.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crossterm::event::{Event, KeyEvent, KeyEventKind};
+use dobot_api::{ArmView, JobPhase, JobView, Reply, Request, State};
+use dobot_teach::ProgramError;
+use dobot_wire::MovingMode;
+use ratatui::Frame;
+
+use super::keys::{TeachKey, teach_key};
+use super::lesson::{Lesson, Part};
+use super::recording::{Place, simplified};
+use super::screen;
+use crate::pendant::{Panel, Pendant};
+
+/// Teaches a program with keys.
+#[derive(Debug)]
+pub(crate) struct Teacher {
+    pub(super) pendant: Pendant,
+    pub(super) lesson: Lesson,
+    pub(super) path: MovingMode,
+    pub(super) file: PathBuf,
+    tolerance_mm: f64,
+    recording: Option<Vec<Place>>,
+    captured: Option<Place>,
+    job: Option<Taught>,
+    /// What is done with the job that was submitted, once the station has told its number.
+    submitting: Option<JobStart>,
+    is_saving: bool,
+    leaves_unsaved: bool,
+}
+
+/// The job of a program, and of which text it was made.
+#[derive(Debug)]
+struct Taught {
+    job: u64,
+    text: String,
+}
+
+/// How a job is started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum JobStart {
+    /// Until it is over.
+    Run,
+    /// For one step.
+    Step,
+}
+
+impl Teacher {
+    /// Teaches a program that stands, or will stand, in a file. A jogged path is kept within
+    /// `tolerance_mm`.
+    pub(crate) const fn new(
+        pendant: Pendant,
+        lesson: Lesson,
+        file: PathBuf,
+        tolerance_mm: f64,
+    ) -> Self {
+        Self {
+            pendant,
+            lesson,
+            path: MovingMode::Jump,
+            file,
+            tolerance_mm,
+            recording: None,
+            captured: None,
+            job: None,
+            submitting: None,
+            is_saving: false,
+            leaves_unsaved: false,
+        }
+    }
+
+    /// How many places of a jogged path were recorded; none where nothing is recorded.
+    pub(super) fn recorded(&self) -> Option<usize> {
+        self.recording.as_ref().map(Vec::len)
+    }
+
+    /// The job of the program, as the station tells it.
+    pub(super) fn job(&self) -> Option<&JobView> {
+        let own = self.job.as_ref()?.job;
+        let job = self.pendant.state()?.job.as_ref();
+        job.filter(|it| it.job == own)
+    }
+
+    fn handle_key(&mut self, key: TeachKey) {
+        self.pendant.let_go();
+        let captured = self.captured.take();
+        let leaves_unsaved = std::mem::take(&mut self.leaves_unsaved);
+        match key {
+            TeachKey::Capture => self.capture(captured),
+            TeachKey::NextPath => self.path = next_path(self.path),
+            TeachKey::Cursor { down } => self.lesson.move_cursor(down),
+            TeachKey::Shift { down } => {
+                let done = self.lesson.shift(down);
+                self.tell_error(done);
+            }
+            TeachKey::Remove => {
+                let done = self.lesson.remove();
+                self.tell_error(done);
+            }
+            TeachKey::Undo => self.undo(),
+            TeachKey::Pause => {
+                let done = self.lesson.pause();
+                self.tell_error(done);
+            }
+            TeachKey::Record => self.record(),
+            TeachKey::Suction(on) => self.switch_suction(on),
+            TeachKey::Run => self.run(Part::All, JobStart::Run),
+            TeachKey::Loop => self.run(Part::Loop, JobStart::Run),
+            TeachKey::RunFromHere => self.run(Part::FromHere, JobStart::Run),
+            TeachKey::Step => self.run(Part::All, JobStart::Step),
+            TeachKey::PauseJob => self.pendant.ask(Request::PauseJob),
+            TeachKey::CancelJob => self.cancel(),
+            TeachKey::Save => self.is_saving = true,
+            TeachKey::Quit => self.quit(leaves_unsaved),
+        }
+    }
+
+    /// Where the arm rests, if that is known for sure.
+    fn place(&self) -> Result<Place, String> {
+        let state = self.pendant.state().ok_or("the arm has not told yet")?;
+        if !state.trust.trusted {
+            return Err(
+                "the pose is not trusted, and a point taught now would lie elsewhere".into(),
+            );
+        }
+        match &state.arm {
+            Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
+            Some(arm) => Ok(Place::of(&arm.status)),
+            None => Err("the arm has not told yet".into()),
+        }
+    }
+
+    /// Enter that is held repeats: a place is taught once, until another key is pressed.
+    fn capture(&mut self, before: Option<Place>) {
+        let place = match self.place() {
+            Ok(place) => place,
+            Err(why) => return self.pendant.tell(format!("not taught: {why}")),
+        };
+        if before != Some(place) {
+            match self.lesson.capture(&place, self.path) {
+                Ok(name) => self.pendant.tell(format!("{name} is taught")),
+                Err(error) => self.pendant.tell(error.to_string()),
+            }
+        }
+        self.captured = Some(place);
+    }
+
+    fn undo(&mut self) {
+        if !self.lesson.undo() {
+            self.pendant.tell("there is nothing to undo".into());
+        }
+    }
+
+    fn record(&mut self) {
+        let Some(places) = self.recording.take() else {
+            self.recording = Some(Vec::new());
+            return self
+                .pendant
+                .tell("the path is recorded: jog, then v again".into());
+        };
+        let kept = simplified(&places, self.tolerance_mm);
+        if kept.len() < 2 {
+            return self
+                .pendant
+                .tell("nothing was jogged, so nothing is taught".into());
+        }
+        let text = format!(
+            "{} places became {} steps, within {} mm",
+            places.len(),
+            kept.len(),
+            self.tolerance_mm
+        );
+        match self.lesson.add_path(&kept) {
+            Ok(()) => self.pendant.tell(text),
+            Err(error) => self.pendant.tell(error.to_string()),
+        }
+    }
+
+    /// The arm does it, and the program from here on too; in a recording the places say it.
+    fn switch_suction(&mut self, on: bool) {
+        self.pendant.switch_suction(on);
+        if self.recording.is_none() {
+            let done = self.lesson.switch_suction(on).map(|_| ());
+            self.tell_error(done);
+        }
+    }
+
+    fn run(&mut self, part: Part, start: JobStart) {
+        let phase = self.job().map(|it| it.phase);
+        if phase == Some(JobPhase::Running) {
+            let text = "it runs: p pauses it, x ends it, Space stops the arm";
+            return self.pendant.tell(text.into());
+        }
+        let text = self.lesson.text();
+        if let Some(own) = &self.job
+            && phase == Some(JobPhase::Paused)
+        {
+            // One that was changed since, or is to begin elsewhere, begins anew.
+            if own.text == text && part == Part::All {
+                return self.pendant.ask(start.request(own.job));
+            }
+            self.pendant.ask(Request::CancelJob { job: own.job });
+        }
+        match self.lesson.job(part) {
+            Ok(job) => {
+                self.job = None;
+                self.submitting = Some(start);
+                self.pendant.ask(Request::SubmitJob { job });
+            }
+            Err(why) => self.pendant.tell(format!("not run: {why}")),
+        }
+    }
+
+    fn cancel(&mut self) {
+        match self.job().map(|it| it.job) {
+            Some(job) => self.pendant.ask(Request::CancelJob { job }),
+            None => self.pendant.tell("no program runs".into()),
+        }
+    }
+
+    fn quit(&mut self, leaves_unsaved: bool) {
+        if self.lesson.is_changed() && !leaves_unsaved {
+            self.leaves_unsaved = true;
+            return self
+                .pendant
+                .tell("the program is not saved: w saves it, q leaves without".into());
+        }
+        self.pendant.quit();
+    }
+
+    fn tell_error(&mut self, done: Result<(), ProgramError>) {
+        if let Err(error) = done {
+            self.pendant.tell(error.to_string());
+        }
+    }
+}
+
+impl Panel for Teacher {
+    fn pendant(&mut self) -> &mut Pendant {
+        &mut self.pendant
+    }
+
+    fn handle_event(&mut self, now: Duration, event: &Event) {
+        let pressed = |key: &KeyEvent| key.kind != KeyEventKind::Release;
+        let key = event.as_key_event().filter(pressed);
+        match key.and_then(|it| teach_key(&it)) {
+            // What is held down is meant once, but for the way through the steps.
+            Some(meaning) if is_meant(key, meaning) => self.handle_key(meaning),
+            Some(_) => {}
+            None => {
+                if key.is_some() {
+                    self.captured = None;
+                    self.leaves_unsaved = false;
+                }
+                self.pendant.handle_event(now, event);
+            }
+        }
+    }
+
+    fn handle_state(&mut self, state: State) {
+        if let (Some(places), Some(arm)) = (&mut self.recording, &state.arm) {
+            let place = Place::of(&arm.status);
+            if places.last() != Some(&place) && places.len() < MOST_PLACES {
+                places.push(place);
+            }
+        }
+        self.pendant.handle_state(state);
+    }
+
+    fn handle_reply(&mut self, reply: &Reply) {
+        if let Reply::Job { job } = reply
+            && let Some(start) = self.submitting.take()
+        {
+            self.pendant.ask(start.request(job.job));
+            self.job = Some(Taught {
+                job: job.job,
+                text: self.lesson.text(),
+            });
+        }
+        self.pendant.handle_reply(reply);
+    }
+
+    fn handle_refused(&mut self, request: &Request, why: String) {
+        if matches!(request, Request::SubmitJob { .. }) {
+            self.submitting = None;
+        }
+        self.pendant.handle_refused(request, why);
+    }
+
+    fn poll_file(&mut self) -> Option<(PathBuf, String)> {
+        let wanted = std::mem::take(&mut self.is_saving);
+        wanted.then(|| (self.file.clone(), self.lesson.text()))
+    }
+
+    fn handle_saved(&mut self, text: String, saved: std::io::Result<()>) {
+        let name = self.file.display();
+        match saved {
+            Ok(()) => {
+                self.pendant.tell(format!("{name} is saved"));
+                self.lesson.handle_saved(text);
+            }
+            Err(error) => self
+                .pendant
+                .tell(format!("{name} cannot be written: {error}")),
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        screen::draw(frame, self);
+    }
+}
+
+impl JobStart {
+    const fn request(self, job: u64) -> Request {
+        match self {
+            Self::Run => Request::StartJob { job },
+            Self::Step => Request::StepJob { job },
+        }
+    }
+}
+
+fn is_meant(key: Option<KeyEvent>, meaning: TeachKey) -> bool {
+    let repeats = key.is_some_and(|it| it.kind == KeyEventKind::Repeat);
+    !repeats || matches!(meaning, TeachKey::Cursor { .. })
+}
+
+const fn next_path(path: MovingMode) -> MovingMode {
+    match path {
+        MovingMode::Jump => MovingMode::MovL,
+        MovingMode::MovL => MovingMode::MovJ,
+        MovingMode::MovJ => MovingMode::Jump,
+    }
+}
+
+/// An hour of statuses.
+const MOST_PLACES: usize = 45_000;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use crossterm::event::{KeyCode, KeyModifiers};
+    use dobot_api::ClientId;
+
+    use super::*;
+    use crate::pendant::{Drive, KeyReports, STATE};
+
+    fn teacher() -> Teacher {
+        let dead_man = Duration::from_millis(150);
+        let pendant = Pendant::new(ClientId(1), KeyReports::Presses, dead_man, Drive::Jog);
+        let mut it = Teacher::new(pendant, Lesson::new("t".into()), "t.toml".into(), 0.5);
+        it.handle_state(state());
+        it
+    }
+
+    fn state() -> State {
+        serde_json::from_str(STATE).unwrap()
+    }
+
+    fn at(x_mm: f32) -> State {
+        let mut state = state();
+        state.arm.as_mut().unwrap().status.x_mm = x_mm;
+        state
+    }
+
+    /// All that is asked for after a key.
+    fn keyed(it: &mut Teacher, code: KeyCode) -> Vec<Request> {
+        let key = Event::Key(KeyEvent::new(code, KeyModifiers::NONE));
+        it.handle_event(Duration::ZERO, &key);
+        asked(it)
+    }
+
+    fn asked(it: &mut Teacher) -> Vec<Request> {
+        std::iter::from_fn(|| it.pendant.poll_request(Duration::ZERO)).collect()
+    }
+
+    fn job_view(job: u64, phase: JobPhase) -> JobView {
+        let text = format!(
+            r#"{{"job": {job}, "title": "t", "kind": "program", "phase": "queued", "reason": null,
+            "commands": 1, "completed": 0, "planned_s": null, "left_s": null, "took_s": null,
+            "speed_percent": 100.0, "height_mm": 0.0}}"#
+        );
+        let view: JobView = serde_json::from_str(&text).unwrap();
+        JobView { phase, ..view }
+    }
+
+    #[test]
+    fn a_point_is_taught_once_however_long_enter_is_held() {
+        let mut it = teacher();
+        for _ in 0..5 {
+            keyed(&mut it, KeyCode::Enter);
+        }
+        assert_eq!(it.lesson.lines().len(), 1);
+        it.handle_state(at(230.0));
+        keyed(&mut it, KeyCode::Enter);
+        assert_eq!(it.lesson.lines().len(), 2);
+    }
+
+    #[test]
+    fn no_point_is_taught_while_the_arm_moves_or_its_pose_is_not_trusted() {
+        let mut it = teacher();
+        let mut moving = state();
+        moving.arm.as_mut().unwrap().moving = true;
+        let mut lost = state();
+        lost.trust.trusted = false;
+        for state in [moving, lost] {
+            it.handle_state(state);
+            keyed(&mut it, KeyCode::Enter);
+            assert_eq!(it.lesson.text(), "");
+        }
+    }
+
+    #[test]
+    fn the_pump_is_switched_and_taught_with_one_key() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        let asked = keyed(&mut it, KeyCode::Char('j'));
+        assert!(matches!(asked[..], [Request::Command { .. }]), "{asked:?}");
+        // The state says that the pump ran when the point was taught.
+        assert!(it.lesson.lines()[1].contains("suction = false"));
+    }
+
+    #[test]
+    fn a_jogged_path_becomes_few_steps() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Char('v'));
+        for x in 0_u8..40 {
+            it.handle_state(at(200.0 + f32::from(x)));
+        }
+        keyed(&mut it, KeyCode::Char('v'));
+        let lines = it.lesson.lines();
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        assert!(lines[1].contains("239"), "{lines:?}");
+    }
+
+    #[test]
+    fn a_program_is_submitted_started_paused_and_gone_on_with() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        let submitted = keyed(&mut it, KeyCode::Char('g'));
+        assert!(
+            matches!(submitted[..], [Request::SubmitJob { .. }]),
+            "{submitted:?}"
+        );
+        it.handle_reply(&Reply::Job {
+            job: job_view(4, JobPhase::Queued),
+        });
+        assert_eq!(asked(&mut it), [Request::StartJob { job: 4 }]);
+        let mut paused = state();
+        paused.job = Some(job_view(4, JobPhase::Paused));
+        it.handle_state(paused);
+        assert_eq!(
+            keyed(&mut it, KeyCode::Char('n')),
+            [Request::StepJob { job: 4 }]
+        );
+        assert_eq!(
+            keyed(&mut it, KeyCode::Char('g')),
+            [Request::StartJob { job: 4 }]
+        );
+        keyed(&mut it, KeyCode::Char('t'));
+        let anew = keyed(&mut it, KeyCode::Char('g'));
+        assert!(
+            matches!(
+                anew[..],
+                [Request::CancelJob { job: 4 }, Request::SubmitJob { .. }]
+            ),
+            "it was changed: {anew:?}"
+        );
+    }
+
+    #[test]
+    fn what_is_not_saved_is_left_only_with_a_second_q() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        keyed(&mut it, KeyCode::Char('q'));
+        assert!(!it.pendant.is_over());
+        keyed(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("t.toml"));
+        it.handle_saved(text, Ok(()));
+        keyed(&mut it, KeyCode::Char('q'));
+        assert!(it.pendant.is_over());
+    }
+
+    #[test]
+    fn a_stop_goes_out_whatever_is_taught() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        let asked = keyed(&mut it, KeyCode::Char(' '));
+        assert!(matches!(asked[..], [Request::Stop { .. }]), "{asked:?}");
+    }
+}

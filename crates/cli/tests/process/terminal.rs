@@ -1,0 +1,131 @@
+//! A `dobot` in a terminal of its own, with a person who presses keys.
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
+use std::time::Duration;
+
+use rustix::fs::{Mode, OFlags, open};
+use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+use rustix::termios::{Winsize, tcsetwinsize};
+
+/// What a terminal tells of its keys.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Keyboard {
+    /// That they are pressed.
+    Plain,
+    /// Also that they are let go, by the protocol of kitty.
+    Kitty,
+}
+
+/// A program in a terminal of 80 columns and 24 rows; it ends with the test.
+pub(crate) struct Terminal {
+    child: Child,
+    keys: File,
+    shown: Receiver<String>,
+    /// All that was shown and not asked for yet.
+    unread: String,
+}
+
+impl Terminal {
+    pub(crate) fn new(command: &Command, keyboard: Keyboard) -> Self {
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal is free");
+        grantpt(&master).expect("it is ours");
+        unlockpt(&master).expect("it is ours");
+        let size = Winsize {
+            ws_row: 24,
+            ws_col: 80,
+            ws_xpixel: 0,
+            ws_ypixel: 0,
+        };
+        tcsetwinsize(&master, size).expect("it is a terminal");
+        let name = ptsname(&master, Vec::new()).expect("it has a name");
+        let flags = OFlags::RDWR | OFlags::NOCTTY;
+        let inside = File::from(open(&name, flags, Mode::empty()).expect("it is unlocked"));
+        let child = alone(command)
+            .env("TERM", "xterm-256color")
+            .stdin(inside.try_clone().expect("a handle"))
+            .stdout(inside)
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let keys = File::from(master);
+        let (tell, shown) = mpsc::channel();
+        let screen = keys.try_clone().expect("a handle");
+        thread::spawn(move || show(screen, keyboard, |text| tell.send(text).is_ok()));
+        Self {
+            child,
+            keys,
+            shown,
+            unread: String::new(),
+        }
+    }
+
+    /// Waits until the screen shows a text, in one piece.
+    pub(crate) fn shows(&mut self, text: &str) {
+        loop {
+            if let Some(at) = self.unread.find(text) {
+                self.unread.drain(..at + text.len());
+                return;
+            }
+            match self.shown.recv_timeout(PATIENCE) {
+                Ok(more) => self.unread.push_str(&more),
+                Err(_) => panic!("`{text}` is missing: {:?}", self.unread),
+            }
+        }
+    }
+
+    /// What keys send.
+    pub(crate) fn types(&mut self, keys: &str) {
+        self.keys.write_all(keys.as_bytes()).expect("it is open");
+    }
+
+    /// Waits until the program has ended.
+    pub(crate) fn ends(mut self) -> ExitStatus {
+        self.child.wait().expect("it ends")
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// The command in a session of its own: else it would ask the terminal of who runs the test.
+fn alone(command: &Command) -> Command {
+    let mut alone = Command::new("setsid");
+    alone.arg(command.get_program()).args(command.get_args());
+    for (name, value) in command.get_envs() {
+        match value {
+            Some(value) => alone.env(name, value),
+            None => alone.env_remove(name),
+        };
+    }
+    alone
+}
+
+/// Reads what is shown, and answers what a terminal is asked.
+fn show(mut screen: File, keyboard: Keyboard, mut tell: impl FnMut(String) -> bool) {
+    let mut bytes = [0; 4096];
+    // The read fails when the program is gone.
+    while let Ok(read @ 1..) = screen.read(&mut bytes) {
+        let text = String::from_utf8_lossy(&bytes[..read]).into_owned();
+        if text.contains("\x1b[c") {
+            let flags = match keyboard {
+                Keyboard::Plain => "",
+                Keyboard::Kitty => "\x1b[?0u",
+            };
+            let answer = format!("{flags}\x1b[?62c");
+            screen.write_all(answer.as_bytes()).expect("it is open");
+        }
+        if !tell(text) {
+            break;
+        }
+    }
+}
+
+const PATIENCE: Duration = Duration::from_secs(30);

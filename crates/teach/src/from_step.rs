@@ -1,0 +1,174 @@
+//! The rest of a program, from one of its steps on.
+
+use std::ops::Range;
+
+use dobot_api::{JobPause, JobRepeat};
+use dobot_wire::Command;
+
+use crate::{Compiled, CompiledStep};
+
+impl Compiled {
+    /// The program from a step on, counted from 0 among [`steps`](Self::steps): settings of speed and tool that
+    /// stand before it come first. What is left of a cycle is done once, and then the cycle as often as it would
+    /// still have been done. `None` where there is no such step.
+    #[must_use]
+    pub fn from_step(&self, step: usize) -> Option<Self> {
+        let first = self.steps.get(step)?.first;
+        let settings = self.commands[..first].iter().filter(|it| is_setting(it));
+        let mut rest = Self {
+            title: self.title.clone(),
+            commands: settings.copied().collect(),
+            ..Self::default()
+        };
+        rest.append(self, first..self.commands.len());
+        rest.repeat = match self.repeat {
+            Some(it) if first > it.from => rest.append_cycle(self, it),
+            Some(it) => Some(JobRepeat {
+                from: it.from - first + rest.commands.len() - (self.commands.len() - first),
+                ..it
+            }),
+            None => None,
+        };
+        Some(rest)
+    }
+
+    /// The whole cycle behind what is left of this one, if it is done again at all.
+    fn append_cycle(&mut self, whole: &Self, repeat: JobRepeat) -> Option<JobRepeat> {
+        let times = repeat.times.map(|it| it.saturating_sub(1));
+        if times == Some(0) {
+            return None;
+        }
+        let from = self.commands.len();
+        self.append(whole, repeat.from..whole.commands.len());
+        Some(JobRepeat { from, times })
+    }
+
+    /// Adds some of the commands of a program, with the steps and the pauses among them.
+    fn append(&mut self, whole: &Self, part: Range<usize>) {
+        let at = |index: usize| index - part.start + self.commands.len();
+        let steps = whole.steps.iter().filter(|it| part.contains(&it.first));
+        let steps: Vec<CompiledStep> = steps
+            .map(|it| CompiledStep {
+                first: at(it.first),
+                ..it.clone()
+            })
+            .collect();
+        let pauses = whole.pauses.iter().filter(|it| part.contains(&it.before));
+        let pauses: Vec<JobPause> = pauses
+            .map(|it| JobPause {
+                before: at(it.before),
+                ..it.clone()
+            })
+            .collect();
+        self.steps.extend(steps);
+        self.pauses.extend(pauses);
+        self.commands.extend(&whole.commands[part]);
+    }
+}
+
+/// Whether it holds from then on, wherever the arm is.
+const fn is_setting(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Configuration(_) | Command::PlaybackAdjustment(_)
+    )
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::{NoFiles, Program};
+
+    fn compiled(repeat: &str) -> Compiled {
+        let text = format!(
+            r#"
+            [[steps]]
+            go = {{ x = 200, y = 0, z = 0 }}
+            [[steps]]
+            speed = {{ percent = 30 }}
+            [[steps]]
+            repeat = {repeat}
+            [[steps.steps]]
+            go = {{ x = 210, y = 0, z = 0 }}
+            [[steps.steps]]
+            wait = "look"
+            [[steps.steps]]
+            go = {{ x = 220, y = 0, z = 0 }}
+            [[steps.steps]]
+            go = {{ x = 230, y = 0, z = 0 }}
+            "#
+        );
+        Program::from_toml(&text)
+            .unwrap()
+            .compile(&mut NoFiles)
+            .unwrap()
+    }
+
+    /// The x of each target in all, cycle by cycle.
+    fn targets(it: &Compiled, cycles: u64) -> Vec<f32> {
+        let x = |command: &Command| match command {
+            Command::MoveTo(it) => Some(it.x_mm),
+            _ => None,
+        };
+        let from = it.repeat.map_or(it.commands.len(), |it| it.from);
+        let times = it.repeat.map_or(0, |it| it.times.unwrap_or(cycles));
+        let (once, cycle) = it.commands.split_at(from);
+        let again = (0..times).flat_map(|_| cycle.iter());
+        once.iter().chain(again).filter_map(x).collect()
+    }
+
+    #[test]
+    fn the_rest_goes_to_what_the_program_would_still_have_gone_to() {
+        let whole = compiled("3");
+        let all = targets(&whole, 3);
+        for step in 0..whole.steps.len() {
+            let rest = whole.from_step(step).unwrap();
+            let left = targets(&rest, 3);
+            assert!(all.ends_with(&left), "step {step}: {left:?} of {all:?}");
+            let before = targets(
+                &Compiled {
+                    commands: whole.commands[..whole.steps[step].first].to_vec(),
+                    ..Compiled::default()
+                },
+                0,
+            );
+            assert_eq!(before.len() + left.len(), all.len(), "step {step}");
+        }
+    }
+
+    #[test]
+    fn a_cycle_for_ever_goes_on_for_ever() {
+        let whole = compiled("\"forever\"");
+        let last = whole.from_step(whole.steps.len() - 1).unwrap();
+        assert_eq!(targets(&last, 1), [230.0, 210.0, 220.0, 230.0]);
+        assert_eq!(last.repeat.unwrap().times, None);
+    }
+
+    #[test]
+    fn speeds_that_were_set_before_still_hold() {
+        let whole = compiled("1");
+        let last = whole.from_step(whole.steps.len() - 1).unwrap();
+        let set = whole.commands.iter().find(|it| is_setting(it)).unwrap();
+        assert!(last.commands.contains(set), "{:?}", last.commands);
+    }
+
+    #[test]
+    fn steps_and_pauses_stay_with_their_commands() {
+        let whole = compiled("2");
+        for step in 0..whole.steps.len() {
+            let rest = whole.from_step(step).unwrap();
+            for it in &rest.steps {
+                let same = |other: &&CompiledStep| other.line == it.line;
+                let other = whole.steps.iter().find(same).unwrap();
+                assert_eq!(rest.commands[it.first], whole.commands[other.first]);
+            }
+            assert!(
+                rest.pauses
+                    .iter()
+                    .all(|it| it.before <= rest.commands.len())
+            );
+        }
+        assert!(whole.from_step(whole.steps.len()).is_none());
+    }
+}
