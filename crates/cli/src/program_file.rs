@@ -39,8 +39,8 @@ pub(crate) fn read(file: &Path) -> Result<Program, Failure> {
             })?;
             Ok(Program::from_toml(&text).with_context(|| named(file))?)
         }
-        Kind::Points => Ok(vendor::program_of(&points(file, vendor::read_points)?)),
-        Kind::Play => Ok(vendor::program_of(&points(file, vendor::read_play)?)),
+        Kind::Points => of_points(file, vendor::read_points(&bytes(file)?)),
+        Kind::Play => of_points(file, vendor::read_play(&bytes(file)?)),
         Kind::Params => Err(Failure::new(
             anyhow!("{} holds speeds, no program", named(file)),
             "`dobot convert PlayBackParams.json speeds.toml` makes a step of it",
@@ -102,15 +102,16 @@ pub(crate) fn bytes(file: &Path) -> Result<Vec<u8>, Failure> {
     Ok(fs::read(file).with_context(|| format!("cannot read {}", named(file)))?)
 }
 
-fn points(
+/// The program of points that were read; what was surprising in them is told.
+fn of_points(
     file: &Path,
-    read: fn(&[u8]) -> Result<vendor::Read<Vec<VendorPoint>>, ProgramError>,
-) -> Result<Vec<VendorPoint>, Failure> {
-    let read = read(&bytes(file)?).with_context(|| named(file))?;
+    read: Result<vendor::Read<Vec<VendorPoint>>, ProgramError>,
+) -> Result<Program, Failure> {
+    let read = read.with_context(|| named(file))?;
     for warning in read.warnings {
         eprintln!("warning: {}: {warning}", named(file));
     }
-    Ok(read.it)
+    Ok(vendor::program_of(&read.it))
 }
 
 fn named(file: &Path) -> String {

@@ -75,10 +75,10 @@ fn a_replaced_step_keeps_the_comment_above_it() {
 fn a_point_is_taught_anew_or_for_the_first_time() {
     let mut document = ProgramDocument::new(TEXT).unwrap();
     document
-        .set_point("here", Point::Joints([1.0, 2.0, 3.0, 4.0]))
+        .set_point("here", &Point::Joints([1.0, 2.0, 3.0, 4.0]))
         .unwrap();
     document
-        .set_point("there", Point::xyz(1.0, 2.0, 3.0))
+        .set_point("there", &Point::xyz(1.0, 2.0, 3.0))
         .unwrap();
     let text = document.text();
     let program = document.program().unwrap();
@@ -89,7 +89,7 @@ fn a_point_is_taught_anew_or_for_the_first_time() {
         "{text}"
     );
     let mut bare = ProgramDocument::new("[[steps]]\npause = 1\n").unwrap();
-    bare.set_point("p", Point::xyz(1.0, 2.0, 3.0)).unwrap();
+    bare.set_point("p", &Point::xyz(1.0, 2.0, 3.0)).unwrap();
     assert_eq!(bare.program().unwrap().points.len(), 1);
 }
 

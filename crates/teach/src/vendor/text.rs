@@ -20,14 +20,12 @@ pub fn decode(bytes: &[u8]) -> (String, Option<String>) {
 }
 
 fn utf8(bytes: &[u8]) -> (String, Option<String>) {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => (text.to_owned(), None),
-        Err(_) => {
-            let text = bytes.iter().copied().map(char::from).collect();
-            let warning = "the file is not in UTF-8; letters beyond ASCII are read as Latin-1";
-            (text, Some(warning.to_owned()))
-        }
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        return (text.to_owned(), None);
     }
+    let text = bytes.iter().copied().map(char::from).collect();
+    let warning = "the file is not in UTF-8; letters beyond ASCII are read as Latin-1";
+    (text, Some(warning.to_owned()))
 }
 
 fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
