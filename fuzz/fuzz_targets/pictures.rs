@@ -2,7 +2,7 @@
 //! but never a panic.
 #![no_main]
 
-use dobot_source::{ReadOptions, Shading, Source, ShadingStyle};
+use dobot_source::{ReadOptions, Shading, ShadingStyle, Source};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
@@ -23,8 +23,12 @@ fuzz_target!(|input: &[u8]| {
             *byte = damage[2];
         }
     }
-    let style =
-        [ShadingStyle::Outline, ShadingStyle::Lines, ShadingStyle::Stipple, ShadingStyle::Hatch][usize::from(how / 3 % 4)];
+    let style = [
+        ShadingStyle::Outline,
+        ShadingStyle::Lines,
+        ShadingStyle::Stipple,
+        ShadingStyle::Hatch,
+    ][usize::from(how / 3 % 4)];
     let options = ReadOptions {
         shading: Shading {
             invert: how >= 128,

@@ -8,6 +8,7 @@ mod interrupt;
 mod logging;
 mod output;
 mod pendant;
+mod program_file;
 mod reach;
 mod verbs;
 

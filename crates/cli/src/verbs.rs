@@ -1,9 +1,11 @@
 //! The verbs of the program, a file each: what comes behind `dobot`.
 
 mod arm;
+mod check;
 mod completions;
 mod confirm;
 mod conformance;
+mod convert;
 mod decode;
 mod detect;
 mod draw;
@@ -18,6 +20,7 @@ mod man;
 mod materials;
 mod mouse;
 mod move_;
+mod play;
 mod policy;
 mod ports;
 mod replay;
@@ -45,6 +48,8 @@ use crate::logging::LogFormat;
 pub(crate) enum Verb {
     Up(up::Args),
     Draw(Box<draw::Args>),
+    Check(check::Args),
+    Convert(convert::Args),
     Materials(materials::Args),
     Arm(arm::Args),
     Status(status::Args),
@@ -67,6 +72,7 @@ pub(crate) enum Verb {
     Stop(stop::Args),
     Watch(watch::Args),
     Jobs(jobs::Args),
+    Play(Box<play::Args>),
     Lease(lease::Args),
     Confirm(confirm::Args),
     Detect(detect::Args),
@@ -94,6 +100,8 @@ impl Verb {
         match self {
             Self::Up(args) => wait_for(up::run(args)),
             Self::Draw(args) => wait_for(draw::run(*args)),
+            Self::Check(args) => check::run(&args),
+            Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
             Self::Arm(args) => wait_for(arm::run(args)),
             Self::Status(args) => wait_for(status::run(args)),
@@ -116,6 +124,7 @@ impl Verb {
             Self::Stop(args) => wait_for(stop::run(args)),
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
+            Self::Play(args) => wait_for(play::run(*args)),
             Self::Lease(args) => wait_for(lease::run(args)),
             Self::Confirm(args) => wait_for(confirm::run(args)),
             Self::Detect(args) => wait_for(detect::run(args)),

@@ -104,36 +104,31 @@ impl Walk<'_> {
         if let Err(violation) = judged {
             self.found(at, &violation);
         }
-        match planned {
-            Ok(trajectory) => {
-                self.model = self.model.after(command, &trajectory);
-                trajectory.duration_s().unwrap_or(0.0)
-            }
-            Err(_) => {
-                self.skip(command);
-                0.0
-            }
-        }
+        let Ok(trajectory) = planned else {
+            self.skip(command);
+            return 0.0;
+        };
+        self.model = self.model.after(command, &trajectory);
+        trajectory.duration_s().unwrap_or(0.0)
     }
 
     /// A target from somewhere: only its end and its settings are judged.
     fn unjudged(&mut self, at: usize, command: &Command) -> f64 {
-        let before = self.model;
-        let took = match before.trajectory(command) {
-            Ok(trajectory) => {
-                self.model = before.after(command, &trajectory);
-                trajectory.duration_s().unwrap_or(0.0)
+        let mut took = 0.0;
+        match (
+            self.model.trajectory(command),
+            end_of(command, self.model.tool),
+        ) {
+            (Ok(trajectory), _) => {
+                self.model = self.model.after(command, &trajectory);
+                took = trajectory.duration_s().unwrap_or(0.0);
             }
-            Err(error) => {
-                if let Some(place) = end_of(command, before.tool) {
-                    self.model.place = place;
-                } else {
-                    self.found(at, &Violation::of_trajectory(&error));
-                    return 0.0;
-                }
-                0.0
+            (Err(_), Some(place)) => self.model.place = place,
+            (Err(error), None) => {
+                self.found(at, &Violation::of_trajectory(&error));
+                return 0.0;
             }
-        };
+        }
         self.is_known = true;
         if let Err(violation) = self.policy.check_place(&self.model.place, self.model.tool) {
             self.found(at, &violation);
@@ -186,7 +181,7 @@ impl Walk<'_> {
         };
         self.report.problems.push(Problem {
             step: step + 1,
-            file: place.file.as_ref().map(|it| it.to_string()),
+            file: place.file.as_ref().map(ToString::to_string),
             line: place.line,
             label: place.label.to_string(),
             command,

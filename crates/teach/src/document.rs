@@ -130,9 +130,9 @@ impl ProgramDocument {
     /// # Errors
     ///
     /// [`ProgramError`] if it is in a frame that is not there.
-    pub fn set_point(&mut self, name: &str, point: Point) -> Result<(), ProgramError> {
+    pub fn set_point(&mut self, name: &str, point: &Point) -> Result<(), ProgramError> {
         let mut new = self.document.clone();
-        let fields = toml_edit::ser::to_document(&point).map_err(|error| bad(error.to_string()))?;
+        let fields = toml_edit::ser::to_document(point).map_err(|error| bad(error.to_string()))?;
         let had_points = new.contains_key("points");
         let points = new.entry("points").or_insert_with(|| {
             let mut table = Table::new();
@@ -241,6 +241,7 @@ fn inline(table: &mut Table) {
             steps.iter_mut().for_each(inline);
         }
     }
+    table.fmt();
 }
 
 fn forget_position(table: &mut Table) {

@@ -55,6 +55,7 @@ mod program;
 mod read;
 mod round;
 mod step_table;
+pub mod vendor;
 
 pub use check::{Problem, Report, check};
 pub use compiled::{Compiled, CompiledStep};

@@ -245,6 +245,15 @@ pub struct Drawing {
 }
 
 impl Program {
+    /// A program that does this, without names.
+    #[must_use]
+    pub fn new(actions: Vec<Action>) -> Self {
+        Self {
+            steps: Steps::new(actions),
+            ..Self::default()
+        }
+    }
+
     /// The line on which a step begins, counted from 1; 1 where it was not read from a text.
     #[must_use]
     pub fn line_of(&self, step: &Spanned<Action>) -> usize {

@@ -15,6 +15,7 @@ mod links;
 mod logging;
 #[cfg(target_os = "linux")]
 mod pendant;
+mod playing;
 mod policy;
 mod program;
 mod recordings;

@@ -17,10 +17,10 @@ pub struct Shading {
     /// How near lines or dots come to each other, in millimetres on the paper; what is smaller
     /// than half of it is not drawn. About twice the width of the pen, or more.
     pub spacing_mm: f64,
-    /// How many tones beside white are distinguished by [`Style::Outline`] and [`Style::Hatch`], from
+    /// How many tones beside white are distinguished by [`ShadingStyle::Outline`] and [`ShadingStyle::Hatch`], from
     /// 1 to 8. Outlines are drawn of as many as the picture really has.
     pub levels: u8,
-    /// Where [`Style::Outline`] draws its only line: a darkness between 0 (white) and 1 (black).
+    /// Where [`ShadingStyle::Outline`] draws its only line: a darkness between 0 (white) and 1 (black).
     /// Without it the picture decides, and there are `levels` of them.
     pub threshold: Option<f64>,
     /// Which way lines run, in degrees, counterclockwise from the page's horizontal.
@@ -29,7 +29,7 @@ pub struct Shading {
     pub darkness: f64,
     /// Draws what is light: for a white pen on black paper.
     pub invert: bool,
-    /// Another number scatters the dots of [`Style::Stipple`] anew.
+    /// Another number scatters the dots of [`ShadingStyle::Stipple`] anew.
     pub seed: u64,
 }
 
@@ -81,7 +81,7 @@ impl Shading {
 }
 
 impl Default for Shading {
-    /// [`Style::Hatch`]: of all it asks for the fewest vectors.
+    /// [`ShadingStyle::Hatch`]: of all it asks for the fewest vectors.
     fn default() -> Self {
         Self::new(ShadingStyle::Hatch)
     }

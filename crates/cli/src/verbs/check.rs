@@ -1,0 +1,97 @@
+//! `dobot check`: looks at a program before anything moves.
+
+use std::path::PathBuf;
+
+use anyhow::anyhow;
+use dobot_safety::Policy;
+use dobot_teach::{Compiled, Program, Report, check};
+use dobot_trajectory::Model;
+use dobot_wire::{Dialect, Status};
+use serde_json::json;
+
+use crate::connect::read_policy;
+use crate::failure::Failure;
+use crate::output;
+use crate::program_file;
+
+/// Look at a program before anything moves: all that is wrong in it, and how long it takes
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot check pick-and-place.toml          every problem, with its step, its line and what helps
+  dobot check PlayBackPoints.xml           points of the vendor's program
+  dobot check job.toml --policy policy.toml --dialect specification
+  dobot check --schema > program.json      the JSON Schema of programs, for editors
+
+Exit code 1 tells that there are problems. Times are those of the motion model from an arm that was just
+switched on.")]
+pub(crate) struct Args {
+    /// The program: a TOML file, PlayBackPoints.xml or a .play file
+    #[arg(required_unless_present = "schema")]
+    program: Option<PathBuf>,
+    /// The policy, a TOML file; the default policy if it is not given
+    #[arg(long, value_name = "FILE")]
+    policy: Option<PathBuf>,
+    /// Which arm: specification or firmware-1.1
+    #[arg(long, default_value_t = Dialect::FIRMWARE_1_1)]
+    dialect: Dialect,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+    /// Print the JSON Schema of programs
+    #[arg(long, conflicts_with = "program")]
+    schema: bool,
+}
+
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let Some(file) = &args.program else {
+        return Ok(output::line(&serde_json::to_string_pretty(
+            &Program::schema(),
+        )?)?);
+    };
+    let policy = args
+        .policy
+        .as_deref()
+        .map_or(Ok(Policy::default()), read_policy)?;
+    let compiled = program_file::compile(file, args.dialect)?;
+    let report = check(
+        &compiled,
+        &policy,
+        Model::new(args.dialect, &Status::AT_ZERO),
+    );
+    if args.json {
+        output::json(&json!({
+            "title": compiled.title,
+            "commands": compiled.commands.len(),
+            "steps": compiled.steps.len(),
+            "report": report,
+        }))?;
+    } else {
+        lines(&compiled, &report)
+            .iter()
+            .try_for_each(|line| output::line(line))?;
+    }
+    match report.problems.len() {
+        0 => Ok(()),
+        count => Err(anyhow!("{} has {count} problems", file.display()).into()),
+    }
+}
+
+fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
+    let mut lines: Vec<String> = program_file::problems(report);
+    lines.push(format!(
+        "{}: {} steps, {} commands, {} waits for a person",
+        compiled.title,
+        compiled.steps.len(),
+        compiled.commands.len(),
+        compiled.pauses.len()
+    ));
+    if let Some(cycle_s) = report.cycle_s {
+        lines.push(format!("a cycle takes {}", output::clock(cycle_s)));
+    }
+    lines.push(match report.total_s {
+        Some(total_s) => format!("all of it takes {}", output::clock(total_s)),
+        None => "it goes on until a person ends it".to_owned(),
+    });
+    lines
+}

@@ -1,0 +1,115 @@
+//! `dobot convert`: programs and files of the vendor's programs, from one form to another.
+
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, anyhow};
+use dobot_teach::vendor::{self, PlaybackParams};
+use dobot_teach::{Action, Program};
+
+use crate::failure::Failure;
+use crate::program_file::{self, Kind};
+
+/// Convert a program into another form: .toml, PlayBackPoints.xml, .play, PlayBackParams.json
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot convert PlayBackPoints.xml job.toml        an old file as a program
+  dobot convert job.toml PlayBackPoints.xml        and back, for the vendor's program
+  dobot convert PlayBackParams.json speeds.toml    its speeds, as a step
+
+What the other form cannot carry is told as warnings.")]
+pub(crate) struct Args {
+    /// What is read
+    from: PathBuf,
+    /// What is written
+    to: PathBuf,
+    /// Write over a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let to = Kind::of(&args.to)?;
+    let program = match Kind::of(&args.from)? {
+        Kind::Params => speeds(&args.from)?,
+        _ => program_file::read(&args.from)?,
+    };
+    let (text, lost) = written(&program, to)?;
+    for reason in lost {
+        eprintln!("warning: {}: {reason}", args.from.display());
+    }
+    write(&args.to, &text, args.force)
+}
+
+/// The program in another form, and what that cannot carry.
+fn written(program: &Program, to: Kind) -> Result<(String, Vec<String>), Failure> {
+    let (points, lost) = match to {
+        Kind::Program => return Ok((program.to_toml(), Vec::new())),
+        Kind::Params => return params(program),
+        Kind::Points | Kind::Play => vendor::points_of(program),
+    };
+    if points.is_empty() {
+        return Err(anyhow!(
+            "the program has no point that this form can carry: it knows joint angles alone"
+        )
+        .into());
+    }
+    let text = if to == Kind::Play {
+        vendor::write_play(&points)
+    } else {
+        vendor::write_points(&points)
+    };
+    Ok((text, lost))
+}
+
+/// A program with one step, which sets the speeds of `PlayBackParams.json`.
+fn speeds(file: &Path) -> Result<Program, Failure> {
+    let params = PlaybackParams::read(&program_file::bytes(file)?)
+        .with_context(|| file.display().to_string())?;
+    if params.pause_time != 0.0 {
+        eprintln!(
+            "warning: {}: pauseTime is {}; a program says each pause at its step, so it is left out",
+            file.display(),
+            params.pause_time
+        );
+    }
+    Ok(Program::new(vec![Action::Speed(params.speed())]))
+}
+
+/// The first speeds of a program as `PlayBackParams.json`.
+fn params(program: &Program) -> Result<(String, Vec<String>), Failure> {
+    let speeds = program.steps.0.iter().find_map(|it| match it.get_ref() {
+        Action::Speed(speed) => Some(speed),
+        _ => None,
+    });
+    let speeds = speeds.ok_or_else(|| {
+        anyhow!("the program has no step with speeds; a file of speeds needs one")
+    })?;
+    let others = program.steps.0.len() - 1;
+    let lost = (others > 0).then(|| format!("{others} other steps: the file knows speeds alone"));
+    Ok((
+        PlaybackParams::of_speed(speeds).write(),
+        lost.into_iter().collect(),
+    ))
+}
+
+fn write(file: &Path, text: &str, force: bool) -> Result<(), Failure> {
+    let mut options = OpenOptions::new();
+    options
+        .write(true)
+        .create(force)
+        .truncate(force)
+        .create_new(!force);
+    let mut opened = options.open(file).map_err(|error| {
+        let exists = error.kind() == std::io::ErrorKind::AlreadyExists;
+        let error = anyhow::Error::from(error).context(format!("cannot write {}", file.display()));
+        if exists {
+            Failure::new(error, "`--force` writes over it")
+        } else {
+            error.into()
+        }
+    })?;
+    Ok(opened.write_all(text.as_bytes())?)
+}

@@ -1,0 +1,214 @@
+//! `dobot play`: a taught program, once, often, or until somebody ends it.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use anyhow::anyhow;
+use dobot_api::{JobRepeat, NewJob, Reply, Request};
+use dobot_rules::{Prediction, StationClient, predict};
+use dobot_teach::{Compiled, check};
+use dobot_trajectory::Model;
+use dobot_wire::{Command, Dialect, Status};
+use serde::Serialize;
+
+use crate::connect::{To, speaker};
+use crate::control::{self, arm_laser, check_pose, take_control};
+use crate::failure::Failure;
+use crate::follow;
+use crate::output::{self, clock};
+use crate::program_file;
+use crate::verbs::jog::laser_seconds;
+
+/// Play a taught program: check it, say how long it takes, and do it
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot play pick.toml                    with the arm of the station, or with a virtual one
+  dobot play pick.toml --dry-run          check it, and say how long it takes; nothing moves
+  dobot play pick.toml --times 20         twenty cycles
+  dobot play pick.toml --forever          until Ctrl-C or `dobot jobs cancel`
+  dobot play pick.toml --step             its first step; `dobot jobs step` does the next one
+  dobot play pick.toml --to serial:/dev/ttyUSB0
+
+The program becomes a job, which survives a crash and a power cut: `dobot jobs` shows its step and cycle, pauses
+it, and makes it faster or slower.")]
+pub(crate) struct Args {
+    /// The program: a TOML file, or PlayBackPoints.xml or a .play file of the vendor's program
+    program: PathBuf,
+    /// How often it is done; without this as often as the program itself says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "forever")]
+    times: Option<u64>,
+    /// Do it until a person ends it
+    #[arg(long)]
+    forever: bool,
+    /// Do the first step only, and pause behind it
+    #[arg(long, conflicts_with = "dry_run")]
+    step: bool,
+    /// Check it and say how long it takes; nothing moves
+    #[arg(long)]
+    dry_run: bool,
+    /// Let the laser be switched on for so many seconds: everybody's goggles are on
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    arm_laser: Option<Duration>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    to: To,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    // What is wrong with it is told before any arm is touched.
+    let planned = Planned::new(&args, args.to.dialect)?;
+    if args.dry_run {
+        return planned.tell(args.json);
+    }
+    let play = async |station: &mut StationClient| play(station, &args, planned).await;
+    args.to.with_arm("play", play).await
+}
+
+async fn play(
+    station: &mut StationClient,
+    args: &Args,
+    mut planned: Planned,
+) -> Result<(), Failure> {
+    check_pose(station, args.to.pose_confirmed).await?;
+    if station.virtual_arm().is_none() {
+        let (_, dialect) = control::arm(station).await?;
+        planned = Planned::new(args, dialect)?;
+    }
+    if !args.json {
+        planned.tell(false)?;
+    }
+    // Nothing is queued that cannot be started.
+    take_control(station).await?;
+    arm_laser(station, args.arm_laser).await?;
+    let request = Request::SubmitJob { job: planned.job };
+    let Reply::Job { job } = station.request(request).await? else {
+        return Err(anyhow!("the station does not answer what became of the job").into());
+    };
+    if args.step {
+        return follow::step(station, job.job).await;
+    }
+    let burns = args.arm_laser.is_some();
+    let took = follow::start(station, job.job, burns, |_| {}).await?;
+    let done = Done {
+        job: job.job,
+        took_s: took.as_secs_f64(),
+    };
+    if args.json {
+        return Ok(output::json(&done)?);
+    }
+    let took = clock(done.took_s);
+    Ok(output::line(&format!("{} is done, in {took}", job.title))?)
+}
+
+/// A program that was checked.
+struct Planned {
+    job: NewJob,
+    /// What the twin took.
+    prediction: Prediction,
+}
+
+impl Planned {
+    fn new(args: &Args, dialect: Option<Dialect>) -> Result<Self, Failure> {
+        let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
+        let mut compiled = program_file::compile(&args.program, dialect)?;
+        repeat(&mut compiled, args);
+        let policy = args.to.policy()?;
+        let report = check(&compiled, &policy, Model::new(dialect, &Status::AT_ZERO));
+        let problems = program_file::problems(&report);
+        if !problems.is_empty() {
+            let (file, count) = (args.program.display(), problems.len());
+            return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());
+        }
+        let draws = |it: &Command| matches!(it, Command::WriteVector(_));
+        let lift_mm = if compiled.commands.iter().any(draws) {
+            LIFT_MM
+        } else {
+            0.0
+        };
+        let job = compiled.job(lift_mm);
+        let prediction = predict(&job, &policy, speaker(dialect));
+        let prediction = prediction.map_err(|error| anyhow!("on the twin: {error}"))?;
+        Ok(Self { job, prediction })
+    }
+
+    /// How long it takes.
+    fn tell(&self, as_json: bool) -> Result<(), Failure> {
+        let times = self.times();
+        if as_json {
+            return Ok(output::json(&times)?);
+        }
+        let cycle = times
+            .cycle_s
+            .map(|it| format!("a cycle takes {}", clock(it)));
+        let total = match times.total_s {
+            Some(it) => format!("{} in all", clock(it)),
+            None => "until a person ends it".to_owned(),
+        };
+        let steps = format!("{} steps", self.job.program.steps.len());
+        let parts: Vec<String> = [Some(steps), cycle, Some(total)]
+            .into_iter()
+            .flatten()
+            .collect();
+        Ok(output::line(&format!(
+            "{}: {}",
+            self.job.title,
+            parts.join(", ")
+        ))?)
+    }
+
+    fn times(&self) -> Times {
+        let first_s = self.prediction.until_s.last().copied().unwrap_or(0.0);
+        let cycle_s = self.prediction.cycle_s;
+        let total_s = match self.job.program.repeat {
+            None => Some(first_s),
+            #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+            Some(JobRepeat { times, .. }) => times
+                .map(|it| it.saturating_sub(1) as f64)
+                .map(|more| first_s + cycle_s.unwrap_or(0.0) * more),
+        };
+        Times {
+            steps: self.job.program.steps.len(),
+            commands: self.job.commands.len(),
+            first_s,
+            cycle_s,
+            total_s,
+        }
+    }
+}
+
+/// How long a program takes on the twin.
+#[derive(Debug, Serialize)]
+struct Times {
+    steps: usize,
+    commands: usize,
+    /// All of it once.
+    first_s: f64,
+    /// A cycle that follows another one.
+    cycle_s: Option<f64>,
+    /// None where it goes on until a person ends it.
+    total_s: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct Done {
+    job: u64,
+    took_s: f64,
+}
+
+/// As often as the arguments say, where they do.
+fn repeat(compiled: &mut Compiled, args: &Args) {
+    if args.times.is_none() && !args.forever {
+        return;
+    }
+    let from = compiled.repeat.map_or(0, |it| it.from);
+    // The first cycle may stand before those that repeat.
+    let apart = u64::from(compiled.first_apart && compiled.repeat.is_some());
+    let times = args.times.map(|it| it.saturating_sub(apart).max(1));
+    compiled.repeat = Some(JobRepeat { from, times });
+}
+
+/// How far a pen is lifted where a program is paused that draws, in mm.
+const LIFT_MM: f32 = 10.0;

@@ -1,0 +1,122 @@
+//! Taught programs: checked, timed and played.
+
+use std::path::PathBuf;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::program::dobot;
+
+const CARRY: &str = r#"
+title = "one cube, to and fro"
+start_speed_percent = 20
+
+[points]
+here = { x = 200, y = 60, z = 0 }
+there = { x = 200, y = -60, z = 0 }
+
+[[steps]]
+repeat = 5
+[[steps.steps]]
+go = "here"
+suction = true
+pause = 0.5
+[[steps.steps]]
+go = "there"
+suction = false
+"#;
+const TICK_S: f64 = 0.02;
+
+/// A program in a file.
+struct InFile {
+    folder: TempDir,
+}
+
+impl InFile {
+    fn new(text: &str) -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        std::fs::write(folder.path().join("job.toml"), text).expect("there is room");
+        Self { folder }
+    }
+
+    fn path(&self) -> String {
+        let path = self.folder.path().join("job.toml");
+        path.to_str().expect("the path is text").to_owned()
+    }
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let printed = dobot(&[arguments, &["--json"]].concat()).succeeds().stdout;
+    serde_json::from_str(&printed).expect("it is JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("it is a number")
+}
+
+#[test]
+fn a_program_takes_as_long_as_was_predicted_to_the_tick() {
+    let file = InFile::new(CARRY);
+    for dialect in ["specification", "firmware-1.1"] {
+        let play = [
+            "play",
+            &file.path(),
+            "--to",
+            "virtual:",
+            "--dialect",
+            dialect,
+        ];
+        let predicted = json(&[&play[..], &["--dry-run"]].concat());
+        let done = json(&play);
+        let (wanted_s, took_s) = (number(&predicted["total_s"]), number(&done["took_s"]));
+        assert!((wanted_s - took_s).abs() <= TICK_S, "{predicted} {done}");
+        let twice = json(&[&play[..], &["--times", "10", "--dry-run"]].concat());
+        let five_more_s = number(&twice["total_s"]) - wanted_s;
+        assert!(
+            (five_more_s - 5.0 * number(&predicted["cycle_s"])).abs() < 1e-6,
+            "{twice}"
+        );
+    }
+}
+
+#[test]
+fn every_problem_of_a_program_is_told_with_its_line_before_anything_moves() {
+    let file = InFile::new(
+        "[points]\nfar = { x = 500, y = 0, z = 0 }\nlow = { x = 200, y = 0, z = -200 }\n\
+         [[steps]]\ngo = \"far\"\n[[steps]]\ngo = \"low\"\n",
+    );
+    let parts = [
+        "2 problems",
+        "line 4",
+        "line 6",
+        "149.93 mm too far",
+        "22.6034° too much",
+    ];
+    for verb in ["play", "check"] {
+        let outcome = dobot(&[verb, &file.path()]);
+        assert_eq!(outcome.code, Some(1), "{outcome:?}");
+        let told = format!("{}{}", outcome.stdout, outcome.stderr);
+        for part in parts {
+            assert!(told.contains(part), "{verb}: {part} is missing: {told}");
+        }
+    }
+}
+
+#[test]
+fn an_old_file_of_the_vendors_program_plays_on_the_twin() {
+    let data = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../teach/tests/data");
+    for name in ["PlayBackPoints.xml", "program.play"] {
+        let file = data.join(name);
+        let file = file.to_str().expect("the path is text");
+        let play = [
+            "play",
+            file,
+            "--to",
+            "virtual:",
+            "--dialect",
+            "firmware-1.1",
+        ];
+        let done = dobot(&play).succeeds().stdout;
+        assert!(done.contains("is done"), "{done}");
+    }
+}
