@@ -490,7 +490,7 @@ mod tests {
             it.handle_pad(Duration::ZERO, Some(stick(-32767)));
             assert_eq!(asked(&mut it, Duration::ZERO), [forward(50.0)]);
             // It tells nothing while it stays where it is.
-            assert_eq!(asked(&mut it, DEAD_MAN - DEAD_MAN / 10), [forward(50.0)]);
+            assert_eq!(asked(&mut it, DEAD_MAN / 10 * 9), [forward(50.0)]);
             it.handle_pad(DEAD_MAN, end);
             assert_eq!(asked(&mut it, DEAD_MAN), [Request::Release], "{end:?}");
             assert_eq!(asked(&mut it, DEAD_MAN * 2), []);

@@ -16,8 +16,7 @@ use crate::failure::Failure;
 /// error.
 pub(crate) fn compile(file: &Path, dialect: Dialect) -> Result<Compiled, Failure> {
     let program = read(file)?;
-    let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-    let mut files = FilesBeside { folder, dialect };
+    let mut files = FilesBeside::new(file, dialect);
     let mut compiled = program.compile(&mut files).with_context(|| named(file))?;
     if compiled.title.is_empty() {
         compiled.title = file
@@ -119,9 +118,19 @@ fn named(file: &Path) -> String {
 }
 
 /// The files beside a program.
-struct FilesBeside {
+pub(crate) struct FilesBeside {
     folder: PathBuf,
     dialect: Dialect,
+}
+
+impl FilesBeside {
+    /// Those beside this program; drawings are prepared for this dialect.
+    pub(crate) fn new(program: &Path, dialect: Dialect) -> Self {
+        Self {
+            folder: program.parent().unwrap_or(Path::new("")).to_owned(),
+            dialect,
+        }
+    }
 }
 
 impl Files for FilesBeside {

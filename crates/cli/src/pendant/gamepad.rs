@@ -177,15 +177,15 @@ mod tests {
         [0, 0, 0, 0, low, high, kind, number]
     }
 
-    fn hold(axis: LinearJogAxis, share: f32) -> Option<PadAction> {
-        Some(PadAction::Hold(Button::Linear(axis), share))
+    const fn hold(axis: LinearJogAxis) -> PadAction {
+        PadAction::Hold(Button::Linear(axis), 1.0)
     }
 
     #[test]
     fn a_stick_moves_beyond_its_dead_zone_and_stops_within() {
         let mut it = Gamepad::new();
         let up = it.handle(event(AXIS, 1, -32767));
-        assert_eq!(up, hold(LinearJogAxis::XPlus, 1.0));
+        assert_eq!(up, Some(hold(LinearJogAxis::XPlus)));
         assert_eq!(it.handle(event(AXIS, 1, -8000)), Some(PadAction::Release));
         // Half of the way from a quarter to the end.
         let Some(PadAction::Hold(_, share)) = it.handle(event(AXIS, 0, 20479)) else {
@@ -199,7 +199,7 @@ mod tests {
         let mut it = Gamepad::new();
         it.handle(event(AXIS, 0, 15000));
         let two = it.handle(event(AXIS, 4, 32767));
-        assert_eq!(two, hold(LinearJogAxis::ZMinus, 1.0));
+        assert_eq!(two, Some(hold(LinearJogAxis::ZMinus)));
     }
 
     #[test]

@@ -33,7 +33,7 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
 
 /// What a person has to know first.
 pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
-    bar(alarm_of_state(pendant.state.as_ref()))
+    bar(&alarm_of_state(pendant.state.as_ref()))
 }
 
 /// What is held, and how fast.
@@ -132,7 +132,6 @@ impl Pendant {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use std::time::Duration;
 
@@ -148,8 +147,11 @@ mod tests {
     }
 
     fn screen(pendant: &Pendant, width: u16, height: u16) -> String {
-        let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
-        terminal.draw(|frame| draw(frame, pendant)).unwrap();
+        let mut terminal =
+            Terminal::new(TestBackend::new(width, height)).expect("memory is always there");
+        terminal
+            .draw(|frame| draw(frame, pendant))
+            .expect("memory is always there");
         let buffer = terminal.backend().buffer();
         let row = |y| (0..width).map(|x| buffer[(x, y)].symbol()).collect();
         let rows: Vec<String> = (0..height).map(row).collect();

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
 use dobot_teach::{
-    Action, Compiled, Go, Here, NoFiles, Place as ProgramPlace, Point, Program, ProgramDocument,
+    Action, Compiled, Files, Go, Here, Place as ProgramPlace, Point, Program, ProgramDocument,
     ProgramError, Steps, Times,
 };
 use dobot_wire::MovingMode;
@@ -125,7 +125,7 @@ impl Lesson {
             return Ok(name);
         }
         self.change(|document, at| {
-            document.set_point(&name, point(place))?;
+            document.set_point(&name, &point(place))?;
             document.insert(at, Action::Go(go))?;
             Ok(Edited {
                 changes: 2,
@@ -232,23 +232,23 @@ impl Lesson {
         true
     }
 
-    /// The job of a part of it.
+    /// The job of a part of it; `files` gives the programs that it calls and its drawings.
     ///
     /// # Errors
     ///
     /// Why it cannot be run, in one line.
-    pub(crate) fn job(&self, part: Part) -> Result<NewJob, String> {
+    pub(crate) fn job(&self, part: Part, files: &mut dyn Files) -> Result<NewJob, String> {
         let program = self.program().ok_or("there is no step yet")?;
         let compiled = match part {
-            Part::Loop => compile(&looped(program))?,
-            Part::All => compile(&program)?,
+            Part::Loop => compile(&looped(program), files)?,
+            Part::All => compile(&program, files)?,
             Part::FromHere => {
                 let line = program
                     .steps
                     .0
                     .get(self.cursor)
                     .map(|it| program.line_of(it));
-                let compiled = compile(&program)?;
+                let compiled = compile(&program, files)?;
                 let here =
                     |it: &dobot_teach::CompiledStep| it.file.is_none() && Some(it.line) >= line;
                 let step = compiled.steps.iter().position(here);
@@ -288,7 +288,7 @@ impl Lesson {
         }
         let mut document = ProgramDocument::new(&program.to_toml())?;
         for (name, point) in points {
-            document.set_point(&name, point)?;
+            document.set_point(&name, &point)?;
         }
         let last = actions.len().saturating_sub(1);
         for (at, action) in actions.into_iter().enumerate() {
@@ -415,10 +415,8 @@ fn program_of(actions: Vec<Action>) -> Program {
     program
 }
 
-fn compile(program: &Program) -> Result<Compiled, String> {
-    program
-        .compile(&mut NoFiles)
-        .map_err(|error| error.to_string())
+fn compile(program: &Program, files: &mut dyn Files) -> Result<Compiled, String> {
+    program.compile(files).map_err(|error| error.to_string())
 }
 
 fn nothing_yet() -> ProgramError {
@@ -466,6 +464,7 @@ const LIFT_MM: f32 = 0.0;
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
 mod tests {
+    use dobot_teach::NoFiles;
     use dobot_wire::Command;
 
     use super::*;
@@ -574,13 +573,17 @@ mod tests {
     fn a_part_of_the_program_is_run_from_the_cursor_on() {
         let mut it = pick_and_place();
         it.move_cursor(false);
-        let rest = it.job(Part::FromHere).unwrap();
+        let rest = it.job(Part::FromHere, &mut NoFiles).unwrap();
         assert_eq!(targets(&rest).first(), Some(&250.0));
-        let all = it.job(Part::All).unwrap();
+        let all = it.job(Part::All, &mut NoFiles).unwrap();
         assert_eq!(targets(&all).first(), Some(&200.0));
         assert_eq!(all.program.repeat, None);
-        let looped = it.job(Part::Loop).unwrap();
+        let looped = it.job(Part::Loop, &mut NoFiles).unwrap();
         assert_eq!(looped.program.repeat.map(|it| it.times), Some(None));
-        assert!(Lesson::new(String::new()).job(Part::All).is_err());
+        assert!(
+            Lesson::new(String::new())
+                .job(Part::All, &mut NoFiles)
+                .is_err()
+        );
     }
 }

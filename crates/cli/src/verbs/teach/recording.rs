@@ -50,10 +50,10 @@ impl Place {
 pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
     let mut kept = vec![false; places.len()];
     let mut spans = vec![(0, places.len().saturating_sub(1))];
-    for end in [places.first().map(|_| 0), places.len().checked_sub(1)] {
-        if let Some(end) = end {
-            kept[end] = true;
-        }
+    if let [first, .., last] = &mut kept[..] {
+        (*first, *last) = (true, true);
+    } else {
+        kept.fill(true);
     }
     while let Some((from, to)) = spans.pop() {
         if let Some(at) = split(places, from, to, tolerance) {

@@ -6,7 +6,7 @@ use std::time::Duration;
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
 use dobot_api::{ArmView, JobPhase, JobView, Reply, Request, State};
 use dobot_teach::ProgramError;
-use dobot_wire::MovingMode;
+use dobot_wire::{Dialect, MovingMode};
 use ratatui::Frame;
 
 use super::keys::{TeachKey, teach_key};
@@ -14,6 +14,7 @@ use super::lesson::{Lesson, Part};
 use super::recording::{Place, simplified};
 use super::screen;
 use crate::pendant::{Panel, Pendant};
+use crate::program_file::FilesBeside;
 
 /// Teaches a program with keys.
 #[derive(Debug)]
@@ -210,7 +211,9 @@ impl Teacher {
             }
             self.pendant.ask(Request::CancelJob { job: own.job });
         }
-        match self.lesson.job(part) {
+        let dialect = self.pendant.state().and_then(|it| it.dialect);
+        let mut files = FilesBeside::new(&self.file, dialect.unwrap_or(Dialect::SPECIFICATION));
+        match self.lesson.job(part, &mut files) {
             Ok(job) => {
                 self.job = None;
                 self.submitting = Some(start);
@@ -478,7 +481,7 @@ mod tests {
         assert_eq!(asked(&mut it), [], "the pump may still be under way");
         it.handle_state(state());
         let start = Request::StartJob { job: 4 };
-        assert_eq!(asked(&mut it), [start.clone()]);
+        assert_eq!(asked(&mut it), std::slice::from_ref(&start));
         it.handle_refused(&start, Some("still-moving"), "the arm still moves".into());
         it.handle_state(state());
         assert_eq!(asked(&mut it), [start]);

@@ -66,7 +66,7 @@ pub(crate) fn draw(frame: &mut Frame, view: &View) {
     ];
     let [top, alarm, arm, rest, job, notices, keys] = Layout::vertical(rows).areas(frame.area());
     frame.render_widget(title(view), top);
-    frame.render_widget(bar(alarm_of(view)), alarm);
+    frame.render_widget(bar(&alarm_of(view)), alarm);
     if let Some(state) = &view.state {
         panels::arm(frame, arm, state);
         panels::rest(frame, rest, state);
@@ -154,7 +154,7 @@ fn no_link(state: &State) -> String {
 }
 
 /// An alarm as a bar across the screen.
-pub(crate) fn bar(alarm: Alarm) -> Paragraph<'static> {
+pub(crate) fn bar(alarm: &Alarm) -> Paragraph<'static> {
     Paragraph::new(format!(" {}", alarm.text)).style(alarm.style)
 }
 
