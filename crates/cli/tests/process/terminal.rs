@@ -72,7 +72,7 @@ impl Terminal {
             }
             match self.shown.recv_timeout(PATIENCE) {
                 Ok(more) => self.unread.push_str(&more),
-                Err(_) => panic!("`{text}` is missing: {:?}", self.unread),
+                Err(error) => panic!("`{text}` is missing ({error}): {:?}", self.unread),
             }
         }
     }

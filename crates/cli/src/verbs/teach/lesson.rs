@@ -125,7 +125,7 @@ impl Lesson {
             return Ok(name);
         }
         self.change(|document, at| {
-            document.set_point(&name, point(place))?;
+            document.set_point(&name, &point(place))?;
             document.insert(at, Action::Go(go))?;
             Ok(Edited {
                 changes: 2,
