@@ -19,6 +19,10 @@ use crate::output::{self, clock};
 use crate::program_file;
 use crate::verbs::jog::laser_seconds;
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 /// Play a taught program: check it, say how long it takes, and do it
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\

@@ -80,6 +80,31 @@ fn a_program_takes_as_long_as_was_predicted_to_the_tick() {
 }
 
 #[test]
+fn every_example_takes_as_long_as_was_predicted_to_the_tick() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/programs");
+    let files = std::fs::read_dir(folder).expect("the examples are there");
+    let files = files.map(|it| it.expect("it can be read").path());
+    let mut count = 0;
+    for file in files.filter(|it| it.extension().is_some_and(|it| it == "toml")) {
+        for dialect in ["specification", "firmware-1.1"] {
+            let file = file.to_str().expect("the path is text");
+            // A drawing on each sheet would go on until a person ends it.
+            let endless = ["--times", "3"].repeat(usize::from(file.ends_with("drawing.toml")));
+            let play = ["play", file, "--to", "virtual:", "--dialect", dialect];
+            let play = [&play[..], &endless].concat();
+            let predicted = number(&json(&[&play[..], &["--dry-run"]].concat())["total_s"]);
+            let took_s = number(&json(&play)["took_s"]);
+            assert!(
+                (predicted - took_s).abs() <= TICK_S,
+                "{file}: {predicted} s, {took_s} s"
+            );
+        }
+        count += 1;
+    }
+    assert!(count >= 5, "{count} examples");
+}
+
+#[test]
 fn every_problem_of_a_program_is_told_with_its_line_before_anything_moves() {
     let file = InFile::new(
         "[points]\nfar = { x = 500, y = 0, z = 0 }\nlow = { x = 200, y = 0, z = -200 }\n\
