@@ -89,15 +89,17 @@ impl DryRun {
 
     /// When each command was over, those of later cycles too.
     fn finish(&mut self, job: &NewJob) -> Result<Vec<Duration>, Refusal> {
-        let mut until = Vec::new();
-        while let Some((completed, phase)) = self.station.supervisor().job_progress() {
+        let mut until: Vec<Duration> = Vec::new();
+        while let Some((completed, _)) = self.station.supervisor().job_progress() {
             until.resize(completed.max(until.len()), self.elapsed());
-            if phase == JobPhase::Paused {
-                self.wait_for_person(job)?;
+            if rests(&self.station, self.job) {
+                self.go_on(job, until.last().copied().unwrap_or_default())?;
             }
             let latest = self.station.now() + LONGEST;
-            let here = Some((completed, JobPhase::Running));
-            let is_elsewhere = |it: &VirtualStation| it.supervisor().job_progress() != here;
+            let is_elsewhere = |it: &VirtualStation| {
+                let progress = it.supervisor().job_progress();
+                progress.is_none_or(|it| it.0 != completed) || rests(it, self.job)
+            };
             if !self.station.run_until(latest, is_elsewhere) {
                 return Err(Refusal::BadJob {
                     index: completed,
@@ -130,14 +132,8 @@ impl DryRun {
             .map_err(|error| journal_refusal(&error))
     }
 
-    /// The arm comes to rest, and a person says at once that it may go on.
-    fn wait_for_person(&mut self, job: &NewJob) -> Result<(), Refusal> {
-        let begun = self.station.now();
-        let rests = |it: &VirtualStation| {
-            it.job(self.job)
-                .is_ok_and(|it| it.state.phase() == JobPhase::Paused)
-        };
-        self.station.run_until(begun + LONGEST, rests);
+    /// The arm rests, and a person says at once that it may go on; how long it rested does not count.
+    fn go_on(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
         let state = self.state()?;
         if !job
             .pauses
@@ -149,9 +145,20 @@ impl DryRun {
             )));
         }
         self.station.start(self.client, self.job)?;
-        self.waited += self.station.now().saturating_sub(begun);
+        let latest = self.station.now() + LONGEST;
+        self.station
+            .run_until(latest, |it| it.supervisor().job_is_under_way());
+        self.waited = self.station.now().saturating_sub(self.begun + until);
         Ok(())
     }
+}
+
+/// Whether the job is paused, and the journal knows it: the arm is at rest.
+fn rests(station: &VirtualStation, job: u64) -> bool {
+    let progress = station.supervisor().job_progress();
+    let is_paused = |it: JobPhase| it == JobPhase::Paused;
+    progress.is_some_and(|it| is_paused(it.1))
+        && station.job(job).is_ok_and(|it| is_paused(it.state.phase()))
 }
 
 /// A cycle that follows another one takes as long as all later ones.

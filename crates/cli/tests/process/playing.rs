@@ -26,6 +26,7 @@ go = "there"
 suction = false
 "#;
 const TICK_S: f64 = 0.02;
+const STATUS_S: f64 = 0.08;
 
 /// A program in a file.
 struct InFile {

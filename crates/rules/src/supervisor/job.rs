@@ -86,6 +86,12 @@ impl Supervisor {
         self.run.as_ref().map(Run::progress)
     }
 
+    /// Whether a job is at its commands, and not on the way to where it goes on.
+    #[must_use]
+    pub fn job_is_under_way(&self) -> bool {
+        self.run.as_ref().is_some_and(Run::is_running)
+    }
+
     fn job_reply(&self) -> Reply {
         self.job().map_or(Reply::Done, |job| Reply::Job { job })
     }
