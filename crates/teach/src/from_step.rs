@@ -141,7 +141,8 @@ mod tests {
     fn a_cycle_for_ever_goes_on_for_ever() {
         let whole = compiled("\"forever\"");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
-        assert_eq!(targets(&last, 1), [230.0, 210.0, 220.0, 230.0]);
+        // To wait is a target to where the arm is.
+        assert_eq!(targets(&last, 1), [230.0, 210.0, 210.0, 220.0, 230.0]);
         assert_eq!(last.repeat.unwrap().times, None);
     }
 

@@ -36,9 +36,10 @@ Jog with the keys of `dobot jog`, for as long as they are held; Space, Esc or s 
   g l     run once, or again and again; h from this step on; n one step; p pauses, x ends
   w q     save, leave
 
-When the motors were free (the button on the arm, a reset, a power cut), the arm's counters know nothing of what
-it was turned by hand, and points would be taught elsewhere. Until r and y confirm that it stands and points as
-the screen says, nothing is moved and nothing is taught. If it does not: turn it by hand until it does.")]
+The button on the arm frees the motors, and the arm does not tell that. Its counters know nothing of what it was
+turned by hand, and points would be taught elsewhere. After the button: point the arm straight ahead, and switch
+it off and on. A reset is noticed: from then on nothing is moved and nothing is taught until r and y confirm
+that the arm stands and points as the screen says.")]
 pub(crate) struct Args {
     /// The program, a TOML file; it may be new
     program: PathBuf,
