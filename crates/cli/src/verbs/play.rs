@@ -1,6 +1,6 @@
 //! `dobot play`: a taught program, once, often, or until somebody ends it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::anyhow;
@@ -31,6 +31,7 @@ Examples:
   dobot play pick.toml --dry-run          check it, and say how long it takes; nothing moves
   dobot play pick.toml --times 20         twenty cycles
   dobot play pick.toml --forever          until Ctrl-C or `dobot jobs cancel`
+  dobot play pick.toml --from 4           from its fourth step on
   dobot play pick.toml --step             its first step; `dobot jobs step` does the next one
   dobot play pick.toml --to serial:/dev/ttyUSB0
 
@@ -42,6 +43,9 @@ pub(crate) struct Args {
     /// How often it is done; without this as often as the program itself says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "forever")]
     times: Option<u64>,
+    /// Begin with this step, as `dobot check` and `dobot jobs` count them from 1
+    #[arg(long, value_name = "STEP", value_parser = clap::value_parser!(u64).range(1..))]
+    from: Option<u64>,
     /// Do it until a person ends it
     #[arg(long)]
     forever: bool,
@@ -119,6 +123,10 @@ impl Planned {
         let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
         let mut compiled = program_file::compile(&args.program, dialect)?;
         repeat(&mut compiled, args);
+        let compiled = match args.from {
+            Some(step) => from_step(&compiled, step, &args.program)?,
+            None => compiled,
+        };
         let policy = args.to.policy()?;
         let report = check(&compiled, &policy, Model::new(dialect, &Status::AT_ZERO));
         let problems = program_file::problems(&report);
@@ -212,6 +220,17 @@ fn repeat(compiled: &mut Compiled, args: &Args) {
     let apart = u64::from(compiled.first_apart && compiled.repeat.is_some());
     let times = args.times.map(|it| it.saturating_sub(apart).max(1));
     compiled.repeat = Some(JobRepeat { from, times });
+}
+
+/// The rest of a program from a step on, counted from 1.
+fn from_step(program: &Compiled, step: u64, file: &Path) -> Result<Compiled, Failure> {
+    let rest = usize::try_from(step - 1)
+        .ok()
+        .and_then(|it| program.from_step(it));
+    rest.ok_or_else(|| {
+        let (file, steps) = (file.display(), program.steps.len());
+        anyhow!("{file} has {steps} steps, and --from is {step}").into()
+    })
 }
 
 /// How far a pen is lifted where a program is paused that draws, in mm.

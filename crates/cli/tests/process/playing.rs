@@ -95,8 +95,14 @@ fn every_example_takes_as_long_as_was_predicted_to_the_tick() {
             let play = [&play[..], &endless].concat();
             let predicted = number(&json(&[&play[..], &["--dry-run"]].concat())["total_s"]);
             let took_s = number(&json(&play)["took_s"]);
+            // It depends on when a person comes, how long it takes until a status permits to go on.
+            let waits_s = if endless.is_empty() {
+                0.0
+            } else {
+                2.0 * STATUS_S
+            };
             assert!(
-                (predicted - took_s).abs() <= TICK_S,
+                (predicted - took_s).abs() <= TICK_S + waits_s,
                 "{file}: {predicted} s, {took_s} s"
             );
         }
@@ -145,4 +151,15 @@ fn an_old_file_of_the_vendors_program_plays_on_the_twin() {
         let done = dobot(&play).succeeds().stdout;
         assert!(done.contains("is done"), "{done}");
     }
+}
+
+#[test]
+fn a_program_is_played_from_one_of_its_steps_on() {
+    let file = InFile::new(CARRY);
+    let play = ["play", &file.path(), "--to", "virtual:", "--dry-run"];
+    let whole = json(&play);
+    let rest = json(&[&play[..], &["--from", "2"]].concat());
+    assert!(number(&rest["total_s"]) < number(&whole["total_s"]));
+    let beyond = dobot(&[&play[..], &["--from", "99"]].concat());
+    beyond.fails(1, &["4 steps", "--from is 99"]);
 }
