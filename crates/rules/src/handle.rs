@@ -196,8 +196,9 @@ impl Ends {
 
 /// How many messages may wait for the driver.
 const MESSAGES: usize = 1024;
-/// How many states a client may lag behind before it loses some.
-const STATES: usize = 256;
+/// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come in a
+/// second.
+const STATES: usize = 2048;
 /// How many notices a client may lag behind before it loses some.
 const NOTICES: usize = 1024;
 /// How many packets a raw program may lag behind before it loses some.

@@ -75,6 +75,7 @@ fn keys_of(it: &Teacher) -> Vec<Line<'static>> {
         key_line(&[
             ("Enter", "teach point"),
             ("m", "way"),
+            ("u j", "pump on, off"),
             ("t", "pause"),
             ("v", "record"),
         ]),
@@ -91,7 +92,7 @@ fn keys_of(it: &Teacher) -> Vec<Line<'static>> {
             ("n", "one step"),
             ("p", "pause"),
             ("x", "end"),
-            ("w", "save"),
+            ("w q", "save, leave"),
         ]),
     ]);
     lines
