@@ -165,7 +165,8 @@ step_package() {
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do
-      tar -xzf "$crate" -C "$folder"
+      # With the time of now: in a package all files are of the same day, and a changed one would look unchanged.
+      tar -xmzf "$crate" -C "$folder"
       crate=$(basename "$crate" .crate)
       printf '%s = { path = "%s" }\n' "${crate%-[0-9]*}" "$crate"
     done
