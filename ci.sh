@@ -130,8 +130,17 @@ step_msrv() {
   cargo clippy --locked --workspace --all-features -- -A clippy::all -A clippy::pedantic -D clippy::incompatible_msrv
 }
 
+# What failed stands at the end once more, for it happened long before.
 step_test() {
-  cargo test --locked --workspace --all-features --no-fail-fast
+  local told
+  told=$(mktemp)
+  if cargo test --locked --workspace --all-features --no-fail-fast 2>&1 | tee "$told"; then
+    rm "$told"
+  else
+    grep -aE "^test .* FAILED$|^thread '.*panicked at|^error: test failed" -A3 "$told" || true
+    rm "$told"
+    return 1
+  fi
 }
 
 step_doc() {

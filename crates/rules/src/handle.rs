@@ -196,9 +196,6 @@ impl Ends {
 
 /// How many messages may wait for the driver.
 const MESSAGES: usize = 1024;
-/// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come in a
-/// second.
-const STATES: usize = 2048;
 /// How many notices a client may lag behind before it loses some.
 const NOTICES: usize = 1024;
 /// How many packets a raw program may lag behind before it loses some.
@@ -207,6 +204,10 @@ const PACKETS: usize = 256;
 const RECENT: usize = 200;
 
 impl Handle {
+    /// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come
+    /// in a second.
+    pub const STATES: usize = 2048;
+
     /// A handle, and its other end for the driver of the arm.
     #[must_use]
     pub fn new(first: State, rules: Rules) -> (Self, Ends) {
@@ -221,7 +222,7 @@ impl Handle {
         let handle = Self {
             messages: asking,
             states,
-            every: broadcast::Sender::new(STATES),
+            every: broadcast::Sender::new(Self::STATES),
             notices: broadcast::Sender::new(NOTICES),
             recent: Arc::default(),
             packets: broadcast::Sender::new(kept),
