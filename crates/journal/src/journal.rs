@@ -5,11 +5,11 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use dobot_api::JobState;
 use dobot_wire::Command;
-use redb::{ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
+use redb::{ReadOnlyTable, ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
 
 use crate::rows::{self, JobRow};
 use crate::store::{
-    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, Store, WINDOWS,
+    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, STEPS, Store, WINDOWS,
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
@@ -87,6 +87,7 @@ impl Journal {
         finite("the planned time", job.planned_s)?;
         let row = JobRow::new(job)?.to_bytes();
         let packets = rows::packets(job)?;
+        let steps = rows::steps_bytes(&job.program);
         let mut store = self.store();
         let id = store.read(|look| fact(look, NEXT_JOB_FACT))?;
         store.write(|change| {
@@ -94,6 +95,9 @@ impl Journal {
             change
                 .open_table(COMMANDS)?
                 .insert(id, packets.as_slice())?;
+            if !steps.is_empty() {
+                change.open_table(STEPS)?.insert(id, steps.as_slice())?;
+            }
             change.open_table(JOBS)?.insert(id, row.as_slice())?;
             Ok(())
         })?;
@@ -156,7 +160,7 @@ impl Journal {
     pub fn give(&self, id: JobId, window: &Window) -> Result<(), JournalError> {
         let start = rows::start_bytes(id, window.start.as_ref())?;
         let mut store = self.store();
-        check_window(&store.job(id)?, window)?;
+        check_window(id, &store.row(id)?, store.window(id)?.completed, window)?;
         let row = (
             window.completed as u64,
             window.upto as u64,
@@ -267,6 +271,7 @@ impl Journal {
         store.write(|change| {
             // Jobs of the formats before are read as they are; what is written is of this one.
             change.open_table(FACTS)?.insert(FORMAT_FACT, FORMAT)?;
+            change.open_table(STEPS)?;
             note_clean(change, false)
         })?;
         Ok(Self {
@@ -284,34 +289,28 @@ impl Journal {
 impl Store {
     fn jobs(&mut self) -> Result<Vec<Job>, JournalError> {
         let jobs = self.read(|look| {
-            let table = look.open_table(JOBS)?;
-            let windows = look.open_table(WINDOWS)?;
-            let job = |entry: Result<_, redb::StorageError>| {
-                let (id, bytes): (redb::AccessGuard<'_, u64>, redb::AccessGuard<'_, &[u8]>) =
-                    entry?;
-                let window = windows.get(id.value())?;
-                let window = window.as_ref().map(redb::AccessGuard::value);
-                Ok(read_job(JobId(id.value()), bytes.value(), window))
-            };
-            table
-                .iter()?
-                .map(job)
-                .collect::<Result<Vec<_>, redb::Error>>()
+            let tables = JobTables::open(look)?;
+            let ids = tables.rows.iter()?.map(|entry| Ok(JobId(entry?.0.value())));
+            let jobs = ids.filter_map(|id| id.and_then(|id| tables.job(id)).transpose());
+            jobs.collect::<Result<Vec<_>, redb::Error>>()
         })?;
         let jobs = jobs.into_iter().collect::<Result<Vec<_>, _>>();
         jobs.map_err(|found| self.damaged(found))
     }
 
     fn job(&mut self, id: JobId) -> Result<Job, JournalError> {
-        let job = self.read(|look| {
-            let jobs = look.open_table(JOBS)?;
-            let windows = look.open_table(WINDOWS)?;
-            let window = windows.get(id.0)?;
-            let window = window.as_ref().map(redb::AccessGuard::value);
-            Ok(jobs.get(id.0)?.map(|row| read_job(id, row.value(), window)))
-        })?;
+        let job = self.read(|look| JobTables::open(look)?.job(id))?;
         let job = job.ok_or(JournalError::NoSuchJob(id))?;
         job.map_err(|found| self.damaged(found))
+    }
+
+    fn window(&mut self, id: JobId) -> Result<Window, JournalError> {
+        let window = self.read(|look| {
+            let window = look.open_table(WINDOWS)?.get(id.0)?;
+            Ok(window.map(|it| rows::window(it.value())))
+        })?;
+        let window = window.transpose().map_err(|found| self.damaged(found))?;
+        Ok(window.unwrap_or_default())
     }
 
     fn row(&mut self, id: JobId) -> Result<JobRow, JournalError> {
@@ -324,25 +323,57 @@ impl Store {
     }
 }
 
-fn read_job(id: JobId, row: &[u8], window: Option<(u64, u64, &[u8])>) -> Result<Job, String> {
-    let window = window.map(rows::window).transpose()?.unwrap_or_default();
-    JobRow::from_bytes(row)?.job(id, window)
+/// What is known of jobs, but for their commands.
+struct JobTables {
+    rows: ReadOnlyTable<u64, &'static [u8]>,
+    steps: ReadOnlyTable<u64, &'static [u8]>,
+    windows: ReadOnlyTable<u64, (u64, u64, &'static [u8])>,
 }
 
-fn check_window(job: &Job, window: &Window) -> Result<(), JournalError> {
-    if job.state != JobState::Running {
+impl JobTables {
+    fn open(look: &ReadTransaction) -> Result<Self, redb::Error> {
+        Ok(Self {
+            rows: look.open_table(JOBS)?,
+            steps: look.open_table(STEPS)?,
+            windows: look.open_table(WINDOWS)?,
+        })
+    }
+
+    /// A job, or what of it makes no sense.
+    fn job(&self, id: JobId) -> Result<Option<Result<Job, String>>, redb::Error> {
+        let Some(row) = self.rows.get(id.0)? else {
+            return Ok(None);
+        };
+        let steps = self.steps.get(id.0)?;
+        let window = self.windows.get(id.0)?;
+        let read = || {
+            let steps = steps.map(|it| rows::steps(it.value())).transpose()?;
+            let window = window.map(|it| rows::window(it.value())).transpose()?;
+            let row = JobRow::from_bytes(row.value())?;
+            row.job(id, steps.unwrap_or_default(), window.unwrap_or_default())
+        };
+        Ok(Some(read()))
+    }
+}
+
+fn check_window(
+    id: JobId,
+    row: &JobRow,
+    done: usize,
+    window: &Window,
+) -> Result<(), JournalError> {
+    if row.state != JobState::Running {
         return Err(JournalError::NotRunning {
-            job: job.id,
-            state: job.state.clone(),
+            job: id,
+            state: row.state.clone(),
         });
     }
-    let done = job.window.completed;
-    let commands = job.program.total(job.commands).unwrap_or(usize::MAX);
+    let commands = row.total();
     if done <= window.completed && window.completed <= window.upto && window.upto <= commands {
         return Ok(());
     }
     Err(JournalError::Window {
-        job: job.id,
+        job: id,
         completed: window.completed,
         upto: window.upto,
         done,
@@ -373,10 +404,12 @@ fn note_clean(change: &WriteTransaction, clean: bool) -> Result<(), redb::Error>
 fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> {
     let mut rows = change.open_table(JOBS)?;
     let mut commands = change.open_table(COMMANDS)?;
+    let mut steps = change.open_table(STEPS)?;
     let mut windows = change.open_table(WINDOWS)?;
     for job in jobs {
         rows.remove(job.0)?;
         commands.remove(job.0)?;
+        steps.remove(job.0)?;
         windows.remove(job.0)?;
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! Jobs as rows of tables: what is written, and what is refused because it would not come back.
 
-use dobot_api::{JobKind, JobPause, JobProgram, JobState};
+use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, JobState};
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
@@ -26,9 +26,9 @@ pub(crate) struct JobRow {
     pub(crate) adjustment: Adjustment,
     #[serde(default = "unknown")]
     pub(crate) behind: Behind,
-    // Nor those of format 2 this.
-    #[serde(default, skip_serializing_if = "JobProgram::is_plain")]
-    program: JobProgram,
+    // Nor those of format 2 this; its steps stand in a table of their own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    repeat: Option<JobRepeat>,
 }
 
 /// A job that began before anybody counted.
@@ -63,7 +63,7 @@ impl JobRow {
             pauses: job.pauses.clone(),
             adjustment: Adjustment::default(),
             behind: Behind::default(),
-            program: job.program.clone(),
+            repeat: job.program.repeat,
         })
     }
 
@@ -81,10 +81,24 @@ impl JobRow {
             .map_err(|error| format!("the dialect {:?}: {error}", self.dialect))
     }
 
-    pub(crate) fn job(self, id: JobId, window: Window) -> Result<Job, String> {
+    /// How many commands are done in all.
+    pub(crate) fn total(&self) -> usize {
+        let total = self.program(Vec::new()).total(self.commands);
+        total.unwrap_or(usize::MAX)
+    }
+
+    const fn program(&self, steps: Vec<usize>) -> JobProgram {
+        JobProgram {
+            steps,
+            repeat: self.repeat,
+        }
+    }
+
+    pub(crate) fn job(self, id: JobId, steps: Vec<usize>, window: Window) -> Result<Job, String> {
         Ok(Job {
             id,
             dialect: self.dialect()?,
+            program: self.program(steps),
             title: self.title,
             kind: self.kind,
             lift_mm: self.lift_mm,
@@ -95,7 +109,6 @@ impl JobRow {
             adjustment: self.adjustment,
             state: self.state,
             behind: self.behind,
-            program: self.program,
             window,
         })
     }
@@ -149,6 +162,22 @@ pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, Strin
         Command::parse(&packet, &dialect).map_err(|error| format!("command {index}: {error}"))
     };
     packets.iter().enumerate().map(command).collect()
+}
+
+/// The first commands of a job's steps as bytes.
+pub(crate) fn steps_bytes(program: &JobProgram) -> Vec<u8> {
+    let bytes = |step: &usize| (*step as u64).to_le_bytes();
+    program.steps.iter().flat_map(bytes).collect()
+}
+
+/// The steps that [`steps_bytes`] wrote.
+pub(crate) fn steps(bytes: &[u8]) -> Result<Vec<usize>, String> {
+    let (steps, rest) = bytes.as_chunks();
+    if !rest.is_empty() {
+        return Err(format!("{} bytes of steps", bytes.len()));
+    }
+    let step = |bytes: &[u8; 8]| index(u64::from_le_bytes(*bytes));
+    steps.iter().map(step).collect()
 }
 
 /// The place at which a window begins as bytes; empty where there is none.

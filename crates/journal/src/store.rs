@@ -195,6 +195,7 @@ fn initialise(database: &Database) -> Result<(), redb::Error> {
         facts.insert(NEXT_JOB_FACT, 1)?;
         transaction.open_table(JOBS)?;
         transaction.open_table(COMMANDS)?;
+        transaction.open_table(STEPS)?;
         transaction.open_table(WINDOWS)?;
         Ok(())
     })
@@ -263,6 +264,9 @@ pub(crate) const FACTS: TableDefinition<'_, &str, u64> = TableDefinition::new("d
 pub(crate) const JOBS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("jobs");
 /// The packets of jobs.
 pub(crate) const COMMANDS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("commands");
+/// The first commands of the steps of jobs that have steps, apart from the rows that are read with each window: a program
+/// may have a million of them.
+pub(crate) const STEPS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("steps");
 /// How far jobs have come: completed, upto, and the packet of the status at `completed`.
 pub(crate) const WINDOWS: TableDefinition<'_, u64, (u64, u64, &[u8])> =
     TableDefinition::new("windows");
