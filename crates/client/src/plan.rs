@@ -16,6 +16,8 @@ pub(crate) struct Plan {
     pub(crate) after: Model,
     /// Where it should end, in reach or not; `None` where nobody can tell.
     pub(crate) aim: Option<Position>,
+    /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
+    pub(crate) motion: Duration,
     /// How long the arm waits behind it.
     pub(crate) pause: Duration,
 }
@@ -35,20 +37,17 @@ impl Plan {
             Ok(trajectory) => trajectory.end().map(|it| it.pose.position),
             Err(_) => model.aim(command),
         };
+        let motion = match &trajectory {
+            Ok(trajectory) => trajectory.motion_s().map_or(Duration::ZERO, seconds),
+            Err(_) => UNFORESEEN,
+        };
         Box::new(Self {
             trajectory,
+            motion,
             after,
             aim,
             pause: seconds(model.pause_s(command)),
         })
-    }
-
-    /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
-    pub(crate) fn motion(&self) -> Duration {
-        match &self.trajectory {
-            Ok(trajectory) => trajectory.motion_s().map_or(Duration::ZERO, seconds),
-            Err(_) => UNFORESEEN,
-        }
     }
 
     /// Why it must not be sent, if a stock arm would not come out of it.

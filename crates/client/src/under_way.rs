@@ -42,7 +42,7 @@ pub(crate) struct Sent {
 impl Sent {
     /// How long it takes, if nothing is rounded.
     fn duration(&self) -> Duration {
-        self.plan.motion() + self.plan.pause
+        self.plan.motion + self.plan.pause
     }
 
     /// When it must be over, if all before it is by then.
@@ -203,14 +203,14 @@ impl UnderWay {
     /// How long they take at the most on an arm that somebody else has made slow, before it has room
     /// for another: a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
-        let mut longest = Duration::ZERO;
-        for it in &self.all {
-            let motion = it.plan.motion().saturating_mul(SLOWER);
-            for part in [motion, it.plan.pause, it.waits] {
-                longest = longest.saturating_add(part);
-            }
-        }
-        longest
+        let sum = |part: fn(&Sent) -> Duration| {
+            let parts = self.all.iter().map(part);
+            parts.fold(Duration::ZERO, Duration::saturating_add)
+        };
+        sum(|it| it.plan.motion)
+            .saturating_mul(SLOWER)
+            .saturating_add(sum(|it| it.plan.pause))
+            .saturating_add(sum(|it| it.waits))
     }
 }
 

@@ -356,12 +356,7 @@ impl JobTables {
     }
 }
 
-fn check_window(
-    id: JobId,
-    row: &JobRow,
-    done: usize,
-    window: &Window,
-) -> Result<(), JournalError> {
+fn check_window(id: JobId, row: &JobRow, done: usize, window: &Window) -> Result<(), JournalError> {
     if row.state != JobState::Running {
         return Err(JournalError::NotRunning {
             job: id,

@@ -7,14 +7,14 @@ use dobot_wire::{Command, Configuration, Dialect};
 
 use crate::Window;
 
-/// The last settings of each kind among the commands before `upto`, in their order: to be sent
-/// again where the arm may have forgotten them.
+/// The last settings of each kind among commands, in their order: to be sent again where the arm may have forgotten
+/// them.
 ///
 /// The initial angles are none of them: they say where the arm was then, not where it is.
 #[must_use]
-pub fn prelude(commands: &[Command], upto: usize) -> Vec<Command> {
+pub fn prelude<'a>(commands: impl IntoIterator<Item = &'a Command>) -> Vec<Command> {
     let mut kept: Vec<(Kind, Command)> = Vec::new();
-    for command in &commands[..upto.min(commands.len())] {
+    for command in commands {
         if let Some(kind) = kind(command) {
             kept.retain(|(other, _)| *other != kind);
             kept.push((kind, *command));
@@ -23,12 +23,16 @@ pub fn prelude(commands: &[Command], upto: usize) -> Vec<Command> {
     kept.into_iter().map(|(_, command)| command).collect()
 }
 
-/// The model of the arm as command `window.completed` finds it; `None` where the window does not
-/// know its start.
+/// The model of the arm as command `window.completed` finds it, where `before` are the commands before it; `None` where
+/// the window does not know its start.
 #[must_use]
-pub fn model_at(dialect: Dialect, commands: &[Command], window: &Window) -> Option<Model> {
+pub fn model_at<'a>(
+    dialect: Dialect,
+    before: impl IntoIterator<Item = &'a Command>,
+    window: &Window,
+) -> Option<Model> {
     let model = Model::new(dialect, window.start.as_ref()?);
-    let told = prelude(commands, window.completed);
+    let told = prelude(before);
     Some(
         told.iter()
             .fold(model, |model, command| model.begun(command)),

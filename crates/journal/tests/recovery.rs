@@ -161,8 +161,8 @@ fn settings_are_told_again_once_each_and_initial_angles_never() {
         tool(EndEffector::Gripper),
     ];
     let wanted = [tool(EndEffector::Laser), writing(20.0), percent(20.0)];
-    assert_eq!(prelude(&commands, 7), wanted);
-    assert_eq!(prelude(&commands, 0), []);
+    assert_eq!(prelude(&commands[..7]), wanted);
+    assert_eq!(prelude(&[]), []);
 }
 
 #[test]
@@ -177,7 +177,12 @@ fn the_model_of_a_window_knows_what_was_set_before_it() {
     ];
     let model = program::model(Dialect::FIRMWARE_1_1);
     let there = program::after(&model, &commands[..2]);
-    let found = model_at(Dialect::FIRMWARE_1_1, &commands, &Window::at(2, 3, &there)).unwrap();
+    let found = model_at(
+        Dialect::FIRMWARE_1_1,
+        &commands[..2],
+        &Window::at(2, 3, &there),
+    )
+    .unwrap();
     assert_eq!(found.settings, there.settings);
     let off_mm = found
         .place
@@ -193,7 +198,10 @@ fn the_model_of_a_window_knows_what_was_set_before_it() {
         start: None,
         ..Window::at(2, 3, &there)
     };
-    assert_eq!(model_at(Dialect::FIRMWARE_1_1, &commands, &unknown), None);
+    assert_eq!(
+        model_at(Dialect::FIRMWARE_1_1, &commands[..2], &unknown),
+        None
+    );
 }
 
 proptest! {

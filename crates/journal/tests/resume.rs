@@ -129,7 +129,7 @@ fn next_window(
 fn resume(journal: &Journal, id: JobId, arm: &mut Arm) -> Window {
     let (job, commands) = (journal.job(id).unwrap(), journal.commands(id).unwrap());
     let window = job.window;
-    let Some(model) = model_at(job.dialect, &commands, &window) else {
+    let Some(model) = model_at(job.dialect, &commands[..window.completed], &window) else {
         return window;
     };
     let (next, is_lifted) = match locate(&commands, &window, &model, job.lift_mm, arm.at) {
@@ -195,7 +195,7 @@ impl Arm {
         pose.position = self.at;
         let place = ArmPlace::at_pose(pose, Tool::SuctionCup).unwrap();
         let model = Model::standing(dialect, place);
-        let told = prelude(told, told.len());
+        let told = prelude(told);
         told.iter()
             .fold(model, |model, command| model.begun(command))
     }

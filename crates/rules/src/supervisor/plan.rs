@@ -274,6 +274,13 @@ impl JobPlan {
         &self.commands
     }
 
+    /// Those before a command that set something.
+    pub(super) fn told_before(&self, index: usize) -> impl Iterator<Item = &Command> {
+        let told = self.settings.iter().skip(1).map(|it| it.0 - 1);
+        told.take_while(move |it| *it < index)
+            .map(|it| &self.commands[it])
+    }
+
     /// Whether the laser burns somewhere.
     #[must_use]
     pub const fn burns(&self) -> bool {

@@ -338,7 +338,7 @@ impl Run {
             completed,
             ..
         } = &self.begun;
-        let model = model_at(*dialect, plan.commands(), &self.certain())
+        let model = model_at(*dialect, plan.told_before(*completed), &self.certain())
             .unwrap_or_else(|| Model::new(*dialect, status));
         window_end(plan.commands(), *completed, &model, plan.lift(), WINDOW)
     }

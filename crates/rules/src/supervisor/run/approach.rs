@@ -85,7 +85,7 @@ fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
 /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
 /// and the way there. A tool that is lifted in a pause comes down from above.
 fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
-    let mut first = prelude(begun.plan.commands(), begun.completed);
+    let mut first = prelude(begun.plan.told_before(begun.completed));
     let start = begun.plan.start_position(begun.completed);
     let (Some(start), Some(status)) = (start, status) else {
         return JobApproach { first, lower: None };

@@ -140,7 +140,8 @@ pub(super) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Resu
         return Ok(window.completed);
     }
     let (commands, dialect) = (begun.plan.commands(), begun.dialect);
-    let model = model_at(dialect, commands, window).unwrap_or_else(|| Model::new(dialect, status));
+    let told = begun.plan.told_before(window.completed);
+    let model = model_at(dialect, told, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = begun.plan.lift();
     let next = locate(commands, window, &model, lift_mm, position(status))?.next;
     Ok(behind_seen_grips(&begun.plan, next..window.upto, status))
