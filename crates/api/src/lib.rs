@@ -30,6 +30,7 @@ mod role;
 #[cfg(feature = "remote")]
 mod running;
 mod state;
+mod way;
 
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};
@@ -50,3 +51,4 @@ pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};
 pub use state::{ArmView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView};
+pub use way::WayView;

@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{JobView, LeaseView};
+use crate::{JobView, LeaseView, WayView};
 
 /// The answer to a request that was granted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -18,6 +18,11 @@ pub enum Reply {
         command: u64,
         /// How long it and all before it take, in seconds, where that can be told.
         takes_s: Option<f64>,
+    },
+    /// Where the command would lead; nothing was sent.
+    Way {
+        /// The way.
+        way: WayView,
     },
     /// The stopping packet is on its way.
     Stopping {

@@ -15,6 +15,12 @@ pub enum Request {
         /// The command.
         command: Command,
     },
+    /// Say where a command would lead if it were sent now, or why it would be refused. Nothing is sent, and nobody is
+    /// told; it takes no lease.
+    CheckCommand {
+        /// The command.
+        command: Command,
+    },
     /// Hold a jog button. It is released when this is not said again within the dead-man time
     /// (150 ms by default).
     Jog {
@@ -127,7 +133,7 @@ impl Request {
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
-            Self::Stop { .. } => Role::Watch,
+            Self::Stop { .. } | Self::CheckCommand { .. } => Role::Watch,
             Self::SetDialect { .. } | Self::SeizeLease => Role::Admin,
             _ => Role::Control,
         }

@@ -1,7 +1,8 @@
 //! The check of a command over its whole way.
 
+use dobot_arm::Position;
 use dobot_trajectory::{ArmPlace, Button, Model, Trajectory, burns};
-use dobot_wire::{Command, Configuration};
+use dobot_wire::{Command, Configuration, MoveTo, single};
 
 use crate::body::measures;
 use crate::fence::Fence;
@@ -22,6 +23,13 @@ impl Policy {
     ///
     /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
     pub fn check(&self, model: &Model, command: &Command) -> Result<Trajectory, Violation> {
+        self.judge(model, command).map_err(|violation| Violation {
+            nearest: violation.nearest.or_else(|| self.nearest(model, command)),
+            ..violation
+        })
+    }
+
+    fn judge(&self, model: &Model, command: &Command) -> Result<Trajectory, Violation> {
         let trajectory = model
             .trajectory(command)
             .map_err(|error| Violation::of_trajectory(&error))?;
@@ -39,6 +47,38 @@ impl Policy {
             self.check_standing(model, command, &trajectory)?;
         }
         Ok(trajectory)
+    }
+
+    /// How far towards a target the arm may go, where no way leads to the target itself.
+    fn nearest(&self, model: &Model, command: &Command) -> Option<[f64; 3]> {
+        let Command::MoveTo(target) = command else {
+            return None;
+        };
+        let from = model.place.pose.position;
+        let to = Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into());
+        let place = |share: f64| from + (to - from) * share;
+        let is_allowed = |share: f64| {
+            let command = Command::from(MoveTo {
+                x_mm: single(place(share).x.0),
+                y_mm: single(place(share).y.0),
+                z_mm: single(place(share).z.0),
+                ..*target
+            });
+            self.judge(model, &command).is_ok()
+        };
+        let (mut allowed, mut forbidden) = (0.0, 1.0);
+        for _ in 0..NEAREST_HALVINGS {
+            let middle = f64::midpoint(allowed, forbidden);
+            if is_allowed(middle) {
+                allowed = middle;
+            } else {
+                forbidden = middle;
+            }
+        }
+        (allowed > 0.0).then(|| {
+            let at = place(allowed);
+            [at.x.0, at.y.0, at.z.0]
+        })
     }
 
     fn check_way(
@@ -120,3 +160,5 @@ fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
 
 /// How often a forbidden way is looked at to tell how far out it leads.
 const LOOKS: u32 = 256;
+/// How often the way to the nearest place is halved: a hundredth of a millimetre of 400.
+const NEAREST_HALVINGS: u32 = 16;

@@ -1,9 +1,12 @@
 //! The arm as the supervisor has it: the conversation with it, what it may do, and where it was seen.
 
+use std::iter;
 use std::time::Duration;
 
+use dobot_api::WayView;
 use dobot_client::{CommandId, SendError, Session};
-use dobot_safety::Policy;
+use dobot_safety::{Policy, Violation};
+use dobot_trajectory::{ArmPlace, Model, Trajectory};
 use dobot_wire::{Command, Dialect, Packet, Status};
 
 use super::seconds;
@@ -144,6 +147,16 @@ impl Arm {
         Ok(())
     }
 
+    /// Where a command would lead if it were sent now, if its whole way is allowed.
+    pub(super) fn foresee(&self, command: &Command) -> Result<WayView, Refusal> {
+        self.session.check(command)?;
+        let Some(model) = self.session.model() else {
+            return Err(Refusal::NoLink("no status has come yet".to_owned()));
+        };
+        let trajectory = self.policy.check(model, command)?;
+        Ok(way_view(model, &trajectory)?)
+    }
+
     /// Sends a command at once, whatever waits.
     pub(super) fn send_urgent(&mut self, command: Command) {
         if let Ok(packet) = self.session.emit_now(&command) {
@@ -200,7 +213,34 @@ impl Arm {
     }
 }
 
+/// A way as those see it who ask where a command would lead.
+fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation> {
+    let place_at = |t_s| {
+        let place = trajectory.place_at(t_s);
+        place.map_err(|error| Violation::of_trajectory(&error.into()))
+    };
+    let (parts, duration_s) = match trajectory.motion_s() {
+        Some(duration_s) if trajectory.moves() => (PATH_PARTS, duration_s),
+        _ => (0, 0.0),
+    };
+    let times = (1..=parts).map(|part| duration_s * f64::from(part) / f64::from(PATH_PARTS));
+    let way = times.map(place_at).collect::<Result<Vec<_>, _>>()?;
+    let end = way.last().unwrap_or(&model.place);
+    let point = |place: &ArmPlace| {
+        let at = place.pose.position;
+        [at.x, at.y, at.z].map(|it| it.0)
+    };
+    let joints = end.joints;
+    Ok(WayView {
+        takes_s: trajectory.duration_s(),
+        joints_deg: [joints.base, joints.rear, joints.fore, joints.servo].map(|it| it.0),
+        path_mm: iter::once(&model.place).chain(&way).map(point).collect(),
+    })
+}
+
 /// So many statuses in a row that tell the same: the arm is at rest.
 const AT_REST: u32 = 3;
 /// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
 const HEARD_WITHIN: Duration = Duration::from_millis(700);
+/// In how many parts of equal time a way is shown.
+const PATH_PARTS: u32 = 48;

@@ -68,7 +68,11 @@ fn knows_place(arm: &Arm) -> bool {
 
 /// A command as this arm understands it: what is said to one that does not hear voice is carried
 /// out as the motion or the button that the words mean (note N50).
-fn understood(arm: &Arm, command: &Command, rests_within: Duration) -> Result<Command, Refusal> {
+pub(super) fn understood(
+    arm: &Arm,
+    command: &Command,
+    rests_within: Duration,
+) -> Result<Command, Refusal> {
     let Command::Voice(voice) = command else {
         return Ok(*command);
     };

@@ -7,7 +7,7 @@ use dobot_wire::{Command, Dialect, Packet};
 
 use super::Supervisor;
 use super::amend::amended;
-use super::commands::button;
+use super::commands::{button, understood};
 use super::lease::Change;
 use crate::plain;
 use crate::refusal::Refusal;
@@ -59,6 +59,9 @@ impl Supervisor {
         request: Request,
     ) -> Option<Result<Reply, Refusal>> {
         self.handle_time(now);
+        if let Request::CheckCommand { command } = request {
+            return Some(self.foresee(&command));
+        }
         let answer = match self.check_request(client, &request) {
             Err(refusal) => Some(Err(refusal)),
             Ok(()) if matches!(request, Request::Detect) => self.detect(client).err().map(Err),
@@ -83,6 +86,13 @@ impl Supervisor {
     /// [`Refusal::Role`].
     pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
         self.leases.check_role(client, request.role())
+    }
+
+    /// Where a command would lead if it were sent now.
+    fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
+        let command = understood(&self.arm, command, self.rests_within())?;
+        let way = self.arm.foresee(&command)?;
+        Ok(Reply::Way { way })
     }
 
     /// Begins to ask the arm for its dialect; the answer comes when the arm has made its motions.
@@ -125,12 +135,13 @@ impl Supervisor {
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
-            Request::Detect
+            Request::CheckCommand { .. }
+            | Request::Detect
             | Request::SubmitJob { .. }
             | Request::StartJob { .. }
-            | Request::StepJob { .. } => Err(Refusal::Malformed(
-                "jobs and detections are not asked for this way".into(),
-            )),
+            | Request::StepJob { .. } => {
+                Err(Refusal::Malformed("this is not asked for this way".into()))
+            }
         }
     }
 

@@ -34,3 +34,4 @@ mod stops;
 mod strokes;
 mod traps;
 mod voices;
+mod ways;

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
-use dobot_api::problem_kinds::{NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, STILL_MOVING};
+use dobot_api::problem_kinds::{
+    COMMAND, LASER_DISARMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, STILL_MOVING,
+};
 use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
 use dobot_wire::Command;
@@ -33,6 +35,17 @@ pub(super) fn all() -> Vec<Route> {
         .gives::<Reply>(202, "the command waits for its turn")
         .problems(MOVES)
         .problems(&[NOT_REACHED]),
+        Route::asks(
+            POST,
+            "/api/v1/commands/check",
+            "Says where a command would lead if it were sent now, or why it would be refused; nothing is sent",
+            |Body(check): Body<CheckCommand>| Request::CheckCommand {
+                command: check.command,
+            },
+        )
+        .example(CHECK_EXAMPLE)
+        .gives::<Reply>(200, "the whole way is allowed")
+        .problems(&[STILL_MOVING, LASER_DISARMED, COMMAND, POLICY, OUT_OF_RANGE, NO_LINK]),
         Route::asks(
             POST,
             "/api/v1/jog",
@@ -72,6 +85,16 @@ pub(super) fn all() -> Vec<Route> {
 }
 
 const MOVE_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}, "wait": true}"#;
+
+const CHECK_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "movl", "gripper_deg": 0, "pause_s": 0}}"#;
+
+/// A command to be looked at.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CheckCommand {
+    /// The command.
+    command: Command,
+}
 
 /// A command to be sent.
 #[derive(Debug, Deserialize, JsonSchema)]
