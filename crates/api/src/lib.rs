@@ -51,4 +51,4 @@ pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};
 pub use state::{ArmView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView};
-pub use way::WayView;
+pub use way::{JobPath, WayView};

@@ -329,6 +329,7 @@ impl Driver {
                 let _ = reply.send(started);
             }
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
+            Message::JobPath { job, reply } => self.jobs.clone().path(job, reply),
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use bytes::Bytes;
-use dobot_api::{ClientId, JobView, Notice, Reply, Request, Role, State};
+use dobot_api::{ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
 use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
@@ -157,6 +157,13 @@ pub enum Message {
     },
     /// Somebody wants to know all jobs, the oldest first.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
+    /// Somebody wants to know the way of a job.
+    JobPath {
+        /// Its number.
+        job: u64,
+        /// The answer.
+        reply: oneshot::Sender<Result<JobPath, Refusal>>,
+    },
     /// A client behaves badly, in one line: those who watch are to know.
     Trouble(String),
     /// Something that the arm depends on failed, in one line: end, and say so.
@@ -296,6 +303,17 @@ impl Handle {
     pub async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         let (reply, answer) = oneshot::channel();
         self.send(Message::Jobs(reply)).await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// The way of a job, once through its commands, as it was planned.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoSuchJob`], [`Refusal::Ending`], [`Refusal::Journal`] where the journal cannot be read.
+    pub async fn job_path(&self, job: u64) -> Result<JobPath, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        self.send(Message::JobPath { job, reply }).await?;
         answer.await.map_err(|_| Refusal::Ending)?
     }
 

@@ -5,7 +5,7 @@ mod check;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use dobot_api::{ClientId, JobState, JobView, NewJob, Reply};
+use dobot_api::{ClientId, JobPath, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
 use dobot_journal::{Job, JobId, Journal, JournalError, Window};
 use dobot_safety::Policy;
@@ -14,6 +14,7 @@ use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
 use crate::handle::Message;
+use crate::job_path::path_of;
 use crate::supervisor::{Begun, Effect, JobPlan};
 use crate::{Refusal, plain};
 
@@ -160,6 +161,14 @@ impl Jobs {
             self.catch_up();
             // Whoever asked may have left.
             let _ = reply.send(list(&self.journal, current.as_ref()));
+        });
+    }
+
+    /// The way of a job.
+    pub(crate) fn path(self, job: u64, reply: oneshot::Sender<Result<JobPath, Refusal>>) {
+        tokio::task::spawn_blocking(move || {
+            // Whoever asked may have left.
+            let _ = reply.send(path_of(&self.journal, job));
         });
     }
 

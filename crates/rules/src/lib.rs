@@ -48,6 +48,7 @@ mod finder;
 mod guardian;
 mod handle;
 mod host;
+mod job_path;
 mod jobs;
 mod known_arms;
 mod predict;

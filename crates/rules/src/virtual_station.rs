@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::JobState;
-use dobot_api::{ClientId, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role};
+use dobot_api::{ClientId, JobPath, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role};
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
@@ -11,6 +11,7 @@ use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::Packet;
 
 use crate::Refusal;
+use crate::job_path::path_of;
 use crate::jobs;
 use crate::supervisor::{Begun, Effect, Supervisor};
 
@@ -311,6 +312,15 @@ impl VirtualStation {
     /// [`JournalError`].
     pub fn job(&self, job: u64) -> Result<dobot_journal::Job, JournalError> {
         self.journal.job(JobId(job))
+    }
+
+    /// The way of a job, once through its commands, as it was planned.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoSuchJob`].
+    pub fn job_path(&self, job: u64) -> Result<JobPath, Refusal> {
+        path_of(&self.journal, job)
     }
 
     /// The supervisor, to look at.

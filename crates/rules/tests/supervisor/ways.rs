@@ -4,11 +4,12 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Reply, Request, WayView};
 use dobot_controller::Personality;
+use dobot_geometry::{Point, Stroke};
 use dobot_rules::{Refusal, VirtualStation};
 use dobot_wire::{Command, MoveTo, MovingMode};
 
 use crate::releases::over;
-use crate::strokes::PERSONALITIES;
+use crate::strokes::{PERSONALITIES, pen_job, started, view};
 
 fn asked(it: &mut VirtualStation, client: ClientId, command: Command) -> Result<WayView, Refusal> {
     match it.ask(client, Request::CheckCommand { command })? {
@@ -105,5 +106,38 @@ fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
         assert!(reach_mm > 250.0, "{nearest:?}");
         let [x, y, z] = nearest.map(|it| it.to_string().parse().unwrap());
         asked(&mut it, anna, line(x, y, z)).unwrap();
+    }
+}
+
+#[test]
+fn the_marked_way_of_a_job_is_what_its_pen_draws() {
+    for personality in PERSONALITIES {
+        let strokes = [
+            [(200.0, -30.0), (240.0, -30.0)],
+            [(230.0, 20.0), (200.0, 20.0)],
+        ]
+        .map(|ends| Stroke::open(ends.map(|(x, y)| Point::new(x, y)).to_vec()));
+        let planned = pen_job(personality, &strokes.clone().map(|it| (it, None)));
+        let (it, _, job) = started(personality, &planned);
+        let path = it.job_path(job).unwrap();
+        let marked: f64 = (1..path.path_mm.len())
+            .filter(|index| path.marks[*index])
+            .map(|index| {
+                let [from, to] = [path.path_mm[index - 1], path.path_mm[index]];
+                assert!(strokes.iter().any(|stroke| {
+                    let ends = [stroke.points[0], stroke.points[1]].map(|it| [it.x, it.y, to[2]]);
+                    off_mm(from, ends[0], ends[1]) < 0.05 && off_mm(to, ends[0], ends[1]) < 0.05
+                }));
+                (from[0] - to[0]).hypot(from[1] - to[1])
+            })
+            .sum();
+        assert!((marked - 70.0).abs() < 0.1, "{personality}: {marked} mm");
+        assert_eq!(path.commands.last(), Some(&(planned.commands.len() - 1)));
+        let planned_s = view(&it).planned_s.unwrap();
+        let until_s = *path.until_s.last().unwrap();
+        assert!(
+            (until_s - planned_s).abs() < 0.01 * planned_s,
+            "{until_s} s, {planned_s} s"
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use dobot_api::{ClientId, LeaseView, Reply, Request, Role};
+use dobot_api::{ClientId, JobPath, LeaseView, Reply, Request, Role};
 use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use tokio::sync::mpsc;
 
@@ -84,6 +84,12 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
             Message::Planned { .. } => panic!("it plans no jobs"),
             Message::Jobs(reply) => {
                 let _ = reply.send(Ok(vec![job(7)]));
+            }
+            Message::JobPath { job: 7, reply } => {
+                let _ = reply.send(Ok(JobPath::default()));
+            }
+            Message::JobPath { job, reply } => {
+                let _ = reply.send(Err(Refusal::NoSuchJob(job)));
             }
             Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
             Message::Failed(text) => panic!("{text}"),

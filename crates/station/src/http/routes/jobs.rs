@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, MALFORMED, NO_JOB_RUNS, NO_LEASE,
     NO_SUCH_JOB, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
-use dobot_api::{JobView, NewJob, Reply, Request};
+use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
 use dobot_rules::Refusal;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -33,6 +33,14 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(GET, "/api/v1/jobs/{id}", "One job", one)
             .gives::<JobView>(200, "the job")
             .problems(&[MALFORMED, NO_SUCH_JOB, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/jobs/{id}/path",
+            "The way of a job, once through its commands, as it was planned",
+            path,
+        )
+        .gives::<JobPath>(200, "the way")
+        .problems(&[MALFORMED, NO_SUCH_JOB, BAD_JOB, JOURNAL, ENDING]),
         Route::asks(
             DELETE,
             "/api/v1/jobs/{id}",
@@ -137,4 +145,8 @@ async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<Jo
     found
         .map(Json)
         .ok_or_else(|| Refusal::NoSuchJob(job).into())
+}
+
+async fn path(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobPath>, NotDone> {
+    Ok(Json(app.handle.job_path(job).await?))
 }

@@ -1,0 +1,80 @@
+//! The way of a job, for those who look at it.
+
+use dobot_api::JobPath;
+use dobot_arm::Position;
+use dobot_journal::{Job, Journal};
+use dobot_trajectory::Trajectory;
+use dobot_wire::Command;
+
+use crate::Refusal;
+use crate::jobs::{find, journal_refusal, recovery_model};
+
+/// The way of a job, once through its commands, as it was planned.
+pub(crate) fn path_of(journal: &Journal, job: u64) -> Result<JobPath, Refusal> {
+    let job = find(journal, job)?;
+    let commands = journal
+        .commands(job.id)
+        .map_err(|error| journal_refusal(&error))?;
+    walk(&job, &commands)
+}
+
+fn walk(job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
+    let mut model = recovery_model(job);
+    let mut path = JobPath::default();
+    let mut begun_s = 0.0;
+    for (index, command) in commands.iter().enumerate() {
+        let trajectory = model.trajectory(command).map_err(|error| Refusal::BadJob {
+            index,
+            why: error.to_string(),
+        })?;
+        for (position, after_s) in places(command, &trajectory) {
+            path.path_mm
+                .push([position.x.0, position.y.0, position.z.0].map(rounded));
+            path.commands.push(index);
+            path.marks.push(trajectory.laser());
+            path.until_s.push(rounded(begun_s + after_s));
+        }
+        begun_s += trajectory.duration_s().unwrap_or_default();
+        model = model.after(command, &trajectory);
+    }
+    if let Some(lift_mm) = job.lift_mm {
+        mark_lowered(&mut path, lift_mm.into());
+    }
+    Ok(path)
+}
+
+/// The places along a way, and when each is reached; none where nothing moves.
+fn places(command: &Command, trajectory: &Trajectory) -> Vec<(Position, f64)> {
+    let duration_s = trajectory.motion_s().unwrap_or_default();
+    let parts = match command {
+        _ if !trajectory.moves() => 0,
+        Command::WriteVector(_) => 1,
+        _ => TARGET_PARTS,
+    };
+    let place = |part: u32| {
+        let after_s = duration_s * f64::from(part) / f64::from(parts);
+        let place = trajectory.place_at(after_s).ok()?;
+        Some((place.pose.position, after_s))
+    };
+    (1..=parts).filter_map(place).collect()
+}
+
+/// A pen draws where a vector leaves it nearer to the lowest place than to where it is lifted.
+fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
+    let heights = path.path_mm.iter().map(|it| it[2]);
+    let lowest_mm = heights.fold(f64::MAX, f64::min);
+    let is_low = |at: &[f64; 3]| at[2] < lowest_mm + lift_mm / 2.0;
+    let mut was_low = false;
+    for (at, marks) in path.path_mm.iter().zip(&mut path.marks) {
+        *marks |= was_low && is_low(at);
+        was_low = is_low(at);
+    }
+}
+
+/// To a thousandth: nobody sees more, and it makes a long way shorter to send.
+fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0
+}
+
+/// In how many parts of equal time the way to a target is shown, which may be a jump.
+const TARGET_PARTS: u32 = 16;
