@@ -316,7 +316,7 @@ fn a_repeat_at_the_end_stands_once_and_says_so() {
     );
     assert!(
         forever
-            .job(10.0)
+            .job()
             .program
             .check(forever.commands.len())
             .is_ok()

@@ -139,7 +139,7 @@ proptest! {
     fn a_program_is_made_into_a_job_or_refused_with_a_line(program in program()) {
         match Program::from_toml(&program.to_toml()).unwrap().compile(&mut NoFiles) {
             Ok(compiled) => {
-                let job = compiled.job(0.0);
+                let job = compiled.job();
                 prop_assert_eq!(job.program.check(job.commands.len()), Ok(()));
                 prop_assert!(job.pauses.iter().all(|it| it.before < job.commands.len()));
             }

@@ -2,7 +2,6 @@
 
 mod keys;
 mod lesson;
-mod recording;
 mod screen;
 mod teacher;
 

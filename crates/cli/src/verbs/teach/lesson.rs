@@ -4,12 +4,10 @@ use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
 use dobot_teach::{
-    Action, Compiled, Files, Go, Here, Place as ProgramPlace, Point, Program, ProgramDocument,
-    ProgramError, Steps, Times,
+    Action, Compiled, Files, Go, Here, Place, Point, Program, ProgramDocument, ProgramError,
+    RecordedPlace, Steps, Times,
 };
 use dobot_wire::MovingMode;
-
-use super::recording::Place;
 
 /// A program, and the step at which it is being taught.
 #[derive(Debug)]
@@ -110,7 +108,7 @@ impl Lesson {
     /// Teaches where the arm is: a point, and a step that goes there. Gives the point's name.
     pub(crate) fn capture(
         &mut self,
-        place: &Place,
+        place: &RecordedPlace,
         path: MovingMode,
     ) -> Result<String, ProgramError> {
         let name = self.free_name();
@@ -136,7 +134,7 @@ impl Lesson {
     }
 
     /// Teaches a path that was jogged: straight lines through its places.
-    pub(crate) fn add_path(&mut self, places: &[Place]) -> Result<(), ProgramError> {
+    pub(crate) fn add_path(&mut self, places: &[RecordedPlace]) -> Result<(), ProgramError> {
         let mut before = self.tool_before();
         let mut actions = Vec::new();
         for place in places {
@@ -145,7 +143,7 @@ impl Lesson {
             actions.push(Action::Go(Go {
                 path: MovingMode::MovL,
                 then,
-                ..Go::to(ProgramPlace::At(point(place)))
+                ..Go::to(Place::At(point(place)))
             }));
         }
         if self.document.is_none() {
@@ -256,7 +254,7 @@ impl Lesson {
                 rest.ok_or("nothing is done from this step on")?
             }
         };
-        let mut job = compiled.job(LIFT_MM);
+        let mut job = compiled.job();
         if job.title.is_empty() {
             job.title.push_str("a taught program");
         }
@@ -345,7 +343,7 @@ impl Lesson {
         free.next().unwrap_or_default()
     }
 
-    fn changed_tool(&self, place: &Place) -> Here {
+    fn changed_tool(&self, place: &RecordedPlace) -> Here {
         self.tool_before().changes_to(place)
     }
 
@@ -384,7 +382,7 @@ impl ToolState {
     }
 
     /// What has to be said so that the tool does as at a place.
-    fn changes_to(self, place: &Place) -> Here {
+    fn changes_to(self, place: &RecordedPlace) -> Here {
         let gripper = rounded(place.gripper_deg, 10.0);
         Here {
             suction: Some(place.suction).filter(|it| *it != self.suction),
@@ -428,7 +426,7 @@ fn nothing_yet() -> ProgramError {
 }
 
 /// To a hundredth of a millimetre and of a degree, which is finer than an arm goes.
-fn point(place: &Place) -> Point {
+fn point(place: &RecordedPlace) -> Point {
     Point::Cartesian {
         position: place.point_mm.map(|it| rounded(it, 100.0)),
         rotation: Some(rounded(place.rotation_deg, 100.0)).filter(|it| *it != 0.0),
@@ -458,8 +456,6 @@ const WAIT: Here = Here {
     gripper: None,
     pause: Some(GRIP_S),
 };
-/// How far the tool is lifted while the job is paused, in mm: it stays where it is, for it may hold something.
-const LIFT_MM: f32 = 0.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
@@ -469,8 +465,8 @@ mod tests {
 
     use super::*;
 
-    fn place(x: f64, suction: bool) -> Place {
-        Place {
+    fn place(x: f64, suction: bool) -> RecordedPlace {
+        RecordedPlace {
             point_mm: [x, 0.0, 10.0],
             rotation_deg: 0.0,
             suction,

@@ -5,13 +5,12 @@ use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
 use dobot_api::{ArmView, JobPhase, JobView, Reply, Request, State};
-use dobot_teach::ProgramError;
+use dobot_teach::{ProgramError, RecordedPlace, simplified};
 use dobot_wire::{Dialect, MovingMode};
 use ratatui::Frame;
 
 use super::keys::{TeachKey, teach_key};
 use super::lesson::{Lesson, Part};
-use super::recording::{Place, simplified};
 use super::screen;
 use crate::pendant::{Panel, Pendant};
 use crate::program_file::FilesBeside;
@@ -24,8 +23,8 @@ pub(crate) struct Teacher {
     pub(super) path: MovingMode,
     pub(super) file: PathBuf,
     tolerance_mm: f64,
-    recording: Option<Vec<Place>>,
-    captured: Option<Place>,
+    recording: Option<Vec<RecordedPlace>>,
+    captured: Option<RecordedPlace>,
     job: Option<Taught>,
     /// What is done with the job that was submitted, once the station has told its number.
     submitting: Option<JobStart>,
@@ -126,7 +125,7 @@ impl Teacher {
     }
 
     /// Where the arm rests, if that is known for sure.
-    fn place(&self) -> Result<Place, String> {
+    fn place(&self) -> Result<RecordedPlace, String> {
         let state = self.pendant.state().ok_or("the arm has not told yet")?;
         if !state.trust.trusted {
             return Err(
@@ -135,13 +134,13 @@ impl Teacher {
         }
         match &state.arm {
             Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
-            Some(arm) => Ok(Place::of(&arm.status)),
+            Some(arm) => Ok(RecordedPlace::of(&arm.status)),
             None => Err("the arm has not told yet".into()),
         }
     }
 
     /// Enter that is held repeats: a place is taught once, until another key is pressed.
-    fn capture(&mut self, before: Option<Place>) {
+    fn capture(&mut self, before: Option<RecordedPlace>) {
         let place = match self.place() {
             Ok(place) => place,
             Err(why) => return self.pendant.tell(format!("not taught: {why}")),
@@ -271,7 +270,7 @@ impl Panel for Teacher {
 
     fn handle_state(&mut self, state: State) {
         if let (Some(places), Some(arm)) = (&mut self.recording, &state.arm) {
-            let place = Place::of(&arm.status);
+            let place = RecordedPlace::of(&arm.status);
             if places.last() != Some(&place) && places.len() < MOST_PLACES {
                 places.push(place);
             }

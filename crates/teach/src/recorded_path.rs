@@ -1,23 +1,27 @@
 //! A path that was jogged, with as few points as keep it within a tolerance.
 
 use dobot_wire::Status;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// A place of a path: where the tool was, and what it did there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RecordedPlace {
     /// x, y and z, in millimetres in the base frame.
-    pub(crate) point_mm: [f64; 3],
+    pub point_mm: [f64; 3],
     /// The rotation of the tool relative to the base frame, in degrees.
-    pub(crate) rotation_deg: f64,
+    pub rotation_deg: f64,
     /// Whether the pump ran.
-    pub(crate) suction: bool,
+    pub suction: bool,
     /// The gripper's angle, in degrees.
-    pub(crate) gripper_deg: f64,
+    pub gripper_deg: f64,
 }
 
-impl Place {
+impl RecordedPlace {
     /// Where a status says that the arm is.
-    pub(crate) fn of(status: &Status) -> Self {
+    #[must_use]
+    pub fn of(status: &Status) -> Self {
         Self {
             point_mm: [status.x_mm, status.y_mm, status.z_mm].map(f64::from),
             rotation_deg: status.rotation_deg.into(),
@@ -47,7 +51,8 @@ impl Place {
 ///                   .     .            the place that is farthest from the chord
 ///        from *-------------------* to splits it, until none is farther than the tolerance
 /// ```
-pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
+#[must_use]
+pub fn simplified(places: &[RecordedPlace], tolerance: f64) -> Vec<RecordedPlace> {
     let mut kept = vec![false; places.len()];
     let mut spans = vec![(0, places.len().saturating_sub(1))];
     if let [first, .., last] = &mut kept[..] {
@@ -69,7 +74,7 @@ pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
 
 /// Where a chord has to be split: where the tool changes first, else at the place that is farthest from
 /// it, if that is too far.
-fn split(places: &[Place], from: usize, to: usize, tolerance: f64) -> Option<usize> {
+fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Option<usize> {
     let mut between = from + 1..to;
     let changes = |at: &usize| {
         !places[*at].has_tool_of(&places[*at - 1]) || !places[*at].has_tool_of(&places[*at + 1])
@@ -109,8 +114,8 @@ mod tests {
 
     use super::*;
 
-    fn place(point_mm: [f64; 3]) -> Place {
-        Place {
+    fn place(point_mm: [f64; 3]) -> RecordedPlace {
+        RecordedPlace {
             point_mm,
             rotation_deg: 0.0,
             suction: false,
@@ -122,7 +127,7 @@ mod tests {
     fn a_straight_line_with_a_corner_becomes_three_places() {
         let out = (0..=50).map(|it| place([200.0 + f64::from(it), 0.0, 0.0]));
         let up = (1..=30).map(|it| place([250.0, 0.0, f64::from(it)]));
-        let path: Vec<Place> = out.chain(up).collect();
+        let path: Vec<RecordedPlace> = out.chain(up).collect();
         let corners = [[200.0, 0.0, 0.0], [250.0, 0.0, 0.0], [250.0, 0.0, 30.0]].map(place);
         assert_eq!(simplified(&path, 0.1), corners);
     }
@@ -133,7 +138,7 @@ mod tests {
             let (sin, cos) = deg.to_radians().sin_cos();
             place([200.0 * cos, 200.0 * sin, 0.0])
         };
-        let path: Vec<Place> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
+        let path: Vec<RecordedPlace> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
         // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving 90
         // degrees comes to 11.25, which is 8 chords.
         assert_eq!(simplified(&path, 1.0).len(), 9);
@@ -141,7 +146,8 @@ mod tests {
 
     #[test]
     fn where_the_pump_is_switched_stays_also_on_a_straight_line() {
-        let mut path: Vec<Place> = (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
+        let mut path: Vec<RecordedPlace> =
+            (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
         for it in &mut path[6..] {
             it.suction = true;
         }
@@ -151,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_turn_of_the_tool_on_the_spot_stays() {
-        let turned = |rotation_deg| Place {
+        let turned = |rotation_deg| RecordedPlace {
             rotation_deg,
             ..place([200.0, 0.0, 0.0])
         };
@@ -173,9 +179,9 @@ mod tests {
             points in prop::collection::vec((prop::array::uniform3(-300.0..300.0), -90.0..90.0), 1..60),
             tolerance in 0.0..50.0_f64,
         ) {
-            let path: Vec<Place> = points
+            let path: Vec<RecordedPlace> = points
                 .into_iter()
-                .map(|(point_mm, rotation_deg)| Place { rotation_deg, ..place(point_mm) })
+                .map(|(point_mm, rotation_deg)| RecordedPlace { rotation_deg, ..place(point_mm) })
                 .collect();
             let kept = simplified(&path, tolerance);
             prop_assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
