@@ -132,6 +132,8 @@ kinds! {
         "A number lies outside its range. The detail says which one, and what is allowed.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
+    BAD_PROGRAM = 422 "bad-program" "the program cannot be done"
+        "The text is no program, or a step of it cannot be done. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all that is wrong.";
     UPGRADE = 426 "upgrade" "this address is a WebSocket"
         "Connect to it with a WebSocket client.";
     TOO_MANY_REQUESTS = 429 "too-many-requests" "too many requests"

@@ -39,22 +39,18 @@ pub struct Ends {
 /// What holds as long as the station runs.
 #[derive(Debug)]
 pub struct Rules {
-    /// The policy as JSON.
-    pub policy: serde_json::Value,
+    /// The policy.
+    pub policy: Policy,
     /// How long a jog button stays pressed without being said again, in seconds.
     pub dead_man_s: f64,
 }
 
 impl Rules {
     /// The rules of a policy.
-    ///
-    /// # Panics
-    ///
-    /// Never: a policy is a table of numbers, which JSON can always hold.
     #[must_use]
     pub fn of(policy: &Policy) -> Self {
         Self {
-            policy: serde_json::to_value(policy).expect("a policy is a table of numbers"),
+            policy: policy.clone(),
             dead_man_s: policy.jog.dead_man_s,
         }
     }

@@ -68,4 +68,4 @@ pub use program::{
     Action, Arc, DEFAULT_TOLERANCE_MM, Drawing, Frame, Go, Grid, Here, MountedTool, Offset,
     Program, Speed, Steps, Times,
 };
-pub use recorded_path::{RecordedPlace, simplified};
+pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};

@@ -1,8 +1,11 @@
 //! A path that was jogged, with as few points as keep it within a tolerance.
 
-use dobot_wire::Status;
+use dobot_wire::{MovingMode, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use toml::Spanned;
+
+use crate::{Action, Go, Here, Place, Point};
 
 /// A place of a path: where the tool was, and what it did there.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -27,6 +30,16 @@ impl RecordedPlace {
             rotation_deg: status.rotation_deg.into(),
             suction: status.suction,
             gripper_deg: status.gripper_deg.into(),
+        }
+    }
+
+    /// The point, to a hundredth of a millimetre and of a degree, which is finer than an arm goes.
+    #[must_use]
+    pub fn point(&self) -> Point {
+        Point::Cartesian {
+            position: self.point_mm.map(|it| rounded(it, 100.0)),
+            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|it| *it != 0.0),
+            frame: None,
         }
     }
 
@@ -106,6 +119,68 @@ fn distance(point: [f64; 4], a: [f64; 4], b: [f64; 4]) -> f64 {
     };
     let rest: [f64; 4] = std::array::from_fn(|i| off[i] - way[i] * share);
     dot(rest, rest).sqrt()
+}
+
+/// What the tool does at some place of a program.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ToolState {
+    /// Whether the pump runs.
+    pub suction: bool,
+    /// The gripper's angle, in degrees.
+    pub gripper_deg: f64,
+}
+
+impl ToolState {
+    /// How steps leave it that are done one after the other from the beginning of a program.
+    #[must_use]
+    pub fn behind(steps: &[Spanned<Action>]) -> Self {
+        let thens = steps.iter().filter_map(|it| match it.get_ref() {
+            Action::Go(go) => Some(go.then),
+            Action::Here(here) => Some(*here),
+            _ => None,
+        });
+        thens.fold(Self::default(), Self::after)
+    }
+
+    /// What it does after that.
+    #[must_use]
+    pub fn after(self, here: Here) -> Self {
+        Self {
+            suction: here.suction.unwrap_or(self.suction),
+            gripper_deg: here.gripper.unwrap_or(self.gripper_deg),
+        }
+    }
+
+    /// What has to be said so that the tool does as at a place.
+    #[must_use]
+    pub fn changes_to(self, place: &RecordedPlace) -> Here {
+        let gripper = rounded(place.gripper_deg, 10.0);
+        Here {
+            suction: Some(place.suction).filter(|it| *it != self.suction),
+            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
+            pause: None,
+        }
+    }
+}
+
+/// The steps along a path that was jogged: straight lines through its places.
+#[must_use]
+pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action> {
+    let step = |place: &RecordedPlace| {
+        let then = before.changes_to(place);
+        before = before.after(then);
+        Action::Go(Go {
+            path: MovingMode::MovL,
+            then,
+            ..Go::to(Place::At(place.point()))
+        })
+    };
+    places.iter().map(step).collect()
+}
+
+/// Without a negative zero.
+fn rounded(number: f64, parts: f64) -> f64 {
+    (number * parts).round() / parts + 0.0
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod arm;
 mod jobs;
 mod leases;
 mod motion;
+mod programs;
 mod watching;
 
 use std::sync::{Arc, LazyLock};
@@ -52,6 +53,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         leases::all(),
         arm::all(),
         jobs::all(),
+        programs::all(),
     ]
     .concat()
 });

@@ -6,6 +6,7 @@ mod attacks;
 mod bad_input;
 mod document;
 mod leases;
+mod programs;
 mod routes;
 mod schema;
 mod served;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
 use dobot_teach::{
-    Action, Compiled, Files, Go, Here, Place, Point, Program, ProgramDocument, ProgramError,
-    RecordedPlace, Steps, Times,
+    Action, Compiled, Files, Go, Here, Point, Program, ProgramDocument, ProgramError,
+    RecordedPlace, Steps, Times, ToolState, path_steps,
 };
 use dobot_wire::MovingMode;
 
@@ -118,12 +118,12 @@ impl Lesson {
             ..Go::to(name.as_str())
         };
         if self.document.is_none() {
-            let points = BTreeMap::from([(name.clone(), point(place))]);
+            let points = BTreeMap::from([(name.clone(), place.point())]);
             self.begin(points, vec![Action::Go(go)])?;
             return Ok(name);
         }
         self.change(|document, at| {
-            document.set_point(&name, &point(place))?;
+            document.set_point(&name, &place.point())?;
             document.insert(at, Action::Go(go))?;
             Ok(Edited {
                 changes: 2,
@@ -135,17 +135,7 @@ impl Lesson {
 
     /// Teaches a path that was jogged: straight lines through its places.
     pub(crate) fn add_path(&mut self, places: &[RecordedPlace]) -> Result<(), ProgramError> {
-        let mut before = self.tool_before();
-        let mut actions = Vec::new();
-        for place in places {
-            let then = before.changes_to(place);
-            before = before.after(then);
-            actions.push(Action::Go(Go {
-                path: MovingMode::MovL,
-                then,
-                ..Go::to(Place::At(point(place)))
-            }));
-        }
+        let actions = path_steps(places, self.tool_before());
         if self.document.is_none() {
             return self.begin(BTreeMap::new(), actions);
         }
@@ -278,7 +268,7 @@ impl Lesson {
         points: BTreeMap<String, Point>,
         actions: Vec<Action>,
     ) -> Result<(), ProgramError> {
-        let mut program = program_of(actions.clone());
+        let mut program = Program::new(actions.clone());
         program.title.clone_from(&self.title);
         if !points.is_empty() {
             // No step may name a point that is not there yet.
@@ -351,12 +341,7 @@ impl Lesson {
     fn tool_before(&self) -> ToolState {
         let steps = self.steps();
         let until = (self.cursor + 1).min(steps.0.len());
-        let thens = steps.0[..until].iter().filter_map(|it| match it.get_ref() {
-            Action::Go(go) => Some(go.then),
-            Action::Here(here) => Some(*here),
-            _ => None,
-        });
-        thens.fold(ToolState::default(), ToolState::after)
+        ToolState::behind(&steps.0[..until])
     }
 }
 
@@ -364,32 +349,6 @@ impl Lesson {
 struct Edited {
     changes: usize,
     cursor: usize,
-}
-
-/// What the tool does at some place of a program.
-#[derive(Clone, Copy, Debug, Default)]
-struct ToolState {
-    suction: bool,
-    gripper_deg: f64,
-}
-
-impl ToolState {
-    fn after(self, here: Here) -> Self {
-        Self {
-            suction: here.suction.unwrap_or(self.suction),
-            gripper_deg: here.gripper.unwrap_or(self.gripper_deg),
-        }
-    }
-
-    /// What has to be said so that the tool does as at a place.
-    fn changes_to(self, place: &RecordedPlace) -> Here {
-        let gripper = rounded(place.gripper_deg, 10.0);
-        Here {
-            suction: Some(place.suction).filter(|it| *it != self.suction),
-            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
-            pause: None,
-        }
-    }
 }
 
 /// All of a program again and again.
@@ -407,12 +366,6 @@ fn looped(mut program: Program) -> Program {
     program
 }
 
-fn program_of(actions: Vec<Action>) -> Program {
-    let mut program = Program::default();
-    program.steps = Steps::new(actions);
-    program
-}
-
 fn compile(program: &Program, files: &mut dyn Files) -> Result<Compiled, String> {
     program.compile(files).map_err(|error| error.to_string())
 }
@@ -425,23 +378,9 @@ fn nothing_yet() -> ProgramError {
     }
 }
 
-/// To a hundredth of a millimetre and of a degree, which is finer than an arm goes.
-fn point(place: &RecordedPlace) -> Point {
-    Point::Cartesian {
-        position: place.point_mm.map(|it| rounded(it, 100.0)),
-        rotation: Some(rounded(place.rotation_deg, 100.0)).filter(|it| *it != 0.0),
-        frame: None,
-    }
-}
-
-/// Without a negative zero.
-fn rounded(number: f64, parts: f64) -> f64 {
-    (number * parts).round() / parts + 0.0
-}
-
 /// `go = "p1", path = "movl"`
 fn line(action: &Action) -> String {
-    let text = program_of(vec![action.clone()]).to_toml();
+    let text = Program::new(vec![action.clone()]).to_toml();
     let lines = text.lines().map(str::trim);
     let lines: Vec<&str> = lines
         .filter(|it| !it.is_empty() && *it != "[[steps]]")
