@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
+use dobot_safety::Policy;
 use dobot_teach::{
-    Action, Compiled, Files, Go, Here, Point, Program, ProgramDocument, ProgramError,
-    RecordedPlace, Steps, Times, ToolState, path_steps,
+    Action, Compiled, Files, Go, Here, Point, Problem, Program, ProgramDocument, ProgramError,
+    RecordedPlace, Steps, Times, ToolState, check, path_steps,
 };
-use dobot_wire::MovingMode;
+use dobot_trajectory::Model;
+use dobot_wire::{Dialect, MovingMode, Status};
 
 /// A program, and the step at which it is being taught.
 #[derive(Debug)]
@@ -17,6 +19,7 @@ pub(crate) struct Lesson {
     document: Option<ProgramDocument>,
     cursor: usize,
     done: Vec<Done>,
+    undone: Vec<Undone>,
     saved: String,
 }
 
@@ -25,6 +28,17 @@ pub(crate) struct Lesson {
 struct Done {
     /// How many changes of the text that were; none where it began the program.
     changes: usize,
+    /// Where the cursor was.
+    cursor: usize,
+}
+
+/// What was taken back last.
+#[derive(Clone, Debug)]
+struct Undone {
+    /// How many changes of the text that were.
+    changes: usize,
+    /// The program, where it had begun with that.
+    begun: Option<ProgramDocument>,
     /// Where the cursor was.
     cursor: usize,
 }
@@ -48,6 +62,7 @@ impl Lesson {
             document: None,
             cursor: 0,
             done: Vec::new(),
+            undone: Vec::new(),
             saved: String::new(),
         }
     }
@@ -207,28 +222,56 @@ impl Lesson {
         let Some(done) = self.done.pop() else {
             return false;
         };
-        match (&mut self.document, done.changes) {
-            (document, 0) => *document = None,
-            (Some(document), changes) => {
-                for _ in 0..changes {
-                    document.undo();
-                }
+        let begun = self.document.take_if(|_| done.changes == 0);
+        if let Some(document) = &mut self.document {
+            for _ in 0..done.changes {
+                document.undo();
             }
-            (None, _) => {}
         }
+        self.undone.push(Undone {
+            changes: done.changes,
+            begun,
+            cursor: self.cursor,
+        });
         self.cursor = done.cursor;
         true
     }
 
-    /// The job of a part of it; `files` gives the programs that it calls and its drawings.
+    /// Makes again what was taken back last; `false` where there is nothing.
+    pub(crate) fn redo(&mut self) -> bool {
+        let Some(undone) = self.undone.pop() else {
+            return false;
+        };
+        self.document = self.document.take().or(undone.begun);
+        if let Some(document) = &mut self.document {
+            for _ in 0..undone.changes {
+                document.redo();
+            }
+        }
+        self.done.push(Done {
+            changes: undone.changes,
+            cursor: self.cursor,
+        });
+        self.cursor = undone.cursor;
+        true
+    }
+
+    /// The job of a part of it; `files` gives the programs that it calls and its drawings. The cursor goes to a step
+    /// that cannot be done.
     ///
     /// # Errors
     ///
     /// Why it cannot be run, in one line.
-    pub(crate) fn job(&self, part: Part, files: &mut dyn Files) -> Result<NewJob, String> {
+    pub(crate) fn job(
+        &mut self,
+        part: Part,
+        files: &mut dyn Files,
+        policy: &Policy,
+        dialect: Dialect,
+    ) -> Result<NewJob, String> {
         let program = self.program().ok_or("there is no step yet")?;
         let compiled = match part {
-            Part::Loop => compile(&looped(program), files)?,
+            Part::Loop => compile(&looped(program.clone()), files)?,
             Part::All => compile(&program, files)?,
             Part::FromHere => {
                 let line = program
@@ -244,6 +287,17 @@ impl Lesson {
                 rest.ok_or("nothing is done from this step on")?
             }
         };
+        let report = check(&compiled, policy, Model::new(dialect, &Status::AT_ZERO));
+        if let Some(first) = report.problems.first() {
+            let own = program.steps.0.iter();
+            let mut lines = own.map(|it| program.line_of(it));
+            if first.file.is_none()
+                && let Some(at) = lines.rposition(|line| line <= first.line)
+            {
+                self.cursor = at;
+            }
+            return Err(told(first, report.problems.len() - 1));
+        }
         let mut job = compiled.job();
         if job.title.is_empty() {
             job.title.push_str("a taught program");
@@ -287,6 +341,7 @@ impl Lesson {
             }
         }
         self.document = Some(document);
+        self.undone.clear();
         self.done.push(Done {
             changes: 0,
             cursor: 0,
@@ -317,6 +372,7 @@ impl Lesson {
         let mut edited = document.clone();
         let Edited { changes, cursor } = edit(&mut edited, behind)?;
         *document = edited;
+        self.undone.clear();
         self.done.push(Done {
             changes,
             cursor: self.cursor,
@@ -364,6 +420,21 @@ fn looped(mut program: Program) -> Program {
         program.steps = Steps::new(vec![Action::Repeat(Times::Forever, steps)]);
     }
     program
+}
+
+/// The first problem, and how many there are besides.
+fn told(first: &Problem, more: usize) -> String {
+    let Problem {
+        step,
+        message,
+        remedy,
+        ..
+    } = first;
+    let text = format!("step {step}: {message}; {remedy}");
+    match more {
+        0 => text,
+        more => format!("{text} (and {more} more: `dobot check` lists them)"),
+    }
 }
 
 fn compile(program: &Program, files: &mut dyn Files) -> Result<Compiled, String> {
@@ -508,17 +579,75 @@ mod tests {
     fn a_part_of_the_program_is_run_from_the_cursor_on() {
         let mut it = pick_and_place();
         it.move_cursor(false);
-        let rest = it.job(Part::FromHere, &mut NoFiles).unwrap();
+        let rest = it
+            .job(
+                Part::FromHere,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(targets(&rest).first(), Some(&250.0));
-        let all = it.job(Part::All, &mut NoFiles).unwrap();
+        let all = it
+            .job(
+                Part::All,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(targets(&all).first(), Some(&200.0));
         assert_eq!(all.program.repeat, None);
-        let looped = it.job(Part::Loop, &mut NoFiles).unwrap();
+        let looped = it
+            .job(
+                Part::Loop,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(looped.program.repeat.map(|it| it.times), Some(None));
         assert!(
             Lesson::new(String::new())
-                .job(Part::All, &mut NoFiles)
+                .job(
+                    Part::All,
+                    &mut NoFiles,
+                    &Policy::default(),
+                    Dialect::SPECIFICATION
+                )
                 .is_err()
         );
+    }
+
+    #[test]
+    fn what_was_undone_is_made_again_until_something_else_is_taught() {
+        let mut it = Lesson::new("t".into());
+        assert!(!it.redo());
+        it.capture(&place(200.0, false), MovingMode::Jump).unwrap();
+        it.capture(&place(210.0, true), MovingMode::MovL).unwrap();
+        let (text, cursor) = (it.text(), it.cursor());
+        while it.undo() {}
+        assert_eq!(it.text(), "");
+        while it.redo() {}
+        assert_eq!((it.text(), it.cursor()), (text.clone(), cursor));
+        while it.undo() {}
+        it.capture(&place(220.0, false), MovingMode::Jump).unwrap();
+        assert!(!it.redo());
+        assert_ne!(it.text(), text);
+    }
+
+    #[test]
+    fn a_step_that_cannot_be_done_is_told_before_anything_runs_and_the_cursor_goes_there() {
+        let mut it = Lesson::new("t".into());
+        for x in [200.0, 900.0, 210.0] {
+            it.capture(&place(x, false), MovingMode::MovL).unwrap();
+        }
+        let (policy, dialect) = (Policy::default(), Dialect::SPECIFICATION);
+        for part in [Part::All, Part::Loop] {
+            it.move_cursor(true);
+            let why = it.job(part, &mut NoFiles, &policy, dialect).unwrap_err();
+            assert!(why.starts_with("step 2: "), "{why}");
+            assert_eq!(it.cursor(), 1);
+        }
     }
 }
