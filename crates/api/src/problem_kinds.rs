@@ -128,6 +128,10 @@ kinds! {
         "The small motions did not tell which dialect the arm speaks. The detail says why. It can be said by hand, with `PUT /api/v1/dialect`.";
     POLICY = 422 "policy" "the policy does not allow this"
         "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
+    BAD_POLICY = 422 "bad-policy" "the text is no policy"
+        "The text cannot be used as a safety policy. The detail says which line, what was found, and what is allowed. The policy that held before holds on.";
+    POLICY_FILE = 500 "policy-file" "the policy cannot be written"
+        "The new policy holds, but it could not be written to its file: after the next start of the station the old one holds again.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"

@@ -151,14 +151,15 @@ fn make_folder(folders: &Folders) -> Result<(), HostError> {
 }
 
 fn supervisor(setup: &Setup, source: &Source) -> Supervisor {
-    let mut policy = setup.policy.clone();
-    in_time_of_arm(&mut policy, source.speed());
+    let policy = in_time_of_arm(&setup.policy, source.speed());
     let own = source.personality().map(Personality::dialect);
     Supervisor::new(policy, setup.dialect.or(own))
 }
 
 /// A hand on a button is as fast as ever, however fast the arm lives.
-fn in_time_of_arm(policy: &mut Policy, speed: Speed) {
+pub(crate) fn in_time_of_arm(policy: &Policy, speed: Speed) -> Policy {
+    let mut policy = policy.clone();
     policy.jog.dead_man_s *= speed.times();
     policy.jog.raw_dead_man_s *= speed.times();
+    policy
 }

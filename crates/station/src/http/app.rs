@@ -1,6 +1,7 @@
 //! What all requests share.
 
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -23,6 +24,8 @@ pub(super) struct App {
     pub(super) without_token: Option<Role>,
     /// The names that the station goes by, besides its addresses.
     pub(super) names: Vec<String>,
+    /// Where the policy is kept.
+    pub(super) policy_file: PathBuf,
     pub(super) http_leases: HttpLeases,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
@@ -38,6 +41,7 @@ impl App {
         tokens: Tokens,
         without_token: Option<Role>,
         names: Vec<String>,
+        policy_file: PathBuf,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
         Arc::new(Self {
@@ -45,6 +49,7 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names,
+            policy_file,
             http_leases: HttpLeases::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),

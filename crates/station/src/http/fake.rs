@@ -85,6 +85,9 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
             Message::Jobs(reply) => {
                 let _ = reply.send(Ok(vec![job(7)]));
             }
+            Message::Policy { reply, .. } => {
+                let _ = reply.send(Ok(()));
+            }
             Message::JobPath { job: 7, reply } => {
                 let _ = reply.send(Ok(JobPath::default()));
             }

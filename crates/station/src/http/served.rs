@@ -28,6 +28,8 @@ pub struct Web {
     pub names: Vec<String>,
     /// What those on loopback may do who come without a token; elsewhere nobody may do anything.
     pub without_token: Option<Role>,
+    /// Where a policy is kept that a client puts in place.
+    pub policy_file: PathBuf,
     /// Where tokens and the own certificate are, and where the station says that it runs.
     pub folders: Folders,
 }
@@ -35,12 +37,13 @@ pub struct Web {
 impl Web {
     /// Without TLS on loopback, where everyone may do everything; with TLS and tokens elsewhere.
     #[must_use]
-    pub const fn new(address: SocketAddr, folders: Folders) -> Self {
+    pub fn new(address: SocketAddr, folders: Folders) -> Self {
         Self {
             address,
             tls: None,
             names: Vec::new(),
             without_token: Some(Role::Admin),
+            policy_file: folders.policy(),
             folders,
         }
     }
@@ -93,7 +96,14 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
     running.write(&file)?;
     let (ends, ending) = watch::channel(false);
     let without_token = web.without_token.filter(|_| web.is_near());
-    let app = App::new(handle, tokens, without_token, web.names.clone(), ending);
+    let app = App::new(
+        handle,
+        tokens,
+        without_token,
+        web.names.clone(),
+        web.policy_file.clone(),
+        ending,
+    );
     let tls = certificate.map(|it| it.acceptor);
     Ok(Served {
         address,

@@ -6,6 +6,7 @@ mod attacks;
 mod bad_input;
 mod document;
 mod leases;
+mod policies;
 mod programs;
 mod routes;
 mod schema;
@@ -71,6 +72,7 @@ impl Harness {
             tokens,
             without_token,
             vec!["arm.local".into()],
+            folder.path().join("policy.toml"),
             ending,
         );
         let to: SocketAddr = to.parse().unwrap();
