@@ -78,15 +78,12 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 asked.0.lock().expect("as above").push((client, request));
                 let _ = reply.send(answer);
             }
-            Message::Raw { reply, .. } => {
+            Message::Raw { reply, .. } | Message::Policy { reply, .. } => {
                 let _ = reply.send(Ok(()));
             }
             Message::Planned { .. } => panic!("it plans no jobs"),
             Message::Jobs(reply) => {
                 let _ = reply.send(Ok(vec![job(7)]));
-            }
-            Message::Policy { reply, .. } => {
-                let _ = reply.send(Ok(()));
             }
             Message::JobPath { job: 7, reply } => {
                 let _ = reply.send(Ok(JobPath::default()));
