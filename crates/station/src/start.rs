@@ -107,7 +107,7 @@ impl Station {
         }
         let raw = raw.map(|port| serve_raw(port, &host));
         let pty = virtual_port.map(|port| serve_pty(port, &host));
-        match http::serve(&web(&config), host.handle().clone()).await {
+        match http::serve(&web(&config, &host), host.handle().clone()).await {
             Ok(http) => Ok(Self {
                 notes: [host.notes(), host.of_guardian()].concat(),
                 host,
@@ -185,13 +185,14 @@ impl Station {
 #[error("{0}: the laser was switched off and the button let go")]
 pub struct Failed(String);
 
-fn web(config: &Config) -> Web {
+fn web(config: &Config, host: &Host) -> Web {
     Web {
         address: config.http,
         tls: config.tls.clone(),
         names: config.names.clone(),
         without_token: config.without_token,
         policy_file: policy_file(config),
+        virtual_arm: host.virtual_arm().cloned(),
         folders: config.folders.clone(),
     }
 }

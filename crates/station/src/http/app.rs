@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_rules::Handle;
+use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
@@ -26,6 +26,10 @@ pub(super) struct App {
     pub(super) names: Vec<String>,
     /// Where the policy is kept.
     pub(super) policy_file: PathBuf,
+    /// The station's own virtual arm, if the arm is that.
+    pub(super) virtual_arm: Option<OwnVirtualArm>,
+    /// What goes wrong with it, as it was asked for.
+    pub(super) faults: Mutex<Vec<String>>,
     pub(super) http_leases: HttpLeases,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
@@ -42,6 +46,7 @@ impl App {
         without_token: Option<Role>,
         names: Vec<String>,
         policy_file: PathBuf,
+        virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
         Arc::new(Self {
@@ -50,6 +55,8 @@ impl App {
             without_token,
             names,
             policy_file,
+            virtual_arm,
+            faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),

@@ -8,8 +8,8 @@ use axum::http::request::Parts;
 use axum::http::{HeaderName, Method, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
-use dobot_api::{Notice, Reply, Request};
-use dobot_rules::{Client, is_plain};
+use dobot_api::{Notice, Reply, Request, Role};
+use dobot_rules::{Client, Refusal, is_plain};
 use dobot_safety::Policy;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -48,6 +48,15 @@ impl FromRequestParts<Arc<App>> for Asker {
 }
 
 impl Asker {
+    /// Whether the caller may do more than watch.
+    pub(super) fn check_controls(&self) -> Result<(), Refusal> {
+        let (needed, found) = (Role::Control, self.caller.role);
+        if found < needed {
+            return Err(Refusal::Role { needed, found });
+        }
+        Ok(())
+    }
+
     /// Asks for something.
     pub(super) async fn ask(&self, request: Request) -> Result<Json<Reply>, NotDone> {
         let client = self.client().await?;

@@ -5,7 +5,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
 use dobot_api::{Folders, Role, Running, RunningError};
-use dobot_rules::Handle;
+use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
@@ -17,7 +17,7 @@ use super::tokens::{Tokens, TokensError};
 use crate::TlsFiles;
 
 /// How page and API are served.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Web {
     /// Where; port 0 takes a free one.
     pub address: SocketAddr,
@@ -30,6 +30,8 @@ pub struct Web {
     pub without_token: Option<Role>,
     /// Where a policy is kept that a client puts in place.
     pub policy_file: PathBuf,
+    /// The station's own virtual arm, if the arm is that.
+    pub virtual_arm: Option<OwnVirtualArm>,
     /// Where tokens and the own certificate are, and where the station says that it runs.
     pub folders: Folders,
 }
@@ -44,6 +46,7 @@ impl Web {
             names: Vec::new(),
             without_token: Some(Role::Admin),
             policy_file: folders.policy(),
+            virtual_arm: None,
             folders,
         }
     }
@@ -102,6 +105,7 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
         without_token,
         web.names.clone(),
         web.policy_file.clone(),
+        web.virtual_arm.clone(),
         ending,
     );
     let tls = certificate.map(|it| it.acceptor);

@@ -13,6 +13,7 @@ use serde::de::{
 use serde_json::Value;
 
 use super::programs::EditProgram;
+use super::routes::NewFaults;
 
 /// Reads a body or a message.
 ///
@@ -123,6 +124,7 @@ static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut lists = Vec::new();
     collect_lists(schema_for!(FromClient).as_value(), &mut lists);
     collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
+    collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
     lists
 });
 

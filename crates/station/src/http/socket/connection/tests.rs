@@ -69,6 +69,7 @@ impl Harness {
                 Some(Role::Admin),
                 Vec::new(),
                 "policy.toml".into(),
+                None,
                 ending,
             ),
             telling,
