@@ -157,3 +157,10 @@ proptest! {
         prop_assert_eq!(compiled.commands.len() as u64, cells);
     }
 }
+
+#[test]
+fn a_program_is_written_as_people_write_it() {
+    let text = "[points]\nhere = { x = 200.0, y = 60.0, z = 0.0 }\n\n[[steps]]\ngo = \"here\"\nsuction = true\n\n\
+        [[steps]]\nrepeat = 3\n\n[[steps.steps]]\ngo = { x = 200.0, y = -60.0, z = 0.0 }\npath = \"movl\"\n";
+    assert_eq!(Program::from_toml(text).unwrap().to_toml(), text);
+}
