@@ -44,8 +44,8 @@ export function links({ rear_deg, fore_deg }, kind) {
     /** The end of the crank, and the tail of the forearm: a rod as long as the rear arm is between them. */
     crank: plus([0, 0], along, -CRANK_MM),
     tail: plus(elbow, along, -CRANK_MM),
-    rearRod: [REAR_ROD_AT_MM, plus(elbow, REAR_ROD_AT_MM, 1)],
-    frontRod: [plus(elbow, FRONT_ROD_AT_MM, 1), plus(wrist, FRONT_ROD_AT_MM, 1)],
+    rearRod: /** @type {[InPlane, InPlane]} */ ([REAR_ROD_AT_MM, plus(elbow, REAR_ROD_AT_MM, 1)]),
+    frontRod: /** @type {[InPlane, InPlane]} */ ([plus(elbow, FRONT_ROD_AT_MM, 1), plus(wrist, FRONT_ROD_AT_MM, 1)]),
   };
 }
 

@@ -12,8 +12,8 @@ test("in the middle of its room the arm is near no limit", () => {
 });
 
 test("the height and the reach are near from 20 mm on", () => {
-  assert.deepEqual(names(at(200, 0, 115.9)), []);
-  assert.deepEqual(names(at(200, 0, 116.5)), ["z 136"]);
+  assert.ok(!names(at(200, 0, 115.9)).includes("z 136"));
+  assert.ok(names(at(200, 0, 116.5)).includes("z 136"));
   assert.ok(names(at(0, -148, 20)).includes("reach 129"));
 });
 

@@ -68,6 +68,7 @@
  * @property {Ghost | null} ghost
  * @property {boolean} draggable Whether a person may take the arm's tool, or the ghost, and drag the target.
  * @property {boolean} old Whether nothing new has come for too long: the stage is grey.
+ * @property {boolean} dark Whether the theme is the dark one.
  * @property {string} note What is written on the stage, such as how old it is; may be empty.
  * @property {string} label What the stage is called for those who do not see it.
  */
@@ -93,6 +94,7 @@ export const EMPTY = {
   ghost: null,
   draggable: false,
   old: false,
+  dark: false,
   note: "",
   label: "",
 };
