@@ -74,7 +74,7 @@ function drop(group) {
 
 /** @param {Materials} materials */
 function standing({ metal, dark, accent }) {
-  const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-190, 8, -99.5], [-252, -26, -99.5]].map((it) => new Vector3(...it)));
+  const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-180, 30, -99.5], [-240, 4, -99.5], [-296, 0, -99.5], [-305, 0, -104], [-308, 0, -150]].map((it) => new Vector3(...it)));
   return solid([
     [dark, [block([146, 146, 36], [0, 0, -FOOT_MM + 20], 20), new TubeGeometry(cable, 48, 3.2, 10), block([10, 26, 14], [-73, 0, -90], 3)]],
     [metal, [block([132, 132, 4], [0, 0, -FOOT_MM + 40], 18)]],

@@ -12,8 +12,8 @@ export const LENS_DEG = 26;
 const NEAR_MM = 160;
 const FAR_MM = 3200;
 /** The middle of what is to be seen, and how far around it. @type {Point} */
-const MIDDLE_MM = [135, 0, -18];
-const AROUND_MM = 292;
+const MIDDLE_MM = [120, 0, 6];
+const AROUND_MM = 236;
 
 /**
  * A preset that shows all of the arm in a window of this shape.

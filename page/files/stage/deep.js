@@ -103,8 +103,7 @@ export function createDeep(element, outside) {
     scene.background = new Color(colors.background);
     light.sun.intensity = colors.sun;
     light.sky.intensity = colors.sky;
-    light.sun.shadow.intensity = 0.82;
-    scene.environmentIntensity = dark ? 0.62 : 0.9;
+    scene.environmentIntensity = colors.room;
     materials.metal.color.set(colors.metal);
     materials.dark.color.set(colors.dark);
     materials.accent.color.set(colors.accent);
@@ -114,7 +113,6 @@ export function createDeep(element, outside) {
     marks.paint(colors, tool.kind === "laser");
     target.paint(colors, ghost?.refused ?? false);
     beam.paint(colors.beam);
-    void laser;
   }
 
   /** Takes a view: only what differs from the one before is done. @param {View} next */

@@ -19,7 +19,8 @@ export function createLight() {
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;
   sun.shadow.normalBias = 0.6;
-  Object.assign(sun.shadow.camera, { left: -420, right: 420, top: 420, bottom: -420, near: 100, far: 1300 });
+  Object.assign(sun.shadow.camera, { left: -380, right: 380, top: 380, bottom: -380, near: 300, far: 1100 });
+  sun.shadow.camera.updateProjectionMatrix();
   const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1);
   sky.position.set(0, 0, 1);
   group.add(sun, sun.target, sky);

@@ -4,11 +4,11 @@
 
 const LIGHT = {
   background: 0xeef1f4,
-  table: 0xf6f5f2,
-  tableEdge: 0xd9d8d3,
+  table: 0xc8ced1,
+  tableEdge: 0xbfc6ca,
   grid: 0x8796a3,
   metal: 0xdfe4e8,
-  dark: 0x2b3137,
+  dark: 0x363d44,
   accent: 0x2a72b8,
   pin: 0xa9b2ba,
   cable: 0x3a4148,
@@ -22,20 +22,20 @@ const LIGHT = {
   near: 0xd98a00,
   keepOut: 0xb4465f,
   beam: 0xff3b30,
-  sun: 2.3,
-  sky: 0.62,
-  shade: 0.26,
+  sun: 2.45,
+  sky: 0.25,
+  room: 0.5,
 };
 
 /** @type {Look} */
 const DARK = {
   ...LIGHT,
   background: 0x0e141a,
-  table: 0x1a222a,
+  table: 0x222c35,
   tableEdge: 0x10171d,
   grid: 0x5c6d7c,
   metal: 0xc3cad1,
-  dark: 0x343c44,
+  dark: 0x3b444c,
   accent: 0x4f9be0,
   cable: 0x2a3138,
   paper: 0xd9d6cd,
@@ -45,9 +45,9 @@ const DARK = {
   refused: 0xff5468,
   near: 0xf3b23c,
   keepOut: 0xe0728c,
-  sun: 1.7,
-  sky: 0.42,
-  shade: 0.5,
+  sun: 1.5,
+  sky: 0.2,
+  room: 0.42,
 };
 
 /** @param {boolean} dark */
