@@ -76,7 +76,7 @@ function drop(group) {
 function standing({ metal, dark, accent }) {
   const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-180, 30, -99.5], [-240, 4, -99.5], [-296, 0, -99.5], [-305, 0, -104], [-308, 0, -150]].map((it) => new Vector3(...it)));
   return solid([
-    [dark, [block([146, 146, 36], [0, 0, -FOOT_MM + 20], 20), new TubeGeometry(cable, 48, 3.2, 10), block([10, 26, 14], [-73, 0, -90], 3)]],
+    [dark, [block([146, 146, 36], [0, 0, -FOOT_MM + 20], 20), new TubeGeometry(cable, 40, 3.2, 8), block([10, 26, 14], [-73, 0, -90], 3)]],
     [metal, [block([132, 132, 4], [0, 0, -FOOT_MM + 40], 18)]],
     [accent, [turned([[50, -61], [62, -61], [62, -58.5], [50, -58.5]])]],
     [dark, [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([x = 0, y = 0]) => turned([[0, -FOOT_MM], [8, -FOOT_MM], [9, -FOOT_MM + 2.2], [0, -FOOT_MM + 2.2]]).translate(x * 52, y * 52, 0))],

@@ -1,7 +1,7 @@
 // The stage in three dimensions.
 
 import {
-  Color, MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer,
+  Color, Group, MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer,
 } from "../vendor/three/three.js";
 import { createArm } from "./arm.js";
 import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js";
@@ -11,7 +11,8 @@ import { createLight, createMirrored } from "./light.js";
 import { createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./links.js";
 import { lookOf } from "./look.js";
-import { createMarks, createPaper, createTable } from "./paper.js";
+import { createMarks } from "./marks.js";
+import { createPaper, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
 import { createBeam } from "./tools.js";
 import { createWorld } from "./world.js";
@@ -36,7 +37,6 @@ export function createDeep(element, outside) {
   element.prepend(canvas);
 
   const scene = new Scene();
-  scene.environment = createMirrored(renderer);
   const lens = new PerspectiveCamera(LENS_DEG, 1, 20, 6000);
   lens.up.set(0, 0, 1);
   const light = createLight();
@@ -47,12 +47,15 @@ export function createDeep(element, outside) {
     pin: new MeshStandardMaterial({ metalness: 0.9, roughness: 0.26 }),
     rubber: new MeshStandardMaterial({ metalness: 0, roughness: 0.8 }),
   };
+  // Not the scene's: table and paper do without, which is much less to calculate.
+  const mirrored = createMirrored(renderer);
+  for (const it of Object.values(materials)) it.envMap = mirrored;
   const arm = createArm(materials, { foot: true });
-  const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(), createWorld()];
+  const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
   const [keepOuts, limits, trail, planned, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createTarget()];
   const beam = createBeam(0xff3b30);
-  const onTable = [table.group, paper.group, marks.group, world.group];
-  scene.add(light.group, arm.group, ...onTable, keepOuts.group, limits.group, trail.group, planned.group, target.group, beam.group);
+  const onTable = new Group().add(table.group, paper.group, marks.group, world.group);
+  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, planned.group, target.group, beam.group);
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
@@ -103,7 +106,7 @@ export function createDeep(element, outside) {
     scene.background = new Color(colors.background);
     light.sun.intensity = colors.sun;
     light.sky.intensity = colors.sky;
-    scene.environmentIntensity = colors.room;
+    for (const it of Object.values(materials)) it.envMapIntensity = colors.room;
     materials.metal.color.set(colors.metal);
     materials.dark.color.set(colors.dark);
     materials.accent.color.set(colors.accent);
@@ -124,13 +127,12 @@ export function createDeep(element, outside) {
       arm.mount(next.tool.kind, next.tool.length_mm);
       target.mount(next.tool);
     }
-    if (differs("table_z_mm")) for (const group of onTable.slice(1)) group.position.z = next.table_z_mm + (group === paper.group ? 0.3 : group === marks.group ? 0.4 : 0);
-    if (differs("table_z_mm")) table.group.position.z = next.table_z_mm;
-    if (differs("paper", "table_z_mm")) paper.show(next.paper), (paper.group.position.z = next.table_z_mm + 0.3);
+    onTable.position.z = next.table_z_mm;
+    if (differs("paper")) paper.show(next.paper);
     if (differs("things")) world.show(next.things);
     if (differs("keepOuts")) keepOuts.show(next.keepOuts);
     if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
-    marks.show(next.marks);
+    marks.show(next.marks, next.paper);
     arm.group.visible = trail.group.visible = next.arm !== null;
     if (differs("dark", "ghost", "tool", "keepOuts")) paint(next);
     if (drawn) pose(drawn);
@@ -172,7 +174,6 @@ export function createDeep(element, outside) {
     }
     lens.position.set(...place(camera));
     lens.lookAt(...camera.at_mm);
-    marks.sharpen((2 * Math.tan(rad(LENS_DEG / 2))) / renderer.domElement.height);
     target.size(lens);
     lens.updateMatrixWorld();
     renderer.render(scene, lens);
@@ -209,6 +210,7 @@ export function createDeep(element, outside) {
     },
     end() {
       leave();
+      marks.end();
       renderer.dispose();
       canvas.remove();
     },

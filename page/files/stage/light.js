@@ -11,7 +11,7 @@ const SHADOW_PX = 2048;
 /** The sun, with a shadow over all that the arm reaches. */
 export function createLight() {
   const group = new Group();
-  const sun = new DirectionalLight(0xfff6ea, 1);
+  const sun = new DirectionalLight(0xfffaf3, 1);
   sun.position.set(180, -360, 620);
   sun.target.position.set(110, 0, -60);
   sun.castShadow = true;
@@ -21,7 +21,7 @@ export function createLight() {
   sun.shadow.normalBias = 0.6;
   Object.assign(sun.shadow.camera, { left: -380, right: 380, top: 380, bottom: -380, near: 300, far: 1100 });
   sun.shadow.camera.updateProjectionMatrix();
-  const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1);
+  const sky = new HemisphereLight(0xffffff, 0x9aa0a6, 1);
   sky.position.set(0, 0, 1);
   group.add(sun, sun.target, sky);
   return { group, sun, sky };

@@ -22,9 +22,9 @@ const LIGHT = {
   near: 0xd98a00,
   keepOut: 0xb4465f,
   beam: 0xff3b30,
-  sun: 2.45,
-  sky: 0.25,
-  room: 0.5,
+  sun: 1.75,
+  sky: 1.6,
+  room: 0.55,
 };
 
 /** @type {Look} */
@@ -46,7 +46,7 @@ const DARK = {
   near: 0xf3b23c,
   keepOut: 0xe0728c,
   sun: 1.5,
-  sky: 0.2,
+  sky: 0.9,
   room: 0.42,
 };
 

@@ -1,18 +1,14 @@
-// The table, the paper on it, and the lines of ink or burn: one buffer that grows.
+// The table, and the paper on it.
 
-import {
-  BufferAttribute, DynamicDrawUsage, GLSL3, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, MeshLambertMaterial, PlaneGeometry, ShaderMaterial,
-} from "../vendor/three/three.js";
+import { Group, Mesh, MeshLambertMaterial, PlaneGeometry, ShaderMaterial } from "../vendor/three/three.js";
 import { block } from "./solid.js";
 
 /** @typedef {import("./look.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
-/** @typedef {import("./view.js").Marks} Marks */
 
 /** How far the table goes, in mm: from, to. */
 const TABLE = { x: [-300, 460], y: [-390, 390] };
 const THICK_MM = 16;
-const FIRST_ROOM = 4096;
 
 /** A table with lines each 10 mm, and stronger ones each 100 mm. */
 export function createTable() {
@@ -58,90 +54,8 @@ export function createPaper() {
   };
 }
 
-/** All lines on the paper in one draw call, as wide as they are, and never thinner than a pixel. */
-export function createMarks() {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  const uniforms = { width: { value: 0.5 }, pixel: { value: 0.001 }, color: { value: [0, 0, 0] } };
-  const material = new ShaderMaterial({
-    transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -6, side: 2,
-    uniforms, glslVersion: GLSL3, vertexShader: MARK_VERTEX, fragmentShader: MARK_FRAGMENT,
-  });
-  const mesh = new Mesh(geometry, material);
-  mesh.frustumCulled = false;
-  mesh.position.z = 0.4;
-  mesh.renderOrder = 1;
-  /** @type {Marks | null} */ let shown = null;
-  let count = 0;
-  let ends = room(0, 4), shades = room(0, 1);
-
-  /**
-   * Takes what was added since the last time, or all where they are others.
-   * @param {Marks | null} marks
-   * @returns {boolean} whether anything is new
-   */
-  function show(marks) {
-    const before = count;
-    const same = marks === shown;
-    if (!same) count = 0;
-    shown = marks;
-    const wanted = marks ? marks.shades.length : 0;
-    if (marks && wanted > shades.array.length) [ends, shades] = [grown(ends, wanted), grown(shades, wanted)];
-    if (marks && wanted > count) {
-      fill(ends, marks.ends_mm, count * 4);
-      fill(shades, marks.shades, count);
-      uniforms.width.value = marks.width_mm;
-    }
-    count = wanted;
-    geometry.instanceCount = count;
-    mesh.visible = count > 0;
-    return !same || count !== before;
-  }
-
-  /** @param {InstancedBufferAttribute} attribute @param {number} wanted */
-  function grown(attribute, wanted) {
-    const larger = room(Math.max(FIRST_ROOM, 2 ** Math.ceil(Math.log2(wanted))), attribute.itemSize);
-    larger.array.set(attribute.array);
-    // The old buffers go, the card's too; the quad stays.
-    geometry.dispose();
-    geometry.setAttribute(attribute.itemSize === 4 ? "ends" : "shade", larger);
-    return larger;
-  }
-
-  return {
-    group: mesh,
-    show,
-    /** @param {Look} look @param {boolean} burnt */
-    paint(look, burnt) {
-      uniforms.color.value = rgb(burnt ? look.burn : look.ink);
-    },
-    /** How many mm a pixel is wide, one mm away from the camera. @param {number} mm */
-    sharpen(mm) {
-      uniforms.pixel.value = mm;
-    },
-  };
-}
-
-/** @param {number} count @param {number} size */
-function room(count, size) {
-  return new InstancedBufferAttribute(new Float32Array(count * size), size).setUsage(DynamicDrawUsage);
-}
-
-/**
- * Writes what is behind a place, and says that only this is new.
- * @param {InstancedBufferAttribute} attribute
- * @param {readonly number[]} numbers
- * @param {number} from
- */
-function fill(attribute, numbers, from) {
-  for (let n = from; n < numbers.length; n += 1) attribute.array[n] = numbers[n] ?? 0;
-  attribute.addUpdateRange(from, numbers.length - from);
-  attribute.needsUpdate = true;
-}
-
-/** @param {number} hex */
-const rgb = (hex) => [(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((it) => it / 255);
+/** Red, green and blue, from 0 to 1. @param {number} hex */
+export const rgb = (hex) => [(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((it) => it / 255);
 
 const GRID_VERTEX = `
 varying vec2 at;
@@ -164,31 +78,4 @@ float lines(float each) {
 void main() {
   float strength = max(lines(10.0) * 0.16, lines(100.0) * 0.42);
   gl_FragColor = vec4(color, strength);
-}`;
-
-const MARK_VERTEX = `
-uniform float width;
-uniform float pixel;
-in vec4 ends;
-in float shade;
-out float dark;
-void main() {
-  vec2 way = ends.zw - ends.xy;
-  float far = length(way);
-  vec2 along = far > 0.0 ? way / far : vec2(1.0, 0.0);
-  vec4 middle = modelViewMatrix * vec4(mix(ends.xy, ends.zw, position.x), 0.0, 1.0);
-  float least = 0.6 * pixel * -middle.z;
-  float half_mm = max(width * 0.5, least);
-  dark = shade * min(1.0, width * 0.5 / least + 0.35);
-  vec2 place = mix(ends.xy, ends.zw, position.x);
-  place += along * (position.x * 2.0 - 1.0) * half_mm + vec2(-along.y, along.x) * position.y * half_mm;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 0.0, 1.0);
-}`;
-
-const MARK_FRAGMENT = `
-uniform vec3 color;
-in float dark;
-out vec4 painted;
-void main() {
-  painted = vec4(color, dark);
 }`;

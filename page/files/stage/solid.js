@@ -11,7 +11,7 @@ import {
 /** @typedef {readonly [number, number, number]} Circle Middle and radius, in the plane of a plate. */
 
 const BEVEL_MM = 0.9;
-const BEVEL = { bevelEnabled: true, bevelThickness: BEVEL_MM, bevelSize: BEVEL_MM, bevelOffset: -BEVEL_MM, bevelSegments: 2, curveSegments: 20 };
+const BEVEL = { bevelEnabled: true, bevelThickness: BEVEL_MM, bevelSize: BEVEL_MM, bevelOffset: -BEVEL_MM, bevelSegments: 1, curveSegments: 9 };
 
 /**
  * A plate that stands along a link, in the X Z plane: the hull of some circles, with a hole in those of them that are bored.
@@ -37,7 +37,7 @@ export function plate(circles, y_mm, thick_mm, holes = []) {
 export function block([x, y, z], [atX, atY, atZ], radius_mm = 3) {
   const [a, b] = [x / 2 - radius_mm, y / 2 - radius_mm];
   const shape = hull([[a, -b, radius_mm], [a, b, radius_mm], [-a, b, radius_mm], [-a, -b, radius_mm]]);
-  const geometry = new ExtrudeGeometry(shape, { depth: z - 2 * BEVEL_MM, ...BEVEL });
+  const geometry = new ExtrudeGeometry(shape, { depth: z - 2 * BEVEL_MM, ...BEVEL, curveSegments: radius_mm > 8 ? 6 : 3 });
   return geometry.translate(atX, atY, atZ - z / 2 + BEVEL_MM);
 }
 
@@ -49,7 +49,7 @@ export function block([x, y, z], [atX, atY, atZ], radius_mm = 3) {
  * @param {readonly [number, number]} [at_mm]
  */
 export function pin(radius_mm, from_mm, to_mm, [x, z] = [0, 0]) {
-  return new CylinderGeometry(radius_mm, radius_mm, to_mm - from_mm, 28).translate(x, (from_mm + to_mm) / 2, z);
+  return new CylinderGeometry(radius_mm, radius_mm, to_mm - from_mm, 20).translate(x, (from_mm + to_mm) / 2, z);
 }
 
 /**
@@ -57,7 +57,7 @@ export function pin(radius_mm, from_mm, to_mm, [x, z] = [0, 0]) {
  * @param {readonly (readonly [number, number])[]} outline
  */
 export function turned(outline) {
-  return new LatheGeometry(outline.map(([radius, z]) => new Vector2(radius, z)), 40).rotateX(Math.PI / 2);
+  return new LatheGeometry(outline.map(([radius, z]) => new Vector2(radius, z)), 32).rotateX(Math.PI / 2);
 }
 
 /**
