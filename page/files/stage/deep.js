@@ -23,6 +23,7 @@ import { createWorld } from "./world.js";
 /** @typedef {import("./view.js").Point} Point */
 
 const SWING_S = 0.45;
+const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
 
 /**
  * @param {HTMLElement} element
@@ -41,15 +42,14 @@ export function createDeep(element, outside) {
   lens.up.set(0, 0, 1);
   const light = createLight();
   const materials = {
-    metal: new MeshStandardMaterial({ metalness: 0.72, roughness: 0.34 }),
-    dark: new MeshStandardMaterial({ metalness: 0.25, roughness: 0.52 }),
-    accent: new MeshStandardMaterial({ metalness: 0.35, roughness: 0.36 }),
-    pin: new MeshStandardMaterial({ metalness: 0.9, roughness: 0.26 }),
-    rubber: new MeshStandardMaterial({ metalness: 0, roughness: 0.8 }),
+    metal: new MeshStandardMaterial({ roughness: 0.34 }),
+    dark: new MeshStandardMaterial({ roughness: 0.52 }),
+    accent: new MeshStandardMaterial({ roughness: 0.36 }),
+    pin: new MeshStandardMaterial({ roughness: 0.26 }),
+    rubber: new MeshStandardMaterial({ roughness: 0.8 }),
   };
   // Not the scene's: table and paper do without, which is much less to calculate.
   const mirrored = createMirrored(renderer);
-  for (const it of Object.values(materials)) it.envMap = mirrored;
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
   const [keepOuts, limits, trail, planned, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createTarget()];
@@ -204,9 +204,17 @@ export function createDeep(element, outside) {
     turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
     shift: (/** @type {number} */ right, /** @type {number} */ up) => look(pan(camera, right * perPixel(), up * perPixel())),
     near: (/** @type {number} */ times) => look(zoom(camera, times)),
-    /** Shadows cost the most: a slow computer goes without. @param {boolean} cast */
-    shadows(cast) {
-      light.sun.castShadow = cast;
+    /** Whether it is drawn by a graphics card. */
+    card: isCard(renderer),
+    /** Mirrors cost the most, then shadows. @param {import("./pace.js").Quality} quality */
+    refine({ mirrors, shadows }) {
+      light.sun.castShadow = shadows;
+      for (const [name, it] of Object.entries(materials)) {
+        it.envMap = mirrors ? mirrored : null;
+        // Metal with nothing to mirror is black.
+        it.metalness = mirrors ? METAL[/** @type {keyof typeof METAL} */ (name)] : 0;
+        it.needsUpdate = true;
+      }
     },
     end() {
       leave();
@@ -222,4 +230,11 @@ export function createDeep(element, outside) {
     const { x_mm, y_mm, z_mm } = forward(drawn, view.tool.kind);
     return [x_mm, y_mm, z_mm - view.tool.length_mm / 2];
   }
+}
+
+/** @param {WebGLRenderer} renderer */
+function isCard(renderer) {
+  const gl = renderer.getContext(), named = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : gl.getParameter(gl.RENDERER));
+  return !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

@@ -1,16 +1,16 @@
 // What the arm must not do: keep-outs, faint until something comes near, and the limits that the tool is near to.
 
 import {
-  BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShaderMaterial, Vector3,
+  BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShaderMaterial,
 } from "../vendor/three/three.js";
 import { forward, links, rad } from "./links.js";
 import { nearKeepOut, nearLimits } from "./near.js";
+import { rgb } from "./paper.js";
 
 /** @typedef {import("./look.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./near.js").Near} Near */
-/** @typedef {import("../vendor/three/three.js").Object3D} Object3D */
 
 const SHEET_MM = 130;
 
@@ -62,88 +62,92 @@ function form(keepOut) {
 export function createLimits() {
   const group = new Group();
   const color = { value: [0, 0, 0] };
-  let shown = "";
+  /** @type {Map<string, ReturnType<typeof createSheet>>} */ const made = new Map();
 
-  /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
-  function sheet({ quantity, bound, closeness }, joints, kind) {
-    const at = forward(joints, kind), direction = Math.atan2(at.y_mm, at.x_mm);
-    const middle = new Vector3(at.x_mm, at.y_mm, at.z_mm);
-    const flat = new PlaneGeometry(2 * SHEET_MM, 2 * SHEET_MM);
-    if (quantity === "z") middle.z = bound;
-    else if (quantity === "reach") flat.rotateY(Math.PI / 2).rotateZ(direction), middle.set(bound * Math.cos(direction), bound * Math.sin(direction), at.z_mm);
-    else if (quantity === "x") flat.rotateY(Math.PI / 2), middle.setX(bound);
-    else flat.rotateX(Math.PI / 2), middle.setY(bound);
-    const mesh = new Mesh(flat.translate(...middle.toArray()), faded(color, middle, closeness));
-    mesh.renderOrder = 5;
-    return mesh;
-  }
-
-  /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
-  function sector({ quantity, bound, closeness }, joints, kind) {
-    const at = links(joints, kind);
-    const material = new MeshBasicMaterial({ transparent: true, opacity: 0.3 + 0.5 * closeness, side: DoubleSide, depthTest: false });
-    material.color.setRGB(...rgb(color.value));
-    const level = quantity === "base" || quantity === "servo";
-    // Angles of the ring, counter-clockwise from ahead, as seen from above or from the right.
-    const angle = { base: bound, servo: joints.base_deg + bound, rear: 90 - bound, fore: -bound, opening: bound - joints.rear_deg }[/** @type {"base"} */ (quantity)];
-    const upper = quantity === "base" ? 74 : quantity === "servo" ? 34 : 62;
-    const ring = new Mesh(new RingGeometry(upper * 0.72, upper, 24, 1, rad(angle - 6), rad(12)), material);
-    ring.renderOrder = 6;
-    const turning = new Group();
-    turning.rotation.z = level ? 0 : rad(joints.base_deg);
-    const [r, z] = quantity === "base" ? [0, -54] : quantity === "servo" ? at.tool : quantity === "rear" ? [0, 0] : at.elbow;
-    if (quantity === "servo") ring.position.set(r * Math.cos(rad(joints.base_deg)), r * Math.sin(rad(joints.base_deg)), z - 10);
-    else ring.position.set(r, 0, z);
-    if (!level) ring.rotation.x = Math.PI / 2;
-    turning.add(ring);
-    return turning;
+  /** @param {Near} near */
+  function signOf({ quantity, bound }) {
+    const name = `${quantity} ${bound}`;
+    const known = made.get(name);
+    if (known) return known;
+    const sign = quantity in JOINTS ? createSector(color) : createSheet(color);
+    group.add(sign.group);
+    made.set(name, sign);
+    return sign;
   }
 
   return {
     group,
     /** @param {Joints | null} joints @param {View["tool"]["kind"]} kind @param {View["limits"]} limits */
     warn(joints, kind, limits) {
-      const near = joints ? nearLimits(joints, kind, limits) : [];
-      const now = JSON.stringify([near.length > 0 && joints, near]);
-      if (now === shown) return;
-      shown = now;
-      clear(group);
+      for (const { group: sign } of made.values()) sign.visible = false;
       if (!joints) return;
-      const places = ["x", "y", "z", "reach"];
-      for (const one of near) group.add(places.includes(one.quantity) ? sheet(one, joints, kind) : sector(one, joints, kind));
+      for (const near of nearLimits(joints, kind, limits)) {
+        const sign = signOf(near);
+        sign.group.visible = true;
+        sign.place(near, joints, kind);
+      }
     },
     /** @param {Look} look */
     paint(look) {
-      color.value = [(look.near >> 16) & 255, (look.near >> 8) & 255, look.near & 255].map((it) => it / 255);
-      shown = "";
+      color.value = rgb(look.near);
     },
   };
 }
 
-/** @param {number[]} color @returns {[number, number, number]} */
-const rgb = ([r = 0, g = 0, b = 0]) => [r, g, b];
+/** How large the sector of a joint is, in mm. */
+const JOINTS = { base: 76, rear: 62, fore: 62, opening: 62, servo: 34 };
 
-/**
- * A sheet of dots that is seen around a place only.
- * @param {{ value: number[] }} color
- * @param {Vector3} middle
- * @param {number} closeness
- */
-function faded(color, middle, closeness) {
-  return new ShaderMaterial({
-    transparent: true, depthWrite: false, side: DoubleSide,
-    uniforms: { color, middle: { value: middle }, strength: { value: closeness }, wide: { value: SHEET_MM } },
-    vertexShader: `varying vec3 at; varying vec2 on;
-      void main() { at = position; on = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
-    fragmentShader: `uniform vec3 color; uniform vec3 middle; uniform float strength; uniform float wide; varying vec3 at; varying vec2 on;
+/** A sheet of dots around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
+function createSheet(color) {
+  const strength = { value: 0 };
+  const sheet = new Mesh(new PlaneGeometry(2 * SHEET_MM, 2 * SHEET_MM), new ShaderMaterial({
+    transparent: true, depthWrite: false, side: DoubleSide, uniforms: { color, strength, wide: { value: SHEET_MM } },
+    vertexShader: "varying vec2 at; void main() { at = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader: `uniform vec3 color; uniform float strength; uniform float wide; varying vec2 at;
       void main() {
-        float far = length(at - middle) / wide;
-        vec2 cell = fract(on * wide / 5.0) - 0.5;
-        float dot_ = 1.0 - smoothstep(0.12, 0.2, length(cell));
-        float fade = pow(max(0.0, 1.0 - far), 1.6);
-        gl_FragColor = vec4(color, fade * (0.18 + 0.62 * dot_) * (0.25 + 0.75 * strength));
+        float spot = 1.0 - smoothstep(0.13, 0.21, length(fract(at / 8.0) - 0.5));
+        float fade = pow(max(0.0, 1.0 - length(at) / wide), 1.4);
+        gl_FragColor = vec4(color, fade * (0.16 + 0.7 * spot) * (0.3 + 0.7 * strength));
       }`,
-  });
+  }));
+  sheet.renderOrder = 5;
+  return {
+    group: sheet,
+    /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
+    place({ quantity, bound, closeness }, joints, kind) {
+      const { x_mm, y_mm, z_mm } = forward(joints, kind), direction = Math.atan2(y_mm, x_mm);
+      strength.value = closeness;
+      sheet.position.set(quantity === "x" ? bound : x_mm, quantity === "y" ? bound : y_mm, quantity === "z" ? bound : z_mm);
+      if (quantity === "reach") sheet.position.set(bound * Math.cos(direction), bound * Math.sin(direction), z_mm);
+      // A plane looks along Z: turned to look along the way out, or to the left.
+      if (quantity !== "z") sheet.rotation.set(Math.PI / 2, quantity === "y" ? 0 : Math.PI / 2 + (quantity === "reach" ? direction : 0), 0);
+    },
+  };
+}
+
+/** A sector at a joint, in the direction in which it ends. @param {{ value: number[] }} color */
+function createSector(color) {
+  const material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthTest: false });
+  const ring = new Mesh(new RingGeometry(0.7, 1, 24, 1, rad(-7), rad(14)), material);
+  ring.renderOrder = 6;
+  const group = new Group().add(ring);
+  return {
+    group,
+    /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
+    place({ quantity, bound, closeness }, joints, kind) {
+      const joint = /** @type {keyof typeof JOINTS} */ (quantity);
+      const { elbow, tool } = links(joints, kind), level = joint === "base" || joint === "servo";
+      // Counter-clockwise from ahead, as seen from above or from the right.
+      const angle = { base: bound, servo: bound, rear: 90 - bound, fore: -bound, opening: bound - joints.rear_deg }[joint];
+      const [r, z] = { base: [0, -56], servo: [tool[0], tool[1] - 10], rear: [0, 0], fore: elbow, opening: elbow }[joint];
+      material.color.fromArray(color.value);
+      material.opacity = 0.35 + 0.5 * closeness;
+      group.rotation.z = joint === "base" ? 0 : rad(joints.base_deg);
+      ring.position.set(r ?? 0, 0, z ?? 0);
+      ring.rotation.set(level ? 0 : Math.PI / 2, 0, rad(angle));
+      ring.scale.setScalar(JOINTS[joint]);
+    },
+  };
 }
 
 /** @param {Group} group */

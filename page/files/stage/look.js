@@ -4,7 +4,7 @@
 
 const LIGHT = {
   background: 0xeef1f4,
-  table: 0xc8ced1,
+  table: 0xd9dddf,
   tableEdge: 0xbfc6ca,
   grid: 0x8796a3,
   metal: 0xdfe4e8,
@@ -12,7 +12,7 @@ const LIGHT = {
   accent: 0x2a72b8,
   pin: 0xa9b2ba,
   cable: 0x3a4148,
-  paper: 0xfffefb,
+  paper: 0xffffff,
   ink: 0x16293f,
   burn: 0x4a2c14,
   planned: 0x2a72b8,
@@ -23,7 +23,7 @@ const LIGHT = {
   keepOut: 0xb4465f,
   beam: 0xff3b30,
   sun: 1.75,
-  sky: 1.6,
+  sky: 1.7,
   room: 0.55,
 };
 

@@ -1,14 +1,25 @@
 // How fine the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure, but for what
 // it has seen.
 
-/** From the finest on: at most so many pixels for one of the page, and whether there are shadows. */
-const QUALITIES = [{ density: 2, shadows: true }, { density: 1, shadows: true }, { density: 1, shadows: false }, { density: 0.7, shadows: false }];
-/** Slower than that, in a row, is too slow: 30 frames per second. */
-const SLOW_MS = 34;
-const ROW = 24;
+/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Pixels for one of the page, at most. */
 
-export function createPace() {
-  let level = 0;
+/** From the finest on. The shadow goes last, since it tells the height. @type {readonly Quality[]} */
+const QUALITIES = [
+  { density: 2, mirrors: true, shadows: true },
+  { density: 1, mirrors: true, shadows: true },
+  { density: 1, mirrors: false, shadows: true },
+  { density: 0.75, mirrors: false, shadows: true },
+  { density: 0.75, mirrors: false, shadows: false },
+];
+/** Where a computer begins that draws without a graphics card. */
+const WITHOUT_CARD = 3;
+/** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
+const SLOW_MS = 34;
+const ROW = 16;
+
+/** @param {boolean} card whether there is a graphics card */
+export function createPace(card) {
+  let level = card ? 0 : WITHOUT_CARD;
   /** @type {number[]} */ let took = [];
   /** @type {number | null} */ let last = null;
   return {
@@ -28,10 +39,10 @@ export function createPace() {
       level += 1;
       return true;
     },
-    /** @param {number} screen how many pixels the screen has for one of the page */
+    /** @param {number} screen how many pixels the screen has for one of the page @returns {Quality} */
     quality(screen) {
-      const { density, shadows } = /** @type {{ density: number, shadows: boolean }} */ (QUALITIES[level]);
-      return { density: Math.min(screen, density), shadows };
+      const quality = /** @type {Quality} */ (QUALITIES[level]);
+      return { ...quality, density: Math.min(screen, quality.density) };
     },
   };
 }

@@ -22,7 +22,7 @@ export function createStage(element) {
   element.classList.add("stage");
   element.append(note);
   const motion = new Motion();
-  const pace = createPace();
+  let pace = createPace(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
   let asked = 0;
@@ -52,9 +52,9 @@ export function createStage(element) {
   function resize() {
     const { clientWidth: width, clientHeight: height } = element;
     if (width === 0 || height === 0) return;
-    const { density, shadows } = pace.quality(devicePixelRatio);
-    if (drawing.kind === "3d") drawing.shadows(shadows);
-    drawing.resize(width, height, density);
+    const quality = pace.quality(devicePixelRatio);
+    if (drawing.kind === "3d") drawing.refine(quality);
+    drawing.resize(width, height, quality.density);
     outside.changed();
   }
 
@@ -63,6 +63,7 @@ export function createStage(element) {
     drawing?.end();
     drawing = deep ? tryDeep() : createFlat(element, outside);
     drawing.canvas.setAttribute("aria-hidden", "true");
+    pace = createPace(drawing.kind === "2d" || drawing.card);
     if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
     element.dataset.shown = drawing.kind;
     if (view) drawing.show(view);
