@@ -3,7 +3,10 @@ import { once } from "node:events";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { chromium } from "playwright-core";
+import { PerspectiveCamera, Vector3 } from "three";
+import { LENS_DEG, place, preset } from "../files/stage/camera.js";
 
+const SIZE = { width: 1000, height: 700 };
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
@@ -18,7 +21,7 @@ async function answer(request, response) {
 }
 
 /** A browser with the stage; `webgl` says whether it has WebGL. WebGL is drawn by the processor, so that it runs everywhere. */
-export async function openStage({ viewport = { width: 1000, height: 700 }, webgl = true, ...options } = {}) {
+export async function openStage({ viewport = SIZE, webgl = true, ...options } = {}) {
   const server = createServer(answer).listen(0, "127.0.0.1");
   await once(server, "listening");
   const drawn = webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
@@ -39,6 +42,18 @@ export async function openStage({ viewport = { width: 1000, height: 700 }, webgl
       server.close();
     },
   };
+}
+
+/** Where a preset of the camera shows the tip of a tool of 40 mm, in pixels. */
+export function onScreen(name, { x_mm, y_mm, z_mm }, { width, height } = SIZE) {
+  const seen = preset(name, width / height, [0, 0, 0]);
+  const camera = new PerspectiveCamera(LENS_DEG, width / height, 20, 6000);
+  camera.up.set(0, 0, 1);
+  camera.position.set(...place(seen));
+  camera.lookAt(...seen.at_mm);
+  camera.updateMatrixWorld();
+  const { x, y } = new Vector3(x_mm, y_mm, z_mm - 40).project(camera);
+  return { x: ((x + 1) / 2) * width, y: ((1 - y) / 2) * height };
 }
 
 /** An arm that reported this at a second. */

@@ -27,7 +27,7 @@ export function preset(name, aspect, tip) {
   switch (name) {
     case "top": return { at_mm: [150, 0, -60], around_deg: 180, up_deg: 89.9, away_mm: away_mm * 1.1 };
     case "side": return { at_mm: MIDDLE_MM, around_deg: -90, up_deg: 4, away_mm };
-    case "tool": return { at_mm: tip, around_deg: -32, up_deg: 20, away_mm: fit(95, aspect) };
+    case "tool": return { at_mm: [tip[0], tip[1], tip[2] + 18], around_deg: -32, up_deg: 20, away_mm: fit(118, aspect) };
     default: return { at_mm: MIDDLE_MM, around_deg: -52, up_deg: 27, away_mm };
   }
 }

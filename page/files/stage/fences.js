@@ -1,7 +1,7 @@
 // What the arm must not do: keep-outs, faint until something comes near, and the limits that the tool is near to.
 
 import {
-  BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShaderMaterial,
+  BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, ShaderMaterial,
 } from "../vendor/three/three.js";
 import { forward, links, rad } from "./links.js";
 import { nearKeepOut, nearLimits } from "./near.js";
@@ -11,6 +11,7 @@ import { rgb } from "./paper.js";
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./near.js").Near} Near */
+/** @typedef {import("../vendor/three/three.js").Object3D} Object3D */
 
 const SHEET_MM = 130;
 
@@ -61,8 +62,8 @@ function form(keepOut) {
 /** The limits: a sheet at the tool for those of its place, a sector at the joint for those of an angle. */
 export function createLimits() {
   const group = new Group();
-  const color = { value: [0, 0, 0] };
-  /** @type {Map<string, ReturnType<typeof createSheet>>} */ const made = new Map();
+  const color = { value: /** @type {[number, number, number]} */ ([0, 0, 0]) };
+  /** @type {Map<string, { group: Object3D, place(near: Near, joints: Joints, kind: View["tool"]["kind"]): void }>} */ const made = new Map();
 
   /** @param {Near} near */
   function signOf({ quantity, bound }) {
@@ -95,7 +96,7 @@ export function createLimits() {
 }
 
 /** How large the sector of a joint is, in mm. */
-const JOINTS = { base: 76, rear: 62, fore: 62, opening: 62, servo: 34 };
+const JOINTS = { base: 96, rear: 78, fore: 78, opening: 78, servo: 44 };
 
 /** A sheet of dots around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
 function createSheet(color) {
@@ -107,7 +108,7 @@ function createSheet(color) {
       void main() {
         float spot = 1.0 - smoothstep(0.13, 0.21, length(fract(at / 8.0) - 0.5));
         float fade = pow(max(0.0, 1.0 - length(at) / wide), 1.4);
-        gl_FragColor = vec4(color, fade * (0.16 + 0.7 * spot) * (0.3 + 0.7 * strength));
+        gl_FragColor = vec4(color, fade * (0.22 + 0.78 * spot) * (0.5 + 0.5 * strength));
       }`,
   }));
   sheet.renderOrder = 5;
@@ -125,10 +126,10 @@ function createSheet(color) {
   };
 }
 
-/** A sector at a joint, in the direction in which it ends. @param {{ value: number[] }} color */
+/** A sector at a joint, in the direction in which it ends. @param {{ value: [number, number, number] }} color */
 function createSector(color) {
   const material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthTest: false });
-  const ring = new Mesh(new RingGeometry(0.7, 1, 24, 1, rad(-7), rad(14)), material);
+  const ring = new Mesh(new RingGeometry(0.5, 1, 24, 1, rad(-11), rad(22)), material);
   ring.renderOrder = 6;
   const group = new Group().add(ring);
   return {
@@ -140,7 +141,7 @@ function createSector(color) {
       // Counter-clockwise from ahead, as seen from above or from the right.
       const angle = { base: bound, servo: bound, rear: 90 - bound, fore: -bound, opening: bound - joints.rear_deg }[joint];
       const [r, z] = { base: [0, -56], servo: [tool[0], tool[1] - 10], rear: [0, 0], fore: elbow, opening: elbow }[joint];
-      material.color.fromArray(color.value);
+      material.color.setRGB(...color.value, SRGBColorSpace);
       material.opacity = 0.35 + 0.5 * closeness;
       group.rotation.z = joint === "base" ? 0 : rad(joints.base_deg);
       ring.position.set(r ?? 0, 0, z ?? 0);

@@ -11,7 +11,7 @@ const SHADOW_PX = 2048;
 /** The sun, with a shadow over all that the arm reaches. */
 export function createLight() {
   const group = new Group();
-  const sun = new DirectionalLight(0xfffaf3, 1);
+  const sun = new DirectionalLight(0xfffdf9, 1);
   sun.position.set(180, -360, 620);
   sun.target.position.set(110, 0, -60);
   sun.castShadow = true;

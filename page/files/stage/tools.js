@@ -1,6 +1,6 @@
 // The tools below the wrist. Each is built downwards from the servo, with its axis along Z, in mm below the wrist's height.
 
-import { AdditiveBlending, CylinderGeometry, Group, Mesh, MeshBasicMaterial } from "../vendor/three/three.js";
+import { CylinderGeometry, Group, Mesh, MeshBasicMaterial } from "../vendor/three/three.js";
 import { block, box, pin, solid, turned } from "./solid.js";
 
 /** @typedef {import("../vendor/three/three.js").Material} Material */
@@ -86,9 +86,9 @@ const TOOLS = {
  * @param {number} color
  */
 export function createBeam(color) {
-  const material = new MeshBasicMaterial({ color, transparent: true, opacity: 0.75, blending: AdditiveBlending, depthWrite: false });
+  const material = new MeshBasicMaterial({ color, transparent: true, opacity: 0.8, depthWrite: false });
   const group = new Group();
-  const ray = new Mesh(new CylinderGeometry(0.7, 0.7, 1, 10, 1, true).rotateX(Math.PI / 2).translate(0, 0, -0.5), material);
+  const ray = new Mesh(new CylinderGeometry(0.9, 0.9, 1, 10, 1, true).rotateX(Math.PI / 2).translate(0, 0, -0.5), material);
   const spot = new Mesh(turned([[0, 0.3], [5, 0.3]]), material);
   group.add(ray, spot);
   return {
