@@ -214,6 +214,24 @@ export interface paths {
         };
         /** The safety policy, as `dobot policy` shows it */
         get: operations["get_policy"];
+        /** Puts another safety policy in place of the one that holds, and keeps it for the next start; nothing may be under way. With `check` it only looks whether the text is a policy */
+        put: operations["put_policy"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/policy/text": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The safety policy as a TOML text, with its comments where it came from a file */
+        get: operations["get_policy_text"];
         put?: never;
         post?: never;
         delete?: never;
@@ -250,6 +268,23 @@ export interface paths {
         put?: never;
         /** Sends one command, if the policy allows its whole way */
         post: operations["post_commands"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/commands/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Says where a command would lead if it were sent now, or why it would be refused; nothing is sent */
+        post: operations["post_commands_check"];
         delete?: never;
         options?: never;
         head?: never;
@@ -482,6 +517,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/path": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The way of a job, once through its commands, as it was planned */
+        get: operations["get_jobs_id_path"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/start": {
         parameters: {
             query?: never;
@@ -560,6 +612,93 @@ export interface paths {
         get?: never;
         /** Draws the job higher or lower than planned, gently, from the next command on that is not sent yet */
         put: operations["put_jobs_height"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Looks at a whole program: its steps, how long they take, and all that is wrong with it */
+        post: operations["post_programs_check"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/edit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Changes the text of a program; what is not touched keeps its comments and its form */
+        post: operations["post_programs_edit"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Queues a program as a job, unless something is wrong with it */
+        post: operations["post_programs_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/world": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What is around the station's own virtual arm: tool, paper, ink, objects */
+        get: operations["get_world"];
+        /** Puts the station's own virtual arm into another world, as it stands */
+        put: operations["put_world"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/faults": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What goes wrong with the station's own virtual arm */
+        get: operations["get_faults"];
+        /** Lets other things go wrong with the station's own virtual arm from now on, and nothing else any more */
+        put: operations["put_faults"];
         post?: never;
         delete?: never;
         options?: never;
@@ -974,6 +1113,9 @@ export interface components {
              * @description How long, in seconds.
              */
             lasts_s: number;
+        } | {
+            /** @constant */
+            type: "policy_changed";
         } | {
             /** @constant */
             type: "refused";
@@ -1484,6 +1626,16 @@ export interface components {
              */
             ahead_s: number;
         };
+        /** @description A text that is to be the policy. */
+        PolicyText: {
+            /** @description The TOML text, as `dobot policy` shows one. */
+            text: string;
+            /**
+             * @description Only look whether it is one.
+             * @default false
+             */
+            check: boolean;
+        };
         /** @description A command to be sent. */
         NewCommand: {
             /** @description The command. */
@@ -1832,6 +1984,11 @@ export interface components {
             takes_s?: number | null;
         } | {
             /** @constant */
+            type: "way";
+            /** @description The way. */
+            way: components["schemas"]["WayView"];
+        } | {
+            /** @constant */
             type: "stopping";
             /**
              * Format: double
@@ -1854,6 +2011,21 @@ export interface components {
             /** @description What was found, and by which evidence. */
             finding: components["schemas"]["Finding"];
         };
+        /** @description Where a command would lead if it were sent now, behind all that waits: it is allowed. */
+        WayView: {
+            /**
+             * Format: double
+             * @description How long motion and pause take, in seconds; nothing for a button, which goes on until it is released.
+             */
+            takes_s?: number | null;
+            /**
+             * @description The places of the tool on its way, its beginning and its end among them, at equal distances in time: x, y and z
+             *     in millimetres.
+             */
+            path_mm: number[][];
+            /** @description Base, rear arm, forearm and servo at the end, in degrees. */
+            joints_deg: number[];
+        };
         /** @description Which dialect an arm speaks, and what shows it. */
         Finding: {
             /** @description The dialect. */
@@ -1869,6 +2041,11 @@ export interface components {
             saw: string;
             /** @description The dialect of an arm that does so. */
             means: components["schemas"]["Dialect"];
+        };
+        /** @description A command to be looked at. */
+        CheckCommand: {
+            /** @description The command. */
+            command: components["schemas"]["Command"];
         };
         /** @description A button. */
         HoldJog: {
@@ -1997,6 +2174,20 @@ export interface components {
              */
             times?: number | null;
         };
+        /** @description The way of a job, once through its commands, as it was planned. */
+        JobPath: {
+            /**
+             * @description Places of the tool, one after the other: x, y and z in millimetres of each. Between two of them the tool goes
+             *     straight, or as near to straight as can be seen.
+             */
+            path_mm: number[][];
+            /** @description To which command each place belongs, from 0; the last place of a command is its end. */
+            commands: number[];
+            /** @description Whether the way to each place is drawn or burnt: the laser is on, or the pen is down. */
+            marks: boolean[];
+            /** @description When each place is reached, in seconds since the job began, pauses of the arm included. */
+            until_s: number[];
+        };
         /** @description How fast a job is drawn. */
         Speed: {
             /**
@@ -2012,6 +2203,825 @@ export interface components {
              * @description How far above the plan, in millimetres; below 0 is lower.
              */
             offset_mm: number;
+        };
+        /** @description A program, with the files that it names. */
+        ProgramText: {
+            /** @description Its TOML text. */
+            text: string;
+            /**
+             * @description The texts of the programs that it calls and of its drawings, by their names in it.
+             * @default {}
+             */
+            files: {
+                [key: string]: string;
+            };
+        };
+        /** @description What a program does, and what is wrong with it. */
+        ProgramReport: {
+            /** @description What a person calls it. */
+            title: string;
+            /** @description Its steps, in the order in which they are done; those of a repeat at its end stand here once. */
+            steps: components["schemas"]["StepReport"][];
+            /** @description All that is wrong, in the order of the steps. Of a text that is no program only the first thing. */
+            problems: components["schemas"]["ProgramProblem"][];
+            /**
+             * Format: double
+             * @description How long all of it takes once, in seconds, by the motion model.
+             */
+            once_s: number;
+            /**
+             * Format: double
+             * @description How long a cycle takes that follows another one, in seconds; none where nothing is done again.
+             */
+            cycle_s?: number | null;
+            /**
+             * Format: double
+             * @description How long all of it takes, in seconds; none where it goes on until a person ends it.
+             */
+            total_s?: number | null;
+        };
+        /** @description A step of a program. */
+        StepReport: {
+            /** @description What it does. */
+            label: string;
+            /** @description The called program in which it stands; none in the program itself. */
+            file?: string | null;
+            /**
+             * Format: uint
+             * @description The line on which it begins, counted from 1.
+             */
+            line: number;
+            /**
+             * Format: uint
+             * @description Its first command in the job, counted from 0.
+             */
+            first: number;
+            /**
+             * Format: double
+             * @description How long it takes the first time, in seconds.
+             */
+            takes_s: number;
+        };
+        /** @description Something that is wrong with a program. */
+        ProgramProblem: {
+            /**
+             * Format: uint
+             * @description The step, counted from 1 in the order in which they are done; none where the text is no program.
+             */
+            step?: number | null;
+            /** @description The called program in which it stands; none in the program itself. */
+            file?: string | null;
+            /**
+             * Format: uint
+             * @description The line, counted from 1, where it is known.
+             */
+            line?: number | null;
+            /** @description What is wrong, and what is allowed. */
+            message: string;
+            /** @description What helps. */
+            remedy?: string | null;
+        };
+        /** @description Changes of a program's text. */
+        EditProgram: {
+            /**
+             * @description The text; where it is empty, a program begins.
+             * @default
+             */
+            text: string;
+            /** @description What is changed, in order; either all of it is or nothing. */
+            edits: components["schemas"]["Edit"][];
+        };
+        /**
+         * @description A change of a program's text; what is not touched keeps its comments and its form. Steps are those of the program
+         *     itself, counted from 0.
+         */
+        Edit: {
+            /** @constant */
+            type: "insert";
+            /**
+             * Format: uint
+             * @description Where.
+             */
+            at: number;
+            /** @description The step. */
+            step: components["schemas"]["Action"];
+        } | {
+            /** @constant */
+            type: "insert_path";
+            /**
+             * Format: uint
+             * @description Where.
+             */
+            at: number;
+            /** @description Its places, in order. */
+            places: components["schemas"]["RecordedPlace"][];
+            /**
+             * Format: double
+             * @description How far the lines may be from the places, in mm.
+             */
+            tolerance_mm: number;
+        } | {
+            /** @constant */
+            type: "replace";
+            /**
+             * Format: uint
+             * @description Which.
+             */
+            at: number;
+            /** @description The step. */
+            step: components["schemas"]["Action"];
+        } | {
+            /** @constant */
+            type: "remove";
+            /**
+             * Format: uint
+             * @description Which.
+             */
+            at: number;
+        } | {
+            /** @constant */
+            type: "move";
+            /**
+             * Format: uint
+             * @description Which.
+             */
+            from: number;
+            /**
+             * Format: uint
+             * @description Its number then.
+             */
+            to: number;
+        } | {
+            /** @constant */
+            type: "set_point";
+            /** @description Its name. */
+            name: string;
+            /** @description Where it is. */
+            point: components["schemas"]["Point"];
+        };
+        /** @description What a step does. */
+        Action: {
+            /** @description Goes to a place. */
+            go?: components["schemas"]["Place"] | null;
+            /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
+            path?: components["schemas"]["MovingMode"] | null;
+            /** @description So far from the place, in mm along the axes of its frame. */
+            offset?: components["schemas"]["Offset"] | null;
+            /** @description Whether the pump runs from there on. */
+            suction?: boolean | null;
+            /**
+             * Format: double
+             * @description The gripper's angle from there on, -90 to 90 degrees.
+             */
+            gripper?: number | null;
+            /**
+             * Format: double
+             * @description How long the arm waits there, 0 to 655 seconds.
+             */
+            pause?: number | null;
+            /** @description Switches the laser. */
+            laser?: boolean | null;
+            /** @description Waits for a person, who is told this, in 1 to 200 letters. */
+            wait?: string | null;
+            /** @description Sets speeds. */
+            speed?: components["schemas"]["Speed2"] | null;
+            /** @description Says which of the named tools is mounted. */
+            tool?: string | null;
+            /** @description Does `steps` so often, or `"forever"`. */
+            repeat?: components["schemas"]["Times"] | null;
+            /** @description Does `steps` for each cell of a grid, or of several side by side, by their names. */
+            each?: components["schemas"]["Names"] | null;
+            /** @description What `repeat` and `each` do. */
+            steps?: components["schemas"]["Step"][] | null;
+            /** @description Does the steps of another program. */
+            call?: string | null;
+            /** @description Goes along an arc from here to its end. */
+            arc?: components["schemas"]["Arc"] | null;
+            /** @description Goes once around a circle from here. */
+            circle?: components["schemas"]["Arc"] | null;
+            /** @description Draws a file. */
+            drawing?: components["schemas"]["Drawing"] | null;
+        };
+        /** @description A place: the name of a point or of a grid's cell, or a point itself. */
+        Place: string | components["schemas"]["Point"];
+        /**
+         * @description A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
+         *     servo if it is not at 0.
+         */
+        Point: {
+            /**
+             * Format: double
+             * @description Forward of the base's axis, or along the frame's x axis, in mm.
+             */
+            x?: number | null;
+            /**
+             * Format: double
+             * @description To the left of it, or along the frame's y axis, in mm.
+             */
+            y?: number | null;
+            /**
+             * Format: double
+             * @description Above the rear arm's pivot, or along the frame's z axis, in mm.
+             */
+            z?: number | null;
+            /**
+             * Format: double
+             * @description How the tool is turned from the frame's x axis, counter-clockwise, in degrees; 0 if nothing is said.
+             */
+            rotation?: number | null;
+            /** @description The name of a frame; the base frame if nothing is said. */
+            frame?: string | null;
+            /**
+             * Format: double
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base?: number | null;
+            /**
+             * Format: double
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear?: number | null;
+            /**
+             * Format: double
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore?: number | null;
+            /**
+             * Format: double
+             * @description The servo's angle in degrees.
+             */
+            servo?: number | null;
+        };
+        /** @description A way along the axes of a frame, in mm. */
+        Offset: {
+            /**
+             * Format: double
+             * @description Along x.
+             */
+            x?: number;
+            /**
+             * Format: double
+             * @description Along y.
+             */
+            y?: number;
+            /**
+             * Format: double
+             * @description Along z.
+             */
+            z?: number;
+        };
+        /**
+         * @description Speeds of targets (states 9 and 10; Table 3.9); what is not said stays as it was, at first as in an arm that
+         *     was just switched on.
+         */
+        Speed2: {
+            /**
+             * Format: double
+             * @description All speeds of targets, in percent of the ones below, above 0 to 100; 50 at first.
+             */
+            percent?: number | null;
+            /**
+             * Format: double
+             * @description Their accelerations, in percent, above 0 to 100; 50 at first.
+             */
+            acceleration_percent?: number | null;
+            /**
+             * Format: double
+             * @description Base, rear arm and forearm, in degrees/s; 200 at first.
+             */
+            joint?: number | null;
+            /**
+             * Format: double
+             * @description Their acceleration, in degrees/s2; 200 at first.
+             */
+            joint_acceleration?: number | null;
+            /**
+             * Format: double
+             * @description The servo, in degrees/s; 200 at first.
+             */
+            servo?: number | null;
+            /**
+             * Format: double
+             * @description Its acceleration, in degrees/s2; 200 at first.
+             */
+            servo_acceleration?: number | null;
+            /**
+             * Format: double
+             * @description Along a line, in mm/s; 100 at first.
+             */
+            line?: number | null;
+            /**
+             * Format: double
+             * @description The acceleration along a line, in mm/s2; 200 at first.
+             */
+            line_acceleration?: number | null;
+            /**
+             * Format: double
+             * @description How high a JUMP lifts, in mm, 0 to 300. An arm that was just switched on lifts by 10 or 20 mm, depending on
+             *     its firmware (note N11): once one of the speeds above is set, without this it is 20.
+             */
+            jump_height?: number | null;
+        };
+        /** @description How often, or until a person ends it. */
+        Times: number | "forever";
+        /** @description One name, or several. */
+        Names: string | string[];
+        /**
+         * @description A step. Exactly one of `go`, `laser`, `wait`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle` and
+         *     `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
+         */
+        Step: {
+            /** @description Goes to a place. */
+            go?: components["schemas"]["Place"] | null;
+            /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
+            path?: components["schemas"]["MovingMode"] | null;
+            /** @description So far from the place, in mm along the axes of its frame. */
+            offset?: components["schemas"]["Offset"] | null;
+            /** @description Whether the pump runs from there on. */
+            suction?: boolean | null;
+            /**
+             * Format: double
+             * @description The gripper's angle from there on, -90 to 90 degrees.
+             */
+            gripper?: number | null;
+            /**
+             * Format: double
+             * @description How long the arm waits there, 0 to 655 seconds.
+             */
+            pause?: number | null;
+            /** @description Switches the laser. */
+            laser?: boolean | null;
+            /** @description Waits for a person, who is told this, in 1 to 200 letters. */
+            wait?: string | null;
+            /** @description Sets speeds. */
+            speed?: components["schemas"]["Speed2"] | null;
+            /** @description Says which of the named tools is mounted. */
+            tool?: string | null;
+            /** @description Does `steps` so often, or `"forever"`. */
+            repeat?: components["schemas"]["Times"] | null;
+            /** @description Does `steps` for each cell of a grid, or of several side by side, by their names. */
+            each?: components["schemas"]["Names"] | null;
+            /** @description What `repeat` and `each` do. */
+            steps?: components["schemas"]["Step"][] | null;
+            /** @description Does the steps of another program. */
+            call?: string | null;
+            /** @description Goes along an arc from here to its end. */
+            arc?: components["schemas"]["Arc"] | null;
+            /** @description Goes once around a circle from here. */
+            circle?: components["schemas"]["Arc"] | null;
+            /** @description Draws a file. */
+            drawing?: components["schemas"]["Drawing"] | null;
+        };
+        /**
+         * @description An arc or a circle from where the arm is, given by two more places on it. The arm goes along it by straight
+         *     lines (MOVL), from rest to rest: a target can be sent again when a packet was lost, a vector cannot.
+         */
+        Arc: {
+            /** @description A place on the way. */
+            through: components["schemas"]["Place"];
+            /** @description Where an arc ends; the third place of a circle. */
+            to: components["schemas"]["Place"];
+            /**
+             * Format: double
+             * @description How far the straight lines may be from the arc, 0.01 to 10 mm; 0.5 if nothing is said.
+             * @default 0.5
+             */
+            tolerance: number;
+        };
+        /** @description A drawing as a step. What reads the program prepares it, as `dobot draw` does. */
+        Drawing: {
+            /** @description The drawing's file, beside the program. */
+            file: string;
+            /**
+             * Format: double
+             * @description The height of the wrist at which the pen touches the paper, in mm.
+             */
+            pen_down: number;
+            /** @description The options of `dobot draw`, under their names in a request: `place`, `tool`, `way`, `what`. */
+            options?: {
+                [key: string]: unknown;
+            };
+        };
+        /** @description A place of a path: where the tool was, and what it did there. */
+        RecordedPlace: {
+            /** @description x, y and z, in millimetres in the base frame. */
+            point_mm: number[];
+            /**
+             * Format: double
+             * @description The rotation of the tool relative to the base frame, in degrees.
+             */
+            rotation_deg: number;
+            /** @description Whether the pump ran. */
+            suction: boolean;
+            /**
+             * Format: double
+             * @description The gripper's angle, in degrees.
+             */
+            gripper_deg: number;
+        };
+        /** @description The text of a program. */
+        EditedProgram: {
+            /** @description The text. */
+            text: string;
+            /**
+             * Format: uint
+             * @description How many steps it has.
+             */
+            steps: number;
+        };
+        /** @description A program that is to become a job. */
+        NewProgram: {
+            /** @description The program. */
+            program: components["schemas"]["ProgramText"];
+            /**
+             * Format: uint
+             * @description The step with which it begins, counted from 1 in the order in which they are done.
+             * @default 1
+             */
+            from_step: number;
+            /** @description How often it is done; without this as often as it says itself. */
+            times?: components["schemas"]["Repeat"] | null;
+        };
+        /** @description How often a program is done. */
+        Repeat: {
+            /** Format: uint64 */
+            count: number;
+        } | "forever";
+        /**
+         * @description All that can be known of a world at a moment, to be kept, sent and drawn. Lengths are told to a
+         *     thousandth of a millimetre.
+         */
+        WorldState: {
+            /**
+             * Format: double
+             * @description The time, in seconds since power-up.
+             */
+            time_s: number;
+            /** @description Where the arm really is; nothing where it has not been told yet. */
+            arm?: components["schemas"]["TrueArm"] | null;
+            /** @description What is mounted at its end. */
+            tool: components["schemas"]["WorldTool"];
+            /**
+             * Format: double
+             * @description The height of the table in the base frame.
+             */
+            table_z_mm: number;
+            /** @description The paper. */
+            paper?: components["schemas"]["Paper"] | null;
+            /** @description The objects, those in the grip where they are now. */
+            objects: components["schemas"]["WorldObject"][];
+            /**
+             * @description The names of the objects that move with the tool: the one in its grip first, then those
+             *     that stand on it.
+             */
+            held: string[];
+            /** @description The ink, in the order in which it was drawn. */
+            strokes: components["schemas"]["InkStroke"][];
+            /** @description What the laser burned on its way. */
+            burns: components["schemas"]["Burn"][];
+            /** @description What the laser burned where it stood. */
+            holes: components["schemas"]["Hole"][];
+            /**
+             * Format: uint64
+             * @description How many events there were.
+             */
+            event_count: number;
+            /** @description The last of them, at most 100, the oldest first. */
+            events: components["schemas"]["Happened"][];
+        };
+        /** @description Where an arm really is and what acts at its tool. */
+        TrueArm: {
+            /**
+             * Format: double
+             * @description Joint 1.
+             */
+            base_deg: number;
+            /**
+             * Format: double
+             * @description Joint 2.
+             */
+            rear_deg: number;
+            /**
+             * Format: double
+             * @description Joint 3.
+             */
+            fore_deg: number;
+            /**
+             * Format: double
+             * @description Joint 4.
+             */
+            servo_deg: number;
+            /**
+             * Format: double
+             * @description Forward.
+             */
+            x_mm: number;
+            /**
+             * Format: double
+             * @description To the left.
+             */
+            y_mm: number;
+            /**
+             * Format: double
+             * @description The height of the wrist in the base frame.
+             */
+            z_mm: number;
+            /**
+             * Format: double
+             * @description How the tool is turned in the base frame.
+             */
+            rotation_deg: number;
+            /**
+             * Format: double
+             * @description The height of the tip above the table.
+             */
+            tip_mm: number;
+            /** @description Whether the pump runs. */
+            pump: boolean;
+            /** @description Whether the laser is on. */
+            laser: boolean;
+            /**
+             * Format: double
+             * @description The angle of the gripper's servo.
+             */
+            gripper_deg: number;
+            /**
+             * Format: double
+             * @description How far the fingers of a gripper are apart; 0 with another tool.
+             */
+            opening_mm: number;
+        };
+        /**
+         * @description The tool of a scene.
+         *
+         *     Heights are measured where a person measures them: the arm is lowered until the tip touches the
+         *     table, and the z that the arm tells then is `down_z_mm`. From there the height of the tip above
+         *     the table is z less `down_z_mm`, wherever the wrist and the table really are.
+         */
+        WorldTool: {
+            /**
+             * Format: double
+             * @description Z of the wrist when the tip touches the table, in the base frame.
+             */
+            down_z_mm: number;
+            /**
+             * Format: double
+             * @description How far the tip may be pressed into something before that counts as a collision: a pen has
+             *     a spring, a cup is soft.
+             */
+            give_mm: number;
+            /** @description Which tool. */
+            kind: components["schemas"]["ToolKind"];
+        };
+        /** @description The tools. */
+        ToolKind: {
+            /** @constant */
+            type: "pen";
+            /**
+             * Format: double
+             * @description How wide its line is.
+             */
+            width_mm: number;
+        } | {
+            /** @constant */
+            type: "laser";
+            /**
+             * Format: double
+             * @description From its tip down to its focus.
+             */
+            focus_mm: number;
+            /**
+             * Format: double
+             * @description How far above and below the focus it still burns.
+             */
+            depth_mm: number;
+            /**
+             * Format: double
+             * @description Its power, in watts; the protocol knows on and off only.
+             */
+            power_w: number;
+        } | {
+            /** @constant */
+            type: "suction_cup";
+            /**
+             * Format: double
+             * @description How wide it is: it holds only what it covers as a whole.
+             */
+            diameter_mm: number;
+            /**
+             * Format: double
+             * @description The heaviest load, in grams.
+             */
+            lifts_g: number;
+        } | {
+            /** @constant */
+            type: "gripper";
+            /**
+             * Format: double
+             * @description Between the fingers with the servo at 0 degrees.
+             */
+            open_mm: number;
+            /**
+             * Format: double
+             * @description Between the fingers with the servo at 90 degrees.
+             */
+            closed_mm: number;
+            /**
+             * Format: double
+             * @description The heaviest load, in grams.
+             */
+            lifts_g: number;
+        };
+        /** @description A sheet of paper, with its sides along X and Y. It has no thickness. */
+        Paper: {
+            /** @description Its corner with the least X and Y. */
+            from_mm: number[];
+            /** @description Its corner with the largest X and Y. */
+            to_mm: number[];
+        };
+        /** @description A thing on the table, or in the grip of the tool. */
+        WorldObject: {
+            /** @description What it is called; no other object is. */
+            name: string;
+            /** @description Its shape and size. */
+            shape: components["schemas"]["Shape"];
+            /**
+             * Format: double
+             * @description What it weighs, in grams.
+             */
+            mass_g: number;
+            /** @description Its colour, as `#rrggbb`. */
+            color: string;
+            /** @description Where its middle is. */
+            at_mm: number[];
+            /**
+             * Format: double
+             * @description How it is turned about the vertical, counter-clockwise.
+             */
+            turn_deg: number;
+            /**
+             * Format: double
+             * @description How high its underside is above the table.
+             */
+            bottom_mm: number;
+        };
+        /** @description The shapes of objects; all stand upright. */
+        Shape: {
+            /** @constant */
+            type: "box";
+            /** @description The sides. */
+            size_mm: number[];
+        } | {
+            /** @constant */
+            type: "cylinder";
+            /**
+             * Format: double
+             * @description How wide it is.
+             */
+            diameter_mm: number;
+            /**
+             * Format: double
+             * @description How tall it is.
+             */
+            height_mm: number;
+        };
+        /** @description A line of ink. */
+        InkStroke: {
+            /** @description Where the pen went while it was down; a single point is a dot. */
+            points_mm: number[][];
+        };
+        /** @description A line that the laser burned at about one speed. */
+        Burn: {
+            /** @description Where the laser went. */
+            points_mm: number[][];
+            /**
+             * Format: double
+             * @description With which power, in watts.
+             */
+            power_w: number;
+            /**
+             * Format: double
+             * @description How fast, in mm/s.
+             */
+            speed_mm_s: number;
+        };
+        /** @description A hole that the laser burned while it stood. */
+        Hole: {
+            /** @description Where. */
+            at_mm: number[];
+            /**
+             * Format: double
+             * @description With which power, in watts.
+             */
+            power_w: number;
+            /**
+             * Format: double
+             * @description For how long, in seconds.
+             */
+            time_s: number;
+        };
+        /** @description Something that happened, and when. */
+        Happened: {
+            /**
+             * Format: double
+             * @description When, in seconds since power-up.
+             */
+            at_s: number;
+        } & ({
+            /** @constant */
+            event: "picked_up";
+            /** @description The object. */
+            object: string;
+            /**
+             * Format: uint
+             * @description How many others stand on it.
+             */
+            with: number;
+        } | {
+            /** @constant */
+            event: "too_heavy";
+            /** @description The object. */
+            object: string;
+            /**
+             * Format: double
+             * @description What it weighs, with all that stands on it.
+             */
+            mass_g: number;
+            /**
+             * Format: double
+             * @description What the tool lifts.
+             */
+            lifts_g: number;
+        } | {
+            /** @constant */
+            event: "draws_air";
+            /** @description The object. */
+            object: string;
+            /**
+             * Format: double
+             * @description How far the cup stands out.
+             */
+            by_mm: number;
+        } | {
+            /** @constant */
+            event: "dropped";
+            /** @description The object. */
+            object: string;
+            /** @description What it came to rest on. */
+            onto: string;
+            /**
+             * Format: double
+             * @description How far it fell.
+             */
+            fell_mm: number;
+        } | {
+            /** @constant */
+            event: "collided";
+            /** @description The tool, or the object that it holds. */
+            what: string;
+            /** @description What is in the way. */
+            with: string;
+            /**
+             * Format: double
+             * @description How deep.
+             */
+            depth_mm: number;
+            /** @description Where. */
+            at_mm: number[];
+        } | {
+            /** @constant */
+            event: "burns_on_the_spot";
+            /** @description Where. */
+            at_mm: number[];
+            /**
+             * Format: double
+             * @description For how long it has by now.
+             */
+            time_s: number;
+        } | {
+            /** @constant */
+            event: "off_paper";
+            /** @description Where. */
+            at_mm: number[];
+        } | {
+            /** @constant */
+            event: "lost";
+        });
+        /** @description A world. */
+        SceneText: {
+            /** @description Its TOML text, as those of `examples/scenes`. */
+            scene: string;
+        };
+        /** @description What is to go wrong. */
+        NewFaults: {
+            /** @description The faults, as `dobot arm --fault` takes them; times count from now. */
+            faults: string[];
+            /**
+             * Format: uint64
+             * @description What chance begins with: the same faults with the same seed do the same.
+             * @default 0
+             */
+            seed: number;
         };
         /** @description What the station sends over the WebSocket. */
         ToClient: {
@@ -2070,6 +3080,11 @@ export interface components {
         Request: {
             /** @constant */
             type: "command";
+            /** @description The command. */
+            command: components["schemas"]["Command"];
+        } | {
+            /** @constant */
+            type: "check_command";
             /** @description The command. */
             command: components["schemas"]["Command"];
         } | {
@@ -3018,6 +4033,218 @@ export interface operations {
             };
         };
     };
+    put_policy: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "[table]\nz_mm = -60\n",
+                 *       "check": true
+                 *     }
+                 */
+                "application/json": components["schemas"]["PolicyText"];
+            };
+        };
+        responses: {
+            /** @description the policy */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Policy"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `still-moving`: the arm still moves
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-policy`: the text is no policy
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `policy-file`: the policy cannot be written */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_policy_text: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the text */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain; charset=utf-8": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_ws: {
         parameters: {
             query?: {
@@ -3254,6 +4481,159 @@ export interface operations {
              * @description - `too-many`: too much waits already
              *     - `too-many-requests`: too many requests
              */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_commands_check: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "command": {
+                 *         "type": "move_to",
+                 *         "x_mm": 200,
+                 *         "y_mm": 0,
+                 *         "z_mm": 50,
+                 *         "rotation_deg": 0,
+                 *         "suction": false,
+                 *         "mode": "movl",
+                 *         "gripper_deg": 0,
+                 *         "pause_s": 0
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["CheckCommand"];
+            };
+        };
+        responses: {
+            /** @description the whole way is allowed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `still-moving`: the arm still moves
+             *     - `laser-disarmed`: the laser is disarmed
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `command`: the command is not sent
+             *     - `policy`: the policy does not allow this
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
             429: {
                 headers: {
                     /** @description How long to wait, in seconds */
@@ -5661,6 +7041,107 @@ export interface operations {
             };
         };
     };
+    get_jobs_id_path: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the way */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobPath"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `bad-job`: the job cannot be done */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_jobs_id_start: {
         parameters: {
             query?: never;
@@ -6390,6 +7871,862 @@ export interface operations {
             /**
              * @description - `out-of-range`: a number is not allowed
              *     - `policy`: the policy does not allow this
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_check: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"
+                 *     }
+                 */
+                "application/json": components["schemas"]["ProgramText"];
+            };
+        };
+        responses: {
+            /** @description what was found; a program with problems is answered so, too */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProgramReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_edit: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n",
+                 *       "edits": [
+                 *         {
+                 *           "type": "insert",
+                 *           "at": 1,
+                 *           "step": {
+                 *             "suction": true,
+                 *             "pause": 0.5
+                 *           }
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["EditProgram"];
+            };
+        };
+        responses: {
+            /** @description the text */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedProgram"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-program`: the program cannot be done
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_jobs: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "program": {
+                 *         "text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"
+                 *       },
+                 *       "times": {
+                 *         "count": 3
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewProgram"];
+            };
+        };
+        responses: {
+            /** @description the job is queued */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-program`: the program cannot be done
+             *     - `bad-job`: the job cannot be done
+             *     - `policy`: the policy does not allow this
+             *     - `command`: the command is not sent
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_world: {
+        parameters: {
+            query?: {
+                /** @description Of ink and burns only those from this one on, counted from 0; the last one may still grow */
+                strokes_from?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the world */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorldState"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `not-virtual`: the arm is no virtual one of this station */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_world: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "scene": "[pen]\ndown_z_mm = -40\n"
+                 *     }
+                 */
+                "application/json": components["schemas"]["SceneText"];
+            };
+        };
+        responses: {
+            /** @description the world */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorldState"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `not-virtual`: the arm is no virtual one of this station
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-scene`: the text is no scene
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_faults: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the faults */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `not-virtual`: the arm is no virtual one of this station */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_faults: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "faults": [
+                 *         "drop=1%",
+                 *         "reset@3s"
+                 *       ],
+                 *       "seed": 1
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewFaults"];
+            };
+        };
+        responses: {
+            /** @description the faults */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `not-virtual`: the arm is no virtual one of this station
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-fault`: that cannot go wrong so
              *     - `invalid`: a field is not as it has to be
              */
             422: {

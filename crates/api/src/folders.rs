@@ -68,6 +68,12 @@ impl Folders {
         &self.data
     }
 
+    /// The policy, where a client has put one in place of the default.
+    #[must_use]
+    pub fn policy(&self) -> PathBuf {
+        self.data.join("policy.toml")
+    }
+
     /// The jobs.
     #[must_use]
     pub fn journal(&self) -> PathBuf {

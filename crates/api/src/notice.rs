@@ -54,6 +54,8 @@ pub enum News {
         /// How long, in seconds.
         lasts_s: f64,
     },
+    /// The safety policy is another one from now on.
+    PolicyChanged,
     /// Something that a client asked for was refused.
     Refused {
         /// Who asked.

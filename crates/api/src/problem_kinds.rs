@@ -88,6 +88,8 @@ kinds! {
         "The path exists, but not with this method. The Allow header lists those that it takes.";
     TIMEOUT = 408 "timeout" "the request came too slowly"
         "The body was not there in time. Nothing has changed.";
+    NOT_VIRTUAL = 409 "not-virtual" "the arm is no virtual one of this station"
+        "World and faults are those of the virtual arm that a station has of its own: `dobot up --virtual`.";
     NO_LEASE = 409 "no-lease" "this client does not have control"
         "One client at a time has control of the arm. Take the lease with `POST /api/v1/lease`; if somebody has it, ask for it. Stopping takes no lease.";
     LEASE_GONE = 409 "lease-gone" "the lease token is not valid any more"
@@ -128,10 +130,20 @@ kinds! {
         "The small motions did not tell which dialect the arm speaks. The detail says why. It can be said by hand, with `PUT /api/v1/dialect`.";
     POLICY = 422 "policy" "the policy does not allow this"
         "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
+    BAD_POLICY = 422 "bad-policy" "the text is no policy"
+        "The text cannot be used as a safety policy. The detail says which line, what was found, and what is allowed. The policy that held before holds on.";
+    POLICY_FILE = 500 "policy-file" "the policy cannot be written"
+        "The new policy holds, but it could not be written to its file: after the next start of the station the old one holds again.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
+    BAD_PROGRAM = 422 "bad-program" "the program cannot be done"
+        "The text is no program, or a step of it cannot be done. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all that is wrong.";
+    BAD_SCENE = 422 "bad-scene" "the text is no scene"
+        "The text does not describe a world. The detail says which line, what was found, and what is allowed.";
+    BAD_FAULT = 422 "bad-fault" "that cannot go wrong so"
+        "A fault cannot be read, or cannot begin now. The detail says which one, and what is allowed.";
     UPGRADE = 426 "upgrade" "this address is a WebSocket"
         "Connect to it with a WebSocket client.";
     TOO_MANY_REQUESTS = 429 "too-many-requests" "too many requests"

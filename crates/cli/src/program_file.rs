@@ -4,8 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
-use dobot_draw::{DrawingRequest, Materials, Options, Subject};
-use dobot_source::Source;
+use dobot_draw::draw_step;
 use dobot_teach::vendor::{self, VendorPoint};
 use dobot_teach::{Compiled, Drawing, Files, Problem, Program, ProgramError, Report};
 use dobot_wire::{Command, Dialect};
@@ -142,22 +141,10 @@ impl Files for FilesBeside {
     fn drawing(&mut self, path: &str, drawing: &Drawing) -> Result<Vec<Command>, String> {
         let bytes = fs::read(self.folder.join(path))
             .map_err(|error| format!("cannot read {path}: {error}"))?;
-        let told = |error: &dyn std::fmt::Display| format!("{path}: {error}");
-        let options: Options = drawing
-            .options
-            .clone()
+        let options = drawing.options.clone();
+        let options = options
             .try_into()
-            .map_err(|error| told(&error))?;
-        let source = Source::of_file(path, bytes).map_err(|error| told(&error))?;
-        let subject = Subject {
-            title: path.to_owned(),
-            source: Some(source),
-        };
-        let asked = DrawingRequest::new(options, subject, &Materials::built_in())
-            .map_err(|error| told(&error))?;
-        let prepared = asked
-            .prepare(Some(self.dialect), drawing.pen_down)
-            .map_err(|error| told(&error))?;
-        Ok(prepared.0.plan.commands().collect())
+            .map_err(|error| format!("{path}: {error}"))?;
+        draw_step(path, bytes, options, drawing.pen_down, self.dialect)
     }
 }

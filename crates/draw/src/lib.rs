@@ -46,6 +46,7 @@ mod place;
 mod prepare;
 mod simplify;
 mod start;
+mod step;
 mod timeline;
 mod trace;
 
@@ -67,5 +68,6 @@ pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use start::{StartError, StartFrom};
+pub use step::draw_step;
 pub use timeline::{Moves, Path, Timeline};
 pub use trace::{Sample, StartNotReached, Trace};

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use dobot_client::{Address, Link};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_sim::world::{Scene, World};
 use dobot_sim::{InProcess, SerialLine, Speed, VirtualArm};
 use tokio::sync::Mutex;
 
@@ -127,7 +128,8 @@ impl Approach {
     /// A virtual arm that lives as long as the station.
     fn take_virtual(&mut self, wanted: &WantedArm) {
         let controller = Controller::power_up(PowerUp::new(wanted.personality));
-        let arm = VirtualArm::new(controller, SerialLine::STOCK);
+        let scene = Scene::parse(DESK).expect("the desk is a scene");
+        let arm = VirtualArm::new(controller, SerialLine::STOCK).with_world(World::new(scene));
         self.source = Source::Virtual {
             arm: InProcess::new(arm),
             personality: wanted.personality,
@@ -147,3 +149,15 @@ fn port(address: Option<&Address>) -> Source {
 
 /// An arm that runs tells its state within that time, over TCP too.
 const SOON: Duration = Duration::from_millis(500);
+
+/// What is around a virtual arm until somebody puts it elsewhere: a sheet of paper under its pen.
+const DESK: &str = "
+[paper]
+x_mm = [140, 280]
+y_mm = [-110, 110]
+
+[pen]
+down_z_mm = -40
+give_mm = 2
+width_mm = 0.5
+";

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_client::{Address, Link};
-use dobot_controller::Personality;
+use dobot_controller::{Personality, PowerUp};
 use dobot_sim::{InProcess, Speed};
 use tokio::runtime::Handle;
 use tokio::sync::{Mutex, mpsc};
@@ -23,6 +23,15 @@ pub(crate) enum Source {
         /// How many times as fast as a clock it lives.
         speed: Speed,
     },
+}
+
+/// The station's own virtual arm: to look at its world, and to let things go wrong.
+#[derive(Clone, Debug)]
+pub struct OwnVirtualArm {
+    /// The arm.
+    pub arm: InProcess,
+    /// How its controller was switched on.
+    pub power_up: PowerUp,
 }
 
 /// What is told while there is no link.
@@ -57,6 +66,19 @@ impl Source {
     /// Whether it is the station's own virtual arm.
     pub(crate) const fn is_virtual(&self) -> bool {
         matches!(self, Self::Virtual { .. })
+    }
+
+    /// The station's own virtual arm, if that is it.
+    pub(crate) fn virtual_arm(&self) -> Option<OwnVirtualArm> {
+        match self {
+            Self::Virtual {
+                arm, personality, ..
+            } => Some(OwnVirtualArm {
+                arm: arm.clone(),
+                power_up: PowerUp::new(*personality),
+            }),
+            Self::Port(_) => None,
+        }
     }
 
     /// How the station's own virtual arm behaves.

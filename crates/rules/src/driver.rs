@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, LinkPhase, News, Notice, Reply, Request};
 use dobot_client::Link;
+use dobot_safety::Policy;
 use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
@@ -19,6 +20,7 @@ use crate::Refusal;
 use crate::connect::{Connecting, Source};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message};
+use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::known_arms::KnownArms;
 use crate::recording::Recording;
@@ -329,11 +331,32 @@ impl Driver {
                 let _ = reply.send(started);
             }
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
+            Message::Policy {
+                client,
+                policy,
+                reply,
+            } => {
+                let changed = self.set_policy(now, client, &policy);
+                // Whoever asked may have left.
+                let _ = reply.send(changed);
+            }
             Message::JobPath { job, reply } => self.jobs.clone().path(job, reply),
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
         }
+    }
+
+    fn set_policy(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        policy: &Policy,
+    ) -> Result<(), Refusal> {
+        let of_arm = in_time_of_arm(policy, self.source.speed());
+        self.supervisor.handle_policy(now, client, of_arm)?;
+        self.jobs.set_policy(policy);
+        Ok(())
     }
 
     /// Something that the arm depends on is no more: the station ends.

@@ -1,7 +1,7 @@
 //! How the rest of the station talks to the one who owns the arm.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use bytes::Bytes;
 use dobot_api::{ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
@@ -21,7 +21,7 @@ pub struct Handle {
     pub(crate) notices: broadcast::Sender<Arc<Notice>>,
     pub(crate) recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     pub(crate) packets: broadcast::Sender<[u8; 42]>,
-    pub(crate) rules: Arc<Rules>,
+    pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
 /// The other end of all [`Handle`]s: what the driver of the arm hears, and where it tells.
@@ -36,25 +36,21 @@ pub struct Ends {
     packets: broadcast::Sender<[u8; 42]>,
 }
 
-/// What holds as long as the station runs.
+/// What holds until the policy is changed.
 #[derive(Debug)]
 pub struct Rules {
-    /// The policy as JSON.
-    pub policy: serde_json::Value,
+    /// The policy.
+    pub policy: Policy,
     /// How long a jog button stays pressed without being said again, in seconds.
     pub dead_man_s: f64,
 }
 
 impl Rules {
     /// The rules of a policy.
-    ///
-    /// # Panics
-    ///
-    /// Never: a policy is a table of numbers, which JSON can always hold.
     #[must_use]
     pub fn of(policy: &Policy) -> Self {
         Self {
-            policy: serde_json::to_value(policy).expect("a policy is a table of numbers"),
+            policy: policy.clone(),
             dead_man_s: policy.jog.dead_man_s,
         }
     }
@@ -157,6 +153,15 @@ pub enum Message {
     },
     /// Somebody wants to know all jobs, the oldest first.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
+    /// A client wants another policy to hold.
+    Policy {
+        /// Who.
+        client: ClientId,
+        /// The policy.
+        policy: Box<Policy>,
+        /// Whether it holds.
+        reply: oneshot::Sender<Result<(), Refusal>>,
+    },
     /// Somebody wants to know the way of a job.
     JobPath {
         /// Its number.
@@ -233,7 +238,7 @@ impl Handle {
             notices: broadcast::Sender::new(NOTICES),
             recent: Arc::default(),
             packets: broadcast::Sender::new(kept),
-            rules: Arc::new(rules),
+            rules: Arc::new(RwLock::new(Arc::new(rules))),
         };
         let ends = Ends {
             messages,
@@ -263,10 +268,11 @@ impl Handle {
         })
     }
 
-    /// What holds as long as the station runs.
+    /// What holds until the policy is changed.
     #[must_use]
-    pub fn rules(&self) -> &Rules {
-        &self.rules
+    pub fn rules(&self) -> Arc<Rules> {
+        let rules = self.rules.read().unwrap_or_else(PoisonError::into_inner);
+        rules.clone()
     }
 
     /// What the station knows now.
@@ -405,6 +411,27 @@ impl Client {
             })
             .await?;
         Ok(answer)
+    }
+
+    /// Puts another policy in place of the one that holds.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the old one holds on then.
+    pub async fn set_policy(&self, policy: Policy) -> Result<(), Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let (client, rules) = (self.id, Rules::of(&policy));
+        let policy = Box::new(policy);
+        let message = Message::Policy {
+            client,
+            policy,
+            reply,
+        };
+        self.handle.send(message).await?;
+        answer.await.map_err(|_| Refusal::Ending)??;
+        let shared = &self.handle.rules;
+        *shared.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(rules);
+        Ok(())
     }
 
     /// Passes on a packet of a raw program, which speaks the arm's own protocol. The first one

@@ -12,7 +12,7 @@ use dobot_wire::Dialect;
 
 use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
-use crate::connect::Source;
+use crate::connect::{OwnVirtualArm, Source};
 use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
@@ -45,6 +45,7 @@ pub struct Setup {
 #[derive(Debug)]
 pub struct Host {
     handle: Handle,
+    virtual_arm: Option<OwnVirtualArm>,
     thread: ArmAtWork,
     notes: Vec<String>,
     of_guardian: Vec<String>,
@@ -82,6 +83,7 @@ impl Host {
         let arms = KnownArms::read(&setup.common.arms())?;
         let journal = Journal::open(&setup.folders.journal())?;
         let source = approach.source;
+        let virtual_arm = source.virtual_arm();
         let supervisor = supervisor(&setup, &source);
         let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
@@ -102,6 +104,7 @@ impl Host {
         let notes = approach.notes.into_iter().chain(trouble);
         Ok(Self {
             handle,
+            virtual_arm,
             notes: notes.chain(driver.recover().err()).collect(),
             of_guardian: take_note(&note),
             thread: approach.thread.give(driver, approach.first),
@@ -112,6 +115,12 @@ impl Host {
     #[must_use]
     pub const fn handle(&self) -> &Handle {
         &self.handle
+    }
+
+    /// The own virtual arm, if the arm is that.
+    #[must_use]
+    pub const fn virtual_arm(&self) -> Option<&OwnVirtualArm> {
+        self.virtual_arm.as_ref()
     }
 
     /// What a person should know, a line each: why no arm was found, what cannot be recorded.
@@ -151,14 +160,15 @@ fn make_folder(folders: &Folders) -> Result<(), HostError> {
 }
 
 fn supervisor(setup: &Setup, source: &Source) -> Supervisor {
-    let mut policy = setup.policy.clone();
-    in_time_of_arm(&mut policy, source.speed());
+    let policy = in_time_of_arm(&setup.policy, source.speed());
     let own = source.personality().map(Personality::dialect);
     Supervisor::new(policy, setup.dialect.or(own))
 }
 
 /// A hand on a button is as fast as ever, however fast the arm lives.
-fn in_time_of_arm(policy: &mut Policy, speed: Speed) {
+pub(crate) fn in_time_of_arm(policy: &Policy, speed: Speed) -> Policy {
+    let mut policy = policy.clone();
     policy.jog.dead_man_s *= speed.times();
     policy.jog.raw_dead_man_s *= speed.times();
+    policy
 }

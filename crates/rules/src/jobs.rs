@@ -76,6 +76,11 @@ impl Jobs {
         }
     }
 
+    /// Plans by another policy from now on.
+    pub(crate) fn set_policy(&mut self, policy: &Policy) {
+        self.policy = Arc::new(policy.clone());
+    }
+
     /// The job that was at work when the station ended without saying so.
     pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
         let jobs = self.journal.jobs()?;

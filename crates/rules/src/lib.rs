@@ -61,6 +61,7 @@ mod virtual_station;
 
 pub use approach::{Approach, WantedArm};
 pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
+pub use connect::OwnVirtualArm;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 #[cfg(unix)]
 pub use guardian::guard;

@@ -186,6 +186,19 @@ impl VirtualStation {
         self.supervisor.handle_client(now, name, Role::Admin)
     }
 
+    /// Puts another policy in place of the one that holds.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the old one holds on then.
+    pub fn set_policy(&mut self, client: ClientId, policy: Policy) -> Result<(), Refusal> {
+        let now = self.supervisor_now();
+        self.supervisor.handle_policy(now, client, policy.clone())?;
+        self.policy = policy;
+        self.settle();
+        Ok(())
+    }
+
     /// A client that may only watch.
     pub fn watcher(&mut self, name: &str) -> ClientId {
         let now = self.supervisor_now();

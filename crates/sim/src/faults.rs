@@ -11,6 +11,7 @@ use std::time::Duration;
 
 pub(crate) use fault_state::FaultState;
 pub use parse::FaultError;
+use schedule::Counted;
 pub(crate) use schedule::{ArmOrder, FaultSchedule, LineDirection};
 pub use struck::{FaultEffect, Struck};
 
@@ -55,6 +56,22 @@ use when::{FaultTime, Time};
 pub struct Fault {
     kind: FaultKind,
     when: FaultTime,
+}
+
+impl Fault {
+    /// Whether it puts a joint askew.
+    pub(crate) fn is_zero(&self) -> bool {
+        matches!(self.kind, FaultKind::Zero { .. })
+    }
+
+    /// The same, where times, packets and statuses count from these on.
+    pub(crate) fn counted_from(&self, now: Duration, counted: Counted) -> Self {
+        let when = &self.when;
+        Self {
+            kind: self.kind,
+            when: when.counted_from(now, counted.packets, counted.statuses),
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

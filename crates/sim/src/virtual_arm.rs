@@ -7,7 +7,7 @@ use dobot_controller::{Controller, PowerUp, Refused};
 
 use crate::faults::{ArmOrder, FaultState, LineDirection, Tilt};
 use crate::world::{Actuators, Happened, World};
-use crate::{Fault, Mechanics, SerialLine, Struck};
+use crate::{Fault, FaultError, Mechanics, SerialLine, Struck};
 
 /// A controller at the end of a serial line, as an engine: it owns no port and no clock.
 #[derive(Debug)]
@@ -90,6 +90,43 @@ impl VirtualArm {
         self.world = Some(Box::new(world));
         self.feel(self.now);
         self
+    }
+
+    /// Puts it into another world, as it stands: what its tool holds or marked is gone.
+    pub fn set_world(&mut self, world: World) {
+        self.world = Some(Box::new(world));
+        self.feel(self.now);
+    }
+
+    /// Lets other things go wrong from now on, and nothing else any more: times, packets and statuses count from now.
+    /// `power_up` is how the controller was switched on, and will be again. A joint that was lost stays so.
+    ///
+    /// # Errors
+    ///
+    /// [`FaultError::NotNow`] for `zero=`, which has to be there from power-up; nothing has changed then.
+    pub fn set_faults(
+        &mut self,
+        power_up: PowerUp,
+        faults: &[Fault],
+        seed: u64,
+    ) -> Result<(), FaultError> {
+        if let Some(zero) = faults.iter().find(|it| it.is_zero()) {
+            return Err(FaultError::NotNow {
+                fault: zero.to_string(),
+            });
+        }
+        let now = self.now;
+        let state = self
+            .faults
+            .get_or_insert_with(|| Box::new(FaultState::none(power_up)));
+        state.end_all(now);
+        self.strike(now);
+        if let Some(state) = &mut self.faults {
+            state.replace(now, &self.controller, faults, seed);
+            state.schedule.fit_backlash(&mut self.mechanics);
+        }
+        self.strike(now);
+        Ok(())
     }
 
     /// The world around it, if it has one.

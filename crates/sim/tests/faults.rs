@@ -527,3 +527,73 @@ fn a_client_reads_what_was_sent_before_the_port_closed() {
     assert_eq!(bytes.len(), 42);
     assert_eq!(arm.now(), ms(110));
 }
+
+#[test]
+fn faults_that_come_later_count_from_then_on_and_end_those_before() {
+    let mut arm = faulty(&["withhold"], 1);
+    arm.handle_open(Duration::ZERO);
+    assert_eq!(statuses(&listen(&mut arm, s(5))), []);
+    let power_up = PowerUp::new(Personality::Specification);
+    arm.set_faults(
+        power_up,
+        &["withhold@2s".parse().expect("it is a fault")],
+        1,
+    )
+    .expect("it may come now");
+    let heard = statuses(&listen(&mut arm, s(7))).len();
+    assert!((22..=26).contains(&heard), "{heard} statuses in 2 s");
+    assert_eq!(statuses(&listen(&mut arm, s(9))), []);
+    arm.set_faults(power_up, &[], 1).expect("it may come now");
+    assert!(statuses(&listen(&mut arm, s(11))).len() > 20);
+}
+
+#[test]
+fn an_arm_without_power_has_it_again_when_its_faults_are_over() {
+    let power_up = PowerUp::new(Personality::Specification);
+    let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    arm.handle_open(Duration::ZERO);
+    arm.handle_time(s(1));
+    let off = "power@0s..1h".parse().expect("it is a fault");
+    arm.set_faults(power_up, &[off], 1)
+        .expect("it may come now");
+    listen(&mut arm, s(2));
+    assert_eq!(statuses(&listen(&mut arm, s(4))), []);
+    arm.set_faults(power_up, &[], 1).expect("it may come now");
+    // A controller that starts anew is deaf for two seconds.
+    listen(&mut arm, s(7));
+    assert!(statuses(&listen(&mut arm, s(9))).len() > 20);
+}
+
+#[test]
+fn a_joint_that_becomes_slack_is_stiff_again_when_that_is_over() {
+    let power_up = PowerUp::new(Personality::Specification);
+    let moved = |faults: &[&str]| {
+        let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        arm.handle_open(Duration::ZERO);
+        arm.handle_time(s(1));
+        let slack: Fault = "backlash=base:3".parse().expect("it is a fault");
+        arm.set_faults(power_up, &[slack], 1)
+            .expect("it may come now");
+        let faults: Vec<Fault> = faults
+            .iter()
+            .map(|it| it.parse().expect("it is a fault"))
+            .collect();
+        arm.set_faults(power_up, &faults, 1)
+            .expect("it may come now");
+        for y_mm in [100.0, -100.0] {
+            let there = move_to(MovingMode::MovJ, 200.0, y_mm, 0.0);
+            arm.handle_bytes(arm.now(), &bytes(there));
+            let until = arm.now() + s(20);
+            listen(&mut arm, until);
+        }
+        truth(&arm).base.0
+    };
+    let (stiff, slack) = (moved(&[]), moved(&["backlash=base:3"]));
+    assert!((slack - stiff - 3.0).abs() < 0.02, "{stiff} {slack}");
+    let zero: Fault = "zero=base:3".parse().expect("it is a fault");
+    let mut arm = faulty(&[], 1);
+    let refused = arm
+        .set_faults(power_up, &[zero], 1)
+        .expect_err("a joint cannot be askew all at once");
+    assert!(refused.to_string().contains("switched on"), "{refused}");
+}

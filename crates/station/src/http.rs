@@ -16,6 +16,7 @@ mod listen;
 mod messages;
 mod page;
 mod private;
+mod programs;
 mod rate;
 mod route;
 mod routes;

@@ -1,5 +1,6 @@
 //! Starting a station: everything is opened, and told where.
 
+use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
@@ -92,7 +93,7 @@ impl Station {
     }
 
     async fn open(config: Config, approach: Approach) -> Result<Self, StartError> {
-        let policy = read_policy(config.policy.as_deref())?;
+        let policy = read_policy(&config)?;
         // The raw port first: where another station has it, nothing of its journal is touched.
         let raw = match config.raw {
             Some(address) => Some(RawPort::bind(address).await?),
@@ -106,7 +107,7 @@ impl Station {
         }
         let raw = raw.map(|port| serve_raw(port, &host));
         let pty = virtual_port.map(|port| serve_pty(port, &host));
-        match http::serve(&web(&config), host.handle().clone()).await {
+        match http::serve(&web(&config, &host), host.handle().clone()).await {
             Ok(http) => Ok(Self {
                 notes: [host.notes(), host.of_guardian()].concat(),
                 host,
@@ -184,25 +185,34 @@ impl Station {
 #[error("{0}: the laser was switched off and the button let go")]
 pub struct Failed(String);
 
-fn web(config: &Config) -> Web {
+fn web(config: &Config, host: &Host) -> Web {
     Web {
         address: config.http,
         tls: config.tls.clone(),
         names: config.names.clone(),
         without_token: config.without_token,
+        policy_file: policy_file(config),
+        virtual_arm: host.virtual_arm().cloned(),
         folders: config.folders.clone(),
     }
 }
 
-fn read_policy(file: Option<&Path>) -> Result<Policy, StartError> {
-    let Some(path) = file else {
-        return Ok(Policy::default());
-    };
+/// The policy of the file that is named, or else the one that a client has put in place before.
+fn read_policy(config: &Config) -> Result<Policy, StartError> {
+    let path = policy_file(config);
     let file = path.display().to_string();
-    match std::fs::read_to_string(path) {
+    match std::fs::read_to_string(&path) {
+        Err(error) if error.kind() == ErrorKind::NotFound && config.policy.is_none() => {
+            Ok(Policy::default())
+        }
         Err(source) => Err(StartError::PolicyFile { file, source }),
         Ok(text) => Policy::from_toml(&text).map_err(|source| StartError::Policy { file, source }),
     }
+}
+
+fn policy_file(config: &Config) -> PathBuf {
+    let named = config.policy.clone();
+    named.unwrap_or_else(|| config.folders.policy())
 }
 
 fn serve_raw(port: RawPort, host: &Host) -> SocketAddr {

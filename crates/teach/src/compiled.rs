@@ -5,6 +5,8 @@ use std::sync::Arc;
 use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, NewJob};
 use dobot_wire::Command;
 
+use crate::Times;
+
 /// A program as the commands that an arm carries out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Compiled {
@@ -44,9 +46,27 @@ impl Compiled {
         begun.checked_sub(1)
     }
 
-    /// The job of it: how far the tool is lifted in a pause is said in mm.
+    /// Has it done so often in all, whatever it says itself.
+    pub fn repeat(&mut self, times: Times) {
+        let from = self.repeat.map_or(0, |it| it.from);
+        // The first cycle may stand before those that repeat.
+        let apart = u64::from(self.first_apart && self.repeat.is_some());
+        let times = match times {
+            Times::Count(count) => Some(count.saturating_sub(apart).max(1)),
+            Times::Forever => None,
+        };
+        self.repeat = Some(JobRepeat { from, times });
+    }
+
+    /// The job of it. Where it draws, the tool is lifted in a pause.
     #[must_use]
-    pub fn job(&self, lift_mm: f32) -> NewJob {
+    pub fn job(&self) -> NewJob {
+        let draws = |it: &Command| matches!(it, Command::WriteVector(_));
+        let lift_mm = if self.commands.iter().any(draws) {
+            LIFT_MM
+        } else {
+            0.0
+        };
         NewJob {
             title: self.title.clone(),
             kind: JobKind::Program,
@@ -60,3 +80,6 @@ impl Compiled {
         }
     }
 }
+
+/// How far a pen is lifted where a program is paused that draws, in mm.
+const LIFT_MM: f32 = 10.0;

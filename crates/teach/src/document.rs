@@ -207,6 +207,22 @@ impl ProgramDocument {
     }
 }
 
+/// A program, or steps, as people write them: a step is a table, and what it has stands on one line each, first where it
+/// goes; a point, a tool, a frame or a grid stands on one line.
+pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, String> {
+    let text = toml::to_string(program).map_err(|error| error.to_string())?;
+    let document = text.parse();
+    let mut document: DocumentMut = document.map_err(|it: toml_edit::TomlError| it.to_string())?;
+    for (_, item) in document.iter_mut() {
+        match item {
+            Item::Table(names) => inline(names),
+            Item::ArrayOfTables(steps) => steps.iter_mut().for_each(inline),
+            _ => {}
+        }
+    }
+    Ok(document)
+}
+
 /// A step as the table that stands in a text.
 fn table_of(action: Action) -> Result<Table, ProgramError> {
     #[derive(serde::Serialize)]
@@ -216,16 +232,12 @@ fn table_of(action: Action) -> Result<Table, ProgramError> {
     let one = One {
         steps: Steps::new(vec![action]),
     };
-    let text = toml::to_string(&one).map_err(|error| bad(error.to_string()))?;
-    let document: DocumentMut = text
-        .parse()
-        .map_err(|error: toml_edit::TomlError| bad(error.to_string()))?;
+    let document = on_lines(&one).map_err(bad)?;
     let steps = document.get("steps").and_then(Item::as_array_of_tables);
     let mut table = steps
         .and_then(|it| it.get(0))
         .cloned()
         .ok_or_else(|| bad("a step cannot be written".into()))?;
-    inline(&mut table);
     table.decor_mut().set_prefix("\n");
     Ok(table)
 }
@@ -241,6 +253,8 @@ fn inline(table: &mut Table) {
             steps.iter_mut().for_each(inline);
         }
     }
+    table.sort_values_by(|a, _, b, _| (a != "go").cmp(&(b != "go")));
+    table.set_implicit(false);
     table.fmt();
 }
 

@@ -53,6 +53,7 @@ mod number;
 mod place;
 mod program;
 mod read;
+mod recorded_path;
 mod round;
 mod step_table;
 pub mod vendor;
@@ -67,3 +68,4 @@ pub use program::{
     Action, Arc, DEFAULT_TOLERANCE_MM, Drawing, Frame, Go, Grid, Here, MountedTool, Offset,
     Program, Speed, Steps, Times,
 };
+pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};

@@ -54,7 +54,7 @@ pub struct Program {
 pub struct Steps(pub Vec<Spanned<Action>>);
 
 /// What a step does.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "StepTable", into = "StepTable")]
 #[non_exhaustive]
 pub enum Action {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::document::on_lines;
 use crate::lines::Lines;
 use crate::number::within;
 use crate::place::Place;
@@ -56,7 +57,9 @@ impl Program {
         reason = "tables of numbers and texts are TOML"
     )]
     pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("tables with text keys, numbers and switches are TOML")
+        let document = on_lines(self);
+        let document = document.expect("tables with text keys, numbers and switches are TOML");
+        document.to_string()
     }
 
     /// The values that have a place in no step: the key that is wrong, and why.

@@ -139,7 +139,7 @@ proptest! {
     fn a_program_is_made_into_a_job_or_refused_with_a_line(program in program()) {
         match Program::from_toml(&program.to_toml()).unwrap().compile(&mut NoFiles) {
             Ok(compiled) => {
-                let job = compiled.job(0.0);
+                let job = compiled.job();
                 prop_assert_eq!(job.program.check(job.commands.len()), Ok(()));
                 prop_assert!(job.pauses.iter().all(|it| it.before < job.commands.len()));
             }
@@ -156,4 +156,11 @@ proptest! {
         let compiled = program.compile(&mut NoFiles).unwrap();
         prop_assert_eq!(compiled.commands.len() as u64, cells);
     }
+}
+
+#[test]
+fn a_program_is_written_as_people_write_it() {
+    let text = "[points]\nhere = { x = 200.0, y = 60.0, z = 0.0 }\n\n[[steps]]\ngo = \"here\"\nsuction = true\n\n\
+        [[steps]]\nrepeat = 3\n\n[[steps.steps]]\ngo = { x = 200.0, y = -60.0, z = 0.0 }\npath = \"movl\"\n";
+    assert_eq!(Program::from_toml(text).unwrap().to_toml(), text);
 }

@@ -1,7 +1,7 @@
 //! The pendant at work: between the terminal and the station.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use crossterm::event::{Event, EventStream};
@@ -98,13 +98,28 @@ pub(crate) async fn run<P: Panel>(
         panel.pendant().handle_time(clock.now());
         ask_all(station, &mut panel, clock).await?;
         if let Some((file, text)) = panel.poll_file() {
-            let saved = std::fs::write(file, &text);
+            let saved = write_whole(&file, &text);
             panel.handle_saved(text, saved);
         }
         if panel.pendant().is_over() {
             return Ok(());
         }
     }
+}
+
+/// Writes a file so that it is there as it was or as it is to be, whatever happens meanwhile.
+fn write_whole(file: &Path, text: &str) -> io::Result<()> {
+    // A link goes on to lead to where it leads.
+    let file = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+    let mut name = file.file_name().unwrap_or_default().to_owned();
+    name.push(".new");
+    let beside = file.with_file_name(name);
+    let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, &file));
+    if written.is_err() {
+        // What is left of it is of no use.
+        let _ = std::fs::remove_file(&beside);
+    }
+    written
 }
 
 /// What the gamepad tells next; once `None` where it is gone, and nothing where there is none.

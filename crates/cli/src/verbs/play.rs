@@ -6,9 +6,9 @@ use std::time::Duration;
 use anyhow::anyhow;
 use dobot_api::{JobRepeat, NewJob, Reply, Request};
 use dobot_rules::{Prediction, StationClient, predict};
-use dobot_teach::{Compiled, check};
+use dobot_teach::{Compiled, Times, check};
 use dobot_trajectory::Model;
-use dobot_wire::{Command, Dialect, Status};
+use dobot_wire::{Dialect, Status};
 use serde::Serialize;
 
 use crate::connect::{To, speaker};
@@ -122,7 +122,9 @@ impl Planned {
     fn new(args: &Args, dialect: Option<Dialect>) -> Result<Self, Failure> {
         let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
         let mut compiled = program_file::compile(&args.program, dialect)?;
-        repeat(&mut compiled, args);
+        if let Some(times) = times(args) {
+            compiled.repeat(times);
+        }
         let compiled = match args.from {
             Some(step) => from_step(&compiled, step, &args.program)?,
             None => compiled,
@@ -134,13 +136,7 @@ impl Planned {
             let (file, count) = (args.program.display(), problems.len());
             return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());
         }
-        let draws = |it: &Command| matches!(it, Command::WriteVector(_));
-        let lift_mm = if compiled.commands.iter().any(draws) {
-            LIFT_MM
-        } else {
-            0.0
-        };
-        let job = compiled.job(lift_mm);
+        let job = compiled.job();
         let prediction = predict(&job, &policy, speaker(dialect));
         let prediction = prediction.map_err(|error| anyhow!("on the twin: {error}"))?;
         Ok(Self { job, prediction })
@@ -171,7 +167,7 @@ impl Planned {
         ))?)
     }
 
-    fn times(&self) -> Times {
+    fn times(&self) -> DryRunTimes {
         let first_s = self.prediction.until_s.last().copied().unwrap_or(0.0);
         let cycle_s = self.prediction.cycle_s;
         let total_s = match self.job.program.repeat {
@@ -181,7 +177,7 @@ impl Planned {
                 .map(|it| it.saturating_sub(1) as f64)
                 .map(|more| first_s + cycle_s.unwrap_or(0.0) * more),
         };
-        Times {
+        DryRunTimes {
             steps: self.job.program.steps.len(),
             commands: self.job.commands.len(),
             first_s,
@@ -193,7 +189,7 @@ impl Planned {
 
 /// How long a program takes on the twin.
 #[derive(Debug, Serialize)]
-struct Times {
+struct DryRunTimes {
     steps: usize,
     commands: usize,
     /// All of it once.
@@ -210,16 +206,10 @@ struct Done {
     took_s: f64,
 }
 
-/// As often as the arguments say, where they do.
-fn repeat(compiled: &mut Compiled, args: &Args) {
-    if args.times.is_none() && !args.forever {
-        return;
-    }
-    let from = compiled.repeat.map_or(0, |it| it.from);
-    // The first cycle may stand before those that repeat.
-    let apart = u64::from(compiled.first_apart && compiled.repeat.is_some());
-    let times = args.times.map(|it| it.saturating_sub(apart).max(1));
-    compiled.repeat = Some(JobRepeat { from, times });
+/// How often it is to be done, where the arguments say it.
+fn times(args: &Args) -> Option<Times> {
+    let count = args.times.map(Times::Count);
+    count.or_else(|| args.forever.then_some(Times::Forever))
 }
 
 /// The rest of a program from a step on, counted from 1.
@@ -232,6 +222,3 @@ fn from_step(program: &Compiled, step: u64, file: &Path) -> Result<Compiled, Fai
         anyhow!("{file} has {steps} steps, and --from is {step}").into()
     })
 }
-
-/// How far a pen is lifted where a program is paused that draws, in mm.
-const LIFT_MM: f32 = 10.0;

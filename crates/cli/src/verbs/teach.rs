@@ -2,23 +2,23 @@
 
 mod keys;
 mod lesson;
-mod recording;
 mod screen;
 mod teacher;
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Context, anyhow, bail};
 use dobot_rules::StationClient;
 
 use self::lesson::Lesson;
-use self::teacher::Teacher;
+use self::teacher::{Settings, Teacher};
 use crate::connect::To;
 use crate::failure::Failure;
 use crate::output;
 use crate::pendant::{Drive, PadArgs, check_terminal};
-use crate::verbs::jog::with_keys;
+use crate::verbs::jog::{laser_seconds, with_keys};
 
 /// Show the arm a program with keys, try it, and save it
 #[derive(Debug, clap::Args)]
@@ -32,7 +32,7 @@ Jog with the keys of `dobot jog`, for as long as they are held; Space, Esc or s 
   Enter   teaches the point where the arm rests, and a step that goes there; m: its way, jump, movl or movj
   u j     the pump on or off, in the program too; t a pause of 0.5 s
   v       records the path that is jogged until v again: straight lines within the tolerance
-  , .     the step before or behind; < > move it; Del removes it; z undoes
+  , .     the step before or behind; < > move it; Del removes it; z undoes, Z redoes
   g l     run once, or again and again; h from this step on; n one step; p pauses, x ends
   w q     save, leave
 
@@ -46,6 +46,9 @@ pub(crate) struct Args {
     /// How far the steps of a recorded path may be from it, in millimetres from 0.05 to 20
     #[arg(long, value_name = "MM", default_value = "0.5", value_parser = tolerance)]
     tolerance: f64,
+    /// Let the laser be switched on for so many seconds when a program is run that burns: everybody's goggles are on
+    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    arm_laser: Option<Duration>,
     #[command(flatten)]
     pad: PadArgs,
     #[command(flatten)]
@@ -59,8 +62,13 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let lesson = read(&args.program)?;
     let file = args.program.clone();
+    let settings = Settings {
+        tolerance_mm: args.tolerance,
+        policy: args.to.policy()?,
+        arm_laser: args.arm_laser,
+    };
     let teach = async |station: &mut StationClient| {
-        let panel = |pendant| Teacher::new(pendant, lesson, file, args.tolerance);
+        let panel = |pendant| Teacher::new(pendant, lesson, file, settings);
         with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await
     };
     let status = args.to.with_arm("teach", teach).await?;

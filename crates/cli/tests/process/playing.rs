@@ -163,3 +163,63 @@ fn a_program_is_played_from_one_of_its_steps_on() {
     let beyond = dobot(&[&play[..], &["--from", "99"]].concat());
     beyond.fails(1, &["4 steps", "--from is 99"]);
 }
+
+/// The numbers of a file of the vendor's program, in their order.
+fn numbers(xml: &str) -> Vec<String> {
+    let text = xml.split(['<', '>']).skip(2).step_by(2);
+    text.filter(|it| it.trim().parse::<f64>().is_ok())
+        .map(|it| it.trim().to_owned())
+        .collect()
+}
+
+#[test]
+fn an_old_file_becomes_a_program_and_an_old_file_again_with_all_its_numbers() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let old =
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../teach/tests/data/PlayBackPoints.xml");
+    let (program, again) = (path("job.toml"), path("again.xml"));
+    dobot(&["convert", &old.display().to_string(), &program]).succeeds();
+    dobot(&["check", &program, "--schema"]).fails(2, &["--schema"]);
+    dobot(&["convert", &program, &again]).succeeds();
+    let read = |file: &str| std::fs::read_to_string(file).expect("it was written");
+    let old = numbers(&read(&old.display().to_string()));
+    assert!(old.len() > 20);
+    assert_eq!(numbers(&read(&again)), old);
+}
+
+#[test]
+fn a_file_that_is_there_is_written_over_only_when_that_is_asked_for() {
+    let file = InFile::new(CARRY);
+    let other = InFile::new("what was there");
+    let convert = ["convert", &file.path(), &other.path()];
+    dobot(&convert).fails(1, &["cannot write", "--force"]);
+    let text = || std::fs::read_to_string(other.path()).expect("it is there");
+    assert_eq!(text(), "what was there");
+    dobot(&[&convert[..], &["--force"]].concat()).succeeds();
+    dobot(&["check", &other.path()]).succeeds();
+}
+
+#[test]
+fn what_another_form_cannot_carry_is_told() {
+    let file = InFile::new(
+        "[[steps]]\ngo = { base = 0, rear = 40, fore = 40 }\nsuction = true\n[[steps]]\nwait = \"put a cube down\"\n",
+    );
+    let points = file.folder.path().join("points.xml").display().to_string();
+    let told = dobot(&["convert", &file.path(), &points]).succeeds().stderr;
+    assert!(
+        told.contains("warning: ") && told.contains("line 4"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_program_without_a_fault_is_told_with_its_times() {
+    let file = InFile::new(CARRY);
+    let report = &json(&["check", &file.path()])["report"];
+    assert_eq!(report["problems"], Value::Array(Vec::new()), "{report}");
+    assert!(number(&report["cycle_s"]) > 1.0, "{report}");
+    let schema = dobot(&["check", "--schema"]).succeeds().stdout;
+    let schema: Value = serde_json::from_str(&schema).expect("it is JSON");
+    assert!(schema["properties"]["steps"].is_object(), "{schema}");
+}

@@ -53,6 +53,12 @@ impl Arm {
         &self.policy
     }
 
+    pub(super) fn set_policy(&mut self, policy: Policy) {
+        self.session.set_ahead(seconds(policy.queue.ahead_s));
+        self.session.set_laser_may_stand(policy.laser.standing);
+        self.policy = policy;
+    }
+
     pub(super) const fn now(&self) -> Duration {
         self.now
     }

@@ -3,12 +3,13 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Reply, Request, Role};
+use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Packet};
 
-use super::Supervisor;
 use super::amend::amended;
 use super::commands::{button, understood};
 use super::lease::Change;
+use super::{Supervisor, still_moving};
 use crate::plain;
 use crate::refusal::Refusal;
 
@@ -86,6 +87,37 @@ impl Supervisor {
     /// [`Refusal::Role`].
     pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
         self.leases.check_role(client, request.role())
+    }
+
+    /// Puts another policy in place of the one that holds. What the arm was given was checked by that one, so it has to
+    /// be over; the laser is disarmed.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
+    /// on then.
+    pub fn handle_policy(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        policy: Policy,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        self.leases.check_role(client, Role::Admin)?;
+        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
+            return Err(Refusal::JobRunning(job.job));
+        }
+        self.detecting.check()?;
+        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
+            return Err(still_moving(self.rests_within()));
+        }
+        self.disarm_laser("the policy was changed");
+        self.arm.set_policy(policy);
+        let text = format!("{} changed the safety policy", self.client_name(client));
+        self.notify(News::PolicyChanged, text);
+        self.outbox.note_change();
+        self.pump();
+        Ok(())
     }
 
     /// Where a command would lead if it were sent now.

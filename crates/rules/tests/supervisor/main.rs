@@ -26,6 +26,7 @@ mod light;
 mod links;
 mod pauses;
 mod people;
+mod policies;
 mod programs;
 mod releases;
 mod stalls;

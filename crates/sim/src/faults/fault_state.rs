@@ -40,6 +40,38 @@ impl FaultState {
         }
     }
 
+    /// No faults yet.
+    pub(crate) fn none(power_up: PowerUp) -> Self {
+        Self {
+            schedule: FaultSchedule::new(&[], 0),
+            power_up,
+            zeros_deg: [0.0; 4],
+            before: Counted::default(),
+            has_port: true,
+        }
+    }
+
+    /// Ends what acts now; what is to happen to the arm by that comes with the time.
+    pub(crate) fn end_all(&mut self, now: Duration) {
+        self.schedule.end_all(now);
+    }
+
+    /// Puts other faults in place of those that are over, counted from now.
+    pub(crate) fn replace(
+        &mut self,
+        now: Duration,
+        controller: &Controller,
+        faults: &[Fault],
+        seed: u64,
+    ) {
+        let counted = self.counted(controller);
+        let faults: Vec<Fault> = faults
+            .iter()
+            .map(|it| it.counted_from(now, counted))
+            .collect();
+        self.schedule.replace(&faults, seed);
+    }
+
     /// Takes the passing of time; says what is to happen to the arm, if something is.
     pub(crate) fn handle_time(
         &mut self,

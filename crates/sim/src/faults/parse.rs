@@ -65,6 +65,14 @@ pub enum FaultError {
         /// What may stand there.
         allowed: &'static str,
     },
+    /// It cannot come while the arm is switched on.
+    #[error(
+        "fault `{fault}` has to be there when the arm is switched on: `dobot arm --fault {fault}`"
+    )]
+    NotNow {
+        /// The whole text.
+        fault: String,
+    },
     /// What stands behind `@` is not for this kind.
     #[error("fault `{fault}` does not say when as it should; {kind} allows {allowed}")]
     BadTime {

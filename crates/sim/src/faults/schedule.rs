@@ -7,7 +7,7 @@ use dobot_random::Random;
 
 use super::when::{FaultEnd, FaultMoment};
 use super::{Amount, Damage, Fault, FaultEffect, FaultKind, Struck, Tilt};
-use crate::{Mechanics, SerialLine};
+use crate::{Joint, Mechanics, SerialLine};
 
 /// All faults of a virtual arm, as an engine.
 ///
@@ -74,6 +74,33 @@ impl FaultSchedule {
             judged: [VecDeque::new(), VecDeque::new()],
             orders: VecDeque::new(),
             struck: VecDeque::new(),
+        }
+    }
+
+    /// Ends what acts now.
+    pub(crate) fn end_all(&mut self, now: Duration) {
+        for number in 0..self.entries.len() {
+            if self.entries[number].acts() {
+                self.end(number, now);
+            }
+        }
+    }
+
+    /// Puts other faults in place of these; bytes that were judged stay so.
+    pub(crate) fn replace(&mut self, faults: &[Fault], seed: u64) {
+        self.entries = Self::new(faults, seed).entries;
+    }
+
+    /// Makes the joints as slack as the faults say, and the others stiff.
+    pub(crate) fn fit_backlash(&self, machine: &mut Mechanics) {
+        let joints = [Joint::Base, Joint::Rear, Joint::Fore, Joint::Servo];
+        for joint in joints {
+            machine.set_backlash(joint, 0.0);
+        }
+        for entry in &self.entries {
+            if let FaultKind::Backlash { joint, deg } = entry.fault.kind {
+                machine.set_backlash(joint, deg);
+            }
         }
     }
 

@@ -58,6 +58,23 @@ impl FaultTime {
         self.begin == FaultMoment::Open || self.end == Some(FaultEnd::At(FaultMoment::Open))
     }
 
+    /// The same, where times, packets and statuses count from these on.
+    pub(crate) fn counted_from(&self, now: Duration, packets: u64, statuses: u64) -> Self {
+        let later = |moment| match moment {
+            FaultMoment::Time(at) => FaultMoment::Time(now + at),
+            FaultMoment::Packet(number) => FaultMoment::Packet(packets + number),
+            FaultMoment::Status(number) => FaultMoment::Status(statuses + number),
+            FaultMoment::Open => FaultMoment::Open,
+        };
+        Self {
+            begin: later(self.begin),
+            end: self.end.map(|end| match end {
+                FaultEnd::At(moment) => FaultEnd::At(later(moment)),
+                after @ FaultEnd::After(_) => after,
+            }),
+        }
+    }
+
     fn has_length(&self) -> bool {
         match (self.begin, self.end) {
             (_, Some(FaultEnd::After(lasts))) => !lasts.is_zero(),

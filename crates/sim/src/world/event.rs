@@ -3,10 +3,11 @@
 use std::fmt;
 
 use dobot_geometry::Point;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Something that happened, and when.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Happened {
     /// When, in seconds since power-up.
     pub at_s: f64,
@@ -16,8 +17,9 @@ pub struct Happened {
 }
 
 /// What may happen in a world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "event", rename_all = "snake_case")]
+#[schemars(rename = "WorldEvent")]
 #[non_exhaustive]
 pub enum Event {
     /// The tool has an object in its grip, and whatever stands on that.
@@ -63,12 +65,14 @@ pub enum Event {
         depth_mm: f64,
         /// Where.
         #[serde(with = "super::place::pair")]
+        #[schemars(with = "[f64; 2]")]
         at_mm: Point,
     },
     /// The laser burns on the spot: that sets paper on fire.
     BurnsOnTheSpot {
         /// Where.
         #[serde(with = "super::place::pair")]
+        #[schemars(with = "[f64; 2]")]
         at_mm: Point,
         /// For how long it has by now.
         time_s: f64,
@@ -77,6 +81,7 @@ pub enum Event {
     OffPaper {
         /// Where.
         #[serde(with = "super::place::pair")]
+        #[schemars(with = "[f64; 2]")]
         at_mm: Point,
     },
     /// A joint angle is not a number, or farther than ten turns: the arm stays where it was.

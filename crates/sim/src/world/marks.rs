@@ -1,6 +1,7 @@
 //! The marks of pen and laser.
 
 use dobot_geometry::Point;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::place::{rounded, rounded_place};
@@ -8,18 +9,21 @@ use super::tip::Tip;
 use super::track::{Track, length_mm};
 
 /// A line of ink.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "InkStroke")]
 pub struct Stroke {
     /// Where the pen went while it was down; a single point is a dot.
     #[serde(with = "super::place::pairs")]
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub points_mm: Vec<Point>,
 }
 
 /// A line that the laser burned at about one speed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Burn {
     /// Where the laser went.
     #[serde(with = "super::place::pairs")]
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub points_mm: Vec<Point>,
     /// With which power, in watts.
     pub power_w: f64,
@@ -28,10 +32,11 @@ pub struct Burn {
 }
 
 /// A hole that the laser burned while it stood.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hole {
     /// Where.
     #[serde(with = "super::place::pair")]
+    #[schemars(with = "[f64; 2]")]
     pub at_mm: Point,
     /// With which power, in watts.
     pub power_w: f64,

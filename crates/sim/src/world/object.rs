@@ -1,13 +1,15 @@
 //! Things that stand on the table.
 
 use dobot_geometry::Point;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::footprint::Footprint;
 use super::place::{rounded, rounded_place};
 
 /// A thing on the table, or in the grip of the tool.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "WorldObject")]
 pub struct Object {
     /// What it is called; no other object is.
     pub name: String,
@@ -19,6 +21,7 @@ pub struct Object {
     pub color: String,
     /// Where its middle is.
     #[serde(with = "super::place::pair")]
+    #[schemars(with = "[f64; 2]")]
     pub at_mm: Point,
     /// How it is turned about the vertical, counter-clockwise.
     pub turn_deg: f64,
@@ -27,7 +30,7 @@ pub struct Object {
 }
 
 /// The shapes of objects; all stand upright.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Shape {
     /// A box, by its sides along X, Y and Z before it is turned.

@@ -4,6 +4,7 @@ mod check;
 mod file;
 
 use dobot_geometry::Point;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -47,13 +48,15 @@ pub struct Scene {
 }
 
 /// A sheet of paper, with its sides along X and Y. It has no thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Paper {
     /// Its corner with the least X and Y.
     #[serde(with = "super::place::pair")]
+    #[schemars(with = "[f64; 2]")]
     pub from_mm: Point,
     /// Its corner with the largest X and Y.
     #[serde(with = "super::place::pair")]
+    #[schemars(with = "[f64; 2]")]
     pub to_mm: Point,
 }
 

@@ -1,12 +1,13 @@
 //! The state of a world: all that can be known of it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Burn, Happened, Hole, Object, Paper, Stroke, Tool};
 
 /// All that can be known of a world at a moment, to be kept, sent and drawn. Lengths are told to a
 /// thousandth of a millimetre.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct WorldState {
     /// The time, in seconds since power-up.
     pub time_s: f64,
@@ -36,7 +37,8 @@ pub struct WorldState {
 }
 
 /// Where an arm really is and what acts at its tool.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "TrueArm")]
 pub struct ArmState {
     /// Joint 1.
     pub base_deg: f64,

@@ -1,5 +1,6 @@
 //! The tool that is mounted at the end of the arm.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The tool of a scene.
@@ -7,7 +8,8 @@ use serde::{Deserialize, Serialize};
 /// Heights are measured where a person measures them: the arm is lowered until the tip touches the
 /// table, and the z that the arm tells then is `down_z_mm`. From there the height of the tip above
 /// the table is z less `down_z_mm`, wherever the wrist and the table really are.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "WorldTool")]
 pub struct Tool {
     /// Z of the wrist when the tip touches the table, in the base frame.
     pub down_z_mm: f64,
@@ -19,7 +21,7 @@ pub struct Tool {
 }
 
 /// The tools.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum ToolKind {
     /// A pen.

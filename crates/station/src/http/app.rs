@@ -1,11 +1,12 @@
 //! What all requests share.
 
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_rules::Handle;
+use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
@@ -23,6 +24,12 @@ pub(super) struct App {
     pub(super) without_token: Option<Role>,
     /// The names that the station goes by, besides its addresses.
     pub(super) names: Vec<String>,
+    /// Where the policy is kept.
+    pub(super) policy_file: PathBuf,
+    /// The station's own virtual arm, if the arm is that.
+    pub(super) virtual_arm: Option<OwnVirtualArm>,
+    /// What goes wrong with it, as it was asked for.
+    pub(super) faults: Mutex<Vec<String>>,
     pub(super) http_leases: HttpLeases,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
@@ -38,6 +45,8 @@ impl App {
         tokens: Tokens,
         without_token: Option<Role>,
         names: Vec<String>,
+        policy_file: PathBuf,
+        virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
         Arc::new(Self {
@@ -45,6 +54,9 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names,
+            policy_file,
+            virtual_arm,
+            faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),

@@ -7,12 +7,16 @@ use axum::extract::{FromRequestParts, Path, State};
 use axum::http::request::Parts;
 use axum::http::{HeaderName, Method, Uri};
 use axum::response::{IntoResponse, Response};
-use dobot_api::problem_kinds::{self, METHOD, ProblemKind, UNKNOWN_PATH};
-use dobot_api::{Notice, Reply, Request};
-use dobot_rules::{Client, is_plain};
+use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
+use dobot_api::{Notice, Reply, Request, Role};
+use dobot_rules::{Client, Refusal, is_plain};
+use dobot_safety::Policy;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-use super::answer::{NotDone, json};
+use super::answer::{Body, NotDone, json};
 use super::app::{App, Caller};
+use super::private;
 
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
@@ -44,6 +48,15 @@ impl FromRequestParts<Arc<App>> for Asker {
 }
 
 impl Asker {
+    /// Whether the caller may do more than watch.
+    pub(super) fn check_controls(&self) -> Result<(), Refusal> {
+        let (needed, found) = (Role::Control, self.caller.role);
+        if found < needed {
+            return Err(Refusal::Role { needed, found });
+        }
+        Ok(())
+    }
+
     /// Asks for something.
     pub(super) async fn ask(&self, request: Request) -> Result<Json<Reply>, NotDone> {
         let client = self.client().await?;
@@ -85,6 +98,48 @@ pub(super) async fn notices(State(app): State<Arc<App>>) -> Response {
 
 pub(super) async fn policy(State(app): State<Arc<App>>) -> Response {
     Json(&app.handle.rules().policy).into_response()
+}
+
+/// A text that is to be the policy.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PolicyText {
+    /// The TOML text, as `dobot policy` shows one.
+    text: String,
+    /// Only look whether it is one.
+    #[serde(default)]
+    check: bool,
+}
+
+/// The text of the policy that holds, with its comments where it came from a file.
+pub(super) async fn policy_text(State(app): State<Arc<App>>) -> Response {
+    let policy = &app.handle.rules().policy;
+    let kept = std::fs::read_to_string(&app.policy_file).ok();
+    let same = |text: &String| Policy::from_toml(text).is_ok_and(|it| it == *policy);
+    let text = kept.filter(same).unwrap_or_else(|| match policy {
+        it if *it == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
+        it => it.to_toml(),
+    });
+    text.into_response()
+}
+
+/// Puts another policy in place of the one that holds, and keeps it for the next start.
+pub(super) async fn set_policy(
+    asker: Asker,
+    Body(new): Body<PolicyText>,
+) -> Result<Json<Policy>, NotDone> {
+    let policy = Policy::from_toml(&new.text);
+    let policy = policy.map_err(|error| BAD_POLICY.problem(error.to_string()))?;
+    if new.check {
+        return Ok(Json(policy));
+    }
+    let client = asker.client().await?;
+    client.set_policy(policy.clone()).await?;
+    let file = &asker.app.policy_file;
+    private::write(file, &new.text).map_err(|error| {
+        POLICY_FILE.problem(format!("cannot write {}: {error}", file.display()))
+    })?;
+    Ok(Json(policy))
 }
 
 pub(super) async fn problem(

@@ -6,6 +6,8 @@ mod arm;
 mod jobs;
 mod leases;
 mod motion;
+mod programs;
+mod virtual_arm;
 mod watching;
 
 use std::sync::{Arc, LazyLock};
@@ -18,6 +20,7 @@ use dobot_api::problem_kinds::{
     NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
+pub(super) use self::virtual_arm::NewFaults;
 use super::app::App;
 use super::route::Route;
 use super::{auth, calls, page};
@@ -52,6 +55,8 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         leases::all(),
         arm::all(),
         jobs::all(),
+        programs::all(),
+        virtual_arm::all(),
     ]
     .concat()
 });

@@ -5,7 +5,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
 use dobot_api::{Folders, Role, Running, RunningError};
-use dobot_rules::Handle;
+use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
@@ -17,7 +17,7 @@ use super::tokens::{Tokens, TokensError};
 use crate::TlsFiles;
 
 /// How page and API are served.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Web {
     /// Where; port 0 takes a free one.
     pub address: SocketAddr,
@@ -28,6 +28,10 @@ pub struct Web {
     pub names: Vec<String>,
     /// What those on loopback may do who come without a token; elsewhere nobody may do anything.
     pub without_token: Option<Role>,
+    /// Where a policy is kept that a client puts in place.
+    pub policy_file: PathBuf,
+    /// The station's own virtual arm, if the arm is that.
+    pub virtual_arm: Option<OwnVirtualArm>,
     /// Where tokens and the own certificate are, and where the station says that it runs.
     pub folders: Folders,
 }
@@ -35,12 +39,14 @@ pub struct Web {
 impl Web {
     /// Without TLS on loopback, where everyone may do everything; with TLS and tokens elsewhere.
     #[must_use]
-    pub const fn new(address: SocketAddr, folders: Folders) -> Self {
+    pub fn new(address: SocketAddr, folders: Folders) -> Self {
         Self {
             address,
             tls: None,
             names: Vec::new(),
             without_token: Some(Role::Admin),
+            policy_file: folders.policy(),
+            virtual_arm: None,
             folders,
         }
     }
@@ -93,7 +99,15 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
     running.write(&file)?;
     let (ends, ending) = watch::channel(false);
     let without_token = web.without_token.filter(|_| web.is_near());
-    let app = App::new(handle, tokens, without_token, web.names.clone(), ending);
+    let app = App::new(
+        handle,
+        tokens,
+        without_token,
+        web.names.clone(),
+        web.policy_file.clone(),
+        web.virtual_arm.clone(),
+        ending,
+    );
     let tls = certificate.map(|it| it.acceptor);
     Ok(Served {
         address,

@@ -12,6 +12,9 @@ use serde::de::{
 };
 use serde_json::Value;
 
+use super::programs::EditProgram;
+use super::routes::NewFaults;
+
 /// Reads a body or a message.
 ///
 /// # Errors
@@ -120,6 +123,8 @@ struct Plain {
 static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut lists = Vec::new();
     collect_lists(schema_for!(FromClient).as_value(), &mut lists);
+    collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
+    collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
     lists
 });
 
@@ -128,13 +133,27 @@ fn collect_lists(schema: &Value, lists: &mut Vec<String>) {
     let named = fields.into_iter().flatten();
     lists.extend(
         named
-            .filter(|(_, field)| field.get("type").is_some_and(|it| it == "array"))
+            .filter(|(_, field)| may_be_list(field))
             .map(|(name, _)| name.clone()),
     );
     match schema {
         Value::Object(parts) => parts.values().for_each(|it| collect_lists(it, lists)),
         Value::Array(parts) => parts.iter().for_each(|it| collect_lists(it, lists)),
         _ => {}
+    }
+}
+
+/// Whether a schema allows a list, on its own or as one of several.
+fn may_be_list(schema: &Value) -> bool {
+    let is_list = |name: &Value| name == "array";
+    match schema.get("type") {
+        Some(Value::Array(types)) => types.iter().any(is_list),
+        Some(name) => is_list(name),
+        None => {
+            let choices = ["anyOf", "oneOf"].iter().filter_map(|it| schema.get(it));
+            let mut choices = choices.filter_map(Value::as_array).flatten();
+            choices.any(may_be_list)
+        }
     }
 }
 

@@ -6,10 +6,13 @@ mod attacks;
 mod bad_input;
 mod document;
 mod leases;
+mod policies;
+mod programs;
 mod routes;
 mod schema;
 mod served;
 mod sockets;
+mod virtual_arms;
 
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -19,6 +22,9 @@ use axum::body::{Body, to_bytes};
 use axum::http::request::Builder;
 use axum::http::{HeaderMap, Request, StatusCode};
 use dobot_api::{Request as Wish, Role};
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_rules::OwnVirtualArm;
+use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
@@ -70,6 +76,8 @@ impl Harness {
             tokens,
             without_token,
             vec!["arm.local".into()],
+            folder.path().join("policy.toml"),
+            Some(own_virtual_arm()),
             ending,
         );
         let to: SocketAddr = to.parse().unwrap();
@@ -147,6 +155,15 @@ impl Harness {
 
     fn asked(&self) -> Vec<Wish> {
         self.asked.requests()
+    }
+}
+
+fn own_virtual_arm() -> OwnVirtualArm {
+    let power_up = PowerUp::new(Personality::Specification);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    OwnVirtualArm {
+        arm: InProcess::new(arm),
+        power_up,
     }
 }
 

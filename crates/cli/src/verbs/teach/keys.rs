@@ -23,6 +23,8 @@ pub(crate) enum TeachKey {
     Remove,
     /// What the last key changed is taken back.
     Undo,
+    /// What was taken back is changed again.
+    Redo,
     /// A pause.
     Pause,
     /// The recording of the jogged path begins or ends.
@@ -62,6 +64,7 @@ pub(crate) fn teach_key(key: &KeyEvent) -> Option<TeachKey> {
 
 fn letter_key(letter: char) -> Option<TeachKey> {
     Some(match letter.to_ascii_lowercase() {
+        'z' if letter == 'Z' => TeachKey::Redo,
         'm' => TeachKey::NextPath,
         ',' => TeachKey::Cursor { down: false },
         '.' => TeachKey::Cursor { down: true },

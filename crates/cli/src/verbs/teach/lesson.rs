@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
+use dobot_safety::Policy;
 use dobot_teach::{
-    Action, Compiled, Files, Go, Here, Place as ProgramPlace, Point, Program, ProgramDocument,
-    ProgramError, Steps, Times,
+    Action, Compiled, Files, Go, Here, Point, Problem, Program, ProgramDocument, ProgramError,
+    RecordedPlace, Steps, Times, ToolState, check, path_steps,
 };
-use dobot_wire::MovingMode;
-
-use super::recording::Place;
+use dobot_trajectory::Model;
+use dobot_wire::{Dialect, MovingMode, Status};
 
 /// A program, and the step at which it is being taught.
 #[derive(Debug)]
@@ -19,6 +19,7 @@ pub(crate) struct Lesson {
     document: Option<ProgramDocument>,
     cursor: usize,
     done: Vec<Done>,
+    undone: Vec<Undone>,
     saved: String,
 }
 
@@ -27,6 +28,17 @@ pub(crate) struct Lesson {
 struct Done {
     /// How many changes of the text that were; none where it began the program.
     changes: usize,
+    /// Where the cursor was.
+    cursor: usize,
+}
+
+/// What was taken back last.
+#[derive(Clone, Debug)]
+struct Undone {
+    /// How many changes of the text that were.
+    changes: usize,
+    /// The program, where it had begun with that.
+    begun: Option<ProgramDocument>,
     /// Where the cursor was.
     cursor: usize,
 }
@@ -50,6 +62,7 @@ impl Lesson {
             document: None,
             cursor: 0,
             done: Vec::new(),
+            undone: Vec::new(),
             saved: String::new(),
         }
     }
@@ -110,7 +123,7 @@ impl Lesson {
     /// Teaches where the arm is: a point, and a step that goes there. Gives the point's name.
     pub(crate) fn capture(
         &mut self,
-        place: &Place,
+        place: &RecordedPlace,
         path: MovingMode,
     ) -> Result<String, ProgramError> {
         let name = self.free_name();
@@ -120,12 +133,12 @@ impl Lesson {
             ..Go::to(name.as_str())
         };
         if self.document.is_none() {
-            let points = BTreeMap::from([(name.clone(), point(place))]);
+            let points = BTreeMap::from([(name.clone(), place.point())]);
             self.begin(points, vec![Action::Go(go)])?;
             return Ok(name);
         }
         self.change(|document, at| {
-            document.set_point(&name, &point(place))?;
+            document.set_point(&name, &place.point())?;
             document.insert(at, Action::Go(go))?;
             Ok(Edited {
                 changes: 2,
@@ -136,18 +149,8 @@ impl Lesson {
     }
 
     /// Teaches a path that was jogged: straight lines through its places.
-    pub(crate) fn add_path(&mut self, places: &[Place]) -> Result<(), ProgramError> {
-        let mut before = self.tool_before();
-        let mut actions = Vec::new();
-        for place in places {
-            let then = before.changes_to(place);
-            before = before.after(then);
-            actions.push(Action::Go(Go {
-                path: MovingMode::MovL,
-                then,
-                ..Go::to(ProgramPlace::At(point(place)))
-            }));
-        }
+    pub(crate) fn add_path(&mut self, places: &[RecordedPlace]) -> Result<(), ProgramError> {
+        let actions = path_steps(places, self.tool_before());
         if self.document.is_none() {
             return self.begin(BTreeMap::new(), actions);
         }
@@ -219,28 +222,56 @@ impl Lesson {
         let Some(done) = self.done.pop() else {
             return false;
         };
-        match (&mut self.document, done.changes) {
-            (document, 0) => *document = None,
-            (Some(document), changes) => {
-                for _ in 0..changes {
-                    document.undo();
-                }
+        let begun = self.document.take_if(|_| done.changes == 0);
+        if let Some(document) = &mut self.document {
+            for _ in 0..done.changes {
+                document.undo();
             }
-            (None, _) => {}
         }
+        self.undone.push(Undone {
+            changes: done.changes,
+            begun,
+            cursor: self.cursor,
+        });
         self.cursor = done.cursor;
         true
     }
 
-    /// The job of a part of it; `files` gives the programs that it calls and its drawings.
+    /// Makes again what was taken back last; `false` where there is nothing.
+    pub(crate) fn redo(&mut self) -> bool {
+        let Some(undone) = self.undone.pop() else {
+            return false;
+        };
+        self.document = self.document.take().or(undone.begun);
+        if let Some(document) = &mut self.document {
+            for _ in 0..undone.changes {
+                document.redo();
+            }
+        }
+        self.done.push(Done {
+            changes: undone.changes,
+            cursor: self.cursor,
+        });
+        self.cursor = undone.cursor;
+        true
+    }
+
+    /// The job of a part of it; `files` gives the programs that it calls and its drawings. The cursor goes to a step
+    /// that cannot be done.
     ///
     /// # Errors
     ///
     /// Why it cannot be run, in one line.
-    pub(crate) fn job(&self, part: Part, files: &mut dyn Files) -> Result<NewJob, String> {
+    pub(crate) fn job(
+        &mut self,
+        part: Part,
+        files: &mut dyn Files,
+        policy: &Policy,
+        dialect: Dialect,
+    ) -> Result<NewJob, String> {
         let program = self.program().ok_or("there is no step yet")?;
         let compiled = match part {
-            Part::Loop => compile(&looped(program), files)?,
+            Part::Loop => compile(&looped(program.clone()), files)?,
             Part::All => compile(&program, files)?,
             Part::FromHere => {
                 let line = program
@@ -256,7 +287,18 @@ impl Lesson {
                 rest.ok_or("nothing is done from this step on")?
             }
         };
-        let mut job = compiled.job(LIFT_MM);
+        let report = check(&compiled, policy, Model::new(dialect, &Status::AT_ZERO));
+        if let Some(first) = report.problems.first() {
+            let own = program.steps.0.iter();
+            let mut lines = own.map(|it| program.line_of(it));
+            if first.file.is_none()
+                && let Some(at) = lines.rposition(|line| line <= first.line)
+            {
+                self.cursor = at;
+            }
+            return Err(told(first, report.problems.len() - 1));
+        }
+        let mut job = compiled.job();
         if job.title.is_empty() {
             job.title.push_str("a taught program");
         }
@@ -280,7 +322,7 @@ impl Lesson {
         points: BTreeMap<String, Point>,
         actions: Vec<Action>,
     ) -> Result<(), ProgramError> {
-        let mut program = program_of(actions.clone());
+        let mut program = Program::new(actions.clone());
         program.title.clone_from(&self.title);
         if !points.is_empty() {
             // No step may name a point that is not there yet.
@@ -299,6 +341,7 @@ impl Lesson {
             }
         }
         self.document = Some(document);
+        self.undone.clear();
         self.done.push(Done {
             changes: 0,
             cursor: 0,
@@ -329,6 +372,7 @@ impl Lesson {
         let mut edited = document.clone();
         let Edited { changes, cursor } = edit(&mut edited, behind)?;
         *document = edited;
+        self.undone.clear();
         self.done.push(Done {
             changes,
             cursor: self.cursor,
@@ -345,7 +389,7 @@ impl Lesson {
         free.next().unwrap_or_default()
     }
 
-    fn changed_tool(&self, place: &Place) -> Here {
+    fn changed_tool(&self, place: &RecordedPlace) -> Here {
         self.tool_before().changes_to(place)
     }
 
@@ -353,12 +397,7 @@ impl Lesson {
     fn tool_before(&self) -> ToolState {
         let steps = self.steps();
         let until = (self.cursor + 1).min(steps.0.len());
-        let thens = steps.0[..until].iter().filter_map(|it| match it.get_ref() {
-            Action::Go(go) => Some(go.then),
-            Action::Here(here) => Some(*here),
-            _ => None,
-        });
-        thens.fold(ToolState::default(), ToolState::after)
+        ToolState::behind(&steps.0[..until])
     }
 }
 
@@ -366,32 +405,6 @@ impl Lesson {
 struct Edited {
     changes: usize,
     cursor: usize,
-}
-
-/// What the tool does at some place of a program.
-#[derive(Clone, Copy, Debug, Default)]
-struct ToolState {
-    suction: bool,
-    gripper_deg: f64,
-}
-
-impl ToolState {
-    fn after(self, here: Here) -> Self {
-        Self {
-            suction: here.suction.unwrap_or(self.suction),
-            gripper_deg: here.gripper.unwrap_or(self.gripper_deg),
-        }
-    }
-
-    /// What has to be said so that the tool does as at a place.
-    fn changes_to(self, place: &Place) -> Here {
-        let gripper = rounded(place.gripper_deg, 10.0);
-        Here {
-            suction: Some(place.suction).filter(|it| *it != self.suction),
-            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
-            pause: None,
-        }
-    }
 }
 
 /// All of a program again and again.
@@ -409,10 +422,19 @@ fn looped(mut program: Program) -> Program {
     program
 }
 
-fn program_of(actions: Vec<Action>) -> Program {
-    let mut program = Program::default();
-    program.steps = Steps::new(actions);
-    program
+/// The first problem, and how many there are besides.
+fn told(first: &Problem, more: usize) -> String {
+    let Problem {
+        step,
+        message,
+        remedy,
+        ..
+    } = first;
+    let text = format!("step {step}: {message}; {remedy}");
+    match more {
+        0 => text,
+        more => format!("{text} (and {more} more: `dobot check` lists them)"),
+    }
 }
 
 fn compile(program: &Program, files: &mut dyn Files) -> Result<Compiled, String> {
@@ -427,23 +449,9 @@ fn nothing_yet() -> ProgramError {
     }
 }
 
-/// To a hundredth of a millimetre and of a degree, which is finer than an arm goes.
-fn point(place: &Place) -> Point {
-    Point::Cartesian {
-        position: place.point_mm.map(|it| rounded(it, 100.0)),
-        rotation: Some(rounded(place.rotation_deg, 100.0)).filter(|it| *it != 0.0),
-        frame: None,
-    }
-}
-
-/// Without a negative zero.
-fn rounded(number: f64, parts: f64) -> f64 {
-    (number * parts).round() / parts + 0.0
-}
-
 /// `go = "p1", path = "movl"`
 fn line(action: &Action) -> String {
-    let text = program_of(vec![action.clone()]).to_toml();
+    let text = Program::new(vec![action.clone()]).to_toml();
     let lines = text.lines().map(str::trim);
     let lines: Vec<&str> = lines
         .filter(|it| !it.is_empty() && *it != "[[steps]]")
@@ -458,8 +466,6 @@ const WAIT: Here = Here {
     gripper: None,
     pause: Some(GRIP_S),
 };
-/// How far the tool is lifted while the job is paused, in mm: it stays where it is, for it may hold something.
-const LIFT_MM: f32 = 0.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
@@ -469,8 +475,8 @@ mod tests {
 
     use super::*;
 
-    fn place(x: f64, suction: bool) -> Place {
-        Place {
+    fn place(x: f64, suction: bool) -> RecordedPlace {
+        RecordedPlace {
             point_mm: [x, 0.0, 10.0],
             rotation_deg: 0.0,
             suction,
@@ -573,17 +579,75 @@ mod tests {
     fn a_part_of_the_program_is_run_from_the_cursor_on() {
         let mut it = pick_and_place();
         it.move_cursor(false);
-        let rest = it.job(Part::FromHere, &mut NoFiles).unwrap();
+        let rest = it
+            .job(
+                Part::FromHere,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(targets(&rest).first(), Some(&250.0));
-        let all = it.job(Part::All, &mut NoFiles).unwrap();
+        let all = it
+            .job(
+                Part::All,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(targets(&all).first(), Some(&200.0));
         assert_eq!(all.program.repeat, None);
-        let looped = it.job(Part::Loop, &mut NoFiles).unwrap();
+        let looped = it
+            .job(
+                Part::Loop,
+                &mut NoFiles,
+                &Policy::default(),
+                Dialect::SPECIFICATION,
+            )
+            .unwrap();
         assert_eq!(looped.program.repeat.map(|it| it.times), Some(None));
         assert!(
             Lesson::new(String::new())
-                .job(Part::All, &mut NoFiles)
+                .job(
+                    Part::All,
+                    &mut NoFiles,
+                    &Policy::default(),
+                    Dialect::SPECIFICATION
+                )
                 .is_err()
         );
+    }
+
+    #[test]
+    fn what_was_undone_is_made_again_until_something_else_is_taught() {
+        let mut it = Lesson::new("t".into());
+        assert!(!it.redo());
+        it.capture(&place(200.0, false), MovingMode::Jump).unwrap();
+        it.capture(&place(210.0, true), MovingMode::MovL).unwrap();
+        let (text, cursor) = (it.text(), it.cursor());
+        while it.undo() {}
+        assert_eq!(it.text(), "");
+        while it.redo() {}
+        assert_eq!((it.text(), it.cursor()), (text.clone(), cursor));
+        while it.undo() {}
+        it.capture(&place(220.0, false), MovingMode::Jump).unwrap();
+        assert!(!it.redo());
+        assert_ne!(it.text(), text);
+    }
+
+    #[test]
+    fn a_step_that_cannot_be_done_is_told_before_anything_runs_and_the_cursor_goes_there() {
+        let mut it = Lesson::new("t".into());
+        for x in [200.0, 900.0, 210.0] {
+            it.capture(&place(x, false), MovingMode::MovL).unwrap();
+        }
+        let (policy, dialect) = (Policy::default(), Dialect::SPECIFICATION);
+        for part in [Part::All, Part::Loop] {
+            it.move_cursor(true);
+            let why = it.job(part, &mut NoFiles, &policy, dialect).unwrap_err();
+            assert!(why.starts_with("step 2: "), "{why}");
+            assert_eq!(it.cursor(), 1);
+        }
     }
 }

@@ -83,7 +83,7 @@ fn keys_of(it: &Teacher) -> Vec<Line<'static>> {
             (", .", "step"),
             ("< >", "move it"),
             ("Del", "remove"),
-            ("z", "undo"),
+            ("z Z", "undo, redo"),
         ]),
         key_line(&[
             ("g", "run"),

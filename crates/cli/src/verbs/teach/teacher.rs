@@ -4,14 +4,15 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
-use dobot_api::{ArmView, JobPhase, JobView, Reply, Request, State};
-use dobot_teach::ProgramError;
+use dobot_api::{ArmView, JobPhase, JobView, NewJob, Reply, Request, State};
+use dobot_safety::Policy;
+use dobot_teach::{ProgramError, RecordedPlace, simplified};
+use dobot_trajectory::burns;
 use dobot_wire::{Dialect, MovingMode};
 use ratatui::Frame;
 
 use super::keys::{TeachKey, teach_key};
 use super::lesson::{Lesson, Part};
-use super::recording::{Place, simplified};
 use super::screen;
 use crate::pendant::{Panel, Pendant};
 use crate::program_file::FilesBeside;
@@ -23,9 +24,9 @@ pub(crate) struct Teacher {
     pub(super) lesson: Lesson,
     pub(super) path: MovingMode,
     pub(super) file: PathBuf,
-    tolerance_mm: f64,
-    recording: Option<Vec<Place>>,
-    captured: Option<Place>,
+    settings: Settings,
+    recording: Option<Vec<RecordedPlace>>,
+    captured: Option<RecordedPlace>,
     job: Option<Taught>,
     /// What is done with the job that was submitted, once the station has told its number.
     submitting: Option<JobStart>,
@@ -35,6 +36,17 @@ pub(crate) struct Teacher {
     tries: u8,
     is_saving: bool,
     leaves_unsaved: bool,
+}
+
+/// What a person has said before.
+#[derive(Debug)]
+pub(crate) struct Settings {
+    /// How far the steps of a jogged path may be from it, in millimetres.
+    pub(crate) tolerance_mm: f64,
+    /// What the program may do.
+    pub(crate) policy: Policy,
+    /// For how long the laser may be on when a program is run that burns.
+    pub(crate) arm_laser: Option<Duration>,
 }
 
 /// The job of a program, and of which text it was made.
@@ -54,20 +66,19 @@ enum JobStart {
 }
 
 impl Teacher {
-    /// Teaches a program that stands, or will stand, in a file. A jogged path is kept within
-    /// `tolerance_mm`.
+    /// Teaches a program that stands, or will stand, in a file.
     pub(crate) const fn new(
         pendant: Pendant,
         lesson: Lesson,
         file: PathBuf,
-        tolerance_mm: f64,
+        settings: Settings,
     ) -> Self {
         Self {
             pendant,
             lesson,
             path: MovingMode::Jump,
             file,
-            tolerance_mm,
+            settings,
             recording: None,
             captured: None,
             job: None,
@@ -108,6 +119,7 @@ impl Teacher {
                 self.tell_error(done);
             }
             TeachKey::Undo => self.undo(),
+            TeachKey::Redo => self.redo(),
             TeachKey::Pause => {
                 let done = self.lesson.pause();
                 self.tell_error(done);
@@ -126,7 +138,7 @@ impl Teacher {
     }
 
     /// Where the arm rests, if that is known for sure.
-    fn place(&self) -> Result<Place, String> {
+    fn place(&self) -> Result<RecordedPlace, String> {
         let state = self.pendant.state().ok_or("the arm has not told yet")?;
         if !state.trust.trusted {
             return Err(
@@ -135,13 +147,13 @@ impl Teacher {
         }
         match &state.arm {
             Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
-            Some(arm) => Ok(Place::of(&arm.status)),
+            Some(arm) => Ok(RecordedPlace::of(&arm.status)),
             None => Err("the arm has not told yet".into()),
         }
     }
 
     /// Enter that is held repeats: a place is taught once, until another key is pressed.
-    fn capture(&mut self, before: Option<Place>) {
+    fn capture(&mut self, before: Option<RecordedPlace>) {
         let place = match self.place() {
             Ok(place) => place,
             Err(why) => return self.pendant.tell(format!("not taught: {why}")),
@@ -161,6 +173,12 @@ impl Teacher {
         }
     }
 
+    fn redo(&mut self) {
+        if !self.lesson.redo() {
+            self.pendant.tell("there is nothing to redo".into());
+        }
+    }
+
     fn record(&mut self) {
         let Some(places) = self.recording.take() else {
             self.recording = Some(Vec::new());
@@ -168,7 +186,7 @@ impl Teacher {
                 .pendant
                 .tell("the path is recorded: jog, then v again".into());
         };
-        let kept = simplified(&places, self.tolerance_mm);
+        let kept = simplified(&places, self.settings.tolerance_mm);
         if kept.len() < 2 {
             return self
                 .pendant
@@ -178,7 +196,7 @@ impl Teacher {
             "{} places became {} steps, within {} mm",
             places.len(),
             kept.len(),
-            self.tolerance_mm
+            self.settings.tolerance_mm
         );
         match self.lesson.add_path(&kept) {
             Ok(()) => self.pendant.tell(text),
@@ -212,15 +230,35 @@ impl Teacher {
             self.pendant.ask(Request::CancelJob { job: own.job });
         }
         let dialect = self.pendant.state().and_then(|it| it.dialect);
-        let mut files = FilesBeside::new(&self.file, dialect.unwrap_or(Dialect::SPECIFICATION));
-        match self.lesson.job(part, &mut files) {
+        let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
+        let mut files = FilesBeside::new(&self.file, dialect);
+        let Settings { policy, .. } = &self.settings;
+        match self.lesson.job(part, &mut files, policy, dialect) {
             Ok(job) => {
+                if !self.arm_laser(&job) {
+                    return;
+                }
                 self.job = None;
                 self.submitting = Some(start);
                 self.pendant.ask(Request::SubmitJob { job });
             }
             Err(why) => self.pendant.tell(format!("not run: {why}")),
         }
+    }
+
+    /// Has the laser armed for a program that burns; says whether the program may run.
+    fn arm_laser(&mut self, job: &NewJob) -> bool {
+        if !job.commands.iter().any(burns) {
+            return true;
+        }
+        let Some(for_s) = self.settings.arm_laser.map(|it| it.as_secs_f64()) else {
+            self.pendant.tell(
+                "not run: it burns. Leave, and teach with --arm-laser SECONDS: everybody's goggles are on".into(),
+            );
+            return false;
+        };
+        self.pendant.ask(Request::ArmLaser { for_s });
+        true
     }
 
     fn cancel(&mut self) {
@@ -271,7 +309,7 @@ impl Panel for Teacher {
 
     fn handle_state(&mut self, state: State) {
         if let (Some(places), Some(arm)) = (&mut self.recording, &state.arm) {
-            let place = Place::of(&arm.status);
+            let place = RecordedPlace::of(&arm.status);
             if places.last() != Some(&place) && places.len() < MOST_PLACES {
                 places.push(place);
             }
@@ -381,7 +419,12 @@ mod tests {
     fn teacher() -> Teacher {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(1), KeyReports::Presses, dead_man, Drive::Jog);
-        let mut it = Teacher::new(pendant, Lesson::new("t".into()), "t.toml".into(), 0.5);
+        let settings = Settings {
+            tolerance_mm: 0.5,
+            policy: Policy::default(),
+            arm_laser: None,
+        };
+        let mut it = Teacher::new(pendant, Lesson::new("t".into()), "t.toml".into(), settings);
         it.handle_state(state());
         it
     }
@@ -527,5 +570,23 @@ mod tests {
         keyed(&mut it, KeyCode::Enter);
         let asked = keyed(&mut it, KeyCode::Char(' '));
         assert!(matches!(asked[..], [Request::Stop { .. }]), "{asked:?}");
+    }
+
+    #[test]
+    fn a_program_that_burns_runs_only_where_the_goggles_are_on_and_the_laser_is_armed_first() {
+        let text = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n[[steps]]\nlaser = true\n[[steps]]\nlaser = false\n";
+        let mut it = teacher();
+        it.settings.policy.laser.standing = true;
+        it.lesson = Lesson::of_text(text).unwrap();
+        assert_eq!(keyed(&mut it, KeyCode::Char('g')), []);
+        it.settings.arm_laser = Some(Duration::from_secs(60));
+        let wanted = keyed(&mut it, KeyCode::Char('g'));
+        assert!(
+            matches!(
+                &wanted[..],
+                [Request::ArmLaser { for_s: 60.0 }, Request::SubmitJob { .. }]
+            ),
+            "{wanted:?}"
+        );
     }
 }

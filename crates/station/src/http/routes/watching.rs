@@ -1,14 +1,17 @@
 //! What everyone may see: the document, the state of the arm.
 
 use dobot_api::problem_kinds::{
-    ENDING, MALFORMED, ProblemKind, TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
+    BAD_POLICY, DETECTING, ENDING, JOB_RUNNING, MALFORMED, POLICY_FILE, ProblemKind, STILL_MOVING,
+    TOO_MANY_CLIENTS, UNKNOWN_PATH, UPGRADE,
 };
 use dobot_api::{Notice, State};
 use dobot_safety::Policy;
 
+use super::super::answer::Body;
+use super::super::calls::PolicyText;
 use super::super::route::Route;
 use super::super::{calls, socket};
-use super::GET;
+use super::{GET, PUT};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
@@ -50,6 +53,24 @@ pub(super) fn all() -> Vec<Route> {
             calls::policy,
         )
         .gives::<Policy>(200, "the policy"),
+        Route::new(
+            GET,
+            "/api/v1/policy/text",
+            "The safety policy as a TOML text, with its comments where it came from a file",
+            calls::policy_text,
+        )
+        .gives_text(200, "text/plain; charset=utf-8", "the text"),
+        Route::new(
+            PUT,
+            "/api/v1/policy",
+            "Puts another safety policy in place of the one that holds, and keeps it for the next start; \
+                nothing may be under way. With `check` it only looks whether the text is a policy",
+            calls::set_policy,
+        )
+        .brings::<Body<PolicyText>>()
+        .example(r#"{"text": "[table]\nz_mm = -60\n", "check": true}"#)
+        .gives::<Policy>(200, "the policy")
+        .problems(&[BAD_POLICY, JOB_RUNNING, DETECTING, STILL_MOVING, POLICY_FILE]),
         Route::new(
             GET,
             "/api/v1/ws",

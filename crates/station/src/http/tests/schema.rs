@@ -3,31 +3,46 @@
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 
-/// Values that a schema of the document allows.
+/// Values that a schema of the document allows; what stands in itself stands there once.
 pub(super) fn instance(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
-    if let Some(target) = reference(document, schema) {
-        return instance(document, target);
-    }
-    if let Some(constant) = schema.get("const") {
-        return Just(constant.clone()).boxed();
-    }
-    if let Some(values) = schema["enum"].as_array() {
-        return prop::sample::select(values.clone()).boxed();
-    }
-    if let Some(choices) = choices(schema) {
-        let strategies: Vec<_> = choices.iter().map(|it| instance(document, it)).collect();
-        return proptest::strategy::Union::new(strategies).boxed();
-    }
-    let types: Vec<_> = types(schema).into_iter().map(str::to_owned).collect();
-    let strategies: Vec<_> = types
-        .iter()
-        .map(|it| of_type(document, schema, it))
-        .collect();
-    proptest::strategy::Union::new(strategies).boxed()
+    within(document, schema, &[]).expect("a value need not stand in itself")
 }
 
-fn of_type(document: &Value, schema: &Value, name: &str) -> BoxedStrategy<Value> {
-    match name {
+/// The same within schemas that were referred to; nothing where it would be within itself.
+fn within(document: &Value, schema: &Value, outer: &[&str]) -> Option<BoxedStrategy<Value>> {
+    if let Some(target) = reference(document, schema) {
+        let name = schema["$ref"].as_str()?;
+        let inner = [outer, &[name]].concat();
+        return (!outer.contains(&name))
+            .then(|| within(document, target, &inner))
+            .flatten();
+    }
+    if let Some(constant) = schema.get("const") {
+        return Some(Just(constant.clone()).boxed());
+    }
+    if let Some(values) = schema["enum"].as_array() {
+        return Some(prop::sample::select(values.clone()).boxed());
+    }
+    let strategies: Vec<_> = match choices(schema) {
+        Some(choices) => choices
+            .iter()
+            .filter_map(|it| within(document, it, outer))
+            .collect(),
+        None => types(schema)
+            .iter()
+            .filter_map(|it| of_type(document, schema, it, outer))
+            .collect(),
+    };
+    (!strategies.is_empty()).then(|| proptest::strategy::Union::new(strategies).boxed())
+}
+
+fn of_type(
+    document: &Value,
+    schema: &Value,
+    name: &str,
+    outer: &[&str],
+) -> Option<BoxedStrategy<Value>> {
+    Some(match name {
         "null" => Just(Value::Null).boxed(),
         "boolean" => any::<bool>().prop_map(Value::from).boxed(),
         "integer" => (0_u64..1_000_000).prop_map(Value::from).boxed(),
@@ -36,39 +51,36 @@ fn of_type(document: &Value, schema: &Value, name: &str) -> BoxedStrategy<Value>
             .boxed(),
         "string" => "[a-z][a-z ]{0,20}".prop_map(Value::from).boxed(),
         "array" => {
-            let items = instance(document, &schema["items"]);
+            let items = within(document, &schema["items"], outer)?;
             prop::collection::vec(items, 1..3)
                 .prop_map(Value::from)
                 .boxed()
         }
-        "object" => object(document, schema),
+        "object" => object(document, schema, outer)?,
         other => panic!("no value of type {other}"),
-    }
+    })
 }
 
-fn object(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
+fn object(document: &Value, schema: &Value, outer: &[&str]) -> Option<BoxedStrategy<Value>> {
     let no_fields = Map::new();
     let fields = schema["properties"].as_object().unwrap_or(&no_fields);
-    let strategies: Vec<_> = fields
-        .iter()
-        .map(|(name, field)| {
-            let field = instance(document, field);
-            let field = if requires(schema, name) {
-                field.prop_map(Some).boxed()
-            } else {
-                prop::option::of(field).boxed()
-            };
-            (Just(name.clone()), field)
-        })
-        .collect();
-    strategies
-        .prop_map(|fields| {
-            fields
-                .into_iter()
-                .filter_map(|(name, value)| Some((name, value?)))
-                .collect()
-        })
-        .boxed()
+    let mut strategies = Vec::new();
+    for (name, field) in fields {
+        let value = match within(document, field, outer) {
+            Some(value) if requires(schema, name) => value.prop_map(Some).boxed(),
+            Some(value) => prop::option::of(value).boxed(),
+            None if requires(schema, name) => return None,
+            None => continue,
+        };
+        strategies.push((Just(name.clone()), value));
+    }
+    let named = strategies.prop_map(|fields| {
+        fields
+            .into_iter()
+            .filter_map(|(name, value)| Some((name, value?)))
+            .collect()
+    });
+    Some(named.boxed())
 }
 
 /// Whether a schema allows a value, as far as types, fields and choices go; `closely` with lengths
@@ -110,10 +122,11 @@ fn has_fields(document: &Value, schema: &Value, value: &Value, closely: bool) ->
     let (Some(value), true) = (value.as_object(), choices(schema).is_none()) else {
         return true;
     };
-    let open = schema["additionalProperties"] != false;
+    let more = &schema["additionalProperties"];
     let known = |(name, field): (&String, &Value)| match schema["properties"].get(name) {
         Some(schema) => allows(document, schema, field, closely),
-        None => open,
+        None if more.is_object() => allows(document, more, field, closely),
+        None => *more != false,
     };
     let needed = schema["required"].as_array().map_or(&[][..], Vec::as_slice);
     value.iter().all(known)

@@ -63,7 +63,15 @@ impl Harness {
         let (handle, telling, asked) = driver();
         let (end, ending) = watch::channel(false);
         Self {
-            app: App::new(handle, tokens, Some(Role::Admin), Vec::new(), ending),
+            app: App::new(
+                handle,
+                tokens,
+                Some(Role::Admin),
+                Vec::new(),
+                "policy.toml".into(),
+                None,
+                ending,
+            ),
             telling,
             asked,
             heard: Arc::default(),

@@ -1,28 +1,45 @@
 //! A path that was jogged, with as few points as keep it within a tolerance.
 
-use dobot_wire::Status;
+use dobot_wire::{MovingMode, Status};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toml::Spanned;
+
+use crate::{Action, Go, Here, Place, Point};
 
 /// A place of a path: where the tool was, and what it did there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RecordedPlace {
     /// x, y and z, in millimetres in the base frame.
-    pub(crate) point_mm: [f64; 3],
+    pub point_mm: [f64; 3],
     /// The rotation of the tool relative to the base frame, in degrees.
-    pub(crate) rotation_deg: f64,
+    pub rotation_deg: f64,
     /// Whether the pump ran.
-    pub(crate) suction: bool,
+    pub suction: bool,
     /// The gripper's angle, in degrees.
-    pub(crate) gripper_deg: f64,
+    pub gripper_deg: f64,
 }
 
-impl Place {
+impl RecordedPlace {
     /// Where a status says that the arm is.
-    pub(crate) fn of(status: &Status) -> Self {
+    #[must_use]
+    pub fn of(status: &Status) -> Self {
         Self {
             point_mm: [status.x_mm, status.y_mm, status.z_mm].map(f64::from),
             rotation_deg: status.rotation_deg.into(),
             suction: status.suction,
             gripper_deg: status.gripper_deg.into(),
+        }
+    }
+
+    /// The point, to a hundredth of a millimetre and of a degree, which is finer than an arm goes.
+    #[must_use]
+    pub fn point(&self) -> Point {
+        Point::Cartesian {
+            position: self.point_mm.map(|it| rounded(it, 100.0)),
+            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|it| *it != 0.0),
+            frame: None,
         }
     }
 
@@ -47,7 +64,8 @@ impl Place {
 ///                   .     .            the place that is farthest from the chord
 ///        from *-------------------* to splits it, until none is farther than the tolerance
 /// ```
-pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
+#[must_use]
+pub fn simplified(places: &[RecordedPlace], tolerance: f64) -> Vec<RecordedPlace> {
     let mut kept = vec![false; places.len()];
     let mut spans = vec![(0, places.len().saturating_sub(1))];
     if let [first, .., last] = &mut kept[..] {
@@ -69,7 +87,7 @@ pub(crate) fn simplified(places: &[Place], tolerance: f64) -> Vec<Place> {
 
 /// Where a chord has to be split: where the tool changes first, else at the place that is farthest from
 /// it, if that is too far.
-fn split(places: &[Place], from: usize, to: usize, tolerance: f64) -> Option<usize> {
+fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Option<usize> {
     let mut between = from + 1..to;
     let changes = |at: &usize| {
         !places[*at].has_tool_of(&places[*at - 1]) || !places[*at].has_tool_of(&places[*at + 1])
@@ -103,14 +121,76 @@ fn distance(point: [f64; 4], a: [f64; 4], b: [f64; 4]) -> f64 {
     dot(rest, rest).sqrt()
 }
 
+/// What the tool does at some place of a program.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ToolState {
+    /// Whether the pump runs.
+    pub suction: bool,
+    /// The gripper's angle, in degrees.
+    pub gripper_deg: f64,
+}
+
+impl ToolState {
+    /// How steps leave it that are done one after the other from the beginning of a program.
+    #[must_use]
+    pub fn behind(steps: &[Spanned<Action>]) -> Self {
+        let thens = steps.iter().filter_map(|it| match it.get_ref() {
+            Action::Go(go) => Some(go.then),
+            Action::Here(here) => Some(*here),
+            _ => None,
+        });
+        thens.fold(Self::default(), Self::after)
+    }
+
+    /// What it does after that.
+    #[must_use]
+    pub fn after(self, here: Here) -> Self {
+        Self {
+            suction: here.suction.unwrap_or(self.suction),
+            gripper_deg: here.gripper.unwrap_or(self.gripper_deg),
+        }
+    }
+
+    /// What has to be said so that the tool does as at a place.
+    #[must_use]
+    pub fn changes_to(self, place: &RecordedPlace) -> Here {
+        let gripper = rounded(place.gripper_deg, 10.0);
+        Here {
+            suction: Some(place.suction).filter(|it| *it != self.suction),
+            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
+            pause: None,
+        }
+    }
+}
+
+/// The steps along a path that was jogged: straight lines through its places.
+#[must_use]
+pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action> {
+    let step = |place: &RecordedPlace| {
+        let then = before.changes_to(place);
+        before = before.after(then);
+        Action::Go(Go {
+            path: MovingMode::MovL,
+            then,
+            ..Go::to(Place::At(place.point()))
+        })
+    };
+    places.iter().map(step).collect()
+}
+
+/// Without a negative zero.
+fn rounded(number: f64, parts: f64) -> f64 {
+    (number * parts).round() / parts + 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
 
-    fn place(point_mm: [f64; 3]) -> Place {
-        Place {
+    fn place(point_mm: [f64; 3]) -> RecordedPlace {
+        RecordedPlace {
             point_mm,
             rotation_deg: 0.0,
             suction: false,
@@ -122,7 +202,7 @@ mod tests {
     fn a_straight_line_with_a_corner_becomes_three_places() {
         let out = (0..=50).map(|it| place([200.0 + f64::from(it), 0.0, 0.0]));
         let up = (1..=30).map(|it| place([250.0, 0.0, f64::from(it)]));
-        let path: Vec<Place> = out.chain(up).collect();
+        let path: Vec<RecordedPlace> = out.chain(up).collect();
         let corners = [[200.0, 0.0, 0.0], [250.0, 0.0, 0.0], [250.0, 0.0, 30.0]].map(place);
         assert_eq!(simplified(&path, 0.1), corners);
     }
@@ -133,7 +213,7 @@ mod tests {
             let (sin, cos) = deg.to_radians().sin_cos();
             place([200.0 * cos, 200.0 * sin, 0.0])
         };
-        let path: Vec<Place> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
+        let path: Vec<RecordedPlace> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
         // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving 90
         // degrees comes to 11.25, which is 8 chords.
         assert_eq!(simplified(&path, 1.0).len(), 9);
@@ -141,7 +221,8 @@ mod tests {
 
     #[test]
     fn where_the_pump_is_switched_stays_also_on_a_straight_line() {
-        let mut path: Vec<Place> = (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
+        let mut path: Vec<RecordedPlace> =
+            (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
         for it in &mut path[6..] {
             it.suction = true;
         }
@@ -151,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_turn_of_the_tool_on_the_spot_stays() {
-        let turned = |rotation_deg| Place {
+        let turned = |rotation_deg| RecordedPlace {
             rotation_deg,
             ..place([200.0, 0.0, 0.0])
         };
@@ -173,9 +254,9 @@ mod tests {
             points in prop::collection::vec((prop::array::uniform3(-300.0..300.0), -90.0..90.0), 1..60),
             tolerance in 0.0..50.0_f64,
         ) {
-            let path: Vec<Place> = points
+            let path: Vec<RecordedPlace> = points
                 .into_iter()
-                .map(|(point_mm, rotation_deg)| Place { rotation_deg, ..place(point_mm) })
+                .map(|(point_mm, rotation_deg)| RecordedPlace { rotation_deg, ..place(point_mm) })
                 .collect();
             let kept = simplified(&path, tolerance);
             prop_assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));

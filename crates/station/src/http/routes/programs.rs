@@ -1,0 +1,105 @@
+//! Programs: looked at, edited, made into jobs.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::StatusCode;
+use dobot_api::problem_kinds::{
+    BAD_JOB, BAD_PROGRAM, COMMAND, ENDING, JOURNAL, OUT_OF_RANGE, POLICY, TOO_MANY,
+};
+use dobot_api::{Problem, Reply, Request};
+use dobot_rules::Refusal;
+use dobot_wire::Dialect;
+
+use super::super::answer::{Body, JOB, NotDone};
+use super::super::app::App;
+use super::super::calls::Asker;
+use super::super::programs::{
+    self, EditProgram, EditedProgram, NewProgram, ProgramReport, ProgramText,
+};
+use super::super::route::Route;
+use super::POST;
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            "/api/v1/programs/check",
+            "Looks at a whole program: its steps, how long they take, and all that is wrong with it",
+            check,
+        )
+        .brings::<Body<ProgramText, JOB>>()
+        .example(CHECK_EXAMPLE)
+        .gives::<ProgramReport>(200, "what was found; a program with problems is answered so, too")
+        .problems(&[ENDING]),
+        Route::new(
+            POST,
+            "/api/v1/programs/edit",
+            "Changes the text of a program; what is not touched keeps its comments and its form",
+            edit,
+        )
+        .brings::<Body<EditProgram, JOB>>()
+        .example(EDIT_EXAMPLE)
+        .gives::<EditedProgram>(200, "the text")
+        .problems(&[BAD_PROGRAM, OUT_OF_RANGE, ENDING]),
+        Route::new(
+            POST,
+            "/api/v1/programs/jobs",
+            "Queues a program as a job, unless something is wrong with it",
+            submit,
+        )
+        .brings::<Body<NewProgram, JOB>>()
+        .example(JOB_EXAMPLE)
+        .gives::<Reply>(201, "the job is queued")
+        .problems(&[BAD_PROGRAM, BAD_JOB, POLICY, COMMAND, OUT_OF_RANGE, TOO_MANY, JOURNAL]),
+    ]
+}
+
+const CHECK_EXAMPLE: &str =
+    r#"{"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}"#;
+const EDIT_EXAMPLE: &str = r#"{"text": "[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n", "edits": [{"type": "insert", "at": 1, "step": {"suction": true, "pause": 0.5}}]}"#;
+const JOB_EXAMPLE: &str = r#"{"program": {"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}, "times": {"count": 3}}"#;
+
+async fn check(
+    State(app): State<Arc<App>>,
+    Body(program): Body<ProgramText, JOB>,
+) -> Result<Json<ProgramReport>, NotDone> {
+    let report = beside(move || {
+        let (policy, dialect) = (&app.handle.rules().policy, dialect(&app));
+        programs::report(&program, policy, dialect)
+    });
+    Ok(Json(report.await?))
+}
+
+async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>, NotDone> {
+    Ok(Json(beside(move || programs::edit(asked)).await??))
+}
+
+async fn submit(
+    asker: Asker,
+    Body(new): Body<NewProgram, JOB>,
+) -> Result<(StatusCode, Json<Reply>), NotDone> {
+    let app = asker.app.clone();
+    let job = beside(move || {
+        let (policy, dialect) = (&app.handle.rules().policy, dialect(&app));
+        programs::job(&new, policy, dialect)
+    });
+    let job = job.await??;
+    let reply = asker.ask(Request::SubmitJob { job }).await?;
+    Ok((StatusCode::CREATED, reply))
+}
+
+/// The dialect of the arm; while nobody knows it, that of the document.
+fn dialect(app: &App) -> Dialect {
+    let known = app.handle.state().state().dialect;
+    known.unwrap_or(Dialect::SPECIFICATION)
+}
+
+/// Does what may take long beside everything else.
+async fn beside<T: Send + 'static>(
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, Problem> {
+    let done = tokio::task::spawn_blocking(work).await;
+    done.map_err(|_| Problem::from(Refusal::Ending))
+}

@@ -1,0 +1,160 @@
+//! The station's own virtual arm: its world, and what goes wrong with it.
+
+use std::sync::{Arc, PoisonError};
+
+use axum::Json;
+use axum::extract::{Query as Queries, State};
+use dobot_api::Problem;
+use dobot_api::problem_kinds::{BAD_FAULT, BAD_SCENE, MALFORMED, NOT_VIRTUAL};
+use dobot_rules::OwnVirtualArm;
+use dobot_sim::Fault;
+use dobot_sim::world::{Scene, World, WorldState};
+use schemars::{JsonSchema, SchemaGenerator};
+use serde::Deserialize;
+
+use super::super::answer::{Body, NotDone};
+use super::super::app::App;
+use super::super::calls::Asker;
+use super::super::route::{Query, Route};
+use super::{GET, PUT};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/api/v1/world",
+            "What is around the station's own virtual arm: tool, paper, ink, objects",
+            world,
+        )
+        .queries(&[Query {
+            name: "strokes_from",
+            what: "Of ink and burns only those from this one on, counted from 0; the last one may still grow",
+            schema: SchemaGenerator::subschema_for::<usize>,
+        }])
+        .gives::<WorldState>(200, "the world")
+        .problems(&[MALFORMED, NOT_VIRTUAL]),
+        Route::new(
+            PUT,
+            "/api/v1/world",
+            "Puts the station's own virtual arm into another world, as it stands",
+            set_world,
+        )
+        .brings::<Body<SceneText>>()
+        .example(r#"{"scene": "[pen]\ndown_z_mm = -40\n"}"#)
+        .gives::<WorldState>(200, "the world")
+        .problems(&[BAD_SCENE, NOT_VIRTUAL]),
+        Route::new(
+            GET,
+            "/api/v1/faults",
+            "What goes wrong with the station's own virtual arm",
+            faults,
+        )
+        .gives::<Vec<String>>(200, "the faults")
+        .problems(&[NOT_VIRTUAL]),
+        Route::new(
+            PUT,
+            "/api/v1/faults",
+            "Lets other things go wrong with the station's own virtual arm from now on, and nothing else any more",
+            set_faults,
+        )
+        .brings::<Body<NewFaults>>()
+        .example(r#"{"faults": ["drop=1%", "reset@3s"], "seed": 1}"#)
+        .gives::<Vec<String>>(200, "the faults")
+        .problems(&[BAD_FAULT, NOT_VIRTUAL]),
+    ]
+}
+
+/// What a caller wants of the world.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Wanted {
+    #[serde(default)]
+    strokes_from: usize,
+}
+
+/// A world.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SceneText {
+    /// Its TOML text, as those of `examples/scenes`.
+    scene: String,
+}
+
+/// What is to go wrong.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(in super::super) struct NewFaults {
+    /// The faults, as `dobot arm --fault` takes them; times count from now.
+    faults: Vec<String>,
+    /// What chance begins with: the same faults with the same seed do the same.
+    #[serde(default)]
+    seed: u64,
+}
+
+async fn world(
+    State(app): State<Arc<App>>,
+    wanted: Result<Queries<Wanted>, axum::extract::rejection::QueryRejection>,
+) -> Result<Json<WorldState>, NotDone> {
+    let Queries(wanted) = wanted.map_err(|error| MALFORMED.problem(error.body_text()))?;
+    let mut world = state(own_arm(&app)?)?;
+    for_later(&mut world.strokes, wanted.strokes_from);
+    for_later(&mut world.burns, wanted.strokes_from);
+    Ok(Json(world))
+}
+
+fn for_later<T>(marks: &mut Vec<T>, from: usize) {
+    marks.drain(..from.min(marks.len()));
+}
+
+async fn set_world(asker: Asker, Body(new): Body<SceneText>) -> Result<Json<WorldState>, NotDone> {
+    let own = own_arm(&asker.app)?;
+    asker.check_controls()?;
+    let scene = Scene::parse(&new.scene);
+    let scene = scene.map_err(|error| BAD_SCENE.problem(error.to_string()))?;
+    own.arm.arm().set_world(World::new(scene));
+    Ok(Json(state(own)?))
+}
+
+async fn faults(State(app): State<Arc<App>>) -> Result<Json<Vec<String>>, NotDone> {
+    own_arm(&app)?;
+    let faults = app.faults.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(Json(faults.clone()))
+}
+
+async fn set_faults(
+    asker: Asker,
+    Body(new): Body<NewFaults>,
+) -> Result<Json<Vec<String>>, NotDone> {
+    let own = own_arm(&asker.app)?;
+    asker.check_controls()?;
+    let bad = |error: dobot_sim::FaultError| BAD_FAULT.problem(error.to_string());
+    let faults: Result<Vec<Fault>, _> = new.faults.iter().map(|it| it.parse()).collect();
+    let faults = faults.map_err(bad)?;
+    let mut arm = own.arm.arm();
+    let changed = arm.set_faults(own.power_up, &faults, new.seed);
+    drop(arm);
+    changed.map_err(bad)?;
+    let mut told = asker
+        .app
+        .faults
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner);
+    told.clone_from(&new.faults);
+    Ok(Json(new.faults))
+}
+
+fn own_arm(app: &App) -> Result<&OwnVirtualArm, Problem> {
+    let none = || {
+        NOT_VIRTUAL.hinted(
+            "the arm is a real one, or served elsewhere",
+            "`dobot up --virtual` has one of its own",
+        )
+    };
+    app.virtual_arm.as_ref().ok_or_else(none)
+}
+
+fn state(own: &OwnVirtualArm) -> Result<WorldState, Problem> {
+    let arm = own.arm.arm();
+    let world = arm.world().map(World::state);
+    world.ok_or_else(|| NOT_VIRTUAL.problem("nothing is around the virtual arm"))
+}

@@ -1,0 +1,54 @@
+//! The policy over HTTP: looked at, changed, kept.
+
+use dobot_safety::Policy;
+use serde_json::json;
+
+use super::Harness;
+
+const LOW: &str = "# our table\n[table]\nz_mm = -60\n";
+
+#[tokio::test]
+async fn a_policy_that_is_changed_holds_and_is_kept_with_its_comments() {
+    let harness = Harness::near();
+    let text = harness.get("/api/v1/policy/text").await;
+    assert_eq!(text.is(200).body, Policy::DEFAULT_TOML);
+    let body = json!({"text": LOW}).to_string();
+    harness.json("PUT", "/api/v1/policy", body).await.is(200);
+    let policy = harness.get("/api/v1/policy").await.value();
+    assert_eq!(policy["table"]["z_mm"], -60.0);
+    assert_eq!(harness.get("/api/v1/policy/text").await.body, LOW);
+    assert_eq!(
+        std::fs::read_to_string(&harness.app.policy_file).unwrap(),
+        LOW
+    );
+}
+
+#[tokio::test]
+async fn a_text_that_is_no_policy_changes_nothing_and_says_where() {
+    let harness = Harness::near();
+    for text in [
+        "[table]\nz_mm = \"low\"\n",
+        "[table]\nz_mm = 1e9\n",
+        "[tabel]\n",
+        "nonsense",
+    ] {
+        let body = json!({"text": text}).to_string();
+        let answer = harness.json("PUT", "/api/v1/policy", body).await;
+        let (kind, detail) = answer.is(422).problem();
+        assert_eq!(kind, "bad-policy");
+        assert!(detail.contains("line "), "{detail}");
+    }
+    let text = harness.get("/api/v1/policy/text").await;
+    assert_eq!(text.body, Policy::DEFAULT_TOML);
+}
+
+#[tokio::test]
+async fn a_policy_may_be_looked_at_before_it_holds() {
+    let harness = Harness::near();
+    let body = json!({"text": LOW, "check": true}).to_string();
+    let answer = harness.json("PUT", "/api/v1/policy", body).await;
+    assert_eq!(answer.is(200).value()["table"]["z_mm"], -60.0);
+    let policy = harness.get("/api/v1/policy").await.value();
+    assert_ne!(policy["table"]["z_mm"], -60.0);
+    assert!(!harness.app.policy_file.exists());
+}

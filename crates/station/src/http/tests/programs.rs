@@ -1,0 +1,197 @@
+//! Programs over HTTP: the page's way to teach.
+
+use dobot_api::{JobKind, Request};
+use serde_json::{Value, json};
+
+use super::{Answer, Harness};
+
+const CUBE: &str = r#"title = "one cube"
+
+[points]
+here = { x = 200, y = 60, z = 0 }        # the tray
+
+[[steps]]
+go = "here"
+suction = true
+pause = 0.5
+
+[[steps]]
+go = { x = 200, y = -60, z = 0 }
+suction = false
+"#;
+
+async fn ask(harness: &Harness, what: &str, body: Value) -> Answer {
+    let path = format!("/api/v1/programs/{what}");
+    harness.json("POST", &path, body.to_string()).await
+}
+
+#[tokio::test]
+async fn a_program_is_looked_at_as_a_whole() {
+    let harness = Harness::near();
+    let answer = ask(&harness, "check", json!({"text": CUBE})).await;
+    let report = answer.is(200).value();
+    assert_eq!(report["title"], "one cube");
+    assert_eq!(report["problems"], json!([]));
+    let lines: Vec<&Value> = report["steps"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| &it["line"])
+        .collect();
+    assert_eq!(lines, [6, 11]);
+    assert!(report["once_s"].as_f64().unwrap() > 1.0);
+    assert_eq!(harness.asked(), []);
+}
+
+#[tokio::test]
+async fn all_that_is_wrong_is_told_with_its_line_and_what_helps() {
+    let harness = Harness::near();
+    let far = CUBE
+        .replace("y = -60", "y = -600")
+        .replace("y = 60", "y = 500");
+    let report = ask(&harness, "check", json!({"text": far}))
+        .await
+        .is(200)
+        .value();
+    let problems = report["problems"].as_array().unwrap();
+    assert_eq!(problems.len(), 2, "{problems:?}");
+    assert_eq!(
+        (&problems[0]["line"], &problems[1]["line"]),
+        (&json!(6), &json!(11))
+    );
+    assert!(problems.iter().all(|it| it["remedy"].is_string()));
+    let text = "[[steps]]\ngo = \"nowhere\"";
+    let report = ask(&harness, "check", json!({"text": text}))
+        .await
+        .is(200)
+        .value();
+    assert_eq!(report["problems"][0]["line"], 1);
+    assert!(
+        report["problems"][0]["message"]
+            .as_str()
+            .unwrap()
+            .contains("nowhere")
+    );
+}
+
+#[tokio::test]
+async fn a_program_calls_and_draws_what_comes_with_it_and_nothing_else() {
+    let harness = Harness::near();
+    let text = "[[steps]]\ngo = { x = 200, y = 0, z = 40 }\n[[steps]]\ncall = \"cube.toml\"\n[[steps]]\ndrawing = { file = \"line.svg\", pen_down = -30 }\n";
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M5 5H35" fill="none" stroke="black"/></svg>"#;
+    let files = json!({"cube.toml": CUBE, "line.svg": svg});
+    let report = ask(&harness, "check", json!({"text": text, "files": files}))
+        .await
+        .value();
+    assert_eq!(report["problems"], json!([]), "{report}");
+    let report = ask(
+        &harness,
+        "check",
+        json!({"text": text.replace("cube.toml", "/etc/passwd")}),
+    )
+    .await
+    .value();
+    let message = report["problems"][0]["message"].as_str().unwrap();
+    assert!(
+        message.contains("/etc/passwd did not come with the program"),
+        "{message}"
+    );
+}
+
+#[tokio::test]
+async fn edits_keep_what_they_do_not_touch() {
+    let harness = Harness::near();
+    let edits = json!([
+        {"type": "set_point", "name": "there", "point": {"x": 210, "y": 0, "z": 20}},
+        {"type": "insert", "at": 1, "step": {"go": "there", "path": "movl"}},
+        {"type": "move", "from": 2, "to": 0},
+        {"type": "remove", "at": 1},
+    ]);
+    let edited = ask(&harness, "edit", json!({"text": CUBE, "edits": edits}))
+        .await
+        .is(200)
+        .value();
+    let text = edited["text"].as_str().unwrap();
+    assert_eq!(edited["steps"], 2);
+    assert!(text.contains("# the tray"), "{text}");
+    let report = ask(&harness, "check", json!({"text": text})).await.value();
+    assert_eq!(report["problems"], json!([]), "{text}");
+    let labels: Vec<&str> = report["steps"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["label"].as_str().unwrap())
+        .collect();
+    assert!(labels[1].contains("there"), "{labels:?}");
+}
+
+#[tokio::test]
+async fn a_jogged_path_becomes_few_steps() {
+    let harness = Harness::near();
+    let place = |x: i32| json!({"point_mm": [200 + x, 0, 20], "rotation_deg": 0, "suction": x > 20, "gripper_deg": 0});
+    let places: Vec<Value> = (0..=40).map(place).collect();
+    let edit = json!({"type": "insert_path", "at": 0, "places": places, "tolerance_mm": 0.5});
+    let edited = ask(&harness, "edit", json!({"edits": [edit]}))
+        .await
+        .is(200)
+        .value();
+    assert_eq!(edited["steps"], 4, "{edited}");
+    assert_eq!(
+        edited["text"]
+            .as_str()
+            .unwrap()
+            .matches("suction = true")
+            .count(),
+        1
+    );
+}
+
+#[tokio::test]
+async fn edits_that_make_no_program_change_nothing_and_say_which() {
+    let harness = Harness::near();
+    let edits = json!([{"type": "remove", "at": 0}, {"type": "remove", "at": 7}]);
+    let (kind, detail) = ask(&harness, "edit", json!({"text": CUBE, "edits": edits}))
+        .await
+        .is(422)
+        .problem();
+    assert_eq!(kind, "bad-program");
+    assert!(detail.starts_with("edit 1: "), "{detail}");
+    ask(&harness, "edit", json!({"edits": []}))
+        .await
+        .is(422)
+        .is_problem("bad-program");
+    ask(&harness, "edit", json!({"text": "steps = 3", "edits": []}))
+        .await
+        .is(422)
+        .is_problem("bad-program");
+}
+
+#[tokio::test]
+async fn a_program_becomes_a_job_as_often_and_from_where_it_is_asked() {
+    let harness = Harness::near();
+    let new = json!({"program": {"text": CUBE}, "from_step": 2, "times": {"count": 3}});
+    ask(&harness, "jobs", new).await.is(201);
+    let [Request::SubmitJob { job }] = &harness.asked()[..] else {
+        panic!("{:?}", harness.asked());
+    };
+    assert_eq!((job.kind, &*job.title), (JobKind::Program, "one cube"));
+    assert_eq!(job.program.repeat.unwrap().times, Some(2));
+    for (new, kind) in [
+        (
+            json!({"program": {"text": CUBE}, "from_step": 3}),
+            "out-of-range",
+        ),
+        (
+            json!({"program": {"text": CUBE}, "times": {"count": 0}}),
+            "out-of-range",
+        ),
+        (
+            json!({"program": {"text": CUBE.replace("200", "900")}}),
+            "bad-program",
+        ),
+        (json!({"program": {"text": "nonsense"}}), "bad-program"),
+    ] {
+        ask(&harness, "jobs", new).await.is(422).is_problem(kind);
+    }
+    assert_eq!(harness.asked().len(), 1);
+}
