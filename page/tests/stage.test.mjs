@@ -227,8 +227,8 @@ test("a browser without WebGL shows the arm in two dimensions, and drags it", as
     await flat.page.evaluate((parts) => window.show(parts), { ...WITH_ARM, ghost: GHOST, draggable: true });
     await flat.page.waitForTimeout(200);
     // From above, in the left half: 700 mm wide, 500 mm tall.
-    const scale = Math.min(500 / 700, 700 / 500) * 0.94;
-    const at = { x: 250 + -GHOST.y_mm * scale, y: 350 - (GHOST.x_mm - 100) * scale };
+    const scale = Math.min(500 / 700, 700 / 590) * 0.94;
+    const at = { x: 250 + -GHOST.y_mm * scale, y: 350 - (GHOST.x_mm - 50) * scale };
     await flat.page.mouse.move(at.x, at.y);
     await flat.page.mouse.down();
     await flat.page.mouse.move(at.x - 30, at.y, { steps: 3 });
@@ -237,6 +237,7 @@ test("a browser without WebGL shows the arm in two dimensions, and drags it", as
     assert.equal(last.phase, "drop");
     assert.ok(Math.abs(last.y_mm - (GHOST.y_mm + 30 / scale)) < 1, JSON.stringify(last));
     assert.equal(last.z_mm, GHOST.z_mm);
+    assert.deepEqual(flat.errors, []);
   } finally {
     await flat.end();
   }

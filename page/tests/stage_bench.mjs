@@ -24,7 +24,7 @@ async function answer(request, response) {
 export async function openStage({ viewport = SIZE, webgl = true, ...options } = {}) {
   const server = createServer(answer).listen(0, "127.0.0.1");
   await once(server, "listening");
-  const drawn = webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
+  const drawn = process.env.CARD ? [] : webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
   const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", ...drawn] });
   const context = await browser.newContext({ viewport, ...options });
   const page = await context.newPage();

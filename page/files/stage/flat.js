@@ -11,7 +11,7 @@ import { nearLimits } from "./near.js";
 /** @typedef {{ frame: Frame, scale: number, to(across: number, up: number): [number, number], from(px: number, py: number): [number, number] }} Plot */
 
 /** What a picture shows, in mm: across and up. From above Y is to the left and X ahead, up; from the side reach and Z. */
-const ABOVE = { across: [-350, 350], up: [-150, 350] };
+const ABOVE = { across: [-350, 350], up: [-245, 345] };
 const SIDE = { across: [-130, 350], up: [-130, 250] };
 const HANDLE_PX = 18;
 
@@ -155,8 +155,12 @@ export function createFlat(element, outside) {
     if (close) line([[left, top], [left + w, top]], look.near, 3);
     const from = (/** @type {Joints} */ joints, /** @type {number} */ color, /** @type {number} */ wide) => {
       const it = links(joints, now.tool.kind), at = (/** @type {number[]} */ [r = 0, z = 0]) => plot.to(r, z);
-      line([at([0, now.table_z_mm]), at([0, 0])], look.dark, wide * 2.2);
+      const [x, foot] = at([0, now.table_z_mm]), [, pivot] = at([0, 0]);
+      pen.fillStyle = css(look.dark);
+      pen.fillRect(x - wide * 1.4, pivot, wide * 2.8, foot - pivot);
       for (const rod of [it.rearRod, it.frontRod, [it.crank, it.tail], [[0, 0], it.crank]]) line(rod.map(at), look.grid, Math.max(1, wide / 4));
+      line([it.rearRod[1], it.elbow, it.frontRod[0], it.rearRod[1]].map(at), look.accent, Math.max(1, wide / 4));
+      line([it.wrist, it.frontRod[1]].map(at), color, wide * 0.5);
       line([it.tail, it.elbow, it.wrist].map(at), color, wide);
       line([[0, 0], it.elbow].map(at), color, wide);
       line([it.wrist, it.tool].map(at), color, wide * 0.7);

@@ -35,7 +35,7 @@ const DARK = {
   tableEdge: 0x10171d,
   grid: 0x5c6d7c,
   metal: 0xc3cad1,
-  dark: 0x58636d,
+  dark: 0x48525b,
   accent: 0x4f9be0,
   cable: 0x2a3138,
   paper: 0xd9d6cd,

@@ -61,7 +61,7 @@ export function createStage(element) {
   /** @param {boolean} deep whether to try three dimensions */
   function build(deep) {
     drawing?.end();
-    drawing = deep ? tryDeep() : createFlat(element, outside);
+    drawing = deep && hasWebgl() ? createDeep(element, outside) : createFlat(element, outside);
     drawing.canvas.setAttribute("aria-hidden", "true");
     pace = createPace(drawing.kind === "2d" || drawing.card);
     if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
@@ -71,15 +71,6 @@ export function createStage(element) {
     element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
   }
 
-  function tryDeep() {
-    try {
-      return createDeep(element, outside);
-    } catch {
-      // No WebGL: the renderer could not be made.
-      for (const canvas of element.querySelectorAll("canvas")) canvas.remove();
-      return createFlat(element, outside);
-    }
-  }
 
   /** The graphics card was taken away: two dimensions until it is given back. @param {Event} event */
   function lost(event) {
@@ -135,4 +126,11 @@ export function createStage(element) {
       note.remove();
     },
   };
+}
+
+/** Whether the browser can draw in three dimensions. */
+function hasWebgl() {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return probe !== null;
 }

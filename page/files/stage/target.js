@@ -127,8 +127,10 @@ function dragged(handle, from, start, to, level) {
 
 /** An arm of glass: first its depth is drawn, then its colour, so that nothing of it shines through itself. */
 function createGhost() {
-  const depth = new MeshBasicMaterial({ colorWrite: false });
-  const glass = new MeshLambertMaterial({ transparent: true, opacity: 0.36, depthWrite: false });
+  // Where it is in the same place as the arm, the arm is seen.
+  const behind = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
+  const depth = new MeshBasicMaterial({ colorWrite: false, ...behind });
+  const glass = new MeshLambertMaterial({ transparent: true, opacity: 0.36, depthWrite: false, ...behind });
   const group = new Group();
   const layers = [depth, glass].map((material, n) => {
     const arm = createArm({ metal: material, dark: material, accent: material, pin: material, rubber: material }, { foot: false });
