@@ -1,6 +1,6 @@
 // The world of a virtual arm, as the stage shows it.
 
-/** @typedef {import("../api.js").components["schemas"]["WorldState"]} WorldState */
+/** @typedef {import("../api").components["schemas"]["WorldState"]} WorldState */
 /** @typedef {import("./view.js").Marks} Marks */
 /** @typedef {import("./view.js").View} View */
 
