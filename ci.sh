@@ -269,6 +269,7 @@ step_page() {
   DOBOT=$(realpath "$(built)/dobot")
   CHROMIUM=$(command -v chromium)
   export DOBOT CHROMIUM
+  npm run vendor --prefix page -- --check
   npm run types --prefix page -- --check
   npm run check --prefix page
   npm run unit --prefix page

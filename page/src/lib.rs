@@ -1,7 +1,6 @@
 //! The web page of a station: its files, as a program serves them.
 //!
-//! They are written by hand and need no build: what is in `files/` is what a browser gets. A new file is a row of
-//! [`FILES`].
+//! They are written by hand and need no build: what is in `files/` is what a browser gets. [`FILES`] has a row for each.
 //!
 //! ```
 //! let page = dobot_page::FILES[0];

@@ -227,20 +227,34 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
     while let Some(path) = waiting.pop() {
         if seen.insert(path.clone()) {
             let answer = harness.get(&path).await;
-            waiting.extend(files_in(&answer.is(200).body));
+            waiting.extend(files_in(&path, &answer.is(200).body));
         }
     }
     // What the panel for drawings needs: it is loaded by the page, its worker by the panel.
     assert!(seen.contains("/preview.js") && seen.contains("/reader.js"));
 }
 
-/// The scripts and styles that a text names, without the dot of this folder.
-fn files_in(text: &str) -> Vec<String> {
-    let ours = |it: &&str| matches!(it.rsplit_once('.'), Some((_, "js" | "css")));
-    let quoted = text.split(['"', '\n']).filter(ours);
-    quoted
-        .map(|it| format!("/{}", it.trim_start_matches("./")))
-        .collect()
+/// The scripts and styles that the file at a path names: how a name in quotes leads to them from there.
+fn files_in(path: &str, text: &str) -> Vec<String> {
+    let ours = |it: &&str| {
+        let named = matches!(it.rsplit_once('.'), Some((_, "js" | "css")));
+        named && !it.contains([' ', '(', ':'])
+    };
+    let quoted = text.split(['"', '\'', '`', '\n']).filter(ours);
+    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    quoted.map(|it| resolve(folder, it)).collect()
+}
+
+fn resolve(folder: &str, name: &str) -> String {
+    let mut parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
+    for part in name.split('/') {
+        match part {
+            "." => {}
+            ".." => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    format!("/{}", parts.join("/"))
 }
 
 #[tokio::test]

@@ -1,0 +1,78 @@
+//! Writes the table of the page's files: all of `files/` but tests and types.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::{env, process};
+
+fn main() {
+    println!("cargo::rerun-if-changed=files");
+    println!("cargo::rerun-if-changed=build.rs");
+    if let Err(error) = write_table() {
+        println!("cargo::error={error}");
+        process::exit(1);
+    }
+}
+
+fn write_table() -> io::Result<()> {
+    let variable = |name| {
+        env::var_os(name)
+            .map(PathBuf::from)
+            .ok_or(io::ErrorKind::NotFound)
+    };
+    let folder = variable("CARGO_MANIFEST_DIR")?.join("files");
+    let mut paths = Vec::new();
+    collect(&folder, &folder, &mut paths)?;
+    // A browser opens `/` first.
+    paths.sort_by_key(|path| (path != "index.html", path.clone()));
+    let rows: Vec<String> = paths
+        .iter()
+        .map(|path| row(&folder, path))
+        .collect::<io::Result<_>>()?;
+    let table = format!("&[\n{}]\n", rows.concat());
+    fs::write(variable("OUT_DIR")?.join("files.rs"), table)
+}
+
+/// Adds the paths below a folder, with `/` between their parts on every system.
+fn collect(root: &Path, folder: &Path, paths: &mut Vec<String>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(root, &path, paths)?;
+            continue;
+        }
+        let below = path.strip_prefix(root).map_err(io::Error::other)?;
+        let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
+        let name = parts.join("/");
+        if !name.ends_with(".test.js") && !name.ends_with(".d.ts") {
+            paths.push(name);
+        }
+    }
+    Ok(())
+}
+
+fn row(folder: &Path, path: &str) -> io::Result<String> {
+    let served = if path == "index.html" { "" } else { path };
+    let kind = content_type(path)?;
+    let bytes = folder.join(path);
+    Ok(format!(
+        "File {{ path: {:?}, content_type: {kind:?}, bytes: include_bytes!({:?}) }},\n",
+        format!("/{served}"),
+        bytes.display().to_string(),
+    ))
+}
+
+/// By the name's end. Browsers refuse a module that does not say that it is one.
+fn content_type(path: &str) -> io::Result<&'static str> {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    match name.rsplit_once('.').map(|(_, end)| end) {
+        Some("html") => Ok("text/html; charset=utf-8"),
+        Some("css") => Ok("text/css; charset=utf-8"),
+        Some("js") => Ok("text/javascript; charset=utf-8"),
+        Some("json") => Ok("application/json"),
+        None => Ok("text/plain; charset=utf-8"),
+        Some(other) => Err(io::Error::other(format!(
+            "page/files/{path}: a name ends with .html, .css, .js, .json or has no end; say in page/build.rs what the type of .{other} is"
+        ))),
+    }
+}

@@ -1,0 +1,68 @@
+// Where the tool was, and where it is planned to go: thin lines.
+
+import { BufferAttribute, BufferGeometry, Line, LineBasicMaterial, Vector3 } from "../vendor/three/three.js";
+
+/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./view.js").Point} Point */
+
+const KEPT = 400;
+const STEP_MM = 1.5;
+
+/** The way that the tip has gone, paler the longer ago. */
+export function createTrail() {
+  const places = new BufferAttribute(new Float32Array(KEPT * 3), 3);
+  const colors = new BufferAttribute(new Float32Array(KEPT * 4), 4);
+  const geometry = new BufferGeometry().setAttribute("position", places).setAttribute("color", colors);
+  const line = new Line(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+  line.frustumCulled = false;
+  line.renderOrder = 2;
+  /** @type {Vector3[]} */ let points = [];
+  const color = { r: 0, g: 0, b: 0 };
+
+  function write() {
+    points.forEach((point, n) => {
+      places.setXYZ(n, point.x, point.y, point.z);
+      colors.setXYZW(n, color.r, color.g, color.b, 0.7 * ((n + 1) / points.length) ** 1.5);
+    });
+    places.needsUpdate = colors.needsUpdate = true;
+    geometry.setDrawRange(0, points.length);
+  }
+
+  return {
+    group: line,
+    /** @param {Vector3} tip */
+    follow(tip) {
+      const last = points.at(-1);
+      if (last && last.distanceTo(tip) < STEP_MM) return;
+      // Another arm, or one that was set up anew, does not come from there.
+      if (last && last.distanceTo(tip) > 80) points = [];
+      points.push(tip.clone());
+      if (points.length > KEPT) points.shift();
+      write();
+    },
+    /** @param {Look} look */
+    paint(look) {
+      Object.assign(color, { r: ((look.trail >> 16) & 255) / 255, g: ((look.trail >> 8) & 255) / 255, b: (look.trail & 255) / 255 });
+      write();
+    },
+  };
+}
+
+/** The way that is planned, of the tip. */
+export function createPlanned() {
+  const material = new LineBasicMaterial({ transparent: true, opacity: 0.9, depthWrite: false });
+  const line = new Line(new BufferGeometry(), material);
+  line.frustumCulled = false;
+  line.renderOrder = 3;
+  return {
+    group: line,
+    /** @param {readonly Point[] | null} path of the wrist @param {number} length_mm of the tool */
+    show(path, length_mm) {
+      line.geometry.dispose();
+      line.geometry = new BufferGeometry().setFromPoints((path ?? []).map(([x, y, z]) => new Vector3(x, y, z - length_mm)));
+      line.visible = path !== null && path.length > 1;
+    },
+    /** @param {Look} look */
+    paint: (look) => material.color.set(look.planned),
+  };
+}

@@ -1,0 +1,107 @@
+// Between two statuses: where the arm was on its way from one reported place to the next. Pure, but for what it has heard.
+//
+// The stage runs behind the arm by a little more than a status, so that there nearly always is a next one. It never goes
+// beyond the last one, and between two of them it stays between them: what is drawn has been reported.
+
+/** @typedef {import("./view.js").Joints} Joints */
+/** @typedef {{ at_s: number, joints: Joints }} Sample */
+
+/** How far behind: one status (80 ms), and half a one for those that are late. */
+export const BEHIND_S = 0.12;
+/** How many statuses are kept: more than pass in that time. */
+const KEPT = 8;
+/** A stop for longer than that is not a gap in a motion: the arm stood, or nothing was heard. */
+const GAP_S = 0.5;
+/** How fast the guess of what the clocks differ by gives way, so that one status that was quick does not hold for ever. */
+const DRIFT = 0.002;
+
+const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
+
+export class Motion {
+  /** @type {Sample[]} */ #samples = [];
+  /** What to add to the station's clock to get ours; of all statuses the one that was quickest tells it best. */
+  #ahead_s = Infinity;
+
+  /**
+   * Takes what was reported.
+   * @param {Sample} sample
+   * @param {number} now_s
+   */
+  hear(sample, now_s) {
+    const last = this.#samples.at(-1);
+    if (last && sample.at_s === last.at_s) return;
+    // A station that was started again counts from 0.
+    if (last && sample.at_s < last.at_s) this.forget();
+    this.#ahead_s = Math.min(this.#ahead_s + DRIFT, now_s - sample.at_s);
+    this.#samples.push(sample);
+    if (this.#samples.length > KEPT) this.#samples.shift();
+  }
+
+  forget() {
+    this.#samples = [];
+    this.#ahead_s = Infinity;
+  }
+
+  /**
+   * What is drawn now, and whether that will be something else a moment later.
+   * @param {number} now_s
+   * @returns {{ joints: Joints, moving: boolean } | null}
+   */
+  at(now_s) {
+    const last = this.#samples.at(-1);
+    if (!last) return null;
+    const when = now_s - this.#ahead_s - BEHIND_S;
+    const next = this.#samples.findIndex((it) => it.at_s > when);
+    if (next < 0) return { joints: last.joints, moving: false };
+    const to = /** @type {Sample} */ (this.#samples[next]);
+    const from = this.#samples[next - 1];
+    // Before the first one there is nothing to come from.
+    if (!from) return { joints: to.joints, moving: next < this.#samples.length - 1 };
+    const start_s = Math.max(from.at_s, to.at_s - GAP_S);
+    const joints = between({ ...from, at_s: start_s }, to, this.#samples[next - 2], this.#samples[next + 1], when);
+    return { joints, moving: true };
+  }
+}
+
+/**
+ * @param {Sample} from
+ * @param {Sample} to
+ * @param {Sample | undefined} before
+ * @param {Sample | undefined} after
+ * @param {number} when
+ */
+function between(from, to, before, after, when) {
+  const long = to.at_s - from.at_s;
+  const share = Math.min(Math.max((when - from.at_s) / long, 0), 1);
+  const joints = { ...to.joints };
+  for (const name of NAMES) {
+    const [a, b] = [from.joints[name], to.joints[name]];
+    const slope = (b - a) / long;
+    const start = before ? gentle((a - before.joints[name]) / (from.at_s - before.at_s), slope) : slope;
+    const end = after ? gentle(slope, (after.joints[name] - b) / (after.at_s - to.at_s)) : slope;
+    joints[name] = hermite(a, b, start * long, end * long, share);
+  }
+  return joints;
+}
+
+/**
+ * The slope in a place with these slopes before and behind it, by which a cubic does not leave the range of its two ends
+ * (Fritsch and Butland).
+ * @param {number} a
+ * @param {number} b
+ */
+function gentle(a, b) {
+  return a * b > 0 ? (2 * a * b) / (a + b) : 0;
+}
+
+/**
+ * @param {number} a
+ * @param {number} b
+ * @param {number} start
+ * @param {number} end
+ * @param {number} t
+ */
+function hermite(a, b, start, end, t) {
+  const t2 = t * t, t3 = t2 * t;
+  return a + (b - a) * (3 * t2 - 2 * t3) + start * (t3 - 2 * t2 + t) + end * (t3 - t2);
+}

@@ -1,0 +1,62 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { BEHIND_S, Motion } from "./motion.js";
+
+const joints = (base_deg) => ({ base_deg, rear_deg: 30, fore_deg: 40, servo_deg: 0 });
+
+/** A motion that has heard these base angles, a status each 80 ms, the first at 10 s of the station and 100 s of ours. */
+function heard(...angles) {
+  const motion = new Motion();
+  angles.forEach((angle, n) => motion.hear({ at_s: 10 + 0.08 * n, joints: joints(angle) }, 100 + 0.08 * n));
+  return motion;
+}
+
+/** The base angles that are drawn from the first status on, each millisecond. */
+function drawn(motion, until_s) {
+  return Array.from({ length: Math.round(until_s * 1000) }, (_, ms) => motion.at(100 + ms / 1000).joints.base_deg);
+}
+
+test("nothing is drawn before anything was reported", () => {
+  assert.equal(new Motion().at(5), null);
+});
+
+test("what was reported is drawn at its time, a little later", () => {
+  const motion = heard(0, 4, 10, 20);
+  for (const [n, angle] of [0, 4, 10, 20].entries()) {
+    const found = motion.at(100 + BEHIND_S + 0.08 * n).joints.base_deg;
+    assert.ok(Math.abs(found - angle) < 1e-6, `status ${n}: ${found}, expected ${angle}`);
+  }
+});
+
+test("the arm never is where it was not reported: between two statuses it stays between them", () => {
+  const angles = drawn(heard(0, 8, 8, 2, 30, 30.5), 0.8);
+  assert.ok(Math.min(...angles.slice(120)) >= 0 && Math.max(...angles) <= 30.5);
+  const stood = angles.slice(BEHIND_S * 1000 + 81, BEHIND_S * 1000 + 159);
+  assert.deepEqual([...new Set(stood.map((it) => it.toFixed(6)))], ["8.000000"]);
+});
+
+test("it does not go on after the last status, and says that it stands", () => {
+  const motion = heard(0, 10);
+  assert.deepEqual(motion.at(101), { joints: joints(10), moving: false });
+  assert.equal(motion.at(100 + BEHIND_S + 0.04).moving, true);
+});
+
+test("an even turn is drawn even: no step is twice as large as another one", () => {
+  const angles = drawn(heard(0, 5, 10, 15, 20, 25), 0.6).slice(BEHIND_S * 1000 + 5, BEHIND_S * 1000 + 390);
+  const steps = angles.slice(1).map((angle, n) => angle - angles[n]);
+  assert.ok(Math.max(...steps) < 2 * Math.min(...steps), `${Math.min(...steps)} to ${Math.max(...steps)}`);
+});
+
+test("a status that is late stops the drawing, it does not make it jump", () => {
+  const motion = heard(0, 5, 10);
+  const stood = motion.at(100.5).joints.base_deg;
+  motion.hear({ at_s: 10.24, joints: joints(15) }, 100.5);
+  assert.equal(stood, 10);
+  assert.ok(Math.abs(motion.at(100.5).joints.base_deg - 15) < 0.5);
+});
+
+test("a station that was started again is heard anew", () => {
+  const motion = heard(0, 5, 10);
+  motion.hear({ at_s: 0.1, joints: joints(-20) }, 130);
+  assert.equal(motion.at(130.2).joints.base_deg, -20);
+});

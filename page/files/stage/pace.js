@@ -1,0 +1,48 @@
+// How fine the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure, but for what
+// it has seen.
+
+/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Pixels for one of the page, at most. */
+
+/** From the finest on. The shadow goes last, since it tells the height. @type {readonly Quality[]} */
+const QUALITIES = [
+  { density: 2, mirrors: true, shadows: true },
+  { density: 1, mirrors: true, shadows: true },
+  { density: 1, mirrors: false, shadows: true },
+  { density: 0.75, mirrors: false, shadows: true },
+  { density: 0.75, mirrors: false, shadows: false },
+];
+/** Where a computer begins that draws without a graphics card. */
+const WITHOUT_CARD = 3;
+/** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
+const SLOW_MS = 34;
+const ROW = 16;
+
+/** @param {boolean} card whether there is a graphics card */
+export function createPace(card) {
+  let level = card ? 0 : WITHOUT_CARD;
+  /** @type {number[]} */ let took = [];
+  /** @type {number | null} */ let last = null;
+  return {
+    /**
+     * A frame was drawn; the next one follows at once, or not.
+     * @param {number} now_ms
+     * @param {boolean} again
+     * @returns {boolean} whether the quality is another one from now on
+     */
+    drawn(now_ms, again) {
+      if (last !== null) took.push(now_ms - last);
+      last = again ? now_ms : null;
+      if (took.length < ROW) return false;
+      const middle = [...took].sort((a, b) => a - b)[ROW / 2] ?? 0;
+      took = [];
+      if (middle <= SLOW_MS || level === QUALITIES.length - 1) return false;
+      level += 1;
+      return true;
+    },
+    /** @param {number} screen how many pixels the screen has for one of the page @returns {Quality} */
+    quality(screen) {
+      const quality = /** @type {Quality} */ (QUALITIES[level]);
+      return { ...quality, density: Math.min(screen, quality.density) };
+    },
+  };
+}

@@ -1,0 +1,136 @@
+// The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
+// something changed, and has no state of its own but the camera and what it heard last.
+
+import { createDeep } from "./deep.js";
+import { createFlat } from "./flat.js";
+import { Motion } from "./motion.js";
+import { createPace } from "./pace.js";
+
+/** @typedef {import("./view.js").View} View */
+/** @typedef {import("./view.js").Preset} Preset */
+
+/** @type {readonly Preset[]} */
+export const PRESETS = ["iso", "top", "side", "tool"];
+const TURN_DEG = 8;
+const SHIFT_PX = 40;
+const NEARER = 1.2;
+
+/** @param {HTMLElement} element */
+export function createStage(element) {
+  const note = document.createElement("p");
+  note.className = "stage-note";
+  element.classList.add("stage");
+  element.append(note);
+  const motion = new Motion();
+  let pace = createPace(true);
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  /** @type {View | null} */ let view = null;
+  let asked = 0;
+  /** @type {ReturnType<typeof createDeep> | ReturnType<typeof createFlat>} */ let drawing;
+
+  const outside = {
+    get still() {
+      return still.matches;
+    },
+    changed() {
+      asked ||= requestAnimationFrame(draw);
+    },
+    /** @param {import("./view.js").Target} detail */
+    target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
+  };
+
+  /** @param {number} now_ms */
+  function draw(now_ms) {
+    asked = 0;
+    const at = motion.at(performance.now() / 1000);
+    const swings = drawing.frame(at?.joints ?? null, performance.now() / 1000);
+    const again = (at?.moving ?? false) || swings;
+    if (pace.drawn(now_ms, again)) resize();
+    if (again) outside.changed();
+  }
+
+  function resize() {
+    const { clientWidth: width, clientHeight: height } = element;
+    if (width === 0 || height === 0) return;
+    const quality = pace.quality(devicePixelRatio);
+    if (drawing.kind === "3d") drawing.refine(quality);
+    drawing.resize(width, height, quality.density);
+    outside.changed();
+  }
+
+  /** @param {boolean} deep whether to try three dimensions */
+  function build(deep) {
+    drawing?.end();
+    drawing = deep && hasWebgl() ? createDeep(element, outside) : createFlat(element, outside);
+    drawing.canvas.setAttribute("aria-hidden", "true");
+    pace = createPace(drawing.kind === "2d" || drawing.card);
+    if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
+    element.dataset.shown = drawing.kind;
+    if (view) drawing.show(view);
+    resize();
+    element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
+  }
+
+
+  /** The graphics card was taken away: two dimensions until it is given back. @param {Event} event */
+  function lost(event) {
+    event.preventDefault();
+    const canvas = /** @type {HTMLCanvasElement} */ (event.target);
+    canvas.addEventListener("webglcontextrestored", () => build(true), { once: true });
+    // Deferred, since the renderer listens, too. The old canvas is kept: it is told when the card is back.
+    queueMicrotask(() => build(false));
+  }
+
+  /** @param {KeyboardEvent} event */
+  function press(event) {
+    if (drawing.kind !== "3d" || event.target !== element || event.altKey || event.metaKey) return;
+    const preset = PRESETS[Number(event.key) - 1];
+    const way = /** @type {Record<string, [number, number]>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] })[event.key];
+    if (preset && !event.ctrlKey) look(preset);
+    else if (way && event.shiftKey) drawing.turn(way[0] * TURN_DEG, way[1] * TURN_DEG);
+    else if (way && event.ctrlKey) drawing.shift(way[0] * SHIFT_PX, way[1] * SHIFT_PX);
+    else if ((event.key === "+" || event.key === "=") && !event.ctrlKey) drawing.near(NEARER);
+    else if (event.key === "-" && !event.ctrlKey) drawing.near(1 / NEARER);
+    else return;
+    event.preventDefault();
+  }
+
+  /** @param {Preset} preset */
+  function look(preset) {
+    if (drawing.kind === "3d") drawing.look(preset, performance.now() / 1000);
+  }
+
+  const watched = new ResizeObserver(resize);
+  watched.observe(element);
+  element.addEventListener("keydown", press);
+  build(true);
+
+  return {
+    look,
+    /** @param {View} next */
+    show(next) {
+      if (next.arm && next.arm !== view?.arm) motion.hear({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
+      if (!next.arm) motion.forget();
+      view = next;
+      if (note.textContent !== next.note) note.textContent = next.note;
+      note.hidden = next.note === "";
+      element.classList.toggle("is-old", next.old);
+      element.setAttribute("aria-label", next.label);
+      drawing.show(next);
+    },
+    end() {
+      cancelAnimationFrame(asked);
+      watched.disconnect();
+      element.removeEventListener("keydown", press);
+      drawing.end();
+      note.remove();
+    },
+  };
+}
+
+/** Whether the browser can draw in three dimensions. */
+function hasWebgl() {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return probe !== null;
+}

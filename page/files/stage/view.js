@@ -1,0 +1,100 @@
+// What the stage shows: one plain object, made from the state of the page, never changed after it was given. The stage
+// compares its parts by identity: a part that is the same object as before costs nothing.
+//
+// Lengths are millimetres in the base frame (X ahead, Y to the left, Z up, origin in the rear arm's pivot), angles degrees,
+// as in the API. `z` of a pose is the height of the wrist; the tip of the tool is `tool.length_mm` lower.
+//
+//   const stage = createStage(element);
+//   stage.show({ ...EMPTY, arm, tool, paper });        as often as anything changed
+//   stage.look("top");                                  a preset of the camera
+//   element.addEventListener("target", (event) => ...)  event.detail is a `Target`: a person drags it
+//   element.addEventListener("shown", (event) => ...)   event.detail is "3d", or "2d" where WebGL is missing or lost
+//   stage.end();
+
+/** @typedef {"suction_cup" | "gripper" | "laser" | "pen"} ToolKind */
+/** @typedef {"iso" | "top" | "side" | "tool"} Preset */
+/** @typedef {[number, number]} Bounds The least and the most that is allowed. */
+/** @typedef {[number, number]} Place */
+/** @typedef {[number, number, number]} Point */
+
+/** @typedef {{ base_deg: number, rear_deg: number, fore_deg: number, servo_deg: number }} Joints */
+/** @typedef {{ x_mm: number, y_mm: number, z_mm: number, rotation_deg: number }} Pose */
+
+/**
+ * What the arm reported, and when by the station's clock.
+ * @typedef {Joints & { at_s: number, suction: boolean, gripper_deg: number }} Reported
+ */
+
+/**
+ * Where it is asked to go: drawn as a ghost. A refused one is red; one whose pose no arm can have is shown as its handles only.
+ * @typedef {Pose & { refused: boolean }} Ghost
+ */
+
+/**
+ * What a person does to the target. `drag` comes while the pointer moves it, `drop` when it is let go.
+ * @typedef {Pose & { phase: "drag" | "drop" }} Target
+ */
+
+/**
+ * Lines of ink or burn: four numbers for each, `x0 y0 x1 y1`, and how dark it is, from 0 to 1. It only grows: more lines are
+ * added to the same object. Other lines are another object.
+ * @typedef {{ width_mm: number, ends_mm: number[], shades: number[] }} Marks
+ */
+
+/** @typedef {{ type: "box", size_mm: Point } | { type: "cylinder", diameter_mm: number, height_mm: number }} Shape */
+/** @typedef {{ name: string, shape: Shape, color: string, at_mm: Place, turn_deg: number, bottom_mm: number }} Thing */
+/** @typedef {{ box: { x_mm: Bounds, y_mm: Bounds, z_mm: Bounds } }} Box */
+/** @typedef {{ cylinder: { x_mm: number, y_mm: number, radius_mm: number, z_mm: Bounds } }} Cylinder */
+
+/**
+ * What the policy allows, as the API has it.
+ * @typedef {object} Limits
+ * @property {{ base_deg: number[], rear_deg: number[], fore_deg: number[], servo_deg: number[], opening_deg: number[] }} joints
+ * @property {{ x_mm: number[], y_mm: number[], z_mm: number[], reach_mm: number[] }} workspace
+ */
+
+/**
+ * @typedef {object} View
+ * @property {Reported | null} arm What is drawn solid; nothing where no arm has told anything.
+ * @property {{ kind: ToolKind, length_mm: number }} tool
+ * @property {"off" | "armed" | "burning"} laser
+ * @property {number} table_z_mm
+ * @property {{ from_mm: Place, to_mm: Place } | null} paper
+ * @property {Marks | null} marks
+ * @property {readonly Thing[]} things
+ * @property {readonly (Box | Cylinder)[]} keepOuts
+ * @property {Limits} limits
+ * @property {readonly Point[] | null} planned The way of the wrist, as planned: a thin line.
+ * @property {Ghost | null} ghost
+ * @property {boolean} draggable Whether a person may take the arm's tool, or the ghost, and drag the target.
+ * @property {boolean} old Whether nothing new has come for too long: the stage is grey.
+ * @property {boolean} dark Whether the theme is the dark one.
+ * @property {string} note What is written on the stage, such as how old it is; may be empty.
+ * @property {string} label What the stage is called for those who do not see it.
+ */
+
+/** @type {Limits} */
+export const STOCK = {
+  joints: { base_deg: [-135, 135], rear_deg: [-5, 85], fore_deg: [-10, 95], servo_deg: [-90, 90], opening_deg: [-105, 35] },
+  workspace: { x_mm: [-321, 321], y_mm: [-321, 321], z_mm: [-103, 136], reach_mm: [129, 321] },
+};
+
+/** A table without an arm. @type {View} */
+export const EMPTY = {
+  arm: null,
+  tool: { kind: "suction_cup", length_mm: 40 },
+  laser: "off",
+  table_z_mm: -103,
+  paper: null,
+  marks: null,
+  things: [],
+  keepOuts: [],
+  limits: STOCK,
+  planned: null,
+  ghost: null,
+  draggable: false,
+  old: false,
+  dark: false,
+  note: "",
+  label: "",
+};

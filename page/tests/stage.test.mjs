@@ -1,0 +1,244 @@
+// The stage alone, with a real pointer: that it shows what it is given, tells what is dragged, and does without WebGL.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { forward } from "../files/stage/links.js";
+import { onScreen, openStage, reported } from "./stage_bench.mjs";
+
+const PAPER = { from_mm: [150, -105], to_mm: [298, 105] };
+const GHOST = { x_mm: 200, y_mm: -60, z_mm: 0, rotation_deg: 0, refused: false };
+const WITH_ARM = { arm: reported(1), paper: PAPER, label: "the arm" };
+
+let bench, page;
+
+before(async () => {
+  bench = await openStage({ reducedMotion: "reduce" });
+  ({ page } = bench);
+});
+after(async () => {
+  await bench.end();
+  assert.deepEqual(bench.errors, []);
+});
+
+/** Gives the stage parts of a view and waits until they are drawn. */
+async function show(parts) {
+  await page.evaluate((parts) => window.show(parts), parts);
+  await drawn();
+}
+
+/** The frame after the next one, and a moment for those behind the last status. */
+async function drawn() {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))));
+}
+
+const picture = async () => (await page.screenshot()).toString("base64");
+
+/** Whether the picture changes by an action. */
+async function changes(action) {
+  const before = await picture();
+  await action();
+  return (await picture()) !== before;
+}
+
+const look = (preset) => page.evaluate((preset) => window.stage.look(preset), preset);
+const targets = () => page.evaluate(() => window.targets.splice(0));
+
+test("everything that a view can hold changes the picture", async () => {
+  await show(WITH_ARM);
+  const parts = {
+    arm: reported(2, -30),
+    tool: { kind: "gripper", length_mm: 70 },
+    laser: "burning",
+    paper: null,
+    marks: { width_mm: 0.5, ends_mm: [150, -50, 280, -50, 280, -50, 200, -90], shades: [1, 1] },
+    things: [{ name: "cube", shape: { type: "box", size_mm: [25, 25, 25] }, color: "#c0392b", at_mm: [180, -100], turn_deg: 20, bottom_mm: 0 }],
+    keepOuts: [{ box: { x_mm: [80, 140], y_mm: [-200, -120], z_mm: [-103, -20] } }],
+    planned: [[180, -80, 0], [280, 20, 10]],
+    ghost: GHOST,
+    draggable: true,
+    dark: true,
+    old: true,
+    note: "0.8 s old",
+  };
+  for (const [name, value] of Object.entries(parts)) {
+    assert.ok(await changes(() => show({ [name]: value })), name);
+  }
+});
+
+test("a refused ghost does not look like one that is allowed", async () => {
+  await show({ ...WITH_ARM, dark: false, old: false, note: "", ghost: GHOST });
+  assert.ok(await changes(() => show({ ghost: { ...GHOST, refused: true } })));
+});
+
+test("a limit is shown near it, and not away from it", async () => {
+  await show({ arm: reported(30, 0, 30, 45), ghost: null, laser: "off", marks: null, things: [], keepOuts: [], planned: null, draggable: false, tool: { kind: "suction_cup", length_mm: 40 } });
+  // The same arm under limits that are elsewhere.
+  const limits = await page.evaluate(async () => (await import("/stage/view.js")).STOCK);
+  const wide = { ...limits, joints: { ...limits.joints, rear_deg: [-5, 80] } }, near = { ...limits, joints: { ...limits.joints, rear_deg: [-5, 32] } };
+  assert.equal(await changes(() => show({ limits: wide })), false);
+  assert.equal(await changes(() => show({ limits: near })), true);
+  await show({ limits });
+});
+
+test("marks are added to what is there, and nothing is lost", async () => {
+  const once = { width_mm: 1, ends_mm: [160, -90, 280, -90, 280, -90, 280, 90, 280, 90, 160, 90], shades: [1, 1, 1] };
+  await show({ marks: once });
+  const whole = await picture();
+  await page.evaluate((all) => {
+    window.grown = { ...all, ends_mm: [], shades: [] };
+    window.show({ marks: window.grown });
+    for (const n of [0, 1, 2]) {
+      window.grown.ends_mm.push(...all.ends_mm.slice(4 * n, 4 * n + 4));
+      window.grown.shades.push(1);
+      window.show({ marks: window.grown });
+    }
+  }, once);
+  await drawn();
+  assert.equal(await picture(), whole);
+});
+
+test("nothing is drawn while nothing changes", async () => {
+  await show({ marks: null });
+  const frames = await page.evaluate(async () => {
+    let asked = 0;
+    const kept = window.requestAnimationFrame;
+    window.requestAnimationFrame = (action) => (asked += 1, kept.call(window, action));
+    await new Promise((done) => setTimeout(done, 400));
+    window.requestAnimationFrame = kept;
+    return asked;
+  });
+  assert.equal(frames, 0);
+});
+
+test("after the last status the arm stands where it was reported, however it came there", async () => {
+  for (const [n, base_deg] of [0, 8, 16, 24].entries()) await page.evaluate((arm) => window.show({ arm }), reported(40 + 0.08 * n, base_deg));
+  await page.waitForTimeout(600);
+  const end = await picture();
+  await show({ arm: reported(40.4, 24) });
+  assert.equal(await picture(), end);
+});
+
+test("each preset of the camera shows something else, and so do drag, wheel and keys", async () => {
+  await show(WITH_ARM);
+  const seen = new Set();
+  for (const key of ["1", "2", "3", "4"]) {
+    await page.focus("#stage");
+    await page.keyboard.press(key);
+    await drawn();
+    seen.add(await picture());
+  }
+  assert.equal(seen.size, 4);
+  await look("iso");
+  await drawn();
+  const hands = {
+    async orbit() {
+      await page.mouse.move(150, 150);
+      await page.mouse.down();
+      await page.mouse.move(250, 180);
+      await page.mouse.up();
+    },
+    async pan() {
+      await page.mouse.move(150, 150);
+      await page.mouse.down({ button: "right" });
+      await page.mouse.move(180, 190);
+      await page.mouse.up({ button: "right" });
+    },
+    zoom: () => page.mouse.wheel(0, 240),
+    turn: () => page.keyboard.press("Shift+ArrowLeft"),
+    shift: () => page.keyboard.press("Control+ArrowUp"),
+    nearer: () => page.keyboard.press("+"),
+  };
+  for (const [name, action] of Object.entries(hands)) {
+    assert.ok(await changes(async () => (await action(), await drawn())), name);
+  }
+  assert.deepEqual(await targets(), []);
+});
+
+test("the target is dragged over the table by its tip, in millimetres", async () => {
+  await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
+  await look("top");
+  await drawn();
+  const from = onScreen("top", GHOST);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 60, from.y, { steps: 5 });
+  await page.mouse.up();
+  const told = await targets();
+  const last = told.at(-1), dragged = told.at(-2);
+  assert.equal(last.phase, "drop");
+  assert.equal(dragged.phase, "drag");
+  // To the right on the screen is to the right of the arm, -Y; the height stays.
+  assert.ok(last.y_mm < GHOST.y_mm - 20, JSON.stringify(last));
+  assert.ok(Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
+  assert.equal(last.z_mm, GHOST.z_mm);
+  assert.equal(last.rotation_deg, GHOST.rotation_deg);
+});
+
+test("without a ghost the arm's own tool can be taken, and not where nothing may be dragged", async () => {
+  await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
+  await look("top");
+  await drawn();
+  const from = onScreen("top", forward(reported(50, 0), "suction_cup"));
+  const pull = async () => {
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 40, from.y + 10, { steps: 3 });
+    await page.mouse.up();
+    return targets();
+  };
+  assert.equal((await pull()).at(-1)?.phase, "drop");
+  await show({ draggable: false });
+  assert.deepEqual(await pull(), []);
+});
+
+test("seen from the side, the tip is dragged up and down, too", async () => {
+  await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
+  await look("side");
+  await drawn();
+  const at = onScreen("side", GHOST);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x, at.y - 40, { steps: 4 });
+  await page.mouse.up();
+  const last = (await targets()).at(-1);
+  assert.ok(last.z_mm > GHOST.z_mm + 10 && Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
+});
+
+test("a graphics card that is taken away leaves two dimensions, and three are back with it", async () => {
+  await show({ ...WITH_ARM, ghost: null, draggable: false });
+  const kind = () => page.evaluate(() => document.querySelector("#stage").dataset.shown);
+  assert.equal(await kind(), "3d");
+  await page.evaluate(() => {
+    window.card = document.querySelector("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
+    window.card.loseContext();
+  });
+  await page.waitForFunction(() => document.querySelector("#stage").dataset.shown === "2d");
+  assert.ok(await changes(() => show({ arm: reported(60, 50) })));
+  await page.evaluate(() => window.card.restoreContext());
+  await page.waitForFunction(() => document.querySelector("#stage").dataset.shown === "3d");
+  assert.ok(await changes(() => show({ arm: reported(70, -50) })));
+  assert.deepEqual(await page.evaluate(() => window.shown), ["2d", "3d"]);
+});
+
+test("a browser without WebGL shows the arm in two dimensions, and drags it", async () => {
+  const flat = await openStage({ webgl: false });
+  try {
+    const kind = await flat.page.evaluate(() => document.querySelector("#stage").dataset.shown);
+    assert.equal(kind, "2d");
+    await flat.page.evaluate((parts) => window.show(parts), { ...WITH_ARM, ghost: GHOST, draggable: true });
+    await flat.page.waitForTimeout(200);
+    // From above, in the left half: 700 mm wide, 500 mm tall.
+    const scale = Math.min(500 / 700, 700 / 590) * 0.94;
+    const at = { x: 250 + -GHOST.y_mm * scale, y: 350 - (GHOST.x_mm - 50) * scale };
+    await flat.page.mouse.move(at.x, at.y);
+    await flat.page.mouse.down();
+    await flat.page.mouse.move(at.x - 30, at.y, { steps: 3 });
+    await flat.page.mouse.up();
+    const last = (await flat.page.evaluate(() => window.targets)).at(-1);
+    assert.equal(last.phase, "drop");
+    assert.ok(Math.abs(last.y_mm - (GHOST.y_mm + 30 / scale)) < 1, JSON.stringify(last));
+    assert.equal(last.z_mm, GHOST.z_mm);
+    assert.deepEqual(flat.errors, []);
+  } finally {
+    await flat.end();
+  }
+});

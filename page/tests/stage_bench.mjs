@@ -1,0 +1,62 @@
+// The stage alone in a browser, served with the headers that a station sends.
+import { once } from "node:events";
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { chromium } from "playwright-core";
+import { PerspectiveCamera, Vector3 } from "three";
+import { LENS_DEG, place, preset } from "../files/stage/camera.js";
+
+const SIZE = { width: 1000, height: 700 };
+const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
+
+async function answer(request, response) {
+  const path = new URL(request.url, "http://here").pathname;
+  const file = path.startsWith("/harness/") ? new URL(`.${path}`, import.meta.url) : new URL(`../files${path}`, import.meta.url);
+  const bytes = await readFile(file).catch(() => null);
+  if (!bytes) return response.writeHead(404).end();
+  const type = TYPES[path.split(".").at(-1)] ?? "text/plain";
+  return response.writeHead(200, { "content-type": `${type}; charset=utf-8`, "content-security-policy": POLICY }).end(bytes);
+}
+
+/** A browser with the stage; `webgl` says whether it has WebGL. WebGL is drawn by the processor, so that it runs everywhere. */
+export async function openStage({ viewport = SIZE, webgl = true, ...options } = {}) {
+  const server = createServer(answer).listen(0, "127.0.0.1");
+  await once(server, "listening");
+  const drawn = process.env.CARD ? [] : webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", ...drawn] });
+  const context = await browser.newContext({ viewport, ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error" && !message.text().includes("favicon")) errors.push(message.text());
+  });
+  await page.goto(`http://127.0.0.1:${server.address().port}/harness/index.html`);
+  await page.waitForFunction(() => "stage" in window);
+  return {
+    page, errors,
+    async end() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/** Where a preset of the camera shows the tip of a tool of 40 mm, in pixels. */
+export function onScreen(name, { x_mm, y_mm, z_mm }, { width, height } = SIZE) {
+  const seen = preset(name, width / height, [0, 0, 0]);
+  const camera = new PerspectiveCamera(LENS_DEG, width / height, 20, 6000);
+  camera.up.set(0, 0, 1);
+  camera.position.set(...place(seen));
+  camera.lookAt(...seen.at_mm);
+  camera.updateMatrixWorld();
+  const { x, y } = new Vector3(x_mm, y_mm, z_mm - 40).project(camera);
+  return { x: ((x + 1) / 2) * width, y: ((1 - y) / 2) * height };
+}
+
+/** An arm that reported this at a second. */
+export function reported(at_s, base_deg = 20, rear_deg = 30, fore_deg = 45, servo_deg = 0) {
+  return { at_s, base_deg, rear_deg, fore_deg, servo_deg, suction: false, gripper_deg: 0 };
+}
