@@ -1,6 +1,11 @@
 // @ts-check
 // Watches and moves the arm over the station's WebSocket. What the messages hold is in the API document.
 
+import { createAround } from "./around.js";
+import { createStage } from "./stage/stage.js";
+import { EMPTY } from "./stage/view.js";
+import { createTarget } from "./target.js";
+
 /** @typedef {import("./api").components["schemas"]} Schemas */
 /** A station writes null where there is nothing, and leaves out no field of a state. @template T @typedef {T extends object ? {[K in keyof T]-?: Whole<Exclude<T[K], undefined>>} : T} Whole */
 /** @typedef {Whole<Schemas["State"]>} State */
@@ -19,14 +24,19 @@ const TOLD_MS = 12000;
 /** @type {Record<State["link"]["phase"], string>} */
 const LINK = { searching: "no arm yet", listening: "listening", up: "arm is there", lost: "arm is lost" };
 
+const NO_CONTROL = "Take control first.";
+
 /** @type {WebSocket | undefined} */ let socket;
 /** @type {State | undefined} */ let state;
 /** @type {number | undefined} */ let me;
 /** When the message about a problem goes. @type {number | undefined} */ let told;
 let heardAt = 0;
 let asked = 0;
-/** What waits for an answer; a problem is one, too. @type {Map<number, (problem?: Problem) => void>} */
+/** What waits for an answer; a problem is one, too. @type {Map<number, (problem?: Problem, reply?: Schemas["Reply"]) => boolean | void>} */
 const waiting = new Map();
+/** What the stage was told of the arm. @type {import("./stage/view.js").Reported | null} */ let shown = null;
+let isOld = false;
+const dark = matchMedia("(prefers-color-scheme: dark)");
 
 // --- The parts of the page -------------------------------------------------
 
@@ -71,6 +81,10 @@ function draw(state) {
   show("untrusted", !state.trust.trusted && state.arm !== null);
   write("untrusted-why", state.trust.reason ?? "");
   drawJog(state);
+  around.follow(state.link.address === "virtual:");
+  void around.showJob(state.job?.job);
+  target.arrived();
+  drawStage();
 }
 
 /** @param {State} state */
@@ -102,27 +116,27 @@ function drawArm(arm) {
   write("moving", arm.moving ? "moving" : "at rest");
   chip("suction", arm.suction ? "on" : "off", arm.suction ? "warn" : "off");
   chip("gripper", `${arm.gripper_deg.toFixed(0)}°`, "off");
-  drawViews(arm);
 }
 
-/** Rear arm 135 mm, forearm 160 mm; SVG counts downwards. @param {Arm} arm */
-function drawViews(arm) {
-  const rear = (arm.rear_deg * Math.PI) / 180;
-  const fore = (arm.fore_deg * Math.PI) / 180;
-  const elbow = [135 * Math.sin(rear), -135 * Math.cos(rear)];
-  const wrist = [elbow[0] + 160 * Math.cos(fore), elbow[1] + 160 * Math.sin(fore)];
-  const [ex, ey, wx, wy] = [...elbow, ...wrist].map((it) => it.toFixed(1));
-  set("side-arm", { d: `M0 0L${ex} ${ey}L${wx} ${wy}` });
-  set("side-tool", { d: `M${wx} ${wy}v34` });
-  set("side-elbow", { cx: ex, cy: ey });
-  set("side-wrist", { cx: wx, cy: wy });
-  set("top-arm", { d: `M0 0L${-arm.y_mm} ${-arm.x_mm}` });
-  set("top-tip", { cx: String(-arm.y_mm), cy: String(-arm.x_mm) });
-}
-
-/** @param {string} id @param {Record<string, string>} attributes */
-function set(id, attributes) {
-  for (const [name, value] of Object.entries(attributes)) part(id).setAttribute(name, value);
+/** Shows the arm and all around it. */
+function drawStage() {
+  const arm = state?.arm ?? null;
+  if (arm && state && shown?.at_s !== state.at_s) shown = { ...arm, at_s: state.at_s };
+  if (!arm) shown = null;
+  const mine = state !== undefined && (hindrance(state) === "" || (state.lease === null && hindrance(state) === NO_CONTROL));
+  const where = arm ? `x ${arm.x_mm.toFixed(0)}, y ${arm.y_mm.toFixed(0)}, z ${arm.z_mm.toFixed(0)} mm` : "no arm yet";
+  stage.show({
+    ...EMPTY,
+    ...around.view(),
+    arm: shown,
+    laser: state?.laser.on ? "burning" : (state?.laser.armed_for_s ?? 0) > 0 ? "armed" : "off",
+    ghost: target.ghost(),
+    draggable: mine,
+    old: isOld,
+    dark: dark.matches,
+    note: isOld ? part("old").textContent ?? "" : "",
+    label: `The arm: ${where}`,
+  });
 }
 
 /** @param {State["laser"]} laser */
@@ -215,7 +229,7 @@ function hindrance(state) {
   if (state.link.phase !== "up") return "There is no arm to move.";
   if (state.stop) return "The arm is stopped.";
   if (!state.trust.trusted) return "The pose is not confirmed.";
-  if (state.lease?.client !== me) return "Take control first.";
+  if (state.lease?.client !== me) return NO_CONTROL;
   if (state.job?.phase === "running") return "A job has the arm.";
   return "";
 }
@@ -274,7 +288,7 @@ function sentence(text) {
 
 /**
  * Asks for something. A refusal is told to all of the page, unless whoever asked takes it.
- * @param {Request} request @param {(problem?: Problem) => void} [answered] whether it keeps the problem to itself is what it returns
+ * @param {Request} request @param {(problem?: Problem, reply?: Schemas["Reply"]) => boolean | void} [answered] whether it keeps the problem to itself is what it returns
  */
 function ask(request, answered) {
   if (socket?.readyState !== WebSocket.OPEN) {
@@ -330,17 +344,19 @@ function hear(message) {
   if ("hello" in message) {
     me = message.hello.client;
     catchUp();
+    void around.begin();
   } else if ("state" in message) {
     state = /** @type {State} */ (message.state);
     draw(state);
   } else if ("notice" in message) {
     addNotice(message.notice);
+    if (message.notice.type === "policy_changed") void around.readPolicy();
   }
   const id = "id" in message ? message.id : undefined;
   const problem = "problem" in message ? message.problem : undefined;
   const answered = id == null ? undefined : waiting.get(id);
   if (id != null) waiting.delete(id);
-  const taken = answered?.(problem);
+  const taken = answered?.(problem, "reply" in message ? message.reply : undefined);
   if (problem && !taken) tell(problem);
 }
 
@@ -357,6 +373,7 @@ async function catchUp() {
 /** @param {CloseEvent} event */
 async function tryAgain(event) {
   letGo();
+  around.end();
   waiting.clear();
   me = undefined;
   chip("link-chip", "no connection", "bad");
@@ -381,7 +398,10 @@ function watchAge() {
   const old = heardAt > 0 && quiet > OLD_MS && (!open || state?.link.phase === "up");
   show("old", old);
   part("main").classList.toggle("is-old", old);
+  const turns = old !== isOld;
+  isOld = old;
   if (old) write("old", `This view is ${span(quiet / 1000)} old. ${open ? "The station is silent." : "Connecting again…"}`);
+  if (old || turns) drawStage();
 }
 
 // --- Jogging: nothing moves unless a button is held -------------------------
@@ -540,6 +560,15 @@ function takeToken() {
   sessionStorage.setItem("token", token);
   history.replaceState(null, "", location.pathname);
 }
+
+const around = createAround((path) => fetch(path, { headers: authorization() }), () => drawStage());
+const target = createTarget({ state: () => state, ask, changed: () => drawStage() });
+const stage = createStage(part("stage"));
+part("stage").addEventListener("target", (event) => target.fill(/** @type {CustomEvent<import("./stage/view.js").Target>} */ (event).detail));
+for (const button of document.querySelectorAll("[data-look]")) {
+  button.addEventListener("click", () => stage.look(/** @type {import("./stage/view.js").Preset} */ (/** @type {HTMLElement} */ (button).dataset.look)));
+}
+dark.addEventListener("change", drawStage);
 
 takeToken();
 listen();

@@ -9,6 +9,8 @@ import { end, start } from "./program.mjs";
 
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const PACKET_LEN = 42;
+// Drawn by the processor, so that it runs everywhere.
+const WEBGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 /** Ten floats for each packet to the arm, and when it passed. */
 class Told {
@@ -24,6 +26,11 @@ class Told {
     }
   }
 
+  /** The Cartesian targets from a packet on: x, y and z. */
+  targets(from = 0) {
+    return this.packets.slice(from).filter(({ floats: [state] }) => state === 3).map(({ floats }) => floats.slice(2, 5));
+  }
+
   /** The jog packets from one on: `joint 3`, `linear 0` for a release. Those of the laser are none. */
   jogs(from = 0) {
     return this.packets.slice(from).filter(({ floats: [state, axis] }) => (state === 2 || state === 7) && axis < 9)
@@ -32,7 +39,7 @@ class Told {
 }
 
 /** Everything that a test needs; `end` ends it. */
-export async function open(viewport = { width: 1440, height: 900 }) {
+export async function open({ viewport = { width: 1440, height: 900 }, webgl = false } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
   const arm = await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1"], /^tcp:127\.0\.0\.1:(\d+)/);
   const told = new Told();
@@ -49,7 +56,7 @@ export async function open(viewport = { width: 1440, height: 900 }) {
     ["up", "--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder],
     /page +(http:\S+)/,
   );
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
   const page = await browser.newPage({ viewport });
   const errors = [];
   page.on("pageerror", (error) => errors.push(error));

@@ -1,0 +1,90 @@
+// Going to a place: typed, or dragged on the stage, judged on what the arm was told.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+import { open, pose, rest, takeControl } from "./bench.mjs";
+import { onScreen } from "./stage_bench.mjs";
+
+let bench, page, told, from;
+
+before(async () => {
+  bench = await open({ webgl: true, viewport: { width: 900, height: 600 } });
+  ({ page, told } = bench);
+  await takeControl(page);
+});
+after(() => bench.end());
+beforeEach(async () => {
+  await rest(page);
+  from = told.packets.length;
+});
+afterEach(() => assert.deepEqual(bench.errors, []));
+
+/** Types a place, as a person does. */
+async function type(place) {
+  for (const [name, value] of Object.entries(place)) await page.fill(`#target-${name}`, String(value));
+}
+
+const says = (part) => page.waitForFunction((part) => document.querySelector("#target-told").textContent.includes(part), part);
+const at = (name, value) => page.waitForFunction(([name, value]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < 0.15, [name, value]);
+const field = async (name) => Number(await page.inputValue(`#target-${name}`));
+
+test("a place that is typed is checked, and only Go brings the arm there", async () => {
+  await type({ x_mm: 210, y_mm: -60, z_mm: 20 });
+  await says("The whole way is free");
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#target-go");
+  await at("y_mm", -60);
+  assert.deepEqual(told.targets(from), [[210, -60, 20]]);
+  await page.waitForFunction(() => document.querySelector("#target-x_mm").value === "");
+});
+
+test("a place beyond reach is refused with what is allowed, and the nearest place is one click away", async () => {
+  await type({ x_mm: 600, y_mm: 0, z_mm: 20 });
+  await says("too far");
+  assert.equal(await page.isDisabled("#target-go"), true);
+  await page.click("#target-nearest");
+  await says("The whole way is free");
+  assert.ok((await field("x_mm")) < 330 && (await field("x_mm")) > 220);
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#target-clear");
+});
+
+test("a field without a number asks for one, and nothing is sent", async () => {
+  await type({ x_mm: 200 });
+  await says("The whole way is free");
+  await page.fill("#target-x_mm", "");
+  await says("Each field takes a number");
+  assert.equal(await page.isDisabled("#target-go"), true);
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#target-clear");
+});
+
+test("the tip that is dragged on the stage says where to go, and Go brings the arm there", async () => {
+  await page.waitForSelector("#stage[data-shown='3d']");
+  await page.click("[data-look=top]");
+  await page.waitForTimeout(700);
+  const box = await page.locator("#stage").boundingBox();
+  const tip = onScreen("top", { x_mm: await pose(page, "x_mm"), y_mm: await pose(page, "y_mm"), z_mm: await pose(page, "z_mm") }, box);
+  await page.mouse.move(box.x + tip.x, box.y + tip.y);
+  await page.mouse.down();
+  await page.mouse.move(box.x + tip.x - 12, box.y + tip.y + 6, { steps: 6 });
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector("#target-y_mm").value !== "");
+  await says("The whole way is free");
+  const wanted = [await field("x_mm"), await field("y_mm")];
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#target-go");
+  await at("y_mm", wanted[1]);
+  const [[x_mm, y_mm]] = told.targets(from);
+  assert.ok(Math.abs(x_mm - wanted[0]) < 0.06 && Math.abs(y_mm - wanted[1]) < 0.06);
+});
+
+test("Escape stops an arm that was told to go somewhere", async () => {
+  await type({ x_mm: 200, y_mm: 90, z_mm: 20 });
+  await says("The whole way is free");
+  await page.click("#target-go");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#stopped:visible");
+  await page.waitForFunction(() => document.querySelector("#stopped-by").textContent.includes("It is at rest"));
+  await page.click("#reset");
+  await page.click("#sure-yes");
+});
