@@ -27,7 +27,7 @@ fuzz_target!(|input: &[u8]| {
         return;
     };
     assert!(compiled.commands.len() <= 1_000_000);
-    let job = compiled.job(0.0);
+    let job = compiled.job();
     job.program
         .check(job.commands.len())
         .expect("a job takes it");

@@ -84,10 +84,14 @@ kinds! {
         "No route of the station has this path. `/api/v1/openapi.json` lists all of them.";
     NO_SUCH_JOB = 404 "no-such-job" "there is no such job"
         "No job has this number. `/api/v1/jobs` lists all of them.";
+    NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
+        "No token has this name. `/api/v1/tokens` lists all of them.";
     METHOD = 405 "method" "this address does not take this method"
         "The path exists, but not with this method. The Allow header lists those that it takes.";
     TIMEOUT = 408 "timeout" "the request came too slowly"
         "The body was not there in time. Nothing has changed.";
+    TOKEN_TAKEN = 409 "token-taken" "another token has this name"
+        "Remove the other token first, or take another name.";
     NOT_VIRTUAL = 409 "not-virtual" "the arm is no virtual one of this station"
         "World and faults are those of the virtual arm that a station has of its own: `dobot up --virtual`.";
     NO_LEASE = 409 "no-lease" "this client does not have control"
@@ -132,6 +136,8 @@ kinds! {
         "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
     BAD_POLICY = 422 "bad-policy" "the text is no policy"
         "The text cannot be used as a safety policy. The detail says which line, what was found, and what is allowed. The policy that held before holds on.";
+    TOKEN_FILE = 500 "token-file" "the tokens cannot be read or written"
+        "The file with the tokens cannot be read or written. Nothing has changed.";
     POLICY_FILE = 500 "policy-file" "the policy cannot be written"
         "The new policy holds, but it could not be written to its file: after the next start of the station the old one holds again.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
@@ -140,6 +146,8 @@ kinds! {
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
     BAD_PROGRAM = 422 "bad-program" "the program cannot be done"
         "The text is no program, or a step of it cannot be done. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all that is wrong.";
+    TOKEN_NAME = 422 "token-name" "no token can have this name"
+        "The detail says which names a token can have.";
     BAD_SCENE = 422 "bad-scene" "the text is no scene"
         "The text does not describe a world. The detail says which line, what was found, and what is allowed.";
     BAD_FAULT = 422 "bad-fault" "that cannot go wrong so"

@@ -365,7 +365,7 @@ fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
 #[test]
 fn a_start_that_fails_has_switched_the_laser_off_first() {
     let bench = Bench::new();
-    let policy = bench.folder().join("policy.toml");
+    let policy = bench.folder().join("wrong.toml");
     std::fs::write(&policy, "[jog]\ndead_man = 1").expect("there is room");
     let policy = policy.to_str().expect("the path is text");
     bench.first_of_a_failing_start(&["--policy", policy], &["policy"]);

@@ -2,7 +2,7 @@
 
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use dobot_api::Role;
@@ -72,8 +72,12 @@ impl App {
 
     /// Name and role of whoever has this token.
     pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
-        let mut tokens = self.tokens.lock().unwrap_or_else(PoisonError::into_inner);
-        tokens.holder(secret)
+        self.tokens().holder(secret)
+    }
+
+    /// The tokens; nobody else changes them meanwhile.
+    pub(super) fn tokens(&self) -> MutexGuard<'_, Tokens> {
+        self.tokens.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

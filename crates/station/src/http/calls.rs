@@ -48,9 +48,9 @@ impl FromRequestParts<Arc<App>> for Asker {
 }
 
 impl Asker {
-    /// Whether the caller may do more than watch.
-    pub(super) fn check_controls(&self) -> Result<(), Refusal> {
-        let (needed, found) = (Role::Control, self.caller.role);
+    /// Whether the caller's role is enough.
+    pub(super) fn check_role(&self, needed: Role) -> Result<(), Refusal> {
+        let found = self.caller.role;
         if found < needed {
             return Err(Refusal::Role { needed, found });
         }

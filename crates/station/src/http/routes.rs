@@ -7,6 +7,7 @@ mod jobs;
 mod leases;
 mod motion;
 mod programs;
+mod tokens;
 mod virtual_arm;
 mod watching;
 
@@ -56,6 +57,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         arm::all(),
         jobs::all(),
         programs::all(),
+        tokens::all(),
         virtual_arm::all(),
     ]
     .concat()

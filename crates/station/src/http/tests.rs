@@ -12,6 +12,7 @@ mod routes;
 mod schema;
 mod served;
 mod sockets;
+mod token_routes;
 mod virtual_arms;
 
 use std::net::SocketAddr;

@@ -93,6 +93,12 @@ impl Tokens {
         self.known.iter().map(|it| (&*it.name, it.role))
     }
 
+    /// The same, as the file has them now.
+    pub(super) fn current(&mut self) -> Result<impl Iterator<Item = (&str, Role)>, TokensError> {
+        self.follow()?;
+        Ok(self.list())
+    }
+
     /// Makes the token of programs on the same machine.
     pub(super) fn make_local(&mut self) -> Result<Token, TokensError> {
         let token = Token::random().map_err(TokensError::Random)?;

@@ -4,8 +4,8 @@ use std::sync::{Arc, PoisonError};
 
 use axum::Json;
 use axum::extract::{Query as Queries, State};
-use dobot_api::Problem;
 use dobot_api::problem_kinds::{BAD_FAULT, BAD_SCENE, MALFORMED, NOT_VIRTUAL};
+use dobot_api::{Problem, Role};
 use dobot_rules::OwnVirtualArm;
 use dobot_sim::Fault;
 use dobot_sim::world::{Scene, World, WorldState};
@@ -108,7 +108,7 @@ fn for_later<T>(marks: &mut Vec<T>, from: usize) {
 
 async fn set_world(asker: Asker, Body(new): Body<SceneText>) -> Result<Json<WorldState>, NotDone> {
     let own = own_arm(&asker.app)?;
-    asker.check_controls()?;
+    asker.check_role(Role::Control)?;
     let scene = Scene::parse(&new.scene);
     let scene = scene.map_err(|error| BAD_SCENE.problem(error.to_string()))?;
     own.arm.arm().set_world(World::new(scene));
@@ -126,7 +126,7 @@ async fn set_faults(
     Body(new): Body<NewFaults>,
 ) -> Result<Json<Vec<String>>, NotDone> {
     let own = own_arm(&asker.app)?;
-    asker.check_controls()?;
+    asker.check_role(Role::Control)?;
     let bad = |error: dobot_sim::FaultError| BAD_FAULT.problem(error.to_string());
     let faults: Result<Vec<Fault>, _> = new.faults.iter().map(|it| it.parse()).collect();
     let faults = faults.map_err(bad)?;

@@ -1,0 +1,111 @@
+//! The tokens by which the station knows its clients.
+
+use axum::Json;
+use axum::extract::Path;
+use axum::http::StatusCode;
+use dobot_api::problem_kinds::{NO_SUCH_TOKEN, TOKEN_FILE, TOKEN_NAME, TOKEN_TAKEN};
+use dobot_api::{Problem, Role};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::super::answer::{Body, NotDone};
+use super::super::calls::Asker;
+use super::super::route::Route;
+use super::super::tokens::TokensError;
+use super::{DELETE, GET, POST};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/api/v1/tokens",
+            "The tokens of the station, without their secrets; for administrators",
+            list,
+        )
+        .gives::<Vec<TokenView>>(200, "the tokens")
+        .problems(&[TOKEN_FILE]),
+        Route::new(
+            POST,
+            "/api/v1/tokens",
+            "Makes a token, whose secret is shown this once; for administrators",
+            add,
+        )
+        .brings::<Body<TokenView>>()
+        .example(r#"{"name": "phone", "role": "control"}"#)
+        .gives::<NewToken>(201, "the token")
+        .problems(&[TOKEN_NAME, TOKEN_TAKEN, TOKEN_FILE]),
+        Route::new(
+            DELETE,
+            "/api/v1/tokens/{name}",
+            "Removes a token: its holder is not known any more; for administrators",
+            remove,
+        )
+        .gives::<Vec<TokenView>>(200, "the tokens that are left")
+        .problems(&[NO_SUCH_TOKEN, TOKEN_FILE]),
+    ]
+}
+
+/// A token, without its secret.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct TokenView {
+    /// Who it is for: 1 to 40 letters, digits, dots, dashes and spaces.
+    name: String,
+    /// What its holder may do.
+    role: Role,
+}
+
+/// A token that was just made.
+#[derive(Debug, Serialize, JsonSchema)]
+struct NewToken {
+    /// Who it is for.
+    name: String,
+    /// What its holder may do.
+    role: Role,
+    /// What the holder shows; nobody is shown it again.
+    secret: String,
+}
+
+async fn list(asker: Asker) -> Result<Json<Vec<TokenView>>, NotDone> {
+    asker.check_role(Role::Admin)?;
+    Ok(Json(all_of(&asker)?))
+}
+
+async fn add(
+    asker: Asker,
+    Body(new): Body<TokenView>,
+) -> Result<(StatusCode, Json<NewToken>), NotDone> {
+    asker.check_role(Role::Admin)?;
+    let TokenView { name, role } = new;
+    let token = asker.app.tokens().add(role, &name);
+    let token = token.map_err(|error| told(&error))?;
+    let secret = token.secret().to_owned();
+    Ok((StatusCode::CREATED, Json(NewToken { name, role, secret })))
+}
+
+async fn remove(asker: Asker, Path(name): Path<String>) -> Result<Json<Vec<TokenView>>, NotDone> {
+    asker.check_role(Role::Admin)?;
+    let removed = asker.app.tokens().remove(&name);
+    removed.map_err(|error| told(&error))?;
+    Ok(Json(all_of(&asker)?))
+}
+
+fn all_of(asker: &Asker) -> Result<Vec<TokenView>, Problem> {
+    let mut tokens = asker.app.tokens();
+    let list = tokens.current().map_err(|error| told(&error))?;
+    let view = |(name, role): (&str, Role)| TokenView {
+        name: name.to_owned(),
+        role,
+    };
+    Ok(list.map(view).collect())
+}
+
+fn told(error: &TokensError) -> Problem {
+    let kind = match error {
+        TokensError::Name(_) => TOKEN_NAME,
+        TokensError::Taken(_) => TOKEN_TAKEN,
+        TokensError::Unknown(_) => NO_SUCH_TOKEN,
+        _ => TOKEN_FILE,
+    };
+    kind.problem(error.to_string())
+}
