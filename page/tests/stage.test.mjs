@@ -203,6 +203,55 @@ test("seen from the side, the tip is dragged up and down, too", async () => {
   assert.ok(last.z_mm > GHOST.z_mm + 10 && Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
 });
 
+test("fingers do it, too: one turns, two zoom, and one on the target drags it", async () => {
+  const phone = await openStage({ viewport: { width: 390, height: 340 }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
+  const { page: glass } = phone;
+  const touch = await glass.context().newCDPSession(glass);
+  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const seen = async () => {
+    await glass.waitForTimeout(250);
+    return (await glass.screenshot()).toString("base64");
+  };
+  try {
+    await glass.evaluate((parts) => window.show(parts), { ...WITH_ARM, ghost: GHOST, draggable: true });
+    const first = await seen();
+    await send("touchStart", [40, 60]);
+    await send("touchMove", [120, 80]);
+    await send("touchEnd");
+    const turned = await seen();
+    assert.notEqual(turned, first);
+    await send("touchStart", [150, 60], [200, 60]);
+    await send("touchMove", [100, 60], [250, 60]);
+    await send("touchEnd");
+    assert.notEqual(await seen(), turned);
+    assert.deepEqual(await glass.evaluate(() => window.targets), []);
+    await glass.evaluate(() => window.stage.look("top"));
+    await seen();
+    const { x, y } = onScreen("top", GHOST, { width: 390, height: 340 });
+    await send("touchStart", [x, y]);
+    await send("touchMove", [x - 20, y]);
+    await send("touchEnd");
+    const told = await glass.evaluate(() => window.targets);
+    assert.equal(told.at(-1).phase, "drop");
+    assert.ok(told.at(-1).y_mm > GHOST.y_mm + 10, JSON.stringify(told));
+    assert.deepEqual(phone.errors, []);
+  } finally {
+    await phone.end();
+  }
+});
+
+test("in a window of another shape all of the arm is still seen, and what was dragged stays where it is", async () => {
+  await show({ ...WITH_ARM, arm: reported(55, 0), ghost: GHOST, draggable: true });
+  await look("top");
+  for (const size of [{ width: 500, height: 800 }, { width: 1000, height: 700 }]) {
+    await page.setViewportSize(size);
+    await drawn();
+    const { x, y } = onScreen("top", GHOST, size);
+    await page.mouse.move(x, y);
+    assert.ok(await page.evaluate(() => document.querySelector("canvas").classList.contains("is-over-handle")), JSON.stringify(size));
+  }
+});
+
 test("a graphics card that is taken away leaves two dimensions, and three are back with it", async () => {
   await show({ ...WITH_ARM, ghost: null, draggable: false });
   const kind = () => page.evaluate(() => document.querySelector("#stage").dataset.shown);

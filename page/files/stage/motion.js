@@ -8,6 +8,10 @@
 
 /** How far behind: one status (80 ms), and half a one for those that are late. */
 export const BEHIND_S = 0.12;
+/** A status comes each 80 ms. */
+const STATUS_S = 0.08;
+/** A place that was told again, and is another one not before so long after, is one where the arm stood. */
+const STOOD_S = 0.12;
 /** How many statuses are kept: more than pass in that time. */
 const KEPT = 8;
 /** A stop for longer than that is not a gap in a motion: the arm stood, or nothing was heard. */
@@ -21,9 +25,12 @@ export class Motion {
   /** @type {Sample[]} */ #samples = [];
   /** What to add to the station's clock to get ours; of all statuses the one that was quickest tells it best. */
   #ahead_s = Infinity;
+  /** When the last place was told the last time. */
+  #told_s = 0;
 
   /**
-   * Takes what was reported.
+   * Takes what was reported. A station tells more often than the arm does: what is the same as before is no status, until it
+   * has been so for longer than a status takes.
    * @param {Sample} sample
    * @param {number} now_s
    */
@@ -31,15 +38,29 @@ export class Motion {
     const last = this.#samples.at(-1);
     if (last && sample.at_s === last.at_s) return;
     // A station that was started again counts from 0.
-    if (last && sample.at_s < last.at_s) this.forget();
+    if (last && sample.at_s < last.at_s) return this.#again(sample, now_s);
     this.#ahead_s = Math.min(this.#ahead_s + DRIFT, now_s - sample.at_s);
+    if (last && NAMES.every((name) => sample.joints[name] === last.joints[name])) {
+      this.#told_s = sample.at_s;
+      return;
+    }
+    const until_s = Math.min(this.#told_s, sample.at_s - STATUS_S);
+    if (last && this.#told_s > last.at_s && sample.at_s > last.at_s + STOOD_S) this.#samples.push({ at_s: until_s, joints: last.joints });
     this.#samples.push(sample);
-    if (this.#samples.length > KEPT) this.#samples.shift();
+    this.#told_s = sample.at_s;
+    while (this.#samples.length > KEPT) this.#samples.shift();
+  }
+
+  /** @param {Sample} sample @param {number} now_s */
+  #again(sample, now_s) {
+    this.forget();
+    this.hear(sample, now_s);
   }
 
   forget() {
     this.#samples = [];
     this.#ahead_s = Infinity;
+    this.#told_s = 0;
   }
 
   /**

@@ -47,6 +47,24 @@ test("an even turn is drawn even: no step is twice as large as another one", () 
   assert.ok(Math.max(...steps) < 2 * Math.min(...steps), `${Math.min(...steps)} to ${Math.max(...steps)}`);
 });
 
+test("what a station tells between two statuses does not stop the arm on its way", () => {
+  const motion = new Motion(), angles = [];
+  // A status each 80 ms; the same place is told again 30 and 40 ms after it, as while a button is held.
+  for (let n = 0; n < 12; n += 1) for (const ms of [0, 30, 40]) motion.hear({ at_s: 10 + 0.08 * n + ms / 1000, joints: joints(5 * n) }, 100 + 0.08 * n + ms / 1000);
+  for (let ms = 800; ms < 950; ms += 5) angles.push(motion.at(100 + ms / 1000).joints.base_deg);
+  const steps = angles.slice(1).map((angle, n) => angle - angles[n]);
+  assert.ok(Math.min(...steps) > 0.25 && Math.max(...steps) < 0.38, `${Math.min(...steps)} to ${Math.max(...steps)}, expected 0.3125`);
+});
+
+test("an arm that stood begins to move when it did, not when it was first told to stand", () => {
+  const motion = new Motion();
+  for (let n = 0; n < 10; n += 1) motion.hear({ at_s: 10 + 0.08 * n, joints: joints(0) }, 100 + 0.08 * n);
+  motion.hear({ at_s: 10.8, joints: joints(8) }, 100.8);
+  assert.equal(motion.at(100.71 + BEHIND_S).joints.base_deg, 0);
+  const half = motion.at(100.76 + BEHIND_S).joints.base_deg;
+  assert.ok(half > 1 && half < 7, `${half}`);
+});
+
 test("a status that is late stops the drawing, it does not make it jump", () => {
   const motion = heard(0, 5, 10);
   const stood = motion.at(100.5).joints.base_deg;
