@@ -188,7 +188,7 @@ impl CalibrationFile {
             slope_y: 0.0,
         });
         let ranges = [
-            ("zeros.base", self.zeros.base, -180.0, 180.0),
+            ("zeros.base", self.zeros.base, -90.0, 90.0),
             ("zeros.rear", self.zeros.rear, -30.0, 30.0),
             ("zeros.fore", self.zeros.fore, -30.0, 30.0),
             ("tool.out_mm", self.tool.out_mm, -30.0, 30.0),

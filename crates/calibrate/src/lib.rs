@@ -21,6 +21,7 @@
 
 mod file;
 mod fit;
+mod procedure;
 mod repeatability;
 mod sheet;
 mod solve;
@@ -31,6 +32,7 @@ pub use file::{
     Axis, Backlash, CalibrationFile, FileError, PaperPlane, ToolOffset, Touched, Zeros,
 };
 pub use fit::{Advice, Fit, Trust, Unsure, fit};
+pub use procedure::Procedure;
 pub use repeatability::{Repeatability, repeatability};
 pub use sheet::{BAR_MM, SHEET_POINTS, ScaledBar, check_bar, sheet_svg};
 pub use solve::Paper;
