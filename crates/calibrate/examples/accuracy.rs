@@ -1,5 +1,6 @@
-//! Prints how exact a hundred random arms are before and after a calibration, for
-//! `docs/calibration.md`.
+//! `cargo run -p dobot-calibrate --example accuracy`: how exact arms are before and after a calibration.
+//!
+//! It prints the table of `docs/calibration.md`, for a hundred random arms.
 
 use dobot_arm::{Calibration, Degrees, Joints, Position, Tool};
 use dobot_calibrate::{Fit, Paper, SHEET_POINTS, Touch, fit};

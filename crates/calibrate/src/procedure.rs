@@ -9,6 +9,8 @@ use crate::{Fit, FitError, SHEET_POINTS, Touch, fit};
 pub struct Procedure {
     tool: Tool,
     touches: Vec<Touch>,
+    /// How many points of the sheet the arm does not get to.
+    skipped: usize,
 }
 
 impl Procedure {
@@ -18,6 +20,7 @@ impl Procedure {
         Self {
             tool,
             touches: Vec::new(),
+            skipped: 0,
         }
     }
 
@@ -25,7 +28,7 @@ impl Procedure {
     /// which makes the result better.
     #[must_use]
     pub fn next_point(&self) -> (usize, [f64; 2]) {
-        let index = self.touches.len() % SHEET_POINTS.len();
+        let index = (self.touches.len() + self.skipped) % SHEET_POINTS.len();
         (index + 1, SHEET_POINTS[index])
     }
 
@@ -39,6 +42,11 @@ impl Procedure {
         });
     }
 
+    /// Leaves the next point out: the arm does not get to it.
+    pub const fn skip(&mut self) {
+        self.skipped += 1;
+    }
+
     /// Takes the last touch back; tells whether there was one.
     pub fn undo(&mut self) -> bool {
         self.touches.pop().is_some()
@@ -46,6 +54,7 @@ impl Procedure {
 
     /// Forgets all touches, because the arm counts its base anew; tells how many there were.
     pub fn begin_anew(&mut self) -> usize {
+        self.skipped = 0;
         std::mem::take(&mut self.touches).len()
     }
 
@@ -75,6 +84,8 @@ mod tests {
         assert_eq!(procedure.next_point(), (1, SHEET_POINTS[0]));
         procedure.touch(Joints::new(0.0, 45.0, 45.0, 0.0));
         assert_eq!(procedure.next_point(), (2, SHEET_POINTS[1]));
+        procedure.skip();
+        assert_eq!(procedure.next_point(), (3, SHEET_POINTS[2]));
         assert!(procedure.undo());
         assert!(!procedure.undo());
         assert_eq!(procedure.outcome(), Err(FitError::TooFew { found: 0 }));

@@ -32,7 +32,8 @@ Examples:
 
 Lay the sheet in front of the arm as it says, and put the pen in. Jog with the keys of `dobot jog` until the tip
 stands on the point, each time from the right and from above, so that the play of the joints is on the same side.
-  Enter      the tip is on the point        z   takes the last touch back
+  Enter      the tip is on the point        n   the arm does not get there: the next point
+  z          takes the last touch back
   w  w       shows what would be kept, then keeps it; q leaves without
 
 Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. After a reset of

@@ -30,6 +30,7 @@ pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
     let mut help = move_lines(&it.pendant);
     help.push(key_line(&[
         ("Enter", "touched"),
+        ("n", "skip"),
         ("z", "undo"),
         ("w", "show, keep"),
         ("q", "leave"),

@@ -70,6 +70,7 @@ impl Toucher {
             },
             TouchKey::Undo if self.procedure.undo() => self.judge(),
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Skip => self.procedure.skip(),
             TouchKey::Keep => self.keep(shown),
         }
     }
@@ -178,6 +179,8 @@ impl Panel for Toucher {
 enum TouchKey {
     /// The tip is on the point.
     Touch,
+    /// The arm does not get to the point.
+    Skip,
     /// The last touch is taken back.
     Undo,
     /// The result is shown, then kept.
@@ -191,6 +194,7 @@ fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
     }
     match key.code {
         KeyCode::Enter => Some(TouchKey::Touch),
+        KeyCode::Char('n') => Some(TouchKey::Skip),
         KeyCode::Char('z') => Some(TouchKey::Undo),
         KeyCode::Char('w') => Some(TouchKey::Keep),
         _ => None,
