@@ -71,7 +71,7 @@ impl Toucher {
             TouchKey::Undo if self.procedure.undo() => self.judge(),
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
-            TouchKey::Keep => self.keep(shown),
+            TouchKey::Keep => self.keep(shown.as_ref()),
         }
     }
 
@@ -100,12 +100,12 @@ impl Toucher {
     }
 
     /// What was shown is kept; what was not is shown first.
-    fn keep(&mut self, shown: Option<CalibrationFile>) {
+    fn keep(&mut self, shown: Option<&CalibrationFile>) {
         let found = match &self.outcome {
             Ok(fit) => CalibrationFile::of(fit, self.backlash),
             Err(why) => return self.pendant.tell(format!("nothing to keep: {why}")),
         };
-        if shown.as_ref() != Some(&found) {
+        if shown != Some(&found) {
             self.shown = Some(found);
             let text = "this is what would be kept; w again keeps it, any other key does not";
             return self.pendant.tell(text.into());
@@ -198,5 +198,127 @@ fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
         KeyCode::Char('z') => Some(TouchKey::Undo),
         KeyCode::Char('w') => Some(TouchKey::Keep),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use dobot_api::ClientId;
+    use dobot_arm::{Calibration, Position};
+    use dobot_calibrate::SHEET_POINTS;
+
+    use super::*;
+    use crate::pendant::{Drive, KeyReports, STATE};
+
+    const ARM: Calibration = Calibration {
+        base_deg: 5.0,
+        rear_deg: -4.0,
+        fore_deg: 3.0,
+        reach_mm: 2.0,
+        left_mm: 1.0,
+        axis_mm: [0.0, 0.0],
+    };
+
+    fn toucher(known: Option<CalibrationFile>) -> Toucher {
+        let dead_man = Duration::from_millis(150);
+        let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
+        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None);
+        it.handle_state(serde_json::from_str(STATE).unwrap());
+        it
+    }
+
+    /// The tip stands on a point of the sheet.
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn on([x, y]: [f64; 2]) -> State {
+        let place = Position::new(x, y, -40.0);
+        let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
+        let mut state: State = serde_json::from_str(STATE).unwrap();
+        let status = &mut state.arm.as_mut().unwrap().status;
+        status.base_deg = told.base.0 as f32;
+        status.rear_deg = told.rear.0 as f32;
+        status.fore_deg = told.fore.0 as f32;
+        state
+    }
+
+    fn press(it: &mut Toucher, code: KeyCode) {
+        let key = KeyEvent::new(code, KeyModifiers::NONE);
+        it.handle_event(Duration::from_secs(1), &Event::Key(key));
+    }
+
+    fn touch_all(it: &mut Toucher) {
+        for point in SHEET_POINTS {
+            it.handle_state(on(point));
+            press(it, KeyCode::Enter);
+        }
+    }
+
+    #[test]
+    fn what_was_found_is_kept_only_after_it_was_shown() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+        press(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml"));
+        let known = CalibrationFile::parse(&text).unwrap();
+        assert_eq!(known.touched.unwrap().points, 9);
+        let place = Position::new(230.0, -50.0, -40.0);
+        let told = known.arm().told_place(place, Tool::SuctionCup).unwrap();
+        let came = ARM.true_place(told, Tool::SuctionCup).unwrap();
+        assert!(came.distance(place).0 < 0.2, "{came:?}");
+    }
+
+    #[test]
+    fn what_was_known_is_kept_beside_it_first() {
+        let known = CalibrationFile::default();
+        let mut it = toucher(Some(known.clone()));
+        touch_all(&mut it);
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml.before"));
+        assert_eq!(CalibrationFile::parse(&text).unwrap(), known);
+        let full = io::Error::other("the disk is full");
+        it.handle_saved(text, Err(full));
+        assert_eq!(it.poll_file(), None, "nothing is replaced without it");
+    }
+
+    #[test]
+    fn too_few_touches_are_not_kept() {
+        let mut it = toucher(None);
+        for point in &SHEET_POINTS[..3] {
+            it.handle_state(on(*point));
+            press(&mut it, KeyCode::Enter);
+        }
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+    }
+
+    #[test]
+    fn a_reset_of_the_arm_makes_all_touches_void() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        let mut state = on(SHEET_POINTS[0]);
+        state.trust.trusted = false;
+        it.handle_state(state);
+        assert!(it.procedure.touches().is_empty());
+        press(&mut it, KeyCode::Enter);
+        assert!(
+            it.procedure.touches().is_empty(),
+            "not touched before it is confirmed"
+        );
+    }
+
+    #[test]
+    fn an_arm_that_moves_touches_nothing() {
+        let mut it = toucher(None);
+        let mut state = on(SHEET_POINTS[0]);
+        state.arm.as_mut().unwrap().moving = true;
+        it.handle_state(state);
+        press(&mut it, KeyCode::Enter);
+        assert!(it.procedure.touches().is_empty());
     }
 }
