@@ -20,6 +20,7 @@
 #![no_std]
 
 mod agreement;
+mod calibration;
 mod joints;
 mod kinematics;
 mod limits;
@@ -32,6 +33,7 @@ mod units;
 mod unreachable;
 
 pub use agreement::agrees;
+pub use calibration::Calibration;
 pub use joints::Joints;
 pub use kinematics::{FOREARM, REAR_ARM, forward, inverse};
 pub use limits::{Limits, Span};

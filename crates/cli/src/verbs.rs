@@ -1,6 +1,7 @@
 //! The verbs of the program, a file each: what comes behind `dobot`.
 
 mod arm;
+mod calibrate;
 mod check;
 mod completions;
 mod confirm;
@@ -60,6 +61,7 @@ pub(crate) enum Verb {
     Hand(hand::Args),
     Vector(vector::Args),
     Teach(teach::Args),
+    Calibrate(Box<calibrate::Args>),
     Set(set::Args),
     Simulate(simulate::Args),
     Decode(decode::Args),
@@ -112,6 +114,7 @@ impl Verb {
             Self::Hand(args) => wait_for(hand::run(args)),
             Self::Vector(args) => wait_for(vector::run(args)),
             Self::Teach(args) => wait_for(teach::run(args)),
+            Self::Calibrate(args) => wait_for(calibrate::run(*args)),
             Self::Set(args) => wait_for(set::run(args)),
             Self::Simulate(args) => simulate::run(&args),
             Self::Decode(args) => decode::run(&args),

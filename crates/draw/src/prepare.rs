@@ -11,6 +11,7 @@ use thiserror::Error;
 
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
+use crate::calibrated::{shortened, told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
@@ -27,7 +28,7 @@ use dobot_source::{ReadOptions, Source, SourceError, Warning};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prepared {
     /// The path wanted, in the order in which it is drawn: the curves in the base frame, within a
-    /// tenth of the tolerance.
+    /// tenth of the tolerance; of a calibrated arm in its own places, as the plan.
     pub passes: Vec<Pass>,
     /// What the arm is to do.
     pub plan: Plan,
@@ -61,7 +62,7 @@ pub fn prepare<E: fmt::Display>(
     let (Placed { layers, scale }, mut warnings) = read(source, settings)?;
     let layers = layers::chosen(layers, settings)?;
     let passes = passes(layers, settings, &reachable, &mut warnings)?;
-    let prepared = prepare_passes(passes, settings, reachable)?;
+    let prepared = plan_passes(passes, settings, reachable)?;
     Ok(Prepared {
         scale,
         warnings,
@@ -80,6 +81,15 @@ pub fn prepare_passes<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
+    plan_passes(told_passes(passes, settings)?, settings, reachable)
+}
+
+/// The same for passes in the arm's own places.
+fn plan_passes<E: fmt::Display>(
+    passes: Vec<Pass>,
+    settings: &Settings,
+    reachable: impl Fn(Position) -> Result<(), E>,
+) -> Result<Prepared, PrepareError> {
     let passes = match &settings.from {
         Some(from) => from.rest_of(passes)?,
         None => passes,
@@ -190,7 +200,7 @@ fn passes<E>(
     let mut here = Point::new(x1, y1);
     for mut layer in layers {
         let tool = layers::tool(&layer, settings);
-        let mut strokes = lines(&mut layer, settings)?;
+        let mut strokes = told_strokes(lines(&mut layer, settings)?, tool, settings)?;
         if settings.clips {
             let clipped = within_reach(&strokes, tool, settings, reachable);
             warnings.extend(cut_off(&clipped));
@@ -269,7 +279,10 @@ fn ordered(
 /// The same pass with the fewest vectors.
 fn simplified(pass: &Pass, settings: &Settings) -> Pass {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let strokes = pass.strokes.iter().map(|it| simplify(it, tolerance_mm));
+    let strokes = pass.strokes.iter().map(|it| {
+        let simple = simplify(it, tolerance_mm);
+        shortened(simple, &settings.paper)
+    });
     Pass {
         name: pass.name.clone(),
         color: pass.color,

@@ -1,6 +1,6 @@
 //! Where the paper lies.
 
-use dobot_arm::Position;
+use dobot_arm::{Calibration, Position, Tool};
 use dobot_geometry::Point;
 use thiserror::Error;
 
@@ -15,6 +15,8 @@ pub struct Paper {
     z0_mm: f64,
     slope_x: f64,
     slope_y: f64,
+    /// The arm by whose own places all of this is told, where it is not as drawn.
+    seen_by: Option<(Calibration, Tool)>,
 }
 
 impl Paper {
@@ -25,6 +27,7 @@ impl Paper {
             z0_mm: z_mm,
             slope_x: 0.0,
             slope_y: 0.0,
+            seen_by: None,
         }
     }
 
@@ -53,13 +56,46 @@ impl Paper {
             z0_mm,
             slope_x,
             slope_y,
+            seen_by: None,
         })
+    }
+
+    /// The plane that rises by so much for each mm forward and to the left.
+    #[must_use]
+    pub const fn sloping(z0_mm: f64, slope_x: f64, slope_y: f64) -> Self {
+        Self {
+            z0_mm,
+            slope_x,
+            slope_y,
+            seen_by: None,
+        }
+    }
+
+    /// The same paper by the places that an arm with these faults says and takes: to it a plane
+    /// is curved.
+    #[must_use]
+    pub const fn seen_by(self, arm: Calibration, tool: Tool) -> Self {
+        Self {
+            seen_by: Some((arm, tool)),
+            ..self
+        }
     }
 
     /// Z of the paper at a place, in mm.
     #[must_use]
     pub fn z_at(&self, place: Point) -> f64 {
-        self.z0_mm + self.slope_x * place.x + self.slope_y * place.y
+        let plane_mm = self.plane_z(place.x, place.y);
+        match &self.seen_by {
+            Some((arm, tool)) => self.told_z(place, plane_mm, arm, *tool),
+            None => plane_mm,
+        }
+    }
+
+    /// Whether lines that are straight to the arm leave it, as they leave a plane that an arm with
+    /// faults sees.
+    #[must_use]
+    pub const fn is_curved(&self) -> bool {
+        self.seen_by.is_some()
     }
 
     /// The paper, higher by so much; a negative number is lower.
@@ -80,7 +116,32 @@ impl Paper {
     /// Whether it is as high everywhere.
     #[must_use]
     pub const fn is_level(&self) -> bool {
-        self.slope_x == 0.0 && self.slope_y == 0.0
+        self.slope_x == 0.0 && self.slope_y == 0.0 && self.seen_by.is_none()
+    }
+
+    /// The height at which the tool is truly on the plane (Newton's rule). Where the arm does not
+    /// get to it is the plane's own: whoever asks whether the place is in reach is told so.
+    fn told_z(&self, place: Point, plane_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
+        let over_mm = |z_mm: f64| {
+            let told = Position::new(place.x, place.y, z_mm);
+            let there = arm.true_place(told, tool).ok()?;
+            Some(there.z.0 - self.plane_z(there.x.0, there.y.0))
+        };
+        let mut z_mm = plane_mm;
+        for _ in 0..ROUNDS {
+            let Some((here, above)) = over_mm(z_mm).zip(over_mm(z_mm + STEP_MM)) else {
+                return plane_mm;
+            };
+            z_mm -= here * STEP_MM / (above - here);
+            if here.abs() < EXACT_MM {
+                break;
+            }
+        }
+        if z_mm.is_finite() { z_mm } else { plane_mm }
+    }
+
+    const fn plane_z(&self, x_mm: f64, y_mm: f64) -> f64 {
+        self.z0_mm + self.slope_x * x_mm + self.slope_y * y_mm
     }
 
     pub(super) fn check(&self) -> Result<(), PaperError> {
@@ -117,6 +178,9 @@ pub enum PaperError {
     Height(f64),
 }
 
+const ROUNDS: usize = 10;
+const STEP_MM: f64 = 1e-3;
+const EXACT_MM: f64 = 1e-7;
 const LEAST_WIDTH_MM: f64 = 10.0;
 const STEEPEST_DEG: f64 = 10.0;
 

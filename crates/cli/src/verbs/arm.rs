@@ -4,6 +4,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
+use dobot_calibrate::{CalibrationFile, Zeros};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_sim::world::{Scene, World};
 use dobot_sim::{
@@ -15,6 +16,7 @@ use tokio::task::JoinSet;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
+use crate::verbs::calibrate;
 use crate::verbs::world::read_scene;
 
 /// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
@@ -28,6 +30,7 @@ Examples:
   dobot arm --fault drop=1% --fault reset@open
                                      a bad line, and an arm that starts anew when its port is opened
   dobot arm --world desk.toml        with paper, tool and objects; `dobot world` tells of them
+  dobot arm --calibration arm.toml   what `dobot calibrate` found wrong with an arm of yours
   dobot arm --count 30               thirty arms, on the ports 5555 to 5584
 
 It behaves like a real arm: one client at a time, 9600 baud, 12.5 statuses per second.
@@ -63,6 +66,9 @@ pub(crate) struct Args {
     /// What goes wrong, as in drop=1% or reset@12s; may be given several times
     #[arg(long = "fault", value_name = "FAULT")]
     faults: Vec<Fault>,
+    /// Be an arm with the zeros and the backlash of a calibration
+    #[arg(long, value_name = "ARM.toml")]
+    calibration: Option<PathBuf>,
     /// Chooses what happens by chance: the same faults with the same seed do the same
     #[arg(long, value_name = "N", default_value = "0")]
     seed: u64,
@@ -79,6 +85,10 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let interrupt = interrupt();
+    let mut args = args;
+    if let Some(file) = &args.calibration {
+        args.faults.extend(faults_of(&calibrate::read(file)?));
+    }
     let scene = args.world.as_deref().map(read_scene).transpose()?;
     let (tcp, pty) = args.places();
     let mut servers = Vec::new();
@@ -197,6 +207,25 @@ impl Args {
         ))?;
         Ok(listener)
     }
+}
+
+/// A calibration as faults: its zeros and its backlash.
+fn faults_of(known: &CalibrationFile) -> Vec<Fault> {
+    let Zeros { base, rear, fore } = known.zeros;
+    let [slack_base, slack_rear, slack_fore] = known.backlash_deg();
+    [
+        ("zero=base", base),
+        ("zero=rear", rear),
+        ("zero=fore", fore),
+        ("backlash=base", slack_base),
+        ("backlash=rear", slack_rear),
+        ("backlash=fore", slack_fore),
+    ]
+    .into_iter()
+    .filter(|(_, deg)| *deg != 0.0)
+    .map(|(what, deg)| format!("{what}:{deg}").parse())
+    .collect::<Result<_, _>>()
+    .expect("what a calibration may hold an arm may have")
 }
 
 fn port(text: &str) -> Result<Port, String> {

@@ -1,6 +1,7 @@
 //! The program as a process: exit codes, standard output and errors.
 
 mod arguments;
+mod calibrating;
 mod conformance;
 mod decoding;
 mod drawing;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use dobot_arm::{Limits, Pose, Position, Unreachable};
+use dobot_calibrate::CalibrationFile;
 use dobot_geometry::Point;
 use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
 use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
@@ -114,6 +115,13 @@ impl DrawingRequest {
         })
     }
 
+    /// The same for an arm of which is known what is wrong with it.
+    #[must_use]
+    pub fn calibrated(mut self, calibration: Option<CalibrationFile>) -> Self {
+        self.settings.calibration = calibration;
+        self
+    }
+
     /// Plans it for an arm that speaks this dialect, if that is known, and stands at this height
     /// with its pen on the paper, in mm.
     ///
@@ -151,9 +159,28 @@ impl DrawingRequest {
             Some(&[ax, ay, az, bx, by, bz, cx, cy, cz]) => {
                 Paper::through([[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
             }
-            _ => Paper::level(place.pen_down.unwrap_or(standing_z_mm)),
+            _ => self.height(standing_z_mm),
         };
-        Ok(paper.raised(place.offset))
+        let paper = paper.raised(place.offset);
+        let tool = self.settings.tool.end_effector();
+        Ok(match &self.settings.calibration {
+            Some(known) => paper.seen_by(known.arm(), tool),
+            None => paper,
+        })
+    }
+
+    /// The paper of which no points are told: at the height told, as calibrated, or where the arm
+    /// stands.
+    fn height(&self, standing_z_mm: f64) -> Paper {
+        let calibrated = self
+            .settings
+            .calibration
+            .as_ref()
+            .and_then(CalibrationFile::paper);
+        match (self.options.place.pen_down, calibrated) {
+            (None, Some(it)) => Paper::sloping(it.z0_mm, it.slope_x, it.slope_y),
+            (told, _) => Paper::level(told.unwrap_or(standing_z_mm)),
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use dobot_calibrate::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_plan::{DrawingTool, Machine, Paper};
 use dobot_source::fontdb;
@@ -23,6 +24,9 @@ pub struct Settings {
     pub placement: Placement,
     /// Where the paper lies.
     pub paper: Paper,
+    /// What is wrong with the arm; nothing if not given. Drawings are told in the arm's own places
+    /// then, and [`paper`](Self::paper) must be as the arm sees it.
+    pub calibration: Option<CalibrationFile>,
     /// What arm and link can do.
     pub machine: Machine,
     /// What draws.
@@ -89,6 +93,7 @@ impl Default for Settings {
             tolerance_mm: 0.05,
             placement: Placement::default(),
             paper: Paper::default(),
+            calibration: None,
             machine: Machine::default(),
             tool: DrawingTool::default(),
             layers: None,

@@ -4,5 +4,6 @@
 
 mod bench;
 mod breaks;
+mod calibrated;
 mod lasers;
 mod traces;

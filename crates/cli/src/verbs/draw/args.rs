@@ -46,6 +46,10 @@ pub(crate) struct Args {
     /// A TOML file with more pens and materials; `dobot materials` prints those that are known
     #[arg(long, value_name = "FILE", help_heading = "Pen or laser")]
     pub(crate) materials: Option<PathBuf>,
+    /// Draw where the sheet of a calibration says, with an arm of which `dobot calibrate` found what is
+    /// wrong; the paper lies where it was touched, unless told otherwise
+    #[arg(long, value_name = "ARM.toml", help_heading = "Where on the paper")]
+    pub(crate) calibration: Option<PathBuf>,
     /// Let the laser be switched on for so many seconds: everybody's goggles are on
     #[arg(
         long,

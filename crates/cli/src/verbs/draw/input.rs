@@ -11,6 +11,7 @@ use dobot_source::{Source, SourceError};
 
 use super::args::Args;
 use crate::failure::Failure;
+use crate::verbs::calibrate;
 
 /// What the arguments ask for.
 pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
@@ -19,11 +20,9 @@ pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
         Some(subject) => subject,
         None => of_file(args.file.as_deref().expect("the options ask for one"))?,
     };
-    Ok(DrawingRequest::new(
-        args.options.clone(),
-        subject,
-        &materials,
-    )?)
+    let calibration = args.calibration.as_deref().map(calibrate::read);
+    let asked = DrawingRequest::new(args.options.clone(), subject, &materials)?;
+    Ok(asked.calibrated(calibration.transpose()?))
 }
 
 /// The materials that are known, and those of a file.

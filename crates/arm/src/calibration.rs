@@ -1,0 +1,169 @@
+//! How one arm differs from the drawing of it, and what follows for its places.
+
+use crate::{Degrees, Joints, Millimeters, Pose, Position, Tool, Unreachable, forward, inverse};
+
+/// What is wrong with one arm: where it really is, compared with where it says it is.
+///
+/// A *told* place is what the arm states and takes, a *true* place is where the tool is. Backlash is
+/// not part of it: it depends on where the arm came from.
+///
+/// ```
+/// use dobot_arm::{Calibration, Position, Tool};
+///
+/// // Nothing but the base is wrong: straight ahead is 90 degrees to the left.
+/// let arm = Calibration { base_deg: 90.0, ..Calibration::default() };
+/// let true_place = arm.true_place(Position::new(200.0, 0.0, -40.0), Tool::SuctionCup)?;
+/// assert!((true_place.y.0 - 200.0).abs() < 1e-9);
+/// # Ok::<(), dobot_arm::Unreachable>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Calibration {
+    /// How much further the base stands than it says, in degrees.
+    pub base_deg: f64,
+    /// How much further the rear arm stands than it says, in degrees.
+    pub rear_deg: f64,
+    /// How much further the forearm stands than it says, in degrees.
+    pub fore_deg: f64,
+    /// How much further out the tool is than the drawing says, in mm.
+    pub reach_mm: f64,
+    /// How far to the left of the forearm's direction the tool is, in mm.
+    pub left_mm: f64,
+    /// Where the base's axis stands in the true frame, in mm.
+    pub axis_mm: [f64; 2],
+}
+
+impl Calibration {
+    /// Where the tool is when the arm says this place.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where no joint angles belong to the told place.
+    pub fn true_place(&self, told: Position, tool: Tool) -> Result<Position, Unreachable> {
+        let told = inverse(&at(told), tool)?;
+        Ok(self.true_place_of(&told, tool))
+    }
+
+    /// Where the tool is when the arm says these joint angles.
+    #[must_use]
+    pub fn true_place_of(&self, told: &Joints, tool: Tool) -> Position {
+        let joints = Joints {
+            base: Degrees(0.0),
+            rear: told.rear + Degrees(self.rear_deg),
+            fore: told.fore + Degrees(self.fore_deg),
+            servo: Degrees(0.0),
+        };
+        let arm = forward(&joints, tool).position;
+        let out_mm = arm.x.0 + self.reach_mm;
+        let base_rad = (told.base.0 + self.base_deg).to_radians();
+        let (sin, cos) = libm::sincos(base_rad);
+        let [axis_x, axis_y] = self.axis_mm;
+        Position::new(
+            axis_x + out_mm * cos - self.left_mm * sin,
+            axis_y + out_mm * sin + self.left_mm * cos,
+            arm.z.0,
+        )
+    }
+
+    /// The place that the arm has to be told for its tool to be at a true one.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where the arm cannot bring its tool there.
+    pub fn told_place(&self, true_place: Position, tool: Tool) -> Result<Position, Unreachable> {
+        Ok(forward(&self.told_joints(true_place, tool)?, tool).position)
+    }
+
+    /// The joint angles that the arm has to be told for its tool to be at a true place.
+    ///
+    /// ```text
+    ///   tool *----- left -----+          out = sqrt(distance^2 - left^2)
+    ///          \              |          base = direction - asin(left / distance)
+    ///   distance  \           | out
+    ///                 \  base |
+    ///                      \  |
+    ///                         o axis
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where the arm cannot bring its tool there.
+    pub fn told_joints(&self, true_place: Position, tool: Tool) -> Result<Joints, Unreachable> {
+        let [axis_x, axis_y] = self.axis_mm;
+        let from_axis = Position::new(
+            true_place.x.0 - axis_x,
+            true_place.y.0 - axis_y,
+            true_place.z.0,
+        );
+        let distance_mm = from_axis.reach().0;
+        let out_mm = libm::sqrt((distance_mm * distance_mm - self.left_mm * self.left_mm).max(0.0));
+        let aside_rad = libm::atan2(self.left_mm, out_mm);
+        let flat = Position {
+            x: Millimeters(out_mm - self.reach_mm),
+            y: Millimeters(0.0),
+            z: true_place.z,
+        };
+        let joints = inverse(&at(flat), tool)?;
+        let base_deg = from_axis.direction().0 - aside_rad.to_degrees() - self.base_deg;
+        Ok(Joints {
+            base: Degrees(libm::remainder(base_deg, 360.0)),
+            rear: joints.rear - Degrees(self.rear_deg),
+            fore: joints.fore - Degrees(self.fore_deg),
+            servo: Degrees(0.0),
+        })
+    }
+}
+
+fn at(position: Position) -> Pose {
+    Pose {
+        position,
+        rotation: Degrees(0.0),
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    const ARM: Calibration = Calibration {
+        base_deg: 24.0,
+        rear_deg: -9.0,
+        fore_deg: 7.0,
+        reach_mm: 8.0,
+        left_mm: -6.0,
+        axis_mm: [1.0, -2.0],
+    };
+
+    #[test]
+    fn what_the_arm_is_told_brings_the_tool_to_the_true_place() {
+        for (x, y, z) in [
+            (200.0, 30.0, -40.0),
+            (180.0, -120.0, 20.0),
+            (260.0, 90.0, -60.0),
+        ] {
+            let wanted = Position::new(x, y, z);
+            let told = ARM.told_place(wanted, Tool::SuctionCup).unwrap();
+            let found = ARM.true_place(told, Tool::SuctionCup).unwrap();
+            let away_mm = (found.x.0 - x).abs() + (found.y.0 - y).abs() + (found.z.0 - z).abs();
+            assert!(away_mm < 1e-9, "{wanted:?} became {found:?}");
+        }
+    }
+
+    #[test]
+    fn an_arm_with_nothing_wrong_is_where_it_says() {
+        let place = Position::new(210.0, -70.0, -35.0);
+        let found = Calibration::default()
+            .told_place(place, Tool::Laser)
+            .unwrap();
+        assert!(
+            (found.x.0 - 210.0).abs() < 1e-9 && (found.z.0 + 35.0).abs() < 1e-9,
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn a_place_beyond_the_stretched_arm_is_refused() {
+        let far = Position::new(500.0, 0.0, 0.0);
+        ARM.told_place(far, Tool::SuctionCup).unwrap_err();
+    }
+}

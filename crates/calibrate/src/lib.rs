@@ -1,0 +1,40 @@
+//! What is wrong with one Dobot Arm: from points of a printed sheet that its tool has touched to the
+//! zeros of its joints, the place of its tool and the plane of the paper.
+//!
+//! Nothing here has a port or a file: touches go in, a result that says how far it can be trusted
+//! comes out. The mapping itself is [`dobot_arm::Calibration`].
+//!
+//! ```
+//! use dobot_arm::{Calibration, Position, Tool};
+//! use dobot_calibrate::{SHEET_POINTS, Touch, fit};
+//!
+//! // An arm whose forearm stands 5 degrees further than it says touches the nine points.
+//! let arm = Calibration { fore_deg: 5.0, ..Calibration::default() };
+//! let touch = |[x, y]: [f64; 2]| {
+//!     let told = arm.told_joints(Position::new(x, y, -40.0), Tool::SuctionCup).unwrap();
+//!     Touch { place_mm: [x, y], height_mm: 0.0, told }
+//! };
+//! let found = fit(&SHEET_POINTS.map(touch), Tool::SuctionCup)?;
+//! assert!(found.typical_mm < 0.1);
+//! # Ok::<(), dobot_calibrate::FitError>(())
+//! ```
+
+mod file;
+mod fit;
+mod procedure;
+mod repeatability;
+mod sheet;
+mod solve;
+mod touch;
+mod why;
+
+pub use file::{
+    Axis, Backlash, CalibrationFile, FileError, PaperPlane, ToolOffset, Touched, Zeros,
+};
+pub use fit::{Advice, Fit, Trust, Unsure, fit};
+pub use procedure::Procedure;
+pub use repeatability::{Repeatability, repeatability};
+pub use sheet::{BAR_MM, SHEET_POINTS, ScaledBar, check_bar, sheet_svg};
+pub use solve::Paper;
+pub use touch::Touch;
+pub use why::FitError;

@@ -1,0 +1,64 @@
+//! How well an arm finds the same place again.
+
+/// How well an arm finds the same place again, as ISO 9283 defines it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repeatability {
+    /// The mean distance from the middle of all, in mm.
+    pub mean_mm: f64,
+    /// The deviation of the distances, in mm.
+    pub spread_mm: f64,
+    /// The pose repeatability RP: the mean and three times the deviation, in mm.
+    pub rp_mm: f64,
+}
+
+/// The repeatability of a place that was gone to several times; `None` with fewer than two.
+#[must_use]
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "nobody goes to a place 2^52 times"
+)]
+pub fn repeatability(attained_mm: &[[f64; 3]]) -> Option<Repeatability> {
+    let count = attained_mm.len() as f64;
+    if attained_mm.len() < 2 {
+        return None;
+    }
+    let middle = [0, 1, 2].map(|axis| attained_mm.iter().map(|it| it[axis]).sum::<f64>() / count);
+    let distance = |it: &[f64; 3]| {
+        let squares = [0, 1, 2].map(|axis| (it[axis] - middle[axis]).powi(2));
+        squares.iter().sum::<f64>().sqrt()
+    };
+    let mean_mm = attained_mm.iter().map(distance).sum::<f64>() / count;
+    let squares: f64 = attained_mm
+        .iter()
+        .map(|it| (distance(it) - mean_mm).powi(2))
+        .sum();
+    let spread_mm = (squares / (count - 1.0)).sqrt();
+    Some(Repeatability {
+        mean_mm,
+        spread_mm,
+        rp_mm: mean_mm + 3.0 * spread_mm,
+    })
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_on_a_circle_are_as_far_apart_as_its_radius() {
+        let places = [
+            [1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, -1.0, 0.0],
+        ];
+        let found = repeatability(&places).unwrap();
+        assert!((found.rp_mm - 1.0).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn one_place_alone_tells_nothing() {
+        assert_eq!(repeatability(&[[1.0, 2.0, 3.0]]), None);
+    }
+}

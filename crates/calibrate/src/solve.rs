@@ -1,0 +1,277 @@
+//! Least squares that a wrong point cannot pull far, with what is known beforehand.
+
+use dobot_arm::{Calibration, Joints, Tool};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use crate::Touch;
+
+/// The paper in the true frame, as Z of the wrist where the tool touches it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Paper {
+    /// Its height on the axis of X and Y, in mm.
+    pub z0_mm: f64,
+    /// How much it rises for each mm forward.
+    pub slope_x: f64,
+    /// How much it rises for each mm to the left.
+    pub slope_y: f64,
+}
+
+/// Everything that touches tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Numbers {
+    pub(crate) arm: Calibration,
+    pub(crate) paper: Paper,
+    /// How large the print is; 1 where it is true.
+    pub(crate) scale: f64,
+    /// How much further the base stands from some touch on.
+    pub(crate) step_deg: f64,
+}
+
+/// What may be wrong with the touches themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Suspect {
+    Nothing,
+    Scale,
+    /// The base's zero changed before the touch with this index.
+    StepBefore(usize),
+}
+
+/// The best numbers for some touches.
+#[derive(Clone, Debug)]
+pub(crate) struct Solved {
+    pub(crate) numbers: Numbers,
+    /// The sum of squares, in units of what a touch may be wrong.
+    pub(crate) cost: f64,
+    /// How sure each number is: its deviation, in units of what was known before.
+    pub(crate) spread: SVector<f64, COUNT>,
+    information: SMatrix<f64, COUNT, COUNT>,
+}
+
+/// How many numbers there are.
+pub(crate) const COUNT: usize = 12;
+
+/// How wrong a touch may be along each axis, in mm.
+pub(crate) const TOUCH_MM: f64 = 0.3;
+
+impl Paper {
+    /// Z of the wrist with the tool on the paper, at a true place, in mm.
+    #[must_use]
+    pub fn z_at(&self, [x_mm, y_mm]: [f64; 2]) -> f64 {
+        self.z0_mm + self.slope_x * x_mm + self.slope_y * y_mm
+    }
+}
+
+impl Numbers {
+    fn of(scaled: &SVector<f64, COUNT>, middle: &SVector<f64, COUNT>, suspect: Suspect) -> Self {
+        let n = scaled.component_mul(&SVector::from(BEFORE)) + middle;
+        Self {
+            arm: Calibration {
+                base_deg: n[0],
+                rear_deg: n[1],
+                fore_deg: n[2],
+                reach_mm: n[3],
+                left_mm: n[4],
+                axis_mm: [n[5], n[6]],
+            },
+            paper: Paper {
+                z0_mm: n[7],
+                slope_x: n[8],
+                slope_y: n[9],
+            },
+            scale: if suspect == Suspect::Scale {
+                1.0 + n[10]
+            } else {
+                1.0
+            },
+            step_deg: if matches!(suspect, Suspect::StepBefore(_)) {
+                n[11]
+            } else {
+                0.0
+            },
+        }
+    }
+
+    /// How far the tool was from the point that it touched, in mm.
+    pub(crate) fn away_mm(&self, touch: &Touch, tool: Tool, is_after_step: bool) -> [f64; 3] {
+        let base_deg = if is_after_step { self.step_deg } else { 0.0 };
+        let told = Joints {
+            base: touch.told.base + dobot_arm::Degrees(base_deg),
+            ..touch.told
+        };
+        let found = self.arm.true_place_of(&told, tool);
+        let [x_mm, y_mm] = touch.place_mm.map(|it| it * self.scale);
+        let z_mm = self.paper.z_at([x_mm, y_mm]) + touch.height_mm;
+        [found.x.0 - x_mm, found.y.0 - y_mm, found.z.0 - z_mm]
+    }
+}
+
+impl Solved {
+    /// How unsure all numbers of the arm would be together with one more touch there.
+    pub(crate) fn unsure_with(&self, touch: &Touch, tool: Tool) -> f64 {
+        let mut more = self.information;
+        let middle = SVector::zeros();
+        let scaled = self.numbers.scaled();
+        for row in jacobian(&[*touch], tool, Suspect::Nothing, &scaled, &middle).row_iter() {
+            more += row.transpose() * row;
+        }
+        let spread = more
+            .try_inverse()
+            .map_or(f64::INFINITY, |it| it.diagonal().rows(0, 5).sum());
+        spread.max(0.0)
+    }
+}
+
+impl Numbers {
+    fn scaled(&self) -> SVector<f64, COUNT> {
+        let Self { arm, paper, .. } = self;
+        SVector::from([
+            arm.base_deg,
+            arm.rear_deg,
+            arm.fore_deg,
+            arm.reach_mm,
+            arm.left_mm,
+            arm.axis_mm[0],
+            arm.axis_mm[1],
+            paper.z0_mm,
+            paper.slope_x,
+            paper.slope_y,
+            0.0,
+            0.0,
+        ])
+        .component_div(&SVector::from(BEFORE))
+    }
+}
+
+/// The numbers with the least sum of squares, each square of a touch beyond [`HUBER`] counted as its
+/// root (Huber's rule), and each number beyond [`BEFORE`] counted too (Levenberg and Marquardt).
+pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
+    let mut middle = SVector::<f64, COUNT>::zeros();
+    // Where the first touch says; what is known before of the height is next to nothing.
+    middle[7] = touches.first().map_or(0.0, |it| {
+        Calibration::default().true_place_of(&it.told, tool).z.0 - it.height_mm
+    });
+    let mut at = SVector::<f64, COUNT>::zeros();
+    let mut damping = 1e-3;
+    let mut cost = cost_of(touches, tool, suspect, &at, &middle);
+    for _ in 0..ROUNDS {
+        let (information, pull) = normal(touches, tool, suspect, &at, &middle);
+        let damped = information + SMatrix::from_diagonal(&information.diagonal()) * damping;
+        let Some(step) = damped.cholesky().map(|it| it.solve(&pull)) else {
+            break;
+        };
+        let next = at - step;
+        let next_cost = cost_of(touches, tool, suspect, &next, &middle);
+        if next_cost < cost {
+            let is_done = cost - next_cost < 1e-9 * cost.max(1e-9);
+            (at, cost, damping) = (next, next_cost, damping * 0.2);
+            if is_done {
+                break;
+            }
+        } else {
+            damping *= 8.0;
+            if damping > 1e12 {
+                break;
+            }
+        }
+    }
+    let (information, _) = normal(touches, tool, suspect, &at, &middle);
+    let spread = information
+        .try_inverse()
+        .map_or(SVector::repeat(1.0), |it| {
+            it.diagonal().map(|v| v.max(0.0).sqrt())
+        });
+    Solved {
+        numbers: Numbers::of(&at, &middle, suspect),
+        cost,
+        spread,
+        information,
+    }
+}
+
+/// The matrix of the normal equations and their right side.
+fn normal(
+    touches: &[Touch],
+    tool: Tool,
+    suspect: Suspect,
+    at: &SVector<f64, COUNT>,
+    middle: &SVector<f64, COUNT>,
+) -> (SMatrix<f64, COUNT, COUNT>, SVector<f64, COUNT>) {
+    let rows = jacobian(touches, tool, suspect, at, middle);
+    let away = residuals(touches, tool, suspect, at, middle);
+    let mut information = SMatrix::identity();
+    let mut pull = *at;
+    for index in 0..touches.len() {
+        let own = away.rows(3 * index, 3);
+        let weight = (HUBER / own.norm().max(1e-12)).min(1.0);
+        for number in 3 * index..3 * index + 3 {
+            let row: SVector<f64, COUNT> =
+                rows.row(number).transpose().fixed_rows::<COUNT>(0).into();
+            information += row * row.transpose() * weight;
+            pull += row * (away[number] * weight);
+        }
+    }
+    (information, pull)
+}
+
+fn cost_of(
+    touches: &[Touch],
+    tool: Tool,
+    suspect: Suspect,
+    at: &SVector<f64, COUNT>,
+    middle: &SVector<f64, COUNT>,
+) -> f64 {
+    let away = residuals(touches, tool, suspect, at, middle);
+    let of_touch = |index: usize| {
+        let norm = away.rows(3 * index, 3).norm();
+        if norm <= HUBER {
+            norm * norm
+        } else {
+            HUBER * (2.0 * norm - HUBER)
+        }
+    };
+    (0..touches.len()).map(of_touch).sum::<f64>() + at.norm_squared()
+}
+
+/// How far each touch is away, three numbers each, in units of [`TOUCH_MM`].
+fn residuals(
+    touches: &[Touch],
+    tool: Tool,
+    suspect: Suspect,
+    at: &SVector<f64, COUNT>,
+    middle: &SVector<f64, COUNT>,
+) -> DVector<f64> {
+    let numbers = Numbers::of(at, middle, suspect);
+    let all = touches.iter().enumerate().flat_map(|(index, touch)| {
+        let is_after = matches!(suspect, Suspect::StepBefore(step) if index >= step);
+        numbers.away_mm(touch, tool, is_after)
+    });
+    DVector::from_iterator(3 * touches.len(), all.map(|it| it / TOUCH_MM))
+}
+
+fn jacobian(
+    touches: &[Touch],
+    tool: Tool,
+    suspect: Suspect,
+    at: &SVector<f64, COUNT>,
+    middle: &SVector<f64, COUNT>,
+) -> DMatrix<f64> {
+    let mut rows = DMatrix::zeros(3 * touches.len(), COUNT);
+    for column in 0..COUNT {
+        let mut ends = [*at; 2];
+        ends[0][column] -= DIFFERENCE;
+        ends[1][column] += DIFFERENCE;
+        let [before, after] = ends.map(|it| residuals(touches, tool, suspect, &it, middle));
+        rows.set_column(column, &((after - before) / (2.0 * DIFFERENCE)));
+    }
+    rows
+}
+
+/// What is known before any touch: how far each number is from its middle, typically. In degrees,
+/// mm, and mm for each mm; a sheet is laid to a millimetre.
+const BEFORE: [f64; COUNT] = [
+    15.0, 12.0, 12.0, 7.0, 5.0, 0.6, 0.6, 100.0, 0.04, 0.04, 0.05, 30.0,
+];
+/// Where a touch begins to count less, in units of [`TOUCH_MM`].
+const HUBER: f64 = 3.0;
+const DIFFERENCE: f64 = 1e-5;
+const ROUNDS: usize = 100;

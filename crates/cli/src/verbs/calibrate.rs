@@ -1,0 +1,147 @@
+//! `dobot calibrate`: find what is wrong with an arm.
+
+mod screen;
+mod toucher;
+
+use std::ffi::OsString;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, anyhow, bail};
+use dobot_calibrate::{CalibrationFile, check_bar, sheet_svg};
+use dobot_rules::StationClient;
+
+use self::toucher::Toucher;
+use crate::connect::To;
+use crate::failure::Failure;
+use crate::output;
+use crate::pendant::{Drive, PadArgs, check_terminal};
+use crate::verbs::jog::with_keys;
+
+/// Find what is wrong with an arm: touch the points of a printed sheet
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot calibrate --sheet sheet.svg         the sheet to print, at 100 %
+  dobot calibrate arm.toml --bar 200        touch its points; the bar of the print was measured
+  dobot draw picture.svg --calibration arm.toml
+                                            draw where the sheet says
+  dobot arm --calibration arm.toml          a virtual arm with the same zeros and the same backlash
+  dobot calibrate arm.toml --undo           what was known before
+
+Lay the sheet in front of the arm as it says, and put the pen in. Jog with the keys of `dobot jog` until the tip
+stands on the point, each time from the right and from above, so that the play of the joints is on the same side.
+  Enter      the tip is on the point        n   the arm does not get there: the next point
+  z          takes the last touch back
+  w  w       shows what would be kept, then keeps it; q leaves without
+
+Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. After a reset of
+the arm its base counts anew: the touches before are forgotten.")]
+pub(crate) struct Args {
+    /// What is known of the arm, a TOML file; it may be new
+    #[arg(required_unless_present = "sheet")]
+    file: Option<PathBuf>,
+    /// Write the sheet to print, as SVG, and touch nothing
+    #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["file", "bar", "undo", "backlash"])]
+    sheet: Option<PathBuf>,
+    /// How long the bar of the printed sheet is, measured with a ruler, in millimetres
+    #[arg(long, value_name = "MM")]
+    bar: Option<f64>,
+    /// How slack base, rear arm and forearm are, in degrees from 0 to 5
+    #[arg(long, value_name = "BASE,REAR,FORE", value_parser = backlash)]
+    backlash: Option<[f64; 3]>,
+    /// Bring back what was known before the last calibration, and touch nothing
+    #[arg(long, conflicts_with_all = ["bar", "backlash"])]
+    undo: bool,
+    #[command(flatten)]
+    pad: PadArgs,
+    #[command(flatten)]
+    to: To,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    if let Some(sheet) = &args.sheet {
+        fs::write(sheet, sheet_svg())
+            .with_context(|| format!("cannot write {}", sheet.display()))?;
+        return Ok(output::line(&format!(
+            "{}: print it at 100 %, and measure its bar",
+            sheet.display()
+        ))?);
+    }
+    let file = args.file.as_deref().expect("clap asks for one");
+    if args.undo {
+        return bring_back(file);
+    }
+    if let Some(bar_mm) = args.bar {
+        check_bar(bar_mm)?;
+    }
+    check_terminal(
+        "`dobot calibrate`",
+        "a person has to look where the tip stands",
+    )?;
+    let before = known(file)?;
+    let touch = async |station: &mut StationClient| {
+        let panel = |pendant| Toucher::new(pendant, file.to_owned(), before, args.backlash);
+        with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await
+    };
+    let status = args.to.with_arm("calibrate", touch).await?;
+    Ok(output::status(&status, false)?)
+}
+
+/// What is known of an arm, in a file that must be there.
+pub(crate) fn read(file: &Path) -> Result<CalibrationFile, Failure> {
+    known(file)?.ok_or_else(|| {
+        Failure::new(
+            anyhow!("{} is not there", file.display()),
+            "`dobot calibrate` makes it",
+        )
+    })
+}
+
+/// What is known of an arm; nothing where there is no file.
+fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
+    let text = match fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => {
+            let read = Err(error);
+            return Ok(read.with_context(|| format!("{} cannot be read", file.display()))?);
+        }
+    };
+    let known = CalibrationFile::parse(&text);
+    Ok(Some(known.with_context(|| file.display().to_string())?))
+}
+
+/// Exchanges a calibration and the one before it.
+fn bring_back(file: &Path) -> Result<(), Failure> {
+    let before = before(file);
+    let Some(known) = known(&before)? else {
+        let error = anyhow!("{} is not there", before.display());
+        return Err(Failure::new(error, "no calibration was replaced yet"));
+    };
+    let replaced = fs::read(file).with_context(|| format!("{} cannot be read", file.display()))?;
+    fs::rename(&before, file).with_context(|| format!("cannot write {}", file.display()))?;
+    fs::write(&before, replaced).with_context(|| format!("cannot write {}", before.display()))?;
+    output::line(&format!("{} is again:", file.display()))?;
+    Ok(output::line(known.emit().trim_end())?)
+}
+
+/// Where the calibration before the last one is kept.
+fn before(file: &Path) -> PathBuf {
+    let mut name = OsString::from(file);
+    name.push(".before");
+    name.into()
+}
+
+fn backlash(text: &str) -> anyhow::Result<[f64; 3]> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|it| it.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[base, rear, fore])
+            if [base, rear, fore].iter().all(|it| (0.0..=5.0).contains(it)) =>
+        {
+            Ok([base, rear, fore])
+        }
+        _ => bail!("expected three angles from 0 to 5 degrees, as in 0.25,0.2,0.2"),
+    }
+}

@@ -1,0 +1,132 @@
+//! The screen of `dobot calibrate`.
+
+use dobot_calibrate::{CalibrationFile, Fit, Trust, Unsure};
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout};
+use ratatui::style::Stylize;
+use ratatui::text::Line;
+
+use super::toucher::Toucher;
+use crate::pendant::{alarm, answer, held, key_line, move_lines};
+use crate::verbs::watch::panels;
+
+/// Draws everything.
+pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
+    let rows = [
+        Constraint::Length(1),
+        Constraint::Length(1),
+        Constraint::Length(5),
+        Constraint::Min(8),
+        Constraint::Length(6),
+        Constraint::Length(1),
+    ];
+    let [top, alarm_row, arm, touches, keys, bottom] = Layout::vertical(rows).areas(frame.area());
+    frame.render_widget(held(&it.pendant), top);
+    frame.render_widget(alarm(&it.pendant), alarm_row);
+    if let Some(state) = it.pendant.state() {
+        panels::arm(frame, arm, state);
+    }
+    panels::panel(frame, touches, "calibration", lines(it));
+    let mut help = move_lines(&it.pendant);
+    help.push(key_line(&[
+        ("Enter", "touched"),
+        ("n", "skip"),
+        ("z", "undo"),
+        ("w", "show, keep"),
+        ("q", "leave"),
+    ]));
+    panels::panel(frame, keys, "keys", help);
+    frame.render_widget(answer(&it.pendant), bottom);
+}
+
+fn lines(it: &Toucher) -> Vec<Line<'static>> {
+    let (number, [x_mm, y_mm]) = it.procedure.next_point();
+    let next = format!("touch point {number} ({x_mm}, {y_mm}), from the right and from above");
+    let mut lines = vec![Line::from(next).bold()];
+    match &it.outcome {
+        Ok(fit) => lines.extend(result(fit, it.known.as_ref())),
+        Err(why) => {
+            let texts = wrapped(&why.to_string());
+            lines.extend(texts.into_iter().map(Line::from));
+        }
+    }
+    lines
+}
+
+fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
+    let away = (0..fit.residuals_mm.len()).map(|index| {
+        let mark = if fit.left_out == Some(index) { "!" } else { "" };
+        format!("{}{mark} {:.1}", index + 1, fit.residual_mm(index))
+    });
+    let away: Vec<String> = away.collect();
+    let arm = &fit.arm;
+    let mut lines = vec![
+        Line::from(format!("away, mm: {}", away.join("  "))),
+        Line::from(format!(
+            "zeros: base {:.2}  rear {:.2}  fore {:.2} deg   tool: out {:.1}  left {:.1} mm",
+            arm.base_deg, arm.rear_deg, arm.fore_deg, arm.reach_mm, arm.left_mm
+        )),
+        trust(fit),
+    ];
+    if let Some(known) = known {
+        lines.push(Line::from(format!(
+            "since the last time: base {:+.2}  rear {:+.2}  fore {:+.2} deg",
+            arm.base_deg - known.zeros.base,
+            arm.rear_deg - known.zeros.rear,
+            arm.fore_deg - known.zeros.fore
+        )));
+    }
+    if let Some(unsure) = fit.unsure.first() {
+        let more = fit.advice.map_or(String::new(), |it| {
+            let [x_mm, y_mm] = it.place_mm;
+            let block = if it.height_mm > 0.0 {
+                " on a block"
+            } else {
+                ""
+            };
+            format!("; {x_mm}, {y_mm}{block} would tell most")
+        });
+        let Unsure { what, by, unit } = unsure;
+        lines.push(Line::from(format!("{what} is known to {by:.1} {unit}{more}")).dim());
+    }
+    lines
+}
+
+fn trust(fit: &Fit) -> Line<'static> {
+    let expected = format!("places will be right to {:.2} mm", fit.expected_mm);
+    match (fit.trust, fit.left_out) {
+        (Trust::Good, _) => Line::from(format!("good: {expected}")).green(),
+        (Trust::Unchecked, _) => Line::from(format!(
+            "{expected}, if no touch is wrong; six and more would tell"
+        )),
+        (Trust::Doubtful, Some(index)) => Line::from(format!(
+            "touch {} contradicts the others and is left out: z back to it, or leave it so",
+            index + 1
+        ))
+        .yellow(),
+        (Trust::Doubtful, None) => Line::from(format!(
+            "doubtful: the touches differ by {:.1} mm",
+            fit.typical_mm
+        ))
+        .yellow(),
+    }
+}
+
+/// A long text in lines that fit on the screen.
+fn wrapped(text: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.last_mut().expect("there is one");
+        if !last.is_empty() && last.chars().count() + word.chars().count() >= WIDTH {
+            lines.push(word.to_owned());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    lines
+}
+
+const WIDTH: usize = 76;

@@ -1,0 +1,324 @@
+//! Calibrating as an engine: the pendant, the touches, and what they tell.
+
+use std::collections::VecDeque;
+use std::io;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use dobot_api::{ArmView, State};
+use dobot_arm::{Joints, Tool};
+use dobot_calibrate::{Backlash, CalibrationFile, Fit, FitError, Procedure};
+use ratatui::Frame;
+
+use super::{before, screen};
+use crate::pendant::{Panel, Pendant};
+
+/// Lets a person touch the points of the sheet.
+#[derive(Debug)]
+pub(crate) struct Toucher {
+    pub(super) pendant: Pendant,
+    pub(super) procedure: Procedure,
+    /// What the touches tell now.
+    pub(super) outcome: Result<Fit, FitError>,
+    /// What was known of the arm before.
+    pub(super) known: Option<CalibrationFile>,
+    backlash: Backlash,
+    file: PathBuf,
+    /// What was shown and waits for the second key.
+    shown: Option<CalibrationFile>,
+    files: VecDeque<(PathBuf, String)>,
+}
+
+impl Toucher {
+    /// Keeps what is found in a file.
+    pub(crate) fn new(
+        pendant: Pendant,
+        file: PathBuf,
+        known: Option<CalibrationFile>,
+        backlash_deg: Option<[f64; 3]>,
+    ) -> Self {
+        let procedure = Procedure::new(Tool::SuctionCup);
+        let of_before = known.as_ref().map(|it| it.backlash).unwrap_or_default();
+        let backlash = backlash_deg.map_or(of_before, |[base, rear, fore]| Backlash {
+            base,
+            rear,
+            fore,
+        });
+        Self {
+            pendant,
+            outcome: procedure.outcome(),
+            procedure,
+            known,
+            backlash,
+            file,
+            shown: None,
+            files: VecDeque::new(),
+        }
+    }
+
+    fn handle_key(&mut self, key: TouchKey) {
+        self.pendant.let_go();
+        let shown = self.shown.take();
+        match key {
+            TouchKey::Touch => match self.joints() {
+                Ok(told) => {
+                    self.procedure.touch(told);
+                    self.judge();
+                }
+                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+            },
+            TouchKey::Undo if self.procedure.undo() => self.judge(),
+            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Skip => self.procedure.skip(),
+            TouchKey::Keep => self.keep(shown.as_ref()),
+        }
+    }
+
+    /// The joint angles that the arm states, if it rests and they can be believed.
+    fn joints(&self) -> Result<Joints, String> {
+        let state = self.pendant.state().ok_or("the arm has not told yet")?;
+        if !state.trust.trusted {
+            return Err("the pose is not trusted; press r, look, and press y".into());
+        }
+        match &state.arm {
+            Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
+            Some(arm) => Ok(Joints::new(
+                arm.status.base_deg.into(),
+                arm.status.rear_deg.into(),
+                arm.status.fore_deg.into(),
+                arm.status.servo_deg.into(),
+            )),
+            None => Err("the arm has not told yet".into()),
+        }
+    }
+
+    fn judge(&mut self) {
+        self.outcome = self.procedure.outcome();
+        let touched = self.procedure.touches().len();
+        self.pendant.tell(format!("{touched} touched"));
+    }
+
+    /// What was shown is kept; what was not is shown first.
+    fn keep(&mut self, shown: Option<&CalibrationFile>) {
+        let found = match &self.outcome {
+            Ok(fit) => CalibrationFile::of(fit, self.backlash),
+            Err(why) => return self.pendant.tell(format!("nothing to keep: {why}")),
+        };
+        if shown != Some(&found) {
+            self.shown = Some(found);
+            let text = "this is what would be kept; w again keeps it, any other key does not";
+            return self.pendant.tell(text.into());
+        }
+        if let Some(known) = &self.known {
+            self.files.push_back((before(&self.file), known.emit()));
+        }
+        self.files.push_back((self.file.clone(), found.emit()));
+    }
+}
+
+impl Panel for Toucher {
+    fn pendant(&mut self) -> &mut Pendant {
+        &mut self.pendant
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        screen::draw(frame, self);
+    }
+
+    fn handle_event(&mut self, now: Duration, event: &Event) {
+        match event {
+            Event::Key(key) if key.kind == KeyEventKind::Release => {}
+            Event::Key(key) => {
+                if let Some(meaning) = touch_key(key) {
+                    if key.kind == KeyEventKind::Press {
+                        self.handle_key(meaning);
+                    }
+                    return;
+                }
+                self.shown = None;
+            }
+            _ => {}
+        }
+        self.pendant.handle_event(now, event);
+    }
+
+    fn handle_state(&mut self, state: State) {
+        let is_lost = state.arm.is_some() && !state.trust.trusted;
+        self.pendant.handle_state(state);
+        if is_lost && self.procedure.begin_anew() > 0 {
+            self.judge();
+            let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch point 1 again";
+            self.pendant.tell(text.into());
+        }
+    }
+
+    fn poll_file(&mut self) -> Option<(PathBuf, String)> {
+        self.files.pop_front()
+    }
+
+    fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
+        match saved {
+            Ok(()) if self.files.is_empty() => {
+                self.known = CalibrationFile::parse(&text).ok();
+                self.pendant
+                    .tell(format!("kept in {}", self.file.display()));
+            }
+            Ok(()) => {}
+            Err(error) => {
+                // Without the one before it nothing is replaced.
+                self.files.clear();
+                self.pendant.tell(format!("not kept: {error}"));
+            }
+        }
+    }
+}
+
+/// What a key means for the procedure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TouchKey {
+    /// The tip is on the point.
+    Touch,
+    /// The arm does not get to the point.
+    Skip,
+    /// The last touch is taken back.
+    Undo,
+    /// The result is shown, then kept.
+    Keep,
+}
+
+/// The meaning of a key; `None` where it is one of the pendant.
+fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
+    if key.modifiers.contains(KeyModifiers::CONTROL) {
+        return None;
+    }
+    match key.code {
+        KeyCode::Enter => Some(TouchKey::Touch),
+        KeyCode::Char('n') => Some(TouchKey::Skip),
+        KeyCode::Char('z') => Some(TouchKey::Undo),
+        KeyCode::Char('w') => Some(TouchKey::Keep),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use dobot_api::ClientId;
+    use dobot_arm::{Calibration, Position};
+    use dobot_calibrate::SHEET_POINTS;
+
+    use super::*;
+    use crate::pendant::{Drive, KeyReports, STATE};
+
+    const ARM: Calibration = Calibration {
+        base_deg: 5.0,
+        rear_deg: -4.0,
+        fore_deg: 3.0,
+        reach_mm: 2.0,
+        left_mm: 1.0,
+        axis_mm: [0.0, 0.0],
+    };
+
+    fn toucher(known: Option<CalibrationFile>) -> Toucher {
+        let dead_man = Duration::from_millis(150);
+        let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
+        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None);
+        it.handle_state(serde_json::from_str(STATE).unwrap());
+        it
+    }
+
+    /// The tip stands on a point of the sheet.
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn on([x, y]: [f64; 2]) -> State {
+        let place = Position::new(x, y, -40.0);
+        let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
+        let mut state: State = serde_json::from_str(STATE).unwrap();
+        let status = &mut state.arm.as_mut().unwrap().status;
+        status.base_deg = told.base.0 as f32;
+        status.rear_deg = told.rear.0 as f32;
+        status.fore_deg = told.fore.0 as f32;
+        state
+    }
+
+    fn press(it: &mut Toucher, code: KeyCode) {
+        let key = KeyEvent::new(code, KeyModifiers::NONE);
+        it.handle_event(Duration::from_secs(1), &Event::Key(key));
+    }
+
+    fn touch_all(it: &mut Toucher) {
+        for point in SHEET_POINTS {
+            it.handle_state(on(point));
+            press(it, KeyCode::Enter);
+        }
+    }
+
+    #[test]
+    fn what_was_found_is_kept_only_after_it_was_shown() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+        press(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml"));
+        let known = CalibrationFile::parse(&text).unwrap();
+        assert_eq!(known.touched.unwrap().points, 9);
+        let place = Position::new(230.0, -50.0, -40.0);
+        let told = known.arm().told_place(place, Tool::SuctionCup).unwrap();
+        let came = ARM.true_place(told, Tool::SuctionCup).unwrap();
+        assert!(came.distance(place).0 < 0.2, "{came:?}");
+    }
+
+    #[test]
+    fn what_was_known_is_kept_beside_it_first() {
+        let known = CalibrationFile::default();
+        let mut it = toucher(Some(known.clone()));
+        touch_all(&mut it);
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml.before"));
+        assert_eq!(CalibrationFile::parse(&text).unwrap(), known);
+        let full = io::Error::other("the disk is full");
+        it.handle_saved(text, Err(full));
+        assert_eq!(it.poll_file(), None, "nothing is replaced without it");
+    }
+
+    #[test]
+    fn too_few_touches_are_not_kept() {
+        let mut it = toucher(None);
+        for point in &SHEET_POINTS[..3] {
+            it.handle_state(on(*point));
+            press(&mut it, KeyCode::Enter);
+        }
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+    }
+
+    #[test]
+    fn a_reset_of_the_arm_makes_all_touches_void() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        let mut state = on(SHEET_POINTS[0]);
+        state.trust.trusted = false;
+        it.handle_state(state);
+        assert!(it.procedure.touches().is_empty());
+        press(&mut it, KeyCode::Enter);
+        assert!(
+            it.procedure.touches().is_empty(),
+            "not touched before it is confirmed"
+        );
+    }
+
+    #[test]
+    fn an_arm_that_moves_touches_nothing() {
+        let mut it = toucher(None);
+        let mut state = on(SHEET_POINTS[0]);
+        state.arm.as_mut().unwrap().moving = true;
+        it.handle_state(state);
+        press(&mut it, KeyCode::Enter);
+        assert!(it.procedure.touches().is_empty());
+    }
+}

@@ -1,0 +1,88 @@
+//! A drawing in the own places of an arm that is not as drawn.
+
+use dobot_arm::Position;
+use dobot_geometry::{Point, Stroke, steps};
+use dobot_plan::{DrawingTool, Paper, Pass};
+
+use crate::place::PlaceError;
+use crate::prepare::Settings;
+
+/// The passes as the arm has to be told them.
+pub(crate) fn told_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<Pass>, PlaceError> {
+    let told = |pass: Pass| {
+        let strokes = told_strokes(pass.strokes, pass.tool, settings)?;
+        Ok(Pass { strokes, ..pass })
+    };
+    passes.into_iter().map(told).collect()
+}
+
+/// The strokes as the arm has to be told them: what is straight on the paper is bent to it.
+pub(crate) fn told_strokes(
+    strokes: Vec<Stroke>,
+    tool: DrawingTool,
+    settings: &Settings,
+) -> Result<Vec<Stroke>, PlaceError> {
+    let Some(known) = &settings.calibration else {
+        return Ok(strokes);
+    };
+    let arm = known.arm();
+    let told = |p: Point| {
+        let z_mm = known.paper().map_or(0.0, |it| it.z_at([p.x, p.y]));
+        let there = Position::new(p.x, p.y, z_mm);
+        let told = arm.told_place(there, tool.end_effector());
+        let told = told.map_err(|reason| PlaceError::OutOfReach {
+            x_mm: p.x,
+            y_mm: p.y,
+            z_mm,
+            reason: reason.to_string(),
+        })?;
+        Ok(Point::new(told.x.0, told.y.0))
+    };
+    let stroke = |it: Stroke| {
+        let points = dense(&it.points).into_iter().map(told);
+        Ok(Stroke {
+            points: points.collect::<Result<_, _>>()?,
+            ..it
+        })
+    };
+    strokes.into_iter().map(stroke).collect()
+}
+
+/// The same stroke with lines so short that they do not leave the paper where it is curved.
+pub(crate) fn shortened(stroke: Stroke, paper: &Paper) -> Stroke {
+    if !paper.is_curved() {
+        return stroke;
+    }
+    let mut points: Vec<Point> = stroke.points.first().copied().into_iter().collect();
+    for pair in stroke.points.windows(2) {
+        halved(pair[0], pair[1], paper, &mut points);
+    }
+    Stroke { points, ..stroke }
+}
+
+/// Adds the way from `a`, which is there already, to `b`.
+fn halved(a: Point, b: Point, paper: &Paper, points: &mut Vec<Point>) {
+    let middle = a.midpoint(b);
+    let off_mm = paper.z_at(middle) - f64::midpoint(paper.z_at(a), paper.z_at(b));
+    if off_mm.abs() > OFF_PAPER_MM && a.distance(b) > SHORTEST_MM {
+        halved(a, middle, paper, points);
+        halved(middle, b, paper, points);
+    } else {
+        points.push(b);
+    }
+}
+
+/// The points, and more between those that are far apart.
+fn dense(points: &[Point]) -> Vec<Point> {
+    let mut all: Vec<Point> = points.first().copied().into_iter().collect();
+    for pair in points.windows(2) {
+        all.extend(steps(pair[0], pair[1], STEP_MM).skip(1));
+    }
+    all
+}
+
+/// A line this long bends by less than a hundredth of a millimetre, with zeros of 25 degrees too.
+const STEP_MM: f64 = 4.0;
+/// How far a vector may leave the paper between its ends: less than a pen gives.
+const OFF_PAPER_MM: f64 = 0.02;
+const SHORTEST_MM: f64 = 1.0;
