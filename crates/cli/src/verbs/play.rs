@@ -167,6 +167,16 @@ impl Planned {
         ))?)
     }
 
+    /// How long each step takes the first time, in seconds.
+    fn steps_s(&self) -> Vec<f64> {
+        let until_s = &self.prediction.until_s;
+        let over = |command: usize| command.checked_sub(1).map_or(0.0, |it| until_s[it]);
+        let firsts = self.job.program.steps.iter().copied();
+        let ends = firsts.clone().skip(1).chain([until_s.len()]);
+        let times = firsts.zip(ends);
+        times.map(|(first, end)| over(end) - over(first)).collect()
+    }
+
     fn times(&self) -> DryRunTimes {
         let first_s = self.prediction.until_s.last().copied().unwrap_or(0.0);
         let cycle_s = self.prediction.cycle_s;
@@ -179,6 +189,7 @@ impl Planned {
         };
         DryRunTimes {
             steps: self.job.program.steps.len(),
+            steps_s: self.steps_s(),
             commands: self.job.commands.len(),
             first_s,
             cycle_s,
@@ -191,6 +202,8 @@ impl Planned {
 #[derive(Debug, Serialize)]
 struct DryRunTimes {
     steps: usize,
+    /// How long each step takes the first time.
+    steps_s: Vec<f64>,
     commands: usize,
     /// All of it once.
     first_s: f64,

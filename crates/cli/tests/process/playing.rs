@@ -71,6 +71,14 @@ fn a_program_takes_as_long_as_was_predicted_to_the_tick() {
         let done = json(&play);
         let (wanted_s, took_s) = (number(&predicted["total_s"]), number(&done["took_s"]));
         assert!((wanted_s - took_s).abs() <= TICK_S, "{predicted} {done}");
+        let steps = predicted["steps_s"]
+            .as_array()
+            .expect("each step has a time");
+        let sum_s: f64 = steps.iter().map(number).sum();
+        assert!(
+            (sum_s - number(&predicted["first_s"])).abs() < 1e-6,
+            "{predicted}"
+        );
         let twice = json(&[&play[..], &["--times", "10", "--dry-run"]].concat());
         let five_more_s = number(&twice["total_s"]) - wanted_s;
         assert!(
