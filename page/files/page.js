@@ -345,6 +345,7 @@ function hear(message) {
     me = message.hello.client;
     catchUp();
     void around.begin();
+    target.askAgain();
   } else if ("state" in message) {
     state = /** @type {State} */ (message.state);
     draw(state);

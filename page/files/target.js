@@ -29,6 +29,8 @@ export function createTarget({ state, ask, changed }) {
   /** @type {number[] | null} */ let allowed_mm = null;
   /** @type {number | undefined} */ let timer;
   let checks = 0;
+  /** Whether the arm was sent to the ghost. */
+  let goes = false;
 
   /** What the fields ask for, or nothing while one of them holds no number. */
   function command() {
@@ -54,9 +56,11 @@ export function createTarget({ state, ask, changed }) {
     const mine = checks;
     allowed_mm = null;
     nearest.hidden = true;
+    goes = false;
+    // Only what was found free may be gone to.
+    go.disabled = true;
     if (!asked) {
       ghost = null;
-      go.disabled = true;
       tell("Each field takes a number.", "off");
       return changed();
     }
@@ -126,6 +130,7 @@ export function createTarget({ state, ask, changed }) {
     // Where nobody has control, the first action takes it.
     if (!lease) ask({ type: "take_lease" });
     ask({ type: "command", command: asked });
+    goes = true;
   });
   clear.addEventListener("click", forget);
   nearest.addEventListener("click", () => {
@@ -138,10 +143,14 @@ export function createTarget({ state, ask, changed }) {
   return {
     fill,
     ghost: () => ghost,
-    /** The arm is somewhere else, so the way is another one. */
+    /** The connection is there again: what was asked before was never answered. */
+    askAgain() {
+      if (ghost) check();
+    },
+    /** Forgets the ghost when the arm that was sent there has come to it. */
     arrived() {
       const arm = state()?.arm;
-      if (!ghost || !arm) return;
+      if (!ghost || !arm || !goes) return;
       const off_mm = Math.hypot(arm.x_mm - ghost.x_mm, arm.y_mm - ghost.y_mm, arm.z_mm - ghost.z_mm);
       if (off_mm < 0.3 && Math.abs(arm.rotation_deg - ghost.rotation_deg) < 0.5) forget();
     },
