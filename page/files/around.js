@@ -9,9 +9,14 @@ import { Ink, partsOf } from "./stage/ink.js";
 
 const WORLD_MS = 400;
 
-/** How far the tool of the policy hangs below the wrist. @param {Schemas["Policy"] | undefined} policy @returns {View["tool"]} */
-function mounted(policy) {
-  return { kind: "suction_cup", length_mm: policy?.tool_length?.suction_cup_mm ?? 40 };
+/** What of a view a policy tells. @param {Schemas["Policy"]} policy @returns {Partial<View>} */
+function ruled(policy) {
+  return {
+    limits: /** @type {View["limits"]} */ ({ joints: policy.joints, workspace: policy.workspace }),
+    tool: { kind: "suction_cup", length_mm: policy.tool_length?.suction_cup_mm ?? 40 },
+    table_z_mm: policy.table?.z_mm ?? -103,
+    keepOuts: /** @type {View["keepOuts"]} */ (/** @type {unknown} */ (Object.values(policy.keep_out ?? {}))),
+  };
 }
 
 /**
@@ -19,12 +24,13 @@ function mounted(policy) {
  * @param {() => void} changed is called when there is something new to see
  */
 export function createAround(fetchFrom, changed) {
-  /** @type {Schemas["Policy"] | undefined} */ let policy;
+  /** What the policy tells; the same objects until it is another one, which costs the stage nothing. @type {Partial<View>} */ let rules = {};
   /** @type {ReturnType<typeof partsOf> | undefined} */ let parts;
   let ink = new Ink();
   /** @type {View["planned"]} */ let planned = null;
   /** @type {number | undefined} */ let job;
-  let follows = false;
+  /** Whose turn it is to follow the world; nobody's at 0. A loop that was ended and wakes later finds another turn. */
+  let turn = 0, turns = 0;
 
   /** @param {string} path */
   async function json(path) {
@@ -32,14 +38,20 @@ export function createAround(fetchFrom, changed) {
     return answer?.ok ? answer.json() : undefined;
   }
 
+  async function readPolicy() {
+    const policy = await json("api/v1/policy");
+    rules = policy ? ruled(policy) : {};
+    changed();
+  }
+
   async function followWorld() {
-    if (follows) return;
-    follows = true;
-    while (follows) {
+    if (turn) return;
+    const mine = turn = turns += 1;
+    while (turn === mine) {
       const from = ink.from;
       /** @type {Schemas["WorldState"] | undefined} */
       const world = await json(`api/v1/world?strokes_from=${from}`);
-      if (!world) break;
+      if (!world || turn !== mine) break;
       // Another world begins anew: all of it is asked for.
       if (!ink.take(world, from)) continue;
       const next = partsOf(world);
@@ -48,32 +60,28 @@ export function createAround(fetchFrom, changed) {
       changed();
       await new Promise((done) => setTimeout(done, WORLD_MS));
     }
-    follows = false;
+    if (turn === mine) turn = 0;
   }
 
   return {
     /** The connection is there: the arm may be another one. */
-    async begin() {
-      [policy, parts, ink] = [undefined, undefined, new Ink()];
-      policy = await json("api/v1/policy");
-      changed();
+    begin() {
+      [rules, parts, ink] = [{}, undefined, new Ink()];
+      void readPolicy();
     },
 
     end() {
-      follows = false;
+      turn = 0;
     },
 
     /** Only the station's own virtual arm has a world that it can tell. @param {boolean} isVirtual */
     follow(isVirtual) {
       if (isVirtual) void followWorld();
-      else follows = false;
+      else turn = 0;
     },
 
     /** The policy is another one. */
-    async readPolicy() {
-      policy = await json("api/v1/policy");
-      changed();
-    },
+    readPolicy,
 
     /** Shows the way of a job, or of none. @param {number | undefined} number */
     async showJob(number) {
@@ -90,16 +98,7 @@ export function createAround(fetchFrom, changed) {
 
     /** What of a view is around the arm. @returns {Partial<View>} */
     view() {
-      const limits = policy ? { joints: policy.joints, workspace: policy.workspace } : undefined;
-      return {
-        ...(limits && { limits: /** @type {View["limits"]} */ (limits) }),
-        tool: mounted(policy),
-        table_z_mm: policy?.table?.z_mm ?? -103,
-        ...parts,
-        marks: parts ? ink.marks : null,
-        keepOuts: /** @type {View["keepOuts"]} */ (/** @type {unknown} */ (Object.values(policy?.keep_out ?? {}))),
-        planned,
-      };
+      return { ...rules, ...parts, marks: parts ? ink.marks : null, planned };
     },
   };
 }

@@ -344,7 +344,7 @@ function hear(message) {
   if ("hello" in message) {
     me = message.hello.client;
     catchUp();
-    void around.begin();
+    around.begin();
     target.askAgain();
   } else if ("state" in message) {
     state = /** @type {State} */ (message.state);
