@@ -5,7 +5,6 @@ use dobot_arm::{Joints, Limits, Tool};
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::Command;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::Compiled;
@@ -26,8 +25,7 @@ pub struct Report {
 }
 
 /// Something that is wrong with a program.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(rename = "ProgramProblem")]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Problem {
     /// The step, counted from 1 in the order in which they are done.
     pub step: usize,

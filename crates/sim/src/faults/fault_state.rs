@@ -33,10 +33,8 @@ impl FaultState {
         let zeros_deg = schedule.fit(machine);
         Self {
             schedule,
-            power_up,
             zeros_deg,
-            before: Counted::default(),
-            has_port: true,
+            ..Self::none(power_up)
         }
     }
 

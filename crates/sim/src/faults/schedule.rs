@@ -107,12 +107,11 @@ impl FaultSchedule {
     /// Makes the joints slack and puts them askew, and says by how much each stands further than is
     /// believed.
     pub(crate) fn fit(&self, machine: &mut Mechanics) -> [f64; 4] {
+        self.fit_backlash(machine);
         let mut zeros_deg = [0.0; 4];
         for entry in &self.entries {
-            match entry.fault.kind {
-                FaultKind::Backlash { joint, deg } => machine.set_backlash(joint, deg),
-                FaultKind::Zero { joint, deg } => zeros_deg[joint as usize] += deg,
-                _ => {}
+            if let FaultKind::Zero { joint, deg } = entry.fault.kind {
+                zeros_deg[joint as usize] += deg;
             }
         }
         machine.set_zeros(zeros_deg);
