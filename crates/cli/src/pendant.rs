@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind};
 use dobot_api::{ClientId, News, Notice, Reply, Request, State};
-use dobot_wire::{JointJog, JointJogAxis};
+use dobot_wire::{JointJog, JointJogAxis, Status};
 
 use self::gamepad::{EVENT_LEN, Gamepad, PadAction};
 use self::hold::{Beat, HoldToRun};
@@ -189,6 +189,19 @@ impl Pendant {
     /// What the station told last.
     pub(crate) const fn state(&self) -> Option<&State> {
         self.state.as_ref()
+    }
+
+    /// What an arm tells that rests, and is where it says; or why not, in these words where it cannot be trusted.
+    pub(crate) fn resting(&self, untrusted: &'static str) -> Result<&Status, &'static str> {
+        let state = self.state().ok_or("the arm has not told yet")?;
+        if !state.trust.trusted {
+            return Err(untrusted);
+        }
+        match &state.arm {
+            Some(arm) if arm.moving => Err("the arm still moves"),
+            Some(arm) => Ok(&arm.status),
+            None => Err("the arm has not told yet"),
+        }
     }
 
     /// Takes the passing of time.

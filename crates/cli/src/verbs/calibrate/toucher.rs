@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use dobot_api::{ArmView, State};
+use dobot_api::State;
 use dobot_arm::{Joints, Tool};
 use dobot_calibrate::{Backlash, CalibrationFile, Fit, FitError, Procedure};
 use ratatui::Frame;
@@ -76,21 +76,15 @@ impl Toucher {
     }
 
     /// The joint angles that the arm states, if it rests and they can be believed.
-    fn joints(&self) -> Result<Joints, String> {
-        let state = self.pendant.state().ok_or("the arm has not told yet")?;
-        if !state.trust.trusted {
-            return Err("the pose is not trusted; press r, look, and press y".into());
-        }
-        match &state.arm {
-            Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
-            Some(arm) => Ok(Joints::new(
-                arm.status.base_deg.into(),
-                arm.status.rear_deg.into(),
-                arm.status.fore_deg.into(),
-                arm.status.servo_deg.into(),
-            )),
-            None => Err("the arm has not told yet".into()),
-        }
+    fn joints(&self) -> Result<Joints, &'static str> {
+        let untrusted = "the pose is not trusted; press r, look, and press y";
+        let status = self.pendant.resting(untrusted)?;
+        Ok(Joints::new(
+            status.base_deg.into(),
+            status.rear_deg.into(),
+            status.fore_deg.into(),
+            status.servo_deg.into(),
+        ))
     }
 
     fn judge(&mut self) {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
-use dobot_api::{ArmView, JobPhase, JobView, NewJob, Reply, Request, State};
+use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, State};
 use dobot_safety::Policy;
 use dobot_teach::{ProgramError, RecordedPlace, simplified};
 use dobot_trajectory::burns;
@@ -138,18 +138,10 @@ impl Teacher {
     }
 
     /// Where the arm rests, if that is known for sure.
-    fn place(&self) -> Result<RecordedPlace, String> {
-        let state = self.pendant.state().ok_or("the arm has not told yet")?;
-        if !state.trust.trusted {
-            return Err(
-                "the pose is not trusted, and a point taught now would lie elsewhere".into(),
-            );
-        }
-        match &state.arm {
-            Some(ArmView { moving: true, .. }) => Err("the arm still moves".into()),
-            Some(arm) => Ok(RecordedPlace::of(&arm.status)),
-            None => Err("the arm has not told yet".into()),
-        }
+    fn place(&self) -> Result<RecordedPlace, &'static str> {
+        let untrusted = "the pose is not trusted, and a point taught now would lie elsewhere";
+        let status = self.pendant.resting(untrusted)?;
+        Ok(RecordedPlace::of(status))
     }
 
     /// Enter that is held repeats: a place is taught once, until another key is pressed.
