@@ -27,7 +27,7 @@ pub(super) fn document() -> Value {
     });
     let mut schemas = settings.into_generator();
     let mut paths: Map<String, Value> = Map::new();
-    for route in ROUTES.iter() {
+    for route in ROUTES.iter().filter(|it| is_told(it)) {
         let path = paths.entry(route.path).or_insert_with(|| json!({}));
         path[route.method.as_str().to_lowercase()] = operation(route, &mut schemas);
     }
@@ -55,6 +55,11 @@ pub(super) fn document() -> Value {
             },
         },
     })
+}
+
+/// Whether a route stands in the document: the interface does, and the page itself, but not the files that it is made of.
+pub(super) fn is_told(route: &Route) -> bool {
+    route.path == "/" || route.path.starts_with("/api/")
 }
 
 /// A configuration is a choice within the choice of commands: that neither of them has any other field

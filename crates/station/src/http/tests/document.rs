@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use super::super::document::{document, problems_of};
+use super::super::document::{document, is_told, problems_of};
 use super::super::routes::ROUTES;
 use super::Harness;
 
@@ -54,7 +54,8 @@ fn every_operation_has_a_name_of_its_own() {
             assert!(names.insert(name.to_string()), "{name}");
         }
     });
-    assert_eq!(names.len(), ROUTES.len());
+    let told = ROUTES.iter().filter(|route| is_told(route));
+    assert_eq!(names.len(), told.count());
 }
 
 #[test]
