@@ -1,6 +1,6 @@
 // A virtual arm, a station and a browser, as a person has them; and what the arm was told.
 import { once } from "node:events";
-import { mkdtemp, rm } from "node:fs/promises";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -38,13 +38,28 @@ class Told {
   }
 }
 
-/** Everything that a test needs; `end` ends it. */
-export async function open({ viewport = { width: 1440, height: 900 }, webgl = false } = {}) {
+const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
+
+/** With FILES=disk the page is that of the folder, so that nothing has to be built after a change of it. */
+async function serveFromDisk(context, station) {
+  if (process.env.FILES !== "disk") return;
+  await context.route((url) => url.href.startsWith(station) && !url.pathname.startsWith("/api/"), async (route) => {
+    const { pathname } = new URL(route.request().url());
+    const name = pathname === "/" ? "/index.html" : pathname;
+    const body = await readFile(new URL(`../files${name}`, import.meta.url)).catch(() => null);
+    if (!body) return route.continue();
+    const headers = { ...(await route.fetch({ url: station })).headers(), "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
+    return route.fulfill({ body, headers });
+  });
+}
+
+/** Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it. */
+export async function open({ viewport = { width: 1440, height: 900 }, webgl = false, virtual = false, options = {} } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
-  const arm = await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1"], /^tcp:127\.0\.0\.1:(\d+)/);
+  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1"], /^tcp:127\.0\.0\.1:(\d+)/);
   const told = new Told();
   const tap = createServer((station) => {
-    const way = createConnection({ port: Number(arm.found), host: "127.0.0.1", noDelay: true });
+    const way = createConnection({ port: Number(arm?.found), host: "127.0.0.1", noDelay: true });
     station.setNoDelay(true);
     station.on("data", (bytes) => told.take(bytes));
     station.pipe(way).pipe(station);
@@ -52,21 +67,26 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
   });
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
+  const to = virtual ? ["--virtual"] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`];
   const station = await start(
-    ["up", "--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder],
+    ["up", ...to, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder],
     /page +(http:\S+)/,
   );
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
-  const page = await browser.newPage({ viewport });
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
+  const context = await browser.newContext({ viewport, ...options });
+  await serveFromDisk(context, station.found);
+  const page = await context.newPage();
   const errors = [];
   page.on("pageerror", (error) => errors.push(error));
   await page.goto(station.found);
   return {
-    page, told, errors,
+    page, told, errors, context, station,
+    /** What the station answers at a path of the API. */
+    ask: async (path) => (await fetch(new URL(path, station.found))).json(),
     async end() {
       await browser.close();
       await end(station.child, "SIGINT");
-      await end(arm.child, "SIGINT");
+      if (arm) await end(arm.child, "SIGINT");
       tap.close();
       await rm(folder, { recursive: true });
     },

@@ -66,7 +66,8 @@ test("at a limit the button is let go once, and the reason stands beside it", as
   await rest(page);
   const stood = await pose(page, "z_mm");
   // Still held: the arm stays, and so does everything under the pointer.
-  await page.waitForTimeout(1500);
+  const { at_s } = await bench.ask("api/v1/state");
+  await page.waitForFunction(async (until_s) => (await (await fetch("api/v1/state")).json()).at_s > until_s, at_s + 1.5);
   assert.equal(await pose(page, "z_mm"), stood);
   assert.equal(await buttonAt(page, box), "z_minus");
   assert.match(await page.textContent("#jog-why"), /^Z−: /);
@@ -102,7 +103,10 @@ test("a window that loses the focus and a tab that is hidden let go", async () =
 
 test("an error of something else moves nothing that is under the pointer", async () => {
   const box = await page.locator("[data-axis=y_minus]:visible").boundingBox();
-  await page.evaluate(() => document.querySelector("#pause").click());
+  await page.evaluate(() => {
+    document.querySelector("#say-text").value = "dance";
+    document.querySelector("#say").requestSubmit();
+  });
   await page.waitForSelector("#problem:visible");
   assert.deepEqual(await page.locator("[data-axis=y_minus]:visible").boundingBox(), box);
   assert.equal(await buttonAt(page, box), "y_minus");

@@ -231,7 +231,7 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
         }
     }
     // What the panel for drawings needs: it is loaded by the page, its worker by the panel.
-    assert!(seen.contains("/preview.js") && seen.contains("/reader.js"));
+    assert!(seen.contains("/preview/preview.js") && seen.contains("/preview/reader.js"));
 }
 
 /// The scripts and styles that the file at a path names: how a name in quotes leads to them from there.

@@ -49,7 +49,7 @@ function chosen(name) {
 /** @param {File} file */
 function read(file) {
   reader?.terminate();
-  reader = new Worker("reader.js", { type: "module" });
+  reader = new Worker(new URL("reader.js", import.meta.url), { type: "module" });
   reader.onmessage = ({ data }) => (data.timeline ? take(file.name, data.timeline) : refuse(file.name, data.refused));
   reader.onerror = (event) => {
     event.preventDefault();

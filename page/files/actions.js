@@ -1,0 +1,121 @@
+// What a person can do on the page: each is a message to the state, a request to the station, or both.
+
+import { commandOf } from "./station/target.js";
+import { NO_CONNECTION } from "./station/socket.js";
+
+/** @typedef {import("./state/types.js").Request} Request */
+/** @typedef {import("./state/types.js").Command} Command */
+/** @typedef {import("./state/types.js").Schemas} Schemas */
+/** @typedef {import("./state/state.js").Question} Question */
+/** @typedef {ReturnType<typeof createActions>} Actions */
+
+/** For how long the laser is armed unless the policy says less. */
+const ARM_S = 300;
+const STOP_ANSWER_MS = 300;
+
+/**
+ * @param {object} outside
+ * @param {import("./state/store.js").Store} outside.store
+ * @param {import("./station/socket.js").Socket} outside.socket
+ * @param {import("./station/http.js").Http} outside.http
+ */
+export function createActions({ store, socket, http }) {
+  const { send } = store;
+
+  /** Asks for something. A refusal is told to all of the page. @param {Request} request @returns {Promise<boolean>} whether it is done */
+  async function ask(request) {
+    const { problem } = await socket.ask(request);
+    if (problem) send({ type: "problem", problem });
+    return problem === undefined;
+  }
+
+  /** Takes control where nobody has it: the first action does. */
+  function takeIfFree() {
+    if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
+  }
+
+  /** @param {Command} command */
+  function command(command) {
+    takeIfFree();
+    return ask({ type: "command", command });
+  }
+
+  /** Stops the arm by every way there is. */
+  function stop() {
+    send({ type: "stop_pressed" });
+    if (!socket.isOpen()) return void stopByRequest();
+    const timer = setTimeout(() => void stopByRequest(), STOP_ANSWER_MS);
+    void socket.ask({ type: "stop" }).then(({ problem }) => {
+      if (problem !== NO_CONNECTION.problem) clearTimeout(timer);
+    });
+  }
+
+  async function stopByRequest() {
+    const { problem } = await http.ask("POST", "api/v1/stop");
+    if (problem) send({ type: "problem", problem: problem.type ? problem : { type: "stop-missed", title: "", detail: "" } });
+  }
+
+  /** For how long the laser is armed, in seconds. */
+  const arming_s = () => Math.min(ARM_S, store.page.policy?.laser.arm_for_s ?? ARM_S);
+
+  /** What is done when a person says yes. @param {Question} question @returns {Request} */
+  function asked({ about }) {
+    if (about === "arm_laser") return { type: "arm_laser", for_s: arming_s() };
+    return { type: about };
+  }
+
+  return {
+    send, ask, takeIfFree, command, stop, arming_s,
+
+    /** Asks a person before something is done. @param {Question} question */
+    question: (question) => send({ type: "question", question }),
+
+    /** @param {boolean} yes */
+    answer(yes) {
+      const { question } = store.page;
+      send({ type: "question", question: null });
+      if (!yes || !question) return;
+      if (question.about === "arm_laser") takeIfFree();
+      void ask(asked(question));
+    },
+
+    go() {
+      const { target } = store.page;
+      const to = commandOf(store.page);
+      // Only what was found free may be gone to.
+      if (!to || target.check.type !== "free") return;
+      void command(to).then((done) => done && target.asked === store.page.target.asked && send({ type: "target_goes" }));
+    },
+
+    /** To where a stock arm stands when it is switched on. */
+    home() {
+      const { station } = store.page;
+      if (!station?.arm) return;
+      const { suction, gripper_deg } = station.arm;
+      void command({ type: "move_joints", base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0, suction, gripper_deg, mode: "movj", pause_s: 0 });
+    },
+
+    /** @param {boolean} on */
+    suction: (on) => command({ type: "joint_jog", axis: on ? "suction_on" : "suction_off", speed_percent: 0 }),
+
+    /** A target that is the place itself. @param {number} gripper_deg */
+    grip(gripper_deg) {
+      const { station } = store.page;
+      if (!station?.arm) return;
+      const { base_deg, rear_deg, fore_deg, servo_deg, suction } = station.arm;
+      void command({ type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg, mode: "movj", pause_s: 0 });
+    },
+
+    /** @param {number} by_mm */
+    raiseJob(by_mm) {
+      const now_mm = store.page.station?.job?.height_mm ?? 0;
+      void ask({ type: "set_job_height", offset_mm: Math.round((now_mm + by_mm) * 10) / 10 });
+    },
+
+    /** @param {string} secret @param {() => void} connect */
+    useToken(secret, connect) {
+      http.useToken(secret);
+      connect();
+    },
+  };
+}

@@ -1,0 +1,159 @@
+// Wires the station, the state, the stage and the views together.
+
+import { createActions } from "./actions.js";
+import { listenToGamepad } from "./hands/gamepad.js";
+import { createJog } from "./hands/jog.js";
+import { listenToKeys } from "./hands/keys.js";
+import { createPads } from "./hands/pads.js";
+import { move } from "./panels/move.js";
+import { setUp } from "./panels/set_up.js";
+import { watch } from "./panels/watch.js";
+import { createStage } from "./stage/stage.js";
+import { createViewOf, isVeryOld, silence_ms } from "./state/select.js";
+import { begin } from "./state/state.js";
+import { createStore } from "./state/store.js";
+import { followAround } from "./station/around.js";
+import { createHttp, takeToken } from "./station/http.js";
+import { createSocket } from "./station/socket.js";
+import { followTarget } from "./station/target.js";
+import { render } from "./vendor/lit-html/lit-html.js";
+import { banners, question, toasts } from "./views/banners.js";
+import { first } from "./views/first.js";
+import { foot } from "./views/foot.js";
+import { cameras, pose } from "./views/pose.js";
+import { strip } from "./views/strip.js";
+import { tabs } from "./views/tabs.js";
+import { languageOf, span, speak } from "./words/words.js";
+
+/** @typedef {import("./state/state.js").Page} Page */
+/** @typedef {import("./views/context.js").Context} Context */
+
+const TICK_MS = 250;
+const TOLD_MS = 12_000;
+/** Where the wishes of a person are kept in this browser. */
+const WISHES = "dobot";
+const KEPT = new Set(["language", "theme", "greeted"]);
+const PANELS = { move, watch, set_up: setUp };
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+/** @returns {Partial<Pick<Page, "language" | "theme" | "greeted">>} */
+function wishes() {
+  try {
+    return JSON.parse(localStorage.getItem(WISHES) ?? "{}");
+  } catch {
+    return {};
+  }
+}
+
+const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, ...wishes() }));
+const http = createHttp();
+const socket = createSocket({ store, http });
+const act = createActions({ store, socket, http });
+const jog = createJog(store, socket, act.takeIfFree);
+const pads = createPads(store, socket, act.takeIfFree);
+const stage = createStage(part("stage"));
+const viewOf = createViewOf();
+
+// --- The state, drawn: once for each picture of the screen, however much has changed -----------------
+
+let asked = 0;
+const changed = () => (asked ||= requestAnimationFrame(draw));
+
+const isDark = (/** @type {Page} */ { theme }) => theme === "dark" || (theme === "auto" && dark.matches);
+
+function draw() {
+  asked = 0;
+  const { page } = store;
+  const say = speak(page.language);
+  document.documentElement.lang = page.language;
+  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
+  /** @type {Context} */
+  const context = { page, say, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  render(strip(context), part("strip"));
+  render(banners(context), part("banners"));
+  render(toasts(context), part("toasts"));
+  render(pose(context), part("numbers"));
+  render(cameras(context), part("cameras"));
+  render(first(context), part("first"));
+  render(tabs(context), part("tabs"));
+  render(foot(context), part("foot"));
+  drawPanel(context);
+  drawQuestion(context);
+  drawStage(page, say);
+}
+
+/** @param {Context} context */
+function drawPanel(context) {
+  const { tab } = context.page;
+  const panel = part("panel");
+  panel.hidden = tab === "preview";
+  part("preview").hidden = tab !== "preview";
+  panel.setAttribute("aria-labelledby", `tab-${tab}`);
+  if (tab !== "preview") render(PANELS[tab](context), panel);
+}
+
+/** @param {Context} context */
+function drawQuestion(context) {
+  const dialog = /** @type {HTMLDialogElement} */ (part("sure"));
+  render(question(context), dialog);
+  const open = context.page.question !== null;
+  if (open === dialog.open) return;
+  if (!open) return dialog.close();
+  // Not a modal one: STOP has to stay within reach.
+  dialog.show();
+  part("sure-no").focus();
+}
+
+/** @param {Page} page @param {import("./words/words.js").Say} say */
+function drawStage(page, say) {
+  const arm = page.station?.arm;
+  const silent_ms = silence_ms(page);
+  stage.show(viewOf(page, {
+    dark: isDark(page),
+    note: silent_ms ? say("old.note", { age: silent_ms < 10_000 ? say("time.s", { s: (silent_ms / 1000).toFixed(1) }) : span(say, silent_ms / 1000) }) : "",
+    label: arm ? say("stage.where", { x: arm.x_mm.toFixed(0), y: arm.y_mm.toFixed(0), z: arm.z_mm.toFixed(0) }) : say("stage.none"),
+  }));
+  part("work").classList.toggle("is-old", isVeryOld(page));
+}
+
+// --- What comes in --------------------------------------------------------------------------------------
+
+/** @type {number | undefined} */ let told;
+
+/** Takes the message away, unless somebody is at it. */
+function forget() {
+  if (part("toasts").matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
+  else store.send({ type: "problem_closed" });
+}
+
+store.listen((page, message) => {
+  changed();
+  if (message.type === "problem") {
+    clearTimeout(told);
+    told = setTimeout(forget, TOLD_MS);
+  }
+  if (KEPT.has(message.type)) {
+    const { language, theme, greeted } = page;
+    localStorage.setItem(WISHES, JSON.stringify({ language, theme, greeted }));
+  }
+});
+part("stage").addEventListener("target", (event) => {
+  const { x_mm, y_mm, z_mm, rotation_deg } = /** @type {CustomEvent<import("./stage/view.js").Target>} */ (event).detail;
+  store.send({ type: "target_placed", place: { x_mm, y_mm, z_mm, rotation_deg } });
+});
+dark.addEventListener("change", changed);
+setInterval(() => {
+  // A clock that ticks for nothing draws nothing.
+  if (silence_ms({ ...store.page, now_ms: Date.now() }) > 0 || silence_ms(store.page) > 0) store.send({ type: "tick", now_ms: Date.now() });
+}, TICK_MS);
+
+listenToKeys({ stage: part("stage"), stop: act.stop, jog, frame: () => store.page.jog.frame });
+listenToGamepad({ stop: act.stop, jog, speed_percent: () => store.page.jog.speed_percent, linear: () => store.page.jog.frame === "linear" || store.send({ type: "jog_set", set: { frame: "linear" } }) });
+followAround(store, http);
+followTarget(store, socket);
+takeToken(http);
+draw();
+socket.connect();

@@ -1,0 +1,64 @@
+// A gamepad: the sticks jog while the right shoulder button is held, and any of the face buttons stops.
+
+/** @typedef {import("../state/jog.js").Axis} Axis */
+
+const ENABLES = 5;
+const STOPS = [0, 1, 2, 3];
+/** A stick that is less far from its middle rests. */
+const REST = 0.25;
+
+/** Each axis of the sticks, as gamepads number them, and what it jogs towards its positive and its negative end. */
+const STICKS = /** @type {const} */ ([
+  [0, "y_minus", "y_plus"],
+  [1, "x_minus", "x_plus"],
+  [2, "servo_minus", "servo_plus"],
+  [3, "z_minus", "z_plus"],
+]);
+
+/**
+ * What the sticks say: the one that is furthest out, and how far, from 0 to 1.
+ * @param {readonly number[]} axes @returns {{ axis: Axis, share: number } | null}
+ */
+export function pushed(axes) {
+  let best = { axis: "", share: 0 };
+  for (const [number, plus, minus] of STICKS) {
+    const value = axes[number] ?? 0;
+    const share = Math.min(1, (Math.abs(value) - REST) / (1 - REST));
+    if (share > best.share) best = { axis: value > 0 ? plus : minus, share };
+  }
+  return best.share > 0 ? best : null;
+}
+
+/**
+ * @param {object} outside
+ * @param {() => void} outside.stop
+ * @param {import("./jog.js").JogHands} outside.jog
+ * @param {() => number} outside.speed_percent
+ * @param {() => void} outside.linear sets the buttons to the tip in straight lines
+ */
+export function listenToGamepad({ stop, jog, speed_percent, linear }) {
+  let frame = 0, stopped = false, share = 0;
+
+  function look() {
+    const pad = navigator.getGamepads().find((it) => it?.connected);
+    if (!pad) {
+      frame = 0;
+      return jog.letGoOf("gamepad");
+    }
+    frame = requestAnimationFrame(look);
+    const stops = STOPS.some((button) => pad.buttons[button]?.pressed);
+    if (stops && !stopped) stop();
+    stopped = stops;
+    const push = pad.buttons[ENABLES]?.pressed && !stops ? pushed(pad.axes) : null;
+    if (!push) return jog.letGoOf("gamepad");
+    share = push.share;
+    linear();
+    jog.hold("gamepad", push.axis, () => Math.max(1, Math.round(share * speed_percent())));
+  }
+
+  const begin = () => {
+    if (!frame) frame = requestAnimationFrame(look);
+  };
+  window.addEventListener("gamepadconnected", begin);
+  if (navigator.getGamepads().some(Boolean)) begin();
+}

@@ -1,0 +1,58 @@
+// The keyboard: STOP from anywhere, and jogging while the stage has the focus.
+
+/** @typedef {import("../state/jog.js").Axis} Axis */
+/** @typedef {import("../state/jog.js").Frame} Frame */
+
+/** @type {Record<Frame, Record<string, Axis>>} */
+const JOG_KEYS = {
+  linear: { ArrowUp: "x_plus", ArrowDown: "x_minus", ArrowLeft: "y_plus", ArrowRight: "y_minus", PageUp: "z_plus", PageDown: "z_minus", q: "servo_plus", e: "servo_minus" },
+  joint: { ArrowLeft: "base_plus", ArrowRight: "base_minus", ArrowUp: "rear_plus", ArrowDown: "rear_minus", PageUp: "fore_minus", PageDown: "fore_plus", q: "servo_plus", e: "servo_minus" },
+};
+const WRITES = "input:not([type=checkbox], [type=radio], [type=range], [type=file], [type=color]), textarea, [contenteditable]";
+const PRESSED = "button, a, summary, select, [type=checkbox], [type=radio], [type=file], [type=color]";
+
+/**
+ * What a key means before all else. Escape stops from anywhere. Space writes in a text field, and presses what the keyboard
+ * has chosen; what was only clicked does not keep it.
+ * @param {KeyboardEvent} event @param {Element | null} focused
+ */
+export function isStop({ key }, focused) {
+  if (key === "Escape") return true;
+  if (key !== " ") return false;
+  if (focused?.matches(WRITES)) return false;
+  return !(focused?.matches(PRESSED) && focused.matches(":focus-visible"));
+}
+
+/** Which button a key on the stage stands for. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
+export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
+  if (ctrlKey || altKey || metaKey || shiftKey) return undefined;
+  return JOG_KEYS[frame][key];
+}
+
+/**
+ * @param {object} outside
+ * @param {HTMLElement} outside.stage
+ * @param {() => void} outside.stop
+ * @param {import("./jog.js").JogHands} outside.jog
+ * @param {() => Frame} outside.frame
+ */
+export function listenToKeys({ stage, stop, jog, frame }) {
+  // Before all else, wherever the focus is.
+  document.addEventListener("keydown", (event) => {
+    if (!isStop(event, document.activeElement)) return;
+    event.preventDefault();
+    if (!event.repeat) stop();
+  }, { capture: true });
+  // A key that is let go of may say another name than it said when it was pressed.
+  stage.addEventListener("keydown", (event) => {
+    const axis = axisOf(event, frame());
+    if (!axis) return;
+    event.preventDefault();
+    if (!event.repeat) jog.press(event.code, axis);
+  });
+  stage.addEventListener("keyup", (event) => jog.letGoOf(event.code));
+  stage.addEventListener("blur", () => jog.letGo());
+  window.addEventListener("blur", () => jog.letGo());
+  window.addEventListener("pagehide", () => jog.letGo());
+  document.addEventListener("visibilitychange", () => jog.letGo());
+}

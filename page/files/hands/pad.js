@@ -1,0 +1,99 @@
+// Mouse and gesture mode: packets for a pointer that is held on a pad. Those are carried out to their end, so that few may
+// be under way when the pointer is let go.
+
+/** @typedef {import("../state/types.js").Command} Command */
+/** @typedef {import("../state/types.js").Arm} Arm */
+
+/** So many packets may be under way: the arm goes on without a break, and little is left when the pointer is let go. */
+const AHEAD = 2;
+/** How many pixels of the pad are one unit of a mouse packet. */
+const PIXELS = 4;
+/** The largest increment of a packet, in units. */
+const FURTHEST = 5;
+
+/** @param {number} value */
+const bounded = (value) => Math.max(-FURTHEST, Math.min(FURTHEST, value));
+
+/**
+ * The mouse packet for a way of the pointer: up the pad is ahead, to its left is the arm's left. On an arm as it was sold
+ * Y swings the base, to the right where it is positive, and the rotation is the servo's angle.
+ * @param {[number, number]} pixels @param {Arm} arm @param {boolean} swings @param {number} lift in units
+ * @returns {{ command: Command, used: [number, number] }} `used`: what of the way it makes
+ */
+export function mousePacket([right, down], arm, swings, lift = 0) {
+  const x = bounded(-down / PIXELS), left = bounded(-right / PIXELS);
+  const command = /** @type {Command} */ ({ type: "mouse_move", x, y: swings ? -left : left, z: lift, rotation_deg: swings ? arm.servo_deg : arm.rotation_deg, suction: arm.suction });
+  return { command, used: [-left * PIXELS, -x * PIXELS] };
+}
+
+/**
+ * The gesture packet for a place on the pad, with shares from -1 (right, near) to 1 (left, far) and a height in mm. On an
+ * arm as it was sold they are units of the hand tracker: x is 230 mm and half of X, z is half of Z above the lowest place
+ * less 100 mm.
+ * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {boolean} scales @param {number} lowest_mm
+ * @returns {Command}
+ */
+export function gesturePacket({ far, left, z_mm, grab }, scales, lowest_mm) {
+  const x_mm = 230 + 60 * far, y_mm = 90 * left;
+  const place = scales ? { x: 2 * (x_mm - 230), y: y_mm, z: 2 * (z_mm - lowest_mm) + 200 } : { x: x_mm, y: y_mm, z: z_mm };
+  return { type: "gesture", ...place, grab };
+}
+
+/**
+ * Sends packets one after the other while there is something to send, a few ahead.
+ * @param {object} outside
+ * @param {import("../state/store.js").Store} outside.store
+ * @param {import("../station/socket.js").Socket} outside.socket
+ * @param {() => void} outside.takeIfFree
+ * @param {() => Command | null} outside.next what is to be sent now, or nothing
+ * @param {(detail: string) => void} outside.refused
+ */
+export function createStream({ store, socket, takeIfFree, next, refused }) {
+  let isHeld = false;
+  /** Packets that are asked for or under way. @type {Set<number>} */ const under_way = new Set();
+  let asking = 0;
+  /** What was over before its acceptance was heard. @type {Set<number>} */ const over = new Set();
+
+  async function pump() {
+    while (isHeld && under_way.size + asking < AHEAD) {
+      const command = next();
+      if (!command) return;
+      asking += 1;
+      const { problem, reply } = await socket.ask({ type: "command", command });
+      asking -= 1;
+      if (problem) {
+        isHeld = false;
+        return refused(problem.detail);
+      }
+      if (reply?.type === "accepted" && !over.delete(reply.command)) under_way.add(reply.command);
+    }
+  }
+
+  store.listen((_, message) => {
+    if (message.type === "stop_pressed") isHeld = false;
+    if (message.type === "closed") {
+      isHeld = false;
+      under_way.clear();
+    }
+    if (message.type !== "notice") return;
+    const { notice } = message;
+    if (notice.type === "link_lost") under_way.clear();
+    if (notice.type !== "command_done" && notice.type !== "command_failed") return;
+    if (!under_way.delete(notice.command) && asking) over.add(notice.command);
+    void pump();
+  });
+
+  return {
+    begin() {
+      over.clear();
+      takeIfFree();
+      isHeld = true;
+      void pump();
+    },
+    /** There is something new to send. */
+    more: () => void pump(),
+    end() {
+      isHeld = false;
+    },
+  };
+}

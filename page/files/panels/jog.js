@@ -1,0 +1,87 @@
+// The jog buttons: they move the arm for as long as they are held, or by a step.
+
+import { html } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { hindrance } from "../state/select.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../words/words.js").Word} Word */
+/** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: Word, place: string]} Button */
+
+/** @type {readonly Button[]} */
+const LINEAR = [
+  ["servo_plus", "R+", "way.turn", "nw"],
+  ["x_plus", "X+", "way.forward", "n"],
+  ["servo_minus", "R−", "way.turn", "ne"],
+  ["z_plus", "Z+", "way.up", "u"],
+  ["y_plus", "Y+", "way.left", "w"],
+  ["y_minus", "Y−", "way.right", "e"],
+  ["x_minus", "X−", "way.back", "s"],
+  ["z_minus", "Z−", "way.down", "d"],
+];
+/** @type {readonly Button[]} */
+const JOINT = [
+  ["base_plus", "J1+", "way.left", ""],
+  ["base_minus", "J1−", "way.right", ""],
+  ["rear_plus", "J2+", "way.forward", ""],
+  ["rear_minus", "J2−", "way.back", ""],
+  ["fore_plus", "J3+", "way.down", ""],
+  ["fore_minus", "J3−", "way.up", ""],
+  ["servo_plus", "J4+", "way.turn", ""],
+  ["servo_minus", "J4−", "way.turn", ""],
+];
+/** @type {readonly Word[]} */
+const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
+const STEPS = [0.1, 1, 10];
+
+/** What a press of a button is called beside it. @param {string} axis */
+export const nameOf = (axis) => [...LINEAR, ...JOINT].find(([it]) => it === axis)?.[1] ?? axis;
+
+/** @param {Context} context */
+export function jogPanel({ page, say, act, jog }) {
+  const { frame, step, speed_percent, held, refused } = page.jog;
+  const why = hindrance(page);
+  const buttons = frame === "linear" ? LINEAR : JOINT;
+  const hint = step === null ? say("jog.hint.hold") : say("jog.hint.step", { step: `${step} ${frame === "linear" ? "mm" : "°"}` });
+  const told = why ? say(`hindrance.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
+
+  const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));
+  const press = (/** @type {Event} */ event) => {
+    const button = buttonOf(event);
+    if (button && !button.disabled) jog.press(button, button.dataset.axis ?? "");
+  };
+  const letGo = (/** @type {Event} */ event) => jog.letGoOf(buttonOf(event));
+  const pointer = (/** @type {PointerEvent} */ event) => {
+    const button = buttonOf(event);
+    if (event.button !== 0 || !button) return;
+    button.setPointerCapture(event.pointerId);
+    press(event);
+  };
+  const key = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    if (!event.repeat) press(event);
+  };
+
+  return html`
+    <section class="card" aria-labelledby="jog-title">
+      <h2 id="jog-title">${say("jog")}</h2>
+      <div class="choices">
+        <fieldset class="segments">
+          <legend>${say("jog.what")}</legend>
+          ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${say(`jog.${it}`)}</span></label>`)}
+        </fieldset>
+        <fieldset class="segments">
+          <legend>${say("jog.step")} <small>${say("jog.mm_or_deg")}</small></legend>
+          ${[null, ...STEPS].map((it) => html`<label><input type="radio" name="step" value=${it ?? "hold"} .checked=${live(it === step)} @change=${() => act.send({ type: "jog_set", set: { step: it } })}><span>${it ?? say("jog.hold")}</span></label>`)}
+        </fieldset>
+      </div>
+      <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${letGo} @pointercancel=${letGo} @lostpointercapture=${letGo}
+        @focusout=${letGo} @keyup=${letGo} @keydown=${key} @contextmenu=${(/** @type {Event} */ event) => event.preventDefault()}>
+        ${buttons.map(([axis, name, way, place], n) => html`<button type="button" data-axis=${axis} class="${place} ${held === axis ? "is-held" : ""}" ?disabled=${why !== null}>${name}<small>${frame === "joint" ? html`<span class="full">${say(/** @type {Word} */ (JOINTS[n]))} </span>` : ""}${say(way)}</small></button>`)}
+      </div>
+      <label class="speed">${say("jog.speed")} <input id="speed" type="range" min="5" max="100" step="5" .value=${live(String(speed_percent))}
+        @input=${(/** @type {Event} */ event) => act.send({ type: "jog_set", set: { speed_percent: Number(/** @type {HTMLInputElement} */ (event.target).value) } })}> <output id="speed-shown" for="speed">${speed_percent} %</output></label>
+      <p id="jog-why" class="told" role="status" data-tone=${!why && refused ? "bad" : "off"}>${told}</p>
+    </section>`;
+}

@@ -1,0 +1,57 @@
+// The mouse pad and the hand pad.
+
+import { html } from "../vendor/lit-html/lit-html.js";
+import { hindrance } from "../state/select.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+
+/** Where the pointer is on a pad: up and left are 1, down and right -1. @param {PointerEvent} event @returns {[far: number, left: number]} */
+function shares({ currentTarget, clientX, clientY }) {
+  const { left, top, width, height } = /** @type {Element} */ (currentTarget).getBoundingClientRect();
+  const share = (/** @type {number} */ value) => Math.max(-1, Math.min(1, 1 - 2 * value));
+  return [share((clientY - top) / height), share((clientX - left) / width)];
+}
+
+/** @param {PointerEvent} event */
+function capture(event) {
+  if (event.button !== 0) return false;
+  /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
+  return true;
+}
+
+/** @param {PointerEvent} event */
+const isHeld = ({ currentTarget, pointerId }) => /** @type {Element} */ (currentTarget).hasPointerCapture(pointerId);
+
+/** @param {Context} context */
+export function pads({ page, say, pads }) {
+  const { mouse, hand } = pads;
+  const why = hindrance(page);
+  const off = why !== null;
+  const told = why ? say(`hindrance.${why}`) : page.pad_refused;
+  return html`
+    <details class="card" id="pads">
+      <summary><h2>${say("pads")}</h2></summary>
+      <div class="two-pads">
+        <div>
+          <div id="mouse-pad" class="track" data-off=${String(off)} aria-label=${say("pads.mouse")} role="img"
+            @pointerdown=${(/** @type {PointerEvent} */ event) => !off && capture(event) && mouse.begin()}
+            @pointermove=${(/** @type {PointerEvent} */ event) => isHeld(event) && mouse.move(event.movementX, event.movementY)}
+            @wheel=${(/** @type {WheelEvent} */ event) => (event.preventDefault(), mouse.lift(event.deltaY < 0 ? 2 : -2))}
+            @lostpointercapture=${() => mouse.end()}><b>${say("pads.mouse")}</b></div>
+          <p class="quiet">${say("pads.mouse.hint")}</p>
+        </div>
+        <div>
+          <div id="hand-pad" class="track" data-off=${String(off)} aria-label=${say("pads.hand")} role="img"
+            @pointerdown=${(/** @type {PointerEvent} */ event) => !off && capture(event) && hand.begin(...shares(event))}
+            @pointermove=${(/** @type {PointerEvent} */ event) => isHeld(event) && hand.move(...shares(event))}
+            @lostpointercapture=${() => hand.end()}><b>${say("pads.hand")}</b></div>
+          <p class="quiet">${say("pads.hand.hint")}</p>
+        </div>
+      </div>
+      <div class="row">
+        <label>${say("pads.hand.height")} <input id="hand-height" type="number" min="-20" max="100" step="5" value="40" @change=${(/** @type {Event} */ event) => hand.height(/** @type {HTMLInputElement} */ (event.target).valueAsNumber || 0)}> mm</label>
+        <label class="check"><input id="hand-grab" type="checkbox" @change=${(/** @type {Event} */ event) => hand.grab(/** @type {HTMLInputElement} */ (event.target).checked)}> ${say("pads.hand.grab")}</label>
+      </div>
+      <p id="pad-told" class="told" role="status" data-tone=${!why && page.pad_refused ? "bad" : "off"}>${told ?? ""}</p>
+    </details>`;
+}

@@ -1,0 +1,25 @@
+// How fast targets and programs go: shares of what the arm was set to (state 10).
+
+import { html } from "../vendor/lit-html/lit-html.js";
+import { hindrance } from "../state/select.js";
+
+/** @param {import("../views/context.js").Context} context */
+export function speeds({ page, say, act }) {
+  const set = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const form = /** @type {HTMLFormElement} */ (event.target);
+    const number = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (form.elements.namedItem(name)).valueAsNumber;
+    if (!form.reportValidity()) return;
+    void act.command({ type: "playback_adjustment", speed_percent: number("speed"), acceleration_percent: number("acceleration"), teach_speed_percent: page.jog.speed_percent });
+  };
+  return html`
+    <details class="card" id="speeds">
+      <summary><h2>${say("speeds")}</h2></summary>
+      <p class="quiet">${say("speeds.hint")}</p>
+      <form class="row" @submit=${set}>
+        <label>${say("speeds.percent")} <input id="speed-percent" name="speed" type="number" min="1" max="100" step="any" required value="100"> %</label>
+        <label>${say("speeds.acceleration")} <input id="acceleration-percent" name="acceleration" type="number" min="1" max="100" step="any" required value="100"> %</label>
+        <button id="speeds-set" type="submit" ?disabled=${hindrance(page) !== null}>${say("speeds.set")}</button>
+      </form>
+    </details>`;
+}

@@ -1,0 +1,70 @@
+// Go to a place: by numbers, or by dragging the ghost on the stage. The station says while one types where the way leads,
+// or why it is refused and how far it is allowed; nothing moves before Go.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { hindrance } from "../state/select.js";
+import { FIELDS, placeOf } from "../state/target.js";
+import { sentence } from "../views/banners.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../state/target.js").Path} Path */
+
+/** @type {Record<import("../state/target.js").Field, [string, string]>} */
+const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotation_deg: ["R", "°"] };
+/** @type {readonly Path[]} */
+const PATHS = ["movj", "movl", "jump"];
+
+/** What is said of the target, and how. @param {Context} context @returns {[string, string]} */
+function told({ page, say }) {
+  const { target } = page;
+  if (!target.typed) return [say("target.hint"), "off"];
+  if (!placeOf(target)) return [say("target.number"), "off"];
+  if (target.goes) return [say("target.going"), "good"];
+  switch (target.check.type) {
+    case "unknown":
+      return [say("target.checking"), "off"];
+    case "refused":
+      return [`${sentence(target.check.problem.detail)}.`, "bad"];
+    case "free": {
+      const { takes_s } = target.check;
+      return [takes_s === null ? say("target.free.untimed") : say("target.free", { time: takes_s.toFixed(1) }), "good"];
+    }
+  }
+}
+
+/** @param {Context} context */
+export function targetPanel(context) {
+  const { page, say, act } = context;
+  const { target } = page;
+  const [text, tone] = told(context);
+  const why = hindrance(page);
+  const nearest = target.check.type === "refused" ? target.check.problem.nearest_mm : null;
+  const arm = page.station?.arm;
+  const submit = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    act.go();
+  };
+  return html`
+    <section class="card" aria-labelledby="target-title">
+      <h2 id="target-title">${say("target")} <small>${say("target.live")}</small></h2>
+      <form id="target" novalidate @submit=${submit}>
+        <div class="fields">
+          ${FIELDS.map((field) => html`<label><span>${NAMES[field][0]} <small>${NAMES[field][1]}</small></span>
+            <input id="target-${field}" type="text" inputmode="decimal" autocomplete="off" placeholder=${arm ? arm[field].toFixed(1) : ""} .value=${live(target.typed?.[field] ?? "")}
+              @input=${(/** @type {Event} */ event) => act.send({ type: "target_typed", field, text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`)}
+        </div>
+        <fieldset class="segments">
+          <legend>${say("target.path")}</legend>
+          ${PATHS.map((path) => html`<label><input type="radio" name="path" value=${path} .checked=${live(path === target.path)} @change=${() => act.send({ type: "target_path", path })}><span>${say(`target.${path}`)}</span></label>`)}
+        </fieldset>
+        <p id="target-told" class="told" role="status" data-tone=${tone}>${why && target.check.type === "free" ? say(`hindrance.${why}`) : text}</p>
+        <div class="row">
+          <button id="target-go" type="submit" class="strong" ?disabled=${target.check.type !== "free" || why !== null || target.goes}>${say("target.go")}</button>
+          ${nearest ? html`<button id="target-nearest" type="button" @click=${() => act.send({ type: "target_placed", place: { x_mm: nearest[0], y_mm: nearest[1], z_mm: nearest[2] } })}>${say("target.nearest")}</button>` : nothing}
+          ${target.typed ? html`<button id="target-clear" type="button" @click=${() => act.send({ type: "target_cleared" })}>${say("target.forget")}</button>` : nothing}
+          <button id="home" type="button" class="end" title=${say("target.home.hint")} ?disabled=${why !== null} @click=${() => act.home()}>${say("target.home")}</button>
+        </div>
+      </form>
+    </section>`;
+}

@@ -1,0 +1,34 @@
+// Everything that can change the state of the page: a closed union.
+
+/** @typedef {import("./types.js").Station} Station */
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Notice} Notice */
+/** @typedef {import("./types.js").Policy} Policy */
+/** @typedef {import("./state.js").Page} Page */
+
+/**
+ * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, now_ms: number }
+ * | { type: "state", station: Station, now_ms: number }
+ * | { type: "notices", notices: readonly Notice[] }
+ * | { type: "notice", notice: Notice }
+ * | { type: "closed", needs_token: boolean }
+ * | { type: "connecting" }
+ * | { type: "stop_pressed" }
+ * | { type: "tick", now_ms: number }
+ * | { type: "problem", problem: Problem }
+ * | { type: "problem_closed" }
+ * | { type: "question", question: import("./state.js").Question | null }
+ * | { type: "policy", policy: Policy | null }
+ * | { type: "around", around: import("./state.js").Around | null }
+ * | { type: "planned", planned: Page["planned"] }
+ * | { type: "dialed", percent: number | null }
+ * | { type: "pad_refused", detail: string | null }
+ * | { type: "greeted" }
+ * | { type: "tab", tab: import("./state.js").Tab }
+ * | { type: "language", language: import("./state.js").Language }
+ * | { type: "theme", theme: import("./state.js").Theme }
+ * | import("./jog.js").JogMessage
+ * | import("./target.js").TargetMessage} Message
+ */
+
+export {};

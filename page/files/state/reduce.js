@@ -1,0 +1,66 @@
+// How a message changes the state. Pure: no clock, no document, no network.
+
+import { reduceJog } from "./jog.js";
+import { reduceTarget } from "./target.js";
+
+/** @typedef {import("./state.js").Page} Page */
+/** @typedef {import("./message.js").Message} Message */
+
+/** So many notices are kept; the station keeps more. */
+const NOTICES = 200;
+
+/** @param {Page} page @param {Message} message @returns {Page} */
+export function reduce(page, message) {
+  const next = reduceOwn(page, message);
+  const jog = reduceJog(next.jog, message);
+  const target = reduceTarget(next.target, message, next.station?.arm ?? null);
+  return jog === next.jog && target === next.target ? next : { ...next, jog, target };
+}
+
+/** @param {Page} page @param {Message} message @returns {Page} */
+function reduceOwn(page, message) {
+  switch (message.type) {
+    case "hello":
+      return { ...page, connection: "open", me: message.client, role: message.role, version: message.version, heard_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+    case "state":
+      return { ...page, station: message.station, heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "notices":
+      return { ...page, notices: message.notices.slice(-NOTICES) };
+    case "notice":
+      return { ...page, notices: [...page.notices, message.notice].slice(-NOTICES) };
+    case "connecting":
+      return { ...page, connection: page.connection === "token" ? "connecting" : page.connection };
+    case "closed":
+      return { ...page, connection: message.needs_token ? "token" : "closed", me: null, question: null };
+    case "stop_pressed":
+      return { ...page, question: null };
+    case "tick":
+      return { ...page, now_ms: message.now_ms };
+    case "problem":
+      return { ...page, problem: message.problem };
+    case "problem_closed":
+      return { ...page, problem: null };
+    case "question":
+      return { ...page, question: message.question };
+    case "policy":
+      return { ...page, policy: message.policy };
+    case "around":
+      return { ...page, around: message.around };
+    case "planned":
+      return { ...page, planned: message.planned };
+    case "dialed":
+      return { ...page, dialed_percent: message.percent };
+    case "pad_refused":
+      return { ...page, pad_refused: message.detail };
+    case "greeted":
+      return { ...page, greeted: true };
+    case "tab":
+      return { ...page, tab: message.tab };
+    case "language":
+      return { ...page, language: message.language };
+    case "theme":
+      return { ...page, theme: message.theme };
+    default:
+      return page;
+  }
+}

@@ -1,0 +1,97 @@
+// What is read from the state in more than one place.
+
+import { EMPTY } from "../stage/view.js";
+import { placeOf } from "./target.js";
+
+/** @typedef {import("./state.js").Page} Page */
+/** @typedef {import("../stage/view.js").View} View */
+
+/** From when on the stage is grey: six statuses are missing. */
+const OLD_MS = 500;
+/** From when on it is told above everything else. */
+const VERY_OLD_MS = 2000;
+
+/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only"} Hindrance */
+
+/** @param {Page} page @returns {Hindrance | null} */
+export function hindrance({ connection, station, me, role }) {
+  if (connection !== "open" || !station) return "no_connection";
+  if (station.link.phase !== "up") return "no_arm";
+  if (role === "watch") return "watching_only";
+  if (station.stop) return "stopped";
+  if (!station.trust.trusted) return "not_confirmed";
+  if (station.job?.phase === "running") return "job_runs";
+  // Where nobody has control, the first action takes it.
+  if (station.lease && station.lease.client !== me) return "others_control";
+  return null;
+}
+
+/** Whether this page has control. @param {Page} page */
+export const hasControl = ({ station, me }) => station?.lease != null && station.lease.client === me;
+
+/** Whether the arm is one of the station's own, without hardware. @param {Page} page */
+export const isVirtual = ({ station }) => station?.link.address === "virtual:";
+
+/** For how long nothing came, in ms, where something should; else 0. @param {Page} page */
+export function silence_ms({ station, connection, heard_ms, now_ms }) {
+  const expected = station !== null && (connection !== "open" || station.link.phase === "up");
+  const quiet = now_ms - heard_ms;
+  return expected && quiet > OLD_MS ? quiet : 0;
+}
+
+/** Whether it is told above everything else. @param {Page} page */
+export const isVeryOld = (page) => silence_ms(page) > VERY_OLD_MS;
+
+/** @param {Page} page @returns {View["laser"]} */
+export function laser({ station }) {
+  if (station?.laser.on) return "burning";
+  return (station?.laser.armed_for_s ?? 0) > 0 ? "armed" : "off";
+}
+
+/** What of a view a policy tells. @param {Page["policy"]} policy @returns {Partial<View>} */
+function ruled(policy) {
+  if (!policy) return {};
+  return {
+    limits: /** @type {View["limits"]} */ ({ joints: policy.joints, workspace: policy.workspace }),
+    tool: { kind: "suction_cup", length_mm: policy.tool_length.suction_cup_mm },
+    table_z_mm: policy.table.z_mm,
+    keepOuts: /** @type {View["keepOuts"]} */ (/** @type {unknown} */ (Object.values(policy.keep_out))),
+  };
+}
+
+/**
+ * Keeps the result of a function for as long as its argument is the same object: what is the same costs the stage nothing.
+ * @template A, R @param {(of: A) => R} make @returns {(of: A) => R}
+ */
+export function kept(make) {
+  /** @type {{ of: A, made: R } | null} */ let last = null;
+  return (of) => {
+    if (!last || last.of !== of) last = { of, made: make(of) };
+    return last.made;
+  };
+}
+
+/** Makes views for the stage; the same object for what did not change. */
+export function createViewOf() {
+  const rules = kept(ruled);
+  const reported = kept((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
+  const ghostOf = kept((/** @type {Page["target"]} */ target) => {
+    const place = placeOf(target);
+    return place && { ...place, refused: target.refused };
+  });
+  /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
+  return (page, { dark, note, label }) => ({
+    ...EMPTY,
+    ...rules(page.policy),
+    ...page.around,
+    planned: page.planned,
+    arm: reported(page.station),
+    laser: laser(page),
+    ghost: ghostOf(page.target),
+    draggable: hindrance(page) === null,
+    old: silence_ms(page) > 0,
+    dark,
+    note,
+    label,
+  });
+}

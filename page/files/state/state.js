@@ -1,0 +1,68 @@
+// The state of the page: one tree, changed by `reduce` alone.
+
+import { NO_JOG } from "./jog.js";
+import { NO_TARGET } from "./target.js";
+
+/** @typedef {import("./types.js").Station} Station */
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Notice} Notice */
+/** @typedef {import("./types.js").Policy} Policy */
+/** @typedef {import("./types.js").Role} Role */
+/** @typedef {import("../stage/view.js").View} View */
+/** @typedef {import("../words/words.js").Language} Language */
+
+/** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
+/** @typedef {"move" | "preview" | "watch" | "set_up"} Tab */
+/** @typedef {"auto" | "light" | "dark"} Theme */
+/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser", values?: Record<string, string | number> }} Question */
+/** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
+
+/**
+ * @typedef {object} Page
+ * @property {Connection} connection
+ * @property {number | null} me What the station calls this page.
+ * @property {Role | null} role
+ * @property {string} version
+ * @property {Station | null} station What the station told last.
+ * @property {number} heard_ms When it did, by the clock of this page.
+ * @property {number} now_ms
+ * @property {readonly Notice[]} notices The newest last.
+ * @property {Problem | null} problem
+ * @property {Question | null} question
+ * @property {Policy | null} policy
+ * @property {Around | null} around
+ * @property {View["planned"]} planned The way of the job.
+ * @property {number | null} dialed_percent The speed of the job while somebody turns it.
+ * @property {import("./jog.js").Jog} jog
+ * @property {import("./target.js").Target} target
+ * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
+ * @property {Tab} tab
+ * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
+ * @property {Language} language
+ * @property {Theme} theme
+ */
+
+/** @param {{ language: Language, theme: Theme, greeted: boolean }} wish @returns {Page} */
+export const begin = ({ language, theme, greeted }) => ({
+  connection: "connecting",
+  me: null,
+  role: null,
+  version: "",
+  station: null,
+  heard_ms: 0,
+  now_ms: 0,
+  notices: [],
+  problem: null,
+  question: null,
+  policy: null,
+  around: null,
+  planned: null,
+  dialed_percent: null,
+  jog: NO_JOG,
+  target: NO_TARGET,
+  pad_refused: null,
+  tab: "move",
+  greeted,
+  language,
+  theme,
+});

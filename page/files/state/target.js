@@ -1,0 +1,85 @@
+// Where the arm is asked to go: typed or dragged, checked by the station, gone to with Go.
+
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Arm} Arm */
+/** @typedef {"movj" | "movl" | "jump"} Path */
+/** @typedef {"x_mm" | "y_mm" | "z_mm" | "rotation_deg"} Field */
+
+/** @type {readonly Field[]} */
+export const FIELDS = ["x_mm", "y_mm", "z_mm", "rotation_deg"];
+
+/**
+ * What the station says of the way: nothing yet, free and how long it takes, or refused.
+ * @typedef {{ type: "unknown" } | { type: "free", takes_s: number | null } | { type: "refused", problem: Problem }} Check
+ */
+
+/**
+ * @typedef {object} Target
+ * @property {Record<Field, string> | null} typed What stands in the fields; nothing where nobody asks for a place.
+ * @property {Path} path
+ * @property {number} asked How often it was changed: an answer to an earlier question is not taken.
+ * @property {Check} check
+ * @property {boolean} refused Whether the ghost is drawn as refused; kept while the next answer is awaited, so that it does not flicker.
+ * @property {boolean} goes Whether the arm was sent there.
+ */
+
+/** @type {Target} */
+export const NO_TARGET = { typed: null, path: "movj", asked: 0, check: { type: "unknown" }, refused: false, goes: false };
+
+/** @typedef {{ type: "target_typed", field: Field, text: string }
+ * | { type: "target_placed", place: Partial<Record<Field, number>> }
+ * | { type: "target_path", path: Path }
+ * | { type: "target_checked", asked: number, check: Check }
+ * | { type: "target_goes" }
+ * | { type: "target_cleared" }} TargetMessage */
+
+/** The place that the fields hold, or nothing while one of them holds no number. @param {Target} target @returns {Record<Field, number> | null} */
+export function placeOf({ typed }) {
+  if (!typed) return null;
+  const numbers = FIELDS.map((name) => (typed[name].trim() === "" ? NaN : Number(typed[name])));
+  if (!numbers.every(Number.isFinite)) return null;
+  return /** @type {Record<Field, number>} */ (Object.fromEntries(FIELDS.map((name, n) => [name, numbers[n]])));
+}
+
+/** Where the arm is, as fields. @param {Arm | null} arm @returns {Record<Field, string>} */
+const fieldsOf = (arm) => /** @type {Record<Field, string>} */ (Object.fromEntries(FIELDS.map((name) => [name, arm ? arm[name].toFixed(1) : ""])));
+
+/** @param {Target} target @param {Partial<Target>} change @returns {Target} */
+const changed = (target, change) => ({ ...target, ...change, asked: target.asked + 1, check: { type: "unknown" }, goes: false });
+
+/** @param {Target} target @param {import("./message.js").Message} message @param {Arm | null} arm @returns {Target} */
+export function reduceTarget(target, message, arm) {
+  switch (message.type) {
+    case "target_typed":
+      // What was not typed yet stays as the arm is.
+      return changed(target, { typed: { ...(target.typed ?? fieldsOf(arm)), [message.field]: message.text } });
+    case "target_placed": {
+      const place = Object.fromEntries(Object.entries(message.place).map(([name, value]) => [name, value.toFixed(1)]));
+      return changed(target, { typed: { ...(target.typed ?? fieldsOf(arm)), ...place } });
+    }
+    case "target_path":
+      return changed(target, { path: message.path });
+    case "target_checked":
+      if (message.asked !== target.asked) return target;
+      return { ...target, check: message.check, refused: message.check.type === "refused" };
+    case "target_goes":
+      return { ...target, goes: true };
+    case "target_cleared":
+      return { ...NO_TARGET, path: target.path, asked: target.asked + 1 };
+    case "hello":
+      // What was asked before was never answered.
+      return target.typed ? changed(target, {}) : target;
+    case "state":
+      return target.goes && arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, asked: target.asked + 1 } : target;
+    default:
+      return target;
+  }
+}
+
+/** Whether the arm has come to the target. @param {Target} target @param {Arm} arm */
+function isAt(target, arm) {
+  const place = placeOf(target);
+  if (!place) return false;
+  const off_mm = Math.hypot(arm.x_mm - place.x_mm, arm.y_mm - place.y_mm, arm.z_mm - place.z_mm);
+  return off_mm < 0.3 && Math.abs(arm.rotation_deg - place.rotation_deg) < 0.5;
+}

@@ -1,0 +1,54 @@
+// Requests to the station, with the token where there is one.
+
+/** @typedef {ReturnType<typeof createHttp>} Http */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** What came of it: a value, or a problem. @template T @typedef {{ value: T, problem?: undefined } | { value?: undefined, problem: Problem }} Outcome */
+
+/** @type {Problem} */
+const SILENT = { title: "the station does not answer", detail: "nothing answers at its address", hint: "look whether it runs; the page tries again by itself" };
+
+export function createHttp() {
+  const token = () => sessionStorage.getItem("token");
+
+  /** @returns {Record<string, string>} */
+  function authorization() {
+    const known = token();
+    return known ? { authorization: `Bearer ${known}` } : {};
+  }
+
+  /** @param {string} path */
+  const get = (path) => fetch(path, { headers: authorization() }).catch(() => undefined);
+
+  return {
+    token,
+    /** @param {string} secret */
+    useToken: (secret) => sessionStorage.setItem("token", secret),
+    get,
+    /** A value, or nothing where there is none. @template T @param {string} path @returns {Promise<T | undefined>} */
+    async json(path) {
+      const answer = await get(path);
+      return answer?.ok ? answer.json() : undefined;
+    },
+    /**
+     * Asks for something, with a body as JSON where there is one.
+     * @template T @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>}
+     */
+    async ask(method, path, body) {
+      const headers = authorization();
+      if (body !== undefined) headers["content-type"] = "application/json";
+      const answer = await fetch(path, { method, headers, body: body === undefined ? undefined : JSON.stringify(body) }).catch(() => undefined);
+      if (!answer) return { problem: SILENT };
+      const isJson = answer.headers.get("content-type")?.includes("json");
+      const value = isJson ? await answer.json() : await answer.text();
+      return answer.ok ? { value } : { problem: isJson ? value : { title: answer.statusText, detail: String(value) } };
+    },
+  };
+}
+
+/** A token in the address (`#token=...`) is taken out of it, and of the history. @param {Http} http */
+export function takeToken(http) {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return;
+  http.useToken(token);
+  history.replaceState(null, "", location.pathname);
+}

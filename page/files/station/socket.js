@@ -1,0 +1,79 @@
+// The WebSocket to the station: connects, connects again, and brings each answer to who asked. It draws nothing.
+
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Request} Request */
+/** @typedef {import("../state/types.js").Answer} Answer */
+/** @typedef {import("../state/types.js").Station} Station */
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {ReturnType<typeof createSocket>} Socket */
+
+const RECONNECT_MS = 1000;
+/** @type {Answer} */
+export const NO_CONNECTION = { problem: { type: "no-connection", title: "there is no connection", detail: "the station is not reached at the moment", hint: "the page tries again by itself" } };
+
+/**
+ * @param {object} outside
+ * @param {Store} outside.store
+ * @param {import("./http.js").Http} outside.http
+ */
+export function createSocket({ store, http }) {
+  /** @type {WebSocket | undefined} */ let socket;
+  let asked = 0;
+  /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
+
+  const isOpen = () => socket?.readyState === WebSocket.OPEN;
+
+  function connect() {
+    store.send({ type: "connecting" });
+    const url = new URL("api/v1/ws?name=page", location.href);
+    url.protocol = url.protocol.replace("http", "ws");
+    const token = http.token();
+    const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
+    mine.addEventListener("message", (event) => hear(JSON.parse(event.data)));
+    mine.addEventListener("close", (event) => void tryAgain(event));
+  }
+
+  /** @param {Schemas["ToClient"]} message */
+  function hear(message) {
+    const now_ms = Date.now();
+    if ("hello" in message) {
+      const { client, role, version } = message.hello;
+      store.send({ type: "hello", client, role, version, now_ms });
+    } else if ("state" in message) {
+      store.send({ type: "state", station: /** @type {Station} */ (message.state), now_ms });
+    } else if ("notice" in message) {
+      store.send({ type: "notice", notice: message.notice });
+    } else if (message.id != null && waiting.has(message.id)) {
+      waiting.get(message.id)?.("problem" in message ? { problem: message.problem } : { reply: message.reply });
+      waiting.delete(message.id);
+    } else if ("problem" in message) {
+      store.send({ type: "problem", problem: message.problem });
+    }
+  }
+
+  /** @param {CloseEvent} event */
+  async function tryAgain(event) {
+    for (const answered of waiting.values()) answered(NO_CONNECTION);
+    waiting.clear();
+    // Nothing counts as held from now on, whatever the question about the token says.
+    store.send({ type: "closed", needs_token: false });
+    if (event.code === 1008) store.send({ type: "problem", problem: { title: "the station closed the connection", detail: event.reason } });
+    const answer = await http.get("api/v1/state");
+    if (answer?.status === 401) store.send({ type: "closed", needs_token: true });
+    else setTimeout(connect, RECONNECT_MS);
+  }
+
+  return {
+    connect,
+    isOpen,
+    /** Asks for something; the answer always comes. @param {Request} request @returns {Promise<Answer>} */
+    ask(request) {
+      if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
+      const id = asked += 1;
+      /** @type {Schemas["FromClient"]} */
+      const message = { id, request };
+      socket.send(JSON.stringify(message));
+      return new Promise((answered) => waiting.set(id, answered));
+    },
+  };
+}

@@ -1,0 +1,89 @@
+// What a person has to know before anything else, above the stage.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { isVeryOld, silence_ms } from "../state/select.js";
+import { span } from "../words/words.js";
+
+/** @typedef {import("./context.js").Context} Context */
+
+/** @param {string} text */
+export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** @param {Context} context */
+export const banners = (context) => html`${stopped(context)}${untrusted(context)}${token(context)}`;
+
+/** What comes and goes by itself lies over the page: nothing moves under a pointer. @param {Context} context */
+export const toasts = (context) => html`${old(context)}${problem(context)}`;
+
+/** @param {Context} context */
+function old({ page, say }) {
+  if (!isVeryOld(page)) return nothing;
+  const why = say(page.connection === "open" ? "old.silent" : "old.connecting");
+  return html`<p id="old" class="banner" data-tone="warn" role="status">${say("old", { age: span(say, silence_ms(page) / 1000), why })}</p>`;
+}
+
+/** @param {Context} context */
+function stopped({ page, say, act }) {
+  const stop = page.station?.stop;
+  if (!stop) return nothing;
+  const why = stop.reason ? `: ${stop.reason}` : "";
+  const rest = say(stop.at_rest ? "stopped.at_rest" : "stopped.moving");
+  return html`
+    <section id="stopped" class="banner" data-tone="bad" role="alert">
+      <p><strong>${say("stopped.title")}</strong> <span id="stopped-by">${say("stopped.by", { by: stop.by, why, rest })}</span></p>
+      <button id="reset" type="button" @click=${() => act.question({ about: "reset_stop" })}>${say("stopped.reset")}</button>
+    </section>`;
+}
+
+/** @param {Context} context */
+function untrusted({ page, say, act }) {
+  if (!page.station?.arm || page.station.trust.trusted) return nothing;
+  return html`
+    <section id="untrusted" class="banner" data-tone="warn" role="status">
+      <p><strong>${say("pose.not_trusted")}</strong> <span id="untrusted-why">${page.station.trust.reason ?? ""}</span></p>
+      <button id="confirm-pose" type="button" @click=${() => act.question({ about: "confirm_pose" })}>${say("pose.confirm")}</button>
+    </section>`;
+}
+
+/** @param {Context} context */
+function problem({ page, say, act }) {
+  if (!page.problem) return nothing;
+  const { type, title, detail, hint } = page.problem;
+  const missed = type === "stop-missed";
+  return html`
+    <section id="problem" class="banner" data-tone="bad" role="alert">
+      <p><strong id="problem-title">${sentence(missed ? say("stop.missed") : title)}:</strong>
+        <span id="problem-detail">${sentence(missed ? say("stop.missed.detail") : detail)}.</span>
+        <em id="problem-hint">${missed ? `${sentence(say("stop.missed.hint"))}.` : hint ? `${sentence(hint)}.` : ""}</em></p>
+      <button id="problem-close" type="button" aria-label=${say("close.message")} @click=${() => act.send({ type: "problem_closed" })}>${say("close")}</button>
+    </section>`;
+}
+
+/** @param {Context} context */
+function token({ page, say, act, connect }) {
+  if (page.connection !== "token") return nothing;
+  const use = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.target).elements.namedItem("token"));
+    act.useToken(field.value.trim(), connect);
+  };
+  return html`
+    <form id="token" class="banner" data-tone="warn" @submit=${use}>
+      <label for="token-field">${say("token.wanted")}</label>
+      <input id="token-field" name="token" type="password" autocomplete="current-password" required>
+      <button type="submit">${say("token.use")}</button>
+    </form>`;
+}
+
+/** What a person is asked before something is done. STOP stays within reach: the dialog is not modal. @param {Context} context */
+export function question({ page, say, act }) {
+  if (!page.question) return nothing;
+  const { about, values } = page.question;
+  return html`
+    <h2 id="sure-title">${say(`question.${about}`)}</h2>
+    <p id="sure-text">${say(`question.${about}.text`, values)}</p>
+    <div class="row">
+      <button id="sure-no" type="button" @click=${() => act.answer(false)}>${say("no")}</button>
+      <button id="sure-yes" type="button" class="strong" @click=${() => act.answer(true)}>${say(`question.${about}.yes`)}</button>
+    </div>`;
+}

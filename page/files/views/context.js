@@ -1,0 +1,14 @@
+// What a view is made of: the state, the words, and what a person can do.
+
+/**
+ * @typedef {object} Context
+ * @property {import("../state/state.js").Page} page
+ * @property {import("../words/words.js").Say} say
+ * @property {import("../actions.js").Actions} act
+ * @property {import("../hands/jog.js").JogHands} jog
+ * @property {import("../hands/pads.js").Pads} pads
+ * @property {() => void} connect
+ * @property {(preset: import("../stage/view.js").Preset) => void} look
+ */
+
+export {};

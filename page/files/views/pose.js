@@ -1,0 +1,40 @@
+// The numbers of the arm and the cameras, on the stage.
+
+import { html } from "../vendor/lit-html/lit-html.js";
+
+/** @typedef {import("./context.js").Context} Context */
+/** @typedef {import("../words/words.js").Word} Word */
+
+/** @type {readonly import("../stage/view.js").Preset[]} */
+const PRESETS = ["iso", "top", "side", "tool"];
+/** @type {readonly ["x_mm" | "y_mm" | "z_mm" | "rotation_deg" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg", string, Word | null, "mm" | "°"][]} */
+const NUMBERS = [
+  ["x_mm", "X", null, "mm"],
+  ["y_mm", "Y", null, "mm"],
+  ["z_mm", "Z", null, "mm"],
+  ["rotation_deg", "R", "pose.rotation", "°"],
+  ["base_deg", "J1", "pose.base", "°"],
+  ["rear_deg", "J2", "pose.rear", "°"],
+  ["fore_deg", "J3", "pose.fore", "°"],
+  ["servo_deg", "J4", "pose.servo", "°"],
+];
+
+/** @param {Context} context */
+export function pose({ page, say }) {
+  const arm = page.station?.arm;
+  return html`
+    <dl class="pose" id="pose" aria-label=${say("pose")}>
+      ${NUMBERS.map(([field, short, word, unit], n) => html`
+        <div class=${n < 4 ? "tip" : "joint"} title=${word ? say(word) : short}>
+          <dt>${short}${word ? html` <span class="full">${say(word)}</span>` : ""}</dt>
+          <dd><output data-pose=${field}>${arm ? arm[field].toFixed(1) : "–"}</output> <small>${unit}</small></dd>
+        </div>`)}
+    </dl>
+    <p id="moving" class="moving" data-moving=${String(arm?.moving ?? false)}>${arm ? say(arm.moving ? "pose.moving" : "pose.at_rest") : ""}</p>`;
+}
+
+/** @param {Context} context */
+export const cameras = ({ say, look }) => html`
+  <div class="cameras" role="group" aria-label=${say("camera")}>
+    ${PRESETS.map((preset) => html`<button type="button" class="small" data-look=${preset} @click=${() => look(preset)}>${say(/** @type {Word} */ (`camera.${preset}`))}</button>`)}
+  </div>`;

@@ -1,0 +1,24 @@
+// What there is to do: one tab for each panel.
+
+import { html } from "../vendor/lit-html/lit-html.js";
+
+/** @typedef {import("./context.js").Context} Context */
+
+/** @type {readonly import("../state/state.js").Tab[]} */
+export const TABS = ["move", "preview", "watch", "set_up"];
+const WAYS = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: -1 });
+
+/** @param {Context} context */
+export function tabs({ page, say, act }) {
+  const step = (/** @type {KeyboardEvent} */ event) => {
+    const way = WAYS[event.key];
+    if (!way) return;
+    event.preventDefault();
+    const next = /** @type {import("../state/state.js").Tab} */ (TABS[(TABS.indexOf(page.tab) + way + TABS.length) % TABS.length]);
+    act.send({ type: "tab", tab: next });
+    document.getElementById(`tab-${next}`)?.focus();
+  };
+  return html`${TABS.map((tab) => html`
+    <button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === page.tab ? "true" : "false"} aria-controls=${tab === "preview" ? "preview" : "panel"} tabindex=${tab === page.tab ? 0 : -1}
+      @click=${() => act.send({ type: "tab", tab })} @keydown=${step}>${say(`tab.${tab}`)}</button>`)}`;
+}
