@@ -14,13 +14,12 @@ const PRESSED = "button, a, summary, select, [type=checkbox], [type=radio], [typ
 /**
  * What a key means before all else. Escape stops from anywhere. Space writes in a text field, and presses what the keyboard
  * has chosen; what was only clicked does not keep it.
- * @param {KeyboardEvent} event @param {Element | null} focused
+ * @param {string} key @param {Pick<Element, "matches"> | null} focused @param {boolean} byKeys whether the focus came there by keys
  */
-export function isStop({ key }, focused) {
+export function isStop(key, focused, byKeys) {
   if (key === "Escape") return true;
-  if (key !== " ") return false;
-  if (focused?.matches(WRITES)) return false;
-  return !(focused?.matches(PRESSED) && focused.matches(":focus-visible"));
+  if (key !== " " || focused?.matches(WRITES)) return false;
+  return !(byKeys && focused?.matches(PRESSED));
 }
 
 /** Which button a key on the stage stands for. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
@@ -37,9 +36,13 @@ export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
  * @param {() => Frame} outside.frame
  */
 export function listenToKeys({ stage, stop, jog, frame }) {
+  let byKeys = false, lastWasKey = false;
+  document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });
+  document.addEventListener("focusin", () => (byKeys = lastWasKey), { capture: true });
   // Before all else, wherever the focus is.
   document.addEventListener("keydown", (event) => {
-    if (!isStop(event, document.activeElement)) return;
+    if (event.key !== " ") lastWasKey = true;
+    if (!isStop(event.key, document.activeElement, byKeys)) return;
     event.preventDefault();
     if (!event.repeat) stop();
   }, { capture: true });

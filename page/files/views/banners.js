@@ -31,7 +31,7 @@ function stopped({ page, say, act }) {
   return html`
     <section id="stopped" class="banner" data-tone="bad" role="alert">
       <p><strong>${say("stopped.title")}</strong> <span id="stopped-by">${say("stopped.by", { by: stop.by, why, rest })}</span></p>
-      <button id="reset" type="button" @click=${() => act.question({ about: "reset_stop" })}>${say("stopped.reset")}</button>
+      <button id="reset" type="button" ?disabled=${!stop.at_rest} @click=${() => act.question({ about: "reset_stop" })}>${say("stopped.reset")}</button>
     </section>`;
 }
 

@@ -1,0 +1,92 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { reduce } from "./reduce.js";
+import { createViewOf, hindrance, silence_ms } from "./select.js";
+import { begin } from "./state.js";
+import { placeOf } from "./target.js";
+
+const ARM = { x_mm: 200, y_mm: 0, z_mm: 50, rotation_deg: 10, base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 10, suction: false, gripper_deg: 0, moving: false };
+const STATION = {
+  at_s: 1,
+  link: { address: "virtual:", phase: "up", problem: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 1 },
+  arm: ARM, dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 },
+  lease: null, stop: null, laser: { armed_for_s: 0, on: false }, job: null, clients: 1,
+};
+const NEW = begin({ language: "en", theme: "auto", greeted: false });
+
+/** The page after these messages. */
+const after = (messages, page = NEW) => messages.reduce(reduce, page);
+const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", now_ms: 1000 }, { type: "state", station: STATION, now_ms: 1000 }]);
+const told = (change, page = OPEN) => after([{ type: "state", station: { ...STATION, ...change }, now_ms: 1000 }], page);
+
+test("the arm can be moved by hand where nobody or this page has control, and nothing forbids it", () => {
+  assert.equal(hindrance(NEW), "no_connection");
+  assert.equal(hindrance(OPEN), null);
+  const lease = (client) => ({ client, name: "desk", is_program: false, since_s: 0, asked_by: [] });
+  assert.equal(hindrance(told({ lease: lease(7) })), null);
+  assert.equal(hindrance(told({ lease: lease(8) })), "others_control");
+  assert.equal(hindrance(told({ stop: { by: "x", reason: null, at_s: 0, rests_by_s: 0, at_rest: true } })), "stopped");
+  assert.equal(hindrance(told({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
+  assert.equal(hindrance(told({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
+  assert.equal(hindrance(after([{ type: "hello", client: 7, role: "watch", version: "1", now_ms: 0 }], OPEN)), "watching_only");
+  assert.equal(hindrance(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
+});
+
+test("the picture is old half a second after the last status, and not while no arm is there", () => {
+  const later = (now_ms, page = OPEN) => silence_ms(after([{ type: "tick", now_ms }], page));
+  assert.equal(later(1400), 0);
+  assert.equal(later(1600), 600);
+  assert.equal(later(1600, told({ link: { ...STATION.link, phase: "searching" } })), 0);
+  assert.equal(later(1600, after([{ type: "closed", needs_token: false }], OPEN)), 600);
+});
+
+test("what was not typed yet stays as the arm is", () => {
+  const { target } = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  assert.deepEqual(placeOf(target), { x_mm: 250, y_mm: 0, z_mm: 50, rotation_deg: 10 });
+});
+
+test("a field that holds no number is no place", () => {
+  for (const text of ["", " ", "2x", "Infinity"]) assert.equal(placeOf(after([{ type: "target_typed", field: "x_mm", text }], OPEN).target), null, text);
+});
+
+test("an answer to an earlier question is not taken", () => {
+  const asked = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  const typed = after([{ type: "target_typed", field: "x_mm", text: "260" }], asked);
+  const free = { type: "free", takes_s: 1 };
+  assert.equal(after([{ type: "target_checked", asked: asked.target.asked, check: free }], typed).target.check.type, "unknown");
+  assert.equal(after([{ type: "target_checked", asked: typed.target.asked, check: free }], typed).target.check.type, "free");
+});
+
+test("a target is forgotten when the arm that was sent there has come to it, not when it merely passes", () => {
+  const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  const arrives = { arm: { ...ARM, x_mm: 249.9 } };
+  assert.notEqual(told(arrives, there).target.typed, null);
+  assert.equal(told(arrives, after([{ type: "target_goes" }], there)).target.typed, null);
+});
+
+test("a new connection asks for the target once more", () => {
+  const there = after([{ type: "target_typed", field: "x_mm", text: "250" }, { type: "closed", needs_token: false }], OPEN);
+  const again = after([{ type: "hello", client: 8, role: "control", version: "1", now_ms: 0 }], there);
+  assert.ok(again.target.asked > there.target.asked);
+});
+
+test("STOP takes a question away, so that a later yes does nothing", () => {
+  assert.equal(after([{ type: "question", question: { about: "arm_laser" } }, { type: "stop_pressed" }], OPEN).question, null);
+});
+
+test("a refusal of a press is told until the next press", () => {
+  const refused = after([{ type: "jog_held", axis: "z_minus" }, { type: "jog_held", axis: null }, { type: "jog_refused", axis: "z_minus", detail: "the table" }], OPEN);
+  assert.deepEqual(refused.jog.refused, { axis: "z_minus", detail: "the table" });
+  assert.equal(after([{ type: "jog_held", axis: "z_plus" }], refused).jog.refused, null);
+});
+
+test("a view has the same objects for what did not change", () => {
+  const viewOf = createViewOf();
+  const words = { dark: false, note: "", label: "" };
+  const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: { a: { box: {} } } };
+  const page = after([{ type: "policy", policy }, { type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  const one = viewOf(page, words), two = viewOf(after([{ type: "tick", now_ms: 1001 }], page), words);
+  for (const part of ["arm", "ghost", "limits", "keepOuts", "tool"]) assert.equal(one[part], two[part], part);
+  assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
+});
