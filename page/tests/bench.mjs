@@ -53,6 +53,25 @@ async function serveFromDisk(context, station) {
   });
 }
 
+/** A way to a station that can be slow, and that stays where it is when the station begins anew at another port. */
+async function createFront() {
+  const way = { port: 0, delay_ms: 0 };
+  const late = (from, to, change = (bytes) => bytes) => {
+    from.on("data", (bytes) => setTimeout(() => to.writable && to.write(change(bytes)), way.delay_ms));
+    for (const ending of ["end", "close", "error"]) from.on(ending, () => setTimeout(() => to.destroy(), way.delay_ms));
+  };
+  const server = createServer({ noDelay: true }, (client) => {
+    const station = createConnection({ port: way.port, host: "127.0.0.1", noDelay: true });
+    late(client, station, named);
+    late(station, client);
+  });
+  server.listen(0, "127.0.0.1");
+  await once(server, "listening");
+  // A station answers to its own name only.
+  const named = (bytes) => Buffer.from(bytes.toString("latin1").replaceAll(`127.0.0.1:${server.address().port}`, `127.0.0.1:${way.port}`), "latin1");
+  return { server, way, url: `http://127.0.0.1:${server.address().port}/` };
+}
+
 /** Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it. */
 export async function open({ viewport = { width: 1440, height: 900 }, webgl = false, virtual = false, options = {} } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
@@ -68,24 +87,42 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
   const to = virtual ? ["--virtual"] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`];
-  const station = await start(
-    ["up", ...to, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder],
-    /page +(http:\S+)/,
-  );
+  const front = await createFront();
+  const begin = async () => {
+    const words = ["up", ...to, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];
+    const begun = await start(words, /page +http:\S+:(\d+)/);
+    front.way.port = Number(begun.found);
+    return begun.child;
+  };
+  let child = await begin();
   const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
-  const context = await browser.newContext({ viewport, ...options });
-  await serveFromDisk(context, station.found);
-  const page = await context.newPage();
   const errors = [];
-  page.on("pageerror", (error) => errors.push(error));
-  await page.goto(station.found);
+  /** One more visitor, who has seen nothing of this browser yet. */
+  async function visit(options) {
+    const context = await browser.newContext(options);
+    await serveFromDisk(context, front.url);
+    const page = await context.newPage();
+    page.on("pageerror", (error) => errors.push(error));
+    await page.goto(front.url);
+    await page.waitForFunction(() => document.querySelector("[data-pose=x_mm]")?.textContent !== "–");
+    return page;
+  }
+  const page = await visit({ viewport, ...options });
   return {
-    page, told, errors, context, station,
+    page, told, errors, visit, url: front.url,
+    /** Makes all that is said between browser and station late, both ways. */
+    slow: (delay_ms) => (front.way.delay_ms = delay_ms),
+    /** Kills the station, and begins another one with its data. */
+    async restart(signal = "SIGKILL") {
+      await end(child, signal);
+      child = await begin();
+    },
     /** What the station answers at a path of the API. */
-    ask: async (path) => (await fetch(new URL(path, station.found))).json(),
+    ask: async (path) => (await fetch(new URL(path, front.url))).json(),
     async end() {
       await browser.close();
-      await end(station.child, "SIGINT");
+      front.server.close();
+      await end(child, "SIGINT");
       if (arm) await end(arm.child, "SIGINT");
       tap.close();
       await rm(folder, { recursive: true });

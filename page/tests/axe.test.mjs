@@ -1,0 +1,43 @@
+// What a screen reader and people who see little need, in every view, at every size, in both themes: axe finds nothing.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { readFile } from "node:fs/promises";
+import { open } from "./bench.mjs";
+import { LANGUAGES, SIZES, THEMES, VIEWS, look } from "./views.mjs";
+
+const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+
+let bench;
+
+before(async () => {
+  bench = await open({ virtual: true });
+});
+after(() => bench.end());
+
+/** What is wrong in a view, by rule and place. */
+async function violations(page) {
+  await page.evaluate(AXE);
+  const { violations, passes } = await page.evaluate(() => window.axe.run());
+  assert.ok(passes.length > 15, "axe has looked at it");
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((it) => it.target.join(" ")).join(", ")}`);
+}
+
+for (const size of Object.keys(SIZES)) {
+  for (const theme of THEMES) {
+    test(`axe finds nothing on a ${size} in the ${theme} theme`, async () => {
+      for (const [name, lead] of Object.entries(VIEWS)) {
+        const page = await bench.visit(look({ size, theme, language: LANGUAGES[0] }));
+        await lead(page);
+        assert.deepEqual(await violations(page), [], name);
+        if (name === "stopped") await letMove(page);
+        await page.context().close();
+      }
+    });
+  }
+}
+
+async function letMove(page) {
+  await page.click("#reset");
+  await page.click("#sure-yes");
+  await page.waitForSelector("#stopped", { state: "detached" });
+}

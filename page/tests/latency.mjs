@@ -1,0 +1,41 @@
+// Measures how long it takes from a pointer on a jog button to the packet at the arm, and from its release to the packet that
+// stops it; and what a first visit costs. `npm run latency --prefix page`.
+import { moved, open, rest, takeControl } from "./bench.mjs";
+
+const PRESSES = 100;
+
+/** The value below which this share of them is. */
+const below = (values, share) => values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(values.length * share))];
+const row = (name, values) => console.log(`${name}: median ${below(values, 0.5).toFixed(0)} ms, p99 ${below(values, 0.99).toFixed(0)} ms, at most ${Math.max(...values).toFixed(0)} ms (${values.length} times)`);
+
+const bench = await open();
+const { page, told } = bench;
+const paint = await page.evaluate(async () => {
+  await new Promise((done) => setTimeout(done, 1500));
+  const [document] = performance.getEntriesByType("navigation");
+  const files = performance.getEntriesByType("resource").filter((it) => !it.name.includes("/api/"));
+  return { first_ms: performance.getEntriesByName("first-contentful-paint")[0]?.startTime, bytes: [document, ...files].reduce((sum, it) => sum + it.transferSize, 0), files: files.length + 1 };
+});
+console.log(`first contentful paint ${paint.first_ms?.toFixed(0)} ms; ${(paint.bytes / 1e6).toFixed(2)} MB in ${paint.files} files`);
+
+await takeControl(page);
+await rest(page);
+const down = [], up = [];
+for (let press = 0; press < PRESSES; press += 1) {
+  // A press while the arm runs down waits until it rests: that is the arm's time, not the page's.
+  await page.waitForTimeout(500);
+  await page.hover(`[data-axis=${press % 2 ? "y_minus" : "y_plus"}]`);
+  let from = told.packets.length;
+  const pressed = performance.now();
+  await page.mouse.down();
+  await moved(page, "y_mm", 0.5);
+  down.push(told.jogs(from).find((it) => it.text !== "linear 0").at - pressed);
+  from = told.packets.length;
+  const released = performance.now();
+  await page.mouse.up();
+  await rest(page);
+  up.push(told.jogs(from).find((it) => it.text === "linear 0").at - released);
+}
+row("pointer down to jog packet", down);
+row("release to stop packet", up);
+await bench.end();

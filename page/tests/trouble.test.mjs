@@ -1,0 +1,90 @@
+// What goes wrong around the page: it stays usable, says what happened, and nothing moves that nobody holds.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { moved, open, pose, press, rest, takeControl } from "./bench.mjs";
+
+let bench, page, told;
+
+before(async () => {
+  bench = await open();
+  ({ page, told } = bench);
+  await takeControl(page);
+});
+after(() => bench.end());
+afterEach(async () => {
+  bench.slow(0);
+  assert.deepEqual(bench.errors, []);
+});
+
+const RELEASED = "linear 0";
+
+test("on a slow network the arm follows late, and stops after the release", async () => {
+  bench.slow(200);
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 5);
+  const released = performance.now();
+  await page.mouse.up();
+  const stops = () => told.jogs().find((it) => it.at > released && it.text === RELEASED);
+  while (!stops()) await page.evaluate(() => new Promise(requestAnimationFrame));
+  // What is on its way moves the arm; what comes after the release does not.
+  assert.ok(stops().at - released < 500, `${stops().at - released} ms`);
+  await rest(page);
+  const y_mm = await pose(page, "y_mm");
+  assert.equal(told.jogs().at(-1).text, RELEASED);
+  assert.equal(await pose(page, "y_mm"), y_mm);
+});
+
+test("of two pages one has control; the other says who, and gets it when it is given", async () => {
+  const other = await bench.visit({ viewport: { width: 1024, height: 768 } });
+  await other.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("Somebody else has control"));
+  assert.equal(await other.isDisabled("[data-axis=y_plus]"), true);
+  assert.equal(await other.isVisible("#take"), false);
+  await other.click("#ask");
+  await page.click(".give");
+  await other.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await page.waitForFunction(() => document.querySelector("[data-axis=y_plus]").disabled);
+  const from = told.packets.length;
+  await press(other, "y_minus");
+  await moved(other, "y_mm", 4);
+  // Anybody stops, also without control.
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#stopped");
+  await other.mouse.up();
+  assert.equal(told.jogs(from).at(-1).text, RELEASED);
+  await page.click("#reset");
+  await page.click("#sure-yes");
+  await other.context().close();
+  await page.click("#take");
+  await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+});
+
+test("a station that is killed while a button is held stops the arm, and the page says so and goes on with the next one", async () => {
+  await page.waitForFunction(() => !document.querySelector("[data-axis=y_plus]").disabled);
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 4);
+  const killed = performance.now();
+  await bench.restart();
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent === "The pose is not confirmed." || !document.querySelector("[data-axis=y_plus]").disabled);
+  await page.mouse.up();
+  const later = told.jogs().filter((it) => it.at > killed).map((it) => it.text);
+  // The guardian lets go; the button that was still held presses nothing.
+  assert.ok(later.length > 0 && later.every((it) => it.endsWith(" 0")), later.join());
+  await rest(page);
+  if (await page.isVisible("#confirm-pose")) {
+    await page.click("#confirm-pose");
+    await page.click("#sure-yes");
+  }
+  // A new press is a new press, and takes control where nobody has it.
+  await page.waitForFunction(() => !document.querySelector("[data-axis=y_minus]").disabled);
+  await press(page, "y_minus");
+  await moved(page, "y_mm", 4);
+  await page.mouse.up();
+  await rest(page);
+});
+
+test("a page that lost its station says how old its picture is", async () => {
+  bench.slow(60_000);
+  await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
+  await page.waitForSelector("#old");
+  assert.match(await page.textContent("#old"), /This view is \d+ s old/);
+});

@@ -1,0 +1,47 @@
+// Every view of the page, and how a person gets there: for the pictures, and for the test that a screen reader gets along.
+
+export const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 390, height: 844 } };
+export const THEMES = ["light", "dark"];
+export const LANGUAGES = ["en", "zh"];
+
+const tab = (name) => async (page) => {
+  await page.click(`#tab-${name}`);
+};
+const confirm = async (page) => {
+  if (!(await page.isVisible("#confirm-pose"))) return;
+  await page.click("#confirm-pose");
+  await page.click("#sure-yes");
+  await page.waitForSelector("#confirm-pose", { state: "detached" });
+};
+
+/** A name, and what leads to it from the page as it was opened. */
+export const VIEWS = {
+  first: async () => {},
+  question: async (page) => {
+    await page.click("#first-close");
+    await page.click("#arm-laser, #confirm-pose");
+    await page.waitForSelector("#sure-yes");
+  },
+  move: async (page) => {
+    await page.click("#first-close");
+    await confirm(page);
+    for (const id of ["pads", "speeds", "voice"]) await page.evaluate((id) => { document.getElementById(id).open = true; }, id);
+  },
+  target: async (page) => {
+    await page.click("#first-close");
+    await confirm(page);
+    await page.fill("#target-x_mm", "600");
+    await page.waitForSelector("#target-nearest");
+  },
+  preview: tab("preview"),
+  watch: tab("watch"),
+  set_up: tab("set_up"),
+  stopped: async (page) => {
+    await page.click("#first-close");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#stopped");
+  },
+};
+
+/** A context of a browser for a look, and what ends it. */
+export const look = ({ size, theme, language }) => ({ viewport: SIZES[size], colorScheme: theme, locale: language === "zh" ? "zh-CN" : "en-GB", hasTouch: size === "phone", reducedMotion: "reduce" });
