@@ -12,6 +12,8 @@ import { NO_CONNECTION } from "./station/socket.js";
 /** For how long the laser is armed unless the policy says less. */
 const ARM_S = 300;
 const STOP_ANSWER_MS = 300;
+/** For so many states a command waits until the arm has run down. */
+const RUN_DOWN_STATES = 12;
 
 /**
  * @param {object} outside
@@ -21,6 +23,14 @@ const STOP_ANSWER_MS = 300;
  */
 export function createActions({ store, socket, http }) {
   const { send } = store;
+  /** How often the arm was stopped, by this page or another. */
+  let stops = 0;
+  /** Who waits for the next state. @type {(() => void)[]} */ const waiting = [];
+
+  store.listen((page, message) => {
+    if (message.type === "stop_pressed" || message.type === "closed" || (message.type === "state" && page.station?.stop)) stops += 1;
+    if (message.type === "state" || message.type === "closed") for (const heard of waiting.splice(0)) heard();
+  });
 
   /** Asks for something. A refusal is told to all of the page. @param {Request} request @returns {Promise<boolean>} whether it is done */
   async function ask(request) {
@@ -34,10 +44,21 @@ export function createActions({ store, socket, http }) {
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
-  /** @param {Command} command */
-  function command(command) {
+  /**
+   * A command. While the arm runs down it is asked for again with each state, for a second, unless somebody stops the arm.
+   * @param {Command} command
+   */
+  async function command(command) {
     takeIfFree();
-    return ask({ type: "command", command });
+    const before = stops;
+    let { problem } = await socket.ask({ type: "command", command });
+    for (let states = 0; problem?.type?.endsWith("/still-moving") && states < RUN_DOWN_STATES; states += 1) {
+      await new Promise((heard) => waiting.push(() => heard(null)));
+      if (stops !== before) return false;
+      ({ problem } = await socket.ask({ type: "command", command }));
+    }
+    if (problem) send({ type: "problem", problem });
+    return problem === undefined;
   }
 
   /** Stops the arm by every way there is. */

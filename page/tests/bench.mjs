@@ -149,6 +149,13 @@ export async function rest(page) {
   await page.waitForFunction(() => document.querySelector("#moving").textContent === "at rest");
 }
 
+/** Waits until so much of the station's time has passed. */
+export async function passed(page, seconds) {
+  const now = () => page.evaluate(async () => (await (await fetch("api/v1/state")).json()).at_s);
+  const until_s = (await now()) + seconds;
+  await page.waitForFunction(async (until_s) => (await (await fetch("api/v1/state")).json()).at_s > until_s, until_s);
+}
+
 /** Presses the mouse button over a jog button. */
 export async function press(page, axis) {
   await page.hover(`[data-axis=${axis}]:visible`);

@@ -1,7 +1,7 @@
 // What a person does first: opens the page, sees the pose, moves the arm a little, stops it.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { moved, open, pose, press, rest, takeControl } from "./bench.mjs";
+import { moved, open, passed, pose, press, rest, takeControl } from "./bench.mjs";
 
 const FIELDS = ["x_mm", "y_mm", "z_mm", "base_deg", "rear_deg", "fore_deg"];
 
@@ -53,8 +53,7 @@ test("a person opens the page, jogs the arm and stops it", async () => {
   await page.mouse.up();
   await page.mouse.down();
   await page.mouse.up();
-  const seen = (await state()).at_s;
-  await page.waitForFunction(async (seen) => (await (await fetch("api/v1/state")).json()).at_s > seen + 0.5, seen);
+  await passed(page, 0.5);
   assert.deepEqual(told.jogs(quiet).filter((it) => it.text !== "linear 0"), []);
   assert.equal((await armNow()).y_mm, ended.y_mm);
   assert.deepEqual(bench.errors, []);

@@ -1,7 +1,7 @@
 // Hands on the page's jog buttons: a real pointer in a real browser, judged on what the arm was told.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { buttonAt, moved, open, pose, press, rest, takeControl } from "./bench.mjs";
+import { buttonAt, moved, open, passed, pose, press, rest, takeControl } from "./bench.mjs";
 
 // As the buttons are numbered in the protocol.
 const AXES = { x_plus: "linear 1", x_minus: "linear 2", y_plus: "linear 3", y_minus: "linear 4", z_plus: "linear 5", z_minus: "linear 6" };
@@ -66,8 +66,7 @@ test("at a limit the button is let go once, and the reason stands beside it", as
   await rest(page);
   const stood = await pose(page, "z_mm");
   // Still held: the arm stays, and so does everything under the pointer.
-  const { at_s } = await bench.ask("api/v1/state");
-  await page.waitForFunction(async (until_s) => (await (await fetch("api/v1/state")).json()).at_s > until_s, at_s + 1.5);
+  await passed(page, 1.5);
   assert.equal(await pose(page, "z_mm"), stood);
   assert.equal(await buttonAt(page, box), "z_minus");
   assert.match(await page.textContent("#jog-why"), /^Z−: /);

@@ -1,7 +1,7 @@
 // Everything by which a person moves the arm besides holding a button and going to a place, judged on what the arm was told.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { open, pose, rest, takeControl } from "./bench.mjs";
+import { open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told, from;
 
@@ -13,6 +13,8 @@ before(async () => {
 after(() => bench.end());
 beforeEach(async () => {
   await rest(page);
+  // The station counts on it to run down for a little longer than it is seen to.
+  await passed(page, 0.4);
   from = told.packets.length;
 });
 afterEach(async () => {
