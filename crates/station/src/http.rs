@@ -9,11 +9,13 @@ mod app;
 mod auth;
 mod calls;
 mod document;
+mod events;
 #[cfg(test)]
 mod fake;
 mod http_leases;
 mod listen;
 mod messages;
+mod metrics;
 mod page;
 mod private;
 mod programs;

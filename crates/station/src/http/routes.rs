@@ -6,6 +6,7 @@ mod arm;
 mod jobs;
 mod leases;
 mod motion;
+mod observing;
 mod programs;
 mod tokens;
 mod virtual_arm;
@@ -52,6 +53,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
     [
         page::all(),
         watching::all(),
+        observing::all(),
         motion::all(),
         leases::all(),
         arm::all(),

@@ -19,6 +19,8 @@ use futures_util::StreamExt;
 use schemars::SchemaGenerator;
 use serde::Deserialize;
 
+pub(super) use self::state_stream::{StateStream, message as state_message};
+
 use self::connection::SocketConnection;
 use super::answer::{BODY, JOB, NotDone};
 use super::app::{App, Caller, MOST_SOCKETS, Peer};
@@ -53,7 +55,31 @@ pub(super) const QUERIES: &[Query] = &[
     },
 ];
 
+/// Of these, what one chooses who only watches.
+pub(super) const WATCH_QUERIES: &[Query] = QUERIES.split_at(2).0;
+
 impl Wants {
+    /// What one chooses who only watches: it needs no name.
+    pub(super) fn of_one_who_watches(uri: &Uri) -> Result<Self, Problem> {
+        let wants = Self::of(uri)?;
+        if wants.name.is_some() {
+            return Err(
+                MALFORMED.problem("the query of the address: name; allowed are states and notices")
+            );
+        }
+        Ok(wants)
+    }
+
+    /// The most states in a second; every one where it is not said.
+    pub(super) const fn states(&self) -> Option<f64> {
+        self.states
+    }
+
+    /// Whether notices come.
+    pub(super) fn notices(&self) -> bool {
+        self.notices.unwrap_or(true)
+    }
+
     fn of(uri: &Uri) -> Result<Self, Problem> {
         let UrlQuery(wants) = UrlQuery::<Self>::try_from_uri(uri).map_err(|error| {
             MALFORMED.problem(format!("the query of the address: {}", error.body_text()))

@@ -6,6 +6,7 @@ mod attacks;
 mod bad_input;
 mod document;
 mod leases;
+mod observing;
 mod policies;
 mod programs;
 mod routes;
@@ -26,6 +27,7 @@ use dobot_api::{Request as Wish, Role};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_rules::OwnVirtualArm;
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
+use futures_util::{FutureExt, StreamExt};
 use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
@@ -45,6 +47,16 @@ struct Harness {
     _end: watch::Sender<bool>,
     tokens: Vec<Token>,
     _folder: tempfile::TempDir,
+}
+
+/// What has come of a body that does not end.
+fn what_is_there(body: Body) -> Vec<u8> {
+    let mut frames = body.into_data_stream();
+    let mut found = Vec::new();
+    while let Some(Some(frame)) = frames.next().now_or_never() {
+        found.extend(frame.unwrap());
+    }
+    found
 }
 
 /// An answer.
@@ -122,11 +134,19 @@ impl Harness {
         request.extensions_mut().insert(self.peer.clone());
         let response = self.router.clone().oneshot(request).await.unwrap();
         let (parts, body) = response.into_parts();
-        let body = to_bytes(body, usize::MAX).await.unwrap();
+        let is_endless = parts
+            .headers
+            .get("content-type")
+            .is_some_and(|it| it == "text/event-stream");
+        let body = if is_endless {
+            what_is_there(body)
+        } else {
+            to_bytes(body, usize::MAX).await.unwrap().to_vec()
+        };
         let answer = Answer {
             status: parts.status.as_u16(),
             headers: parts.headers,
-            body: String::from_utf8(body.to_vec()).unwrap(),
+            body: String::from_utf8(body).unwrap(),
         };
         if let Some(statuses) = document::statuses(&route) {
             assert!(

@@ -11,7 +11,7 @@ use tokio::time::{Instant, sleep_until};
 
 /// The states of one client, at the rate that it chose.
 #[derive(Debug)]
-pub(super) struct StateStream {
+pub(in crate::http) struct StateStream {
     states: broadcast::Receiver<Arc<Snapshot>>,
     rate: Rate,
     /// The newest state that waits until it is due.
@@ -28,7 +28,10 @@ enum Rate {
 
 impl StateStream {
     /// At most `per_s` states in a second, or every one.
-    pub(super) fn new(states: broadcast::Receiver<Arc<Snapshot>>, per_s: Option<f64>) -> Self {
+    pub(in crate::http) fn new(
+        states: broadcast::Receiver<Arc<Snapshot>>,
+        per_s: Option<f64>,
+    ) -> Self {
         let rate = match per_s {
             None => Rate::Every,
             Some(per_s) if per_s > 0.0 => spaced(1.0 / per_s),
@@ -43,7 +46,7 @@ impl StateStream {
     }
 
     /// Whether any states are wanted.
-    pub(super) fn is_wanted(&self) -> bool {
+    pub(in crate::http) fn is_wanted(&self) -> bool {
         !matches!(self.rate, Rate::None)
     }
 
@@ -52,7 +55,7 @@ impl StateStream {
     /// # Errors
     ///
     /// When the client lags behind so far that some states are lost, or no more will come.
-    pub(super) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
+    pub(in crate::http) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
         let spacing = match self.rate {
             Rate::None => std::future::pending().await,
             Rate::Every => return self.states.recv().await.map(|it| message(&it)),
@@ -84,7 +87,7 @@ impl StateStream {
 }
 
 /// The message that tells a state.
-pub(super) fn message(state: &Snapshot) -> Utf8Bytes {
+pub(in crate::http) fn message(state: &Snapshot) -> Utf8Bytes {
     Utf8Bytes::try_from(state.message()).expect("JSON is UTF-8")
 }
 

@@ -1,0 +1,39 @@
+//! What other programs watch the station by: whether it lives, its figures, what happens.
+
+use super::super::route::Route;
+use super::super::socket::WATCH_QUERIES;
+use super::super::{events, metrics};
+use super::GET;
+use dobot_api::problem_kinds::{ENDING, MALFORMED, TOO_MANY_CLIENTS};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/healthz",
+            "Whether the station lives, for what starts it again if it does not; the arm may be away",
+            metrics::health,
+        )
+        .open()
+        .gives_text(200, "text/plain; charset=utf-8", "`ok`")
+        .problems(&[ENDING]),
+        Route::new(
+            GET,
+            "/metrics",
+            "The figures of arm, link, queue, laser and job, as Prometheus reads them",
+            metrics::metrics,
+        )
+        .gives_text(200, "text/plain; version=0.0.4; charset=utf-8", "the figures"),
+        Route::new(
+            GET,
+            "/api/v1/events",
+            "States and notices as server-sent events: `state` and `notice`, each with a message as in `ToClient`. A \
+                notice has its number as its id; with `Last-Event-ID` those come first that were missed, \
+                as far as the station remembers them.",
+            events::events,
+        )
+        .queries(WATCH_QUERIES)
+        .gives_text(200, "text/event-stream", "the events")
+        .problems(&[MALFORMED, TOO_MANY_CLIENTS, ENDING]),
+    ]
+}

@@ -1,0 +1,130 @@
+//! Health, figures and events, for programs that watch.
+
+use axum::body::Body;
+use dobot_api::{News, Role};
+use serde_json::Value;
+
+use super::Harness;
+use crate::sample::{notice, state};
+
+#[tokio::test]
+async fn health_is_for_everyone_and_figures_are_for_those_who_may_watch() {
+    let harness = Harness::far();
+    assert_eq!(harness.get("/healthz").await.is(200).body, "ok\n");
+    harness.get("/metrics").await.is(401);
+    let bearer = harness.bearer(Role::Watch);
+    let request = harness
+        .request("GET", "/metrics")
+        .header("authorization", bearer);
+    harness
+        .send(request.body(Body::empty()).unwrap())
+        .await
+        .is(200);
+}
+
+#[tokio::test]
+async fn the_figures_are_those_of_the_state_each_explained_once() {
+    let harness = Harness::near();
+    let told = state(7.5);
+    harness.telling.ends.tell(told.clone());
+    let answer = harness.get("/metrics").await;
+    let text = &answer.is(200).body;
+    let figure = |name: &str| {
+        let line = text.lines().find(|it| it.starts_with(&format!("{name} ")));
+        line.unwrap_or_else(|| panic!("{name} in {text}"))[name.len()..]
+            .trim()
+            .parse::<f64>()
+            .unwrap()
+    };
+    let same = |name: &str, value: f64| {
+        let found = figure(name);
+        assert!(
+            (found - value).abs() < 1e-9,
+            "{name} is {found}, not {value}"
+        );
+    };
+    same("dobot_link_up", 1.0);
+    same("dobot_statuses_per_second", told.link.statuses_per_s);
+    same("dobot_queue_ahead_seconds", told.queue.ahead_s);
+    let status = told.arm.unwrap().status;
+    same(
+        "dobot_arm_position_millimetres{axis=\"x\"}",
+        f64::from(status.x_mm),
+    );
+    same(
+        "dobot_arm_joint_degrees{joint=\"fore\"}",
+        f64::from(status.fore_deg),
+    );
+    // What Prometheus asks of a page: a sample follows the help and the type of its name.
+    let mut known = Vec::new();
+    for line in text.lines() {
+        if let Some(rest) = line.strip_prefix("# TYPE ") {
+            let name = rest.split(' ').next().unwrap();
+            assert!(!known.contains(&name), "{name} twice");
+            known.push(name);
+        } else if !line.starts_with("# HELP ") {
+            let name = line.split(['{', ' ']).next().unwrap();
+            assert_eq!(known.last(), Some(&name), "{line}");
+        }
+    }
+}
+
+/// The events of a text, as pairs of name and data.
+fn events(text: &str) -> Vec<(String, Value)> {
+    let blocks = text.split("\n\n").filter(|it| !it.is_empty());
+    let field = |block: &str, name: &str| {
+        let line = block.lines().find_map(|it| it.strip_prefix(name));
+        line.unwrap_or_default().trim().to_owned()
+    };
+    blocks
+        .map(|it| {
+            let data = serde_json::from_str(&field(it, "data:")).unwrap();
+            (field(it, "event:"), data)
+        })
+        .collect()
+}
+
+#[tokio::test]
+async fn events_begin_with_the_state_and_the_notices_that_were_missed() {
+    let harness = Harness::near();
+    harness.telling.ends.tell(state(7.5));
+    for number in 1..=4 {
+        let notice = notice(number, News::LinkUp, "the link came up");
+        harness.telling.ends.announce(notice);
+    }
+    let request = harness
+        .request("GET", "/api/v1/events")
+        .header("last-event-id", "2");
+    let answer = harness.send(request.body(Body::empty()).unwrap()).await;
+    let found = events(&answer.is(200).body);
+    assert_eq!(found[0].0, "state");
+    assert_eq!(found[0].1["state"]["at_s"], 7.5);
+    let numbers: Vec<_> = found[1..]
+        .iter()
+        .map(|(name, data)| (name.as_str(), data["notice"]["number"].as_u64().unwrap()))
+        .collect();
+    assert_eq!(numbers, [("notice", 3), ("notice", 4)]);
+    assert_eq!(answer.headers["content-type"], "text/event-stream");
+}
+
+#[tokio::test]
+async fn one_chooses_what_comes_and_nothing_else() {
+    let harness = Harness::near();
+    let answer = harness.get("/api/v1/events?states=0").await;
+    assert_eq!(answer.is(200).body, "");
+    for wrong in ["states=-1", "name=me", "colour=red"] {
+        harness
+            .get(&format!("/api/v1/events?{wrong}"))
+            .await
+            .is(400)
+            .is_problem("malformed");
+    }
+    let request = harness
+        .request("GET", "/api/v1/events")
+        .header("last-event-id", "yesterday");
+    harness
+        .send(request.body(Body::empty()).unwrap())
+        .await
+        .is(400)
+        .is_problem("malformed");
+}
