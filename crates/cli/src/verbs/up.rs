@@ -1,5 +1,6 @@
 //! `dobot up`: the station.
 
+mod browser;
 mod welcome;
 
 use std::io::{ErrorKind, IsTerminal};
@@ -21,6 +22,7 @@ use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
 
+use self::browser::Surroundings;
 use self::welcome::Welcome;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -28,6 +30,10 @@ use crate::logging::LogFormat;
 use crate::output::{self, clock};
 use crate::reach::{client_name, folders, running};
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 /// Start the station: the one program that owns the arm, for all others (`dobot` alone does it, too)
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -88,6 +94,12 @@ pub(crate) struct Args {
     /// Ask for a token on this machine, too
     #[arg(long)]
     token_required: bool,
+    /// Open the page in the desktop's browser (default: at the first start in a terminal of a desktop)
+    #[arg(long, overrides_with = "no_open")]
+    open: bool,
+    /// Do not open the page in a browser
+    #[arg(long, overrides_with = "open")]
+    no_open: bool,
     /// How the log on standard error is written; the environment variable `RUST_LOG` tells how much
     #[arg(long, value_name = "FORMAT", value_enum, default_value_t)]
     pub(crate) log_format: LogFormat,
@@ -97,6 +109,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
     let log = args.log_format;
     let config = args.config()?;
+    let opens = args.opens_page(&config.folders);
     let data = config.folders.data().display().to_string();
     let station = tokio::select! {
         station = start(config, log) => station?,
@@ -107,6 +120,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     match log {
         LogFormat::Text => output::line(&welcome.text(std::io::stdout().is_terminal()))?,
         LogFormat::Json => welcome.log(),
+    }
+    if opens && let Err(error) = open::that_detached(station.url()) {
+        log.tell(&format!("no browser could be opened: {error}"));
     }
     let service_manager = ServiceManager::of_environment();
     service_manager.tell(Notification::Ready);
@@ -159,6 +175,15 @@ impl Args {
             without_token: (!self.token_required).then_some(Role::Admin),
             ..Config::new(folders(self.data.clone())?)
         })
+    }
+
+    /// Whether the page is opened in a browser. To be asked before the station begins to keep something.
+    fn opens_page(&self, folders: &Folders) -> bool {
+        match (self.open, self.no_open) {
+            (true, _) => true,
+            (_, true) => false,
+            _ => !folders.data().exists() && Surroundings::of_this_process().have_a_desktop(),
+        }
     }
 
     /// The arm that is named; otherwise the station looks for one.
