@@ -24,6 +24,8 @@ const ROWS = [
   { from: "uplot/dist/uPlot.iife.min.js", to: "uplot/uplot.js", end: "\nexport default uPlot;\n", types: 'export { default } from "uplot";\n' },
   { from: "uplot/dist/uPlot.min.css", to: "uplot/uplot.css" },
   { from: "uplot/LICENSE", to: "uplot/LICENSE" },
+  { from: "uqr/dist/index.mjs", to: "uqr/uqr.js", types: 'export * from "uqr";\n' },
+  { from: "uqr/LICENSE", to: "uqr/LICENSE" },
 ];
 
 /** What the folder has to hold: a text for each path. */

@@ -20,8 +20,9 @@ const RUN_DOWN_STATES = 12;
  * @param {import("./state/store.js").Store} outside.store
  * @param {import("./station/socket.js").Socket} outside.socket
  * @param {import("./station/http.js").Http} outside.http
+ * @param {import("./station/set_up.js").SetUpRequests} outside.setUp
  */
-export function createActions({ store, socket, http }) {
+export function createActions({ store, socket, http, setUp }) {
   const { send } = store;
   /** How often the arm was stopped, by this page or another. */
   let stops = 0;
@@ -79,14 +80,24 @@ export function createActions({ store, socket, http }) {
   /** For how long the laser is armed, in seconds. */
   const arming_s = () => Math.min(ARM_S, store.page.policy?.laser.arm_for_s ?? ARM_S);
 
-  /** What is done when a person says yes. @param {Question} question @returns {Request} */
-  function asked({ about }) {
-    if (about === "arm_laser") return { type: "arm_laser", for_s: arming_s() };
-    return { type: about };
+  /** What is done when a person says yes. @param {Question} question @returns {Promise<unknown>} */
+  function asked({ about, values }) {
+    switch (about) {
+      case "arm_laser":
+        takeIfFree();
+        return ask({ type: "arm_laser", for_s: arming_s() });
+      case "detect":
+        takeIfFree();
+        return setUp.detect();
+      case "remove_token":
+        return setUp.removeToken(String(values?.name));
+      default:
+        return ask({ type: about });
+    }
   }
 
   return {
-    send, ask, takeIfFree, command, stop, arming_s,
+    send, ask, takeIfFree, command, stop, arming_s, setUp,
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -96,8 +107,7 @@ export function createActions({ store, socket, http }) {
       const { question } = store.page;
       send({ type: "question", question: null });
       if (!yes || !question) return;
-      if (question.about === "arm_laser") takeIfFree();
-      void ask(asked(question));
+      void asked(question);
     },
 
     go() {

@@ -14,6 +14,7 @@ import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
+import { createSetUp } from "./station/set_up.js";
 import { createSocket } from "./station/socket.js";
 import { followTarget } from "./station/target.js";
 import { render } from "./vendor/lit-html/lit-html.js";
@@ -51,7 +52,8 @@ function wishes() {
 const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, ...wishes() }));
 const http = createHttp();
 const socket = createSocket({ store, http });
-const act = createActions({ store, socket, http });
+const setUpRequests = createSetUp(store, http, socket);
+const act = createActions({ store, socket, http, setUp: setUpRequests });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));

@@ -1,30 +1,12 @@
-// What is set once: the page, and the station.
+// What is set once: the arm, its safety policy, who may come, what surrounds a virtual arm, and this page.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { live } from "../vendor/lit-html/directives/live.js";
-import { LANGUAGES } from "../words/words.js";
+import { isVirtual } from "../state/select.js";
+import { armGuide } from "./set_up/arm.js";
+import { looks } from "./set_up/looks.js";
+import { policy } from "./set_up/policy.js";
+import { tokens } from "./set_up/tokens.js";
+import { virtualArm } from "./set_up/virtual_arm.js";
 
-/** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Language} Language */
-
-/** @type {readonly import("../state/state.js").Theme[]} */
-const THEMES = ["auto", "light", "dark"];
-
-/** @param {Context} context */
-export const setUp = (context) => html`${looks(context)}`;
-
-/** @param {Context} context */
-function looks({ page, say, act }) {
-  return html`
-    <section class="card" aria-labelledby="looks-title">
-      <h2 id="looks-title">${say("set.looks")}</h2>
-      <fieldset class="segments">
-        <legend>${say("set.language")}</legend>
-        ${Object.entries(LANGUAGES).map(([it, name]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${name}</span></label>`)}
-      </fieldset>
-      <fieldset class="segments">
-        <legend>${say("set.theme")}</legend>
-        ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${say(`set.${it}`)}</span></label>`)}
-      </fieldset>
-    </section>`;
-}
+/** @param {import("../views/context.js").Context} context */
+export const setUp = (context) => html`${looks(context)}${armGuide(context)}${policy(context)}${tokens(context)}${isVirtual(context.page) ? virtualArm(context) : ""}`;

@@ -1,6 +1,7 @@
 // How a message changes the state. Pure: no clock, no document, no network.
 
 import { reduceJog } from "./jog.js";
+import { reduceSetUp } from "./set_up.js";
 import { reduceTarget } from "./target.js";
 
 /** @typedef {import("./state.js").Page} Page */
@@ -14,7 +15,8 @@ export function reduce(page, message) {
   const next = reduceOwn(page, message);
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
-  return jog === next.jog && target === next.target ? next : { ...next, jog, target };
+  const set_up = reduceSetUp(next.set_up, message);
+  return jog === next.jog && target === next.target && set_up === next.set_up ? next : { ...next, jog, target, set_up };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -71,6 +71,11 @@ export function kept(make) {
   };
 }
 
+/** The policy that the stage shows: that of a draft while somebody makes one. @param {Page} page */
+function shownPolicy({ tab, set_up, policy }) {
+  return tab === "set_up" && set_up.check.type === "good" ? set_up.check.policy : policy;
+}
+
 /** Makes views for the stage; the same object for what did not change. */
 export function createViewOf() {
   const rules = kept(ruled);
@@ -82,7 +87,7 @@ export function createViewOf() {
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => ({
     ...EMPTY,
-    ...rules(page.policy),
+    ...rules(shownPolicy(page)),
     ...page.around,
     planned: page.planned,
     arm: reported(page.station),

@@ -1,6 +1,7 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
 import { NO_JOG } from "./jog.js";
+import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
 
 /** @typedef {import("./types.js").Station} Station */
@@ -14,7 +15,7 @@ import { NO_TARGET } from "./target.js";
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
 /** @typedef {"move" | "preview" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
-/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser", values?: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
 
 /**
@@ -35,6 +36,7 @@ import { NO_TARGET } from "./target.js";
  * @property {number | null} dialed_percent The speed of the job while somebody turns it.
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
+ * @property {import("./set_up.js").SetUp} set_up
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
  * @property {Tab} tab
  * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
@@ -60,6 +62,7 @@ export const begin = ({ language, theme, greeted }) => ({
   dialed_percent: null,
   jog: NO_JOG,
   target: NO_TARGET,
+  set_up: NO_SET_UP,
   pad_refused: null,
   tab: "move",
   greeted,

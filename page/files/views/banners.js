@@ -80,7 +80,7 @@ export function question({ page, say, act }) {
   if (!page.question) return nothing;
   const { about, values } = page.question;
   return html`
-    <h2 id="sure-title">${say(`question.${about}`)}</h2>
+    <h2 id="sure-title">${say(`question.${about}`, values)}</h2>
     <p id="sure-text">${say(`question.${about}.text`, values)}</p>
     <div class="row">
       <button id="sure-no" type="button" @click=${() => act.answer(false)}>${say("no")}</button>

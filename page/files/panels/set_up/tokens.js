@@ -1,0 +1,57 @@
+// Who may come from another computer: tokens, and the way for a phone.
+
+import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
+import { encode } from "../../vendor/uqr/uqr.js";
+import { refusal } from "./arm.js";
+
+/** @typedef {import("../../views/context.js").Context} Context */
+/** @typedef {import("../../state/types.js").Role} Role */
+
+/** @type {readonly Role[]} */
+const ROLES = ["watch", "control", "admin"];
+
+/** An address as a QR code. @param {string} text @param {string} label */
+function qr(text, label) {
+  const { data, size } = encode(text, { border: 3 });
+  const cells = data.flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : []))).join("");
+  return svg`<svg class="qr" viewBox=${`0 0 ${size} ${size}`} role="img" aria-label=${label} shape-rendering="crispEdges"><rect width=${size} height=${size}/><path d=${cells}/></svg>`;
+}
+
+/** @param {Context} context */
+export function tokens(context) {
+  const { page, say, act } = context;
+  const { tokens, made } = page.set_up;
+  if (!tokens) return nothing;
+  const make = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const form = /** @type {HTMLFormElement} */ (event.target);
+    const of = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (form.elements.namedItem(name)).value;
+    void act.setUp.makeToken(of("name").trim(), /** @type {Role} */ (of("role")));
+    form.reset();
+  };
+  const address = made ? `${location.origin}/#token=${made.secret}` : "";
+  const isLoopback = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
+  return html`
+    <section class="card" aria-labelledby="tokens-title">
+      <h2 id="tokens-title">${say("tokens")}</h2>
+      <p class="quiet">${say("tokens.hint")}</p>
+      <ul class="tokens">
+        ${tokens.map(({ name, role }) => html`<li><span>${name}</span> <b class="chip">${say(`role.${role}`)}</b>
+          <button type="button" class="small" aria-label=${say("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
+      </ul>
+      <form id="token-new" class="row" @submit=${make}>
+        <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${say("tokens.name")} aria-label=${say("tokens.name")}>
+        <select name="role" aria-label=${say("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${say(`role.${role}`)}</option>`)}</select>
+        <button type="submit" class="small">${say("tokens.make")}</button>
+      </form>
+      ${made ? html`
+        <div id="token-made" class="made" role="status">
+          <p><strong>${say("tokens.once", { name: made.name })}</strong></p>
+          ${qr(address, say("tokens.qr"))}
+          <p><code id="token-secret">${made.secret}</code></p>
+          <p class="quiet"><a href=${address} rel="noreferrer">${address.slice(0, 60)}…</a></p>
+          ${isLoopback ? html`<p class="told" data-tone="warn">${say("tokens.loopback")}</p>` : nothing}
+        </div>` : nothing}
+      ${refusal(context, "tokens")}
+    </section>`;
+}

@@ -1,0 +1,70 @@
+// What is set once: the draft of a policy, tokens, and what surrounds a virtual arm.
+
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Policy} Policy */
+/** @typedef {import("./types.js").Schemas} Schemas */
+
+/** Where something was asked for. @typedef {"arm" | "policy" | "tokens" | "faults" | "world"} Place */
+/** What the station says of a draft. @typedef {{ type: "unknown" } | { type: "good", policy: Policy } | { type: "bad", problem: Problem }} DraftCheck */
+
+/**
+ * @typedef {object} SetUp
+ * @property {string | null} kept The text of the policy that holds.
+ * @property {string | null} draft
+ * @property {number} asked How often the draft was changed: an answer to an earlier one is not taken.
+ * @property {DraftCheck} check
+ * @property {boolean} overtaken Whether another policy was put in place while this draft was made.
+ * @property {readonly Schemas["TokenView"][] | null} tokens Nothing where this page may not see them.
+ * @property {Schemas["NewToken"] | null} made The token that was made last, whose secret is shown once.
+ * @property {readonly string[] | null} faults Of the station's own virtual arm.
+ * @property {{ place: Place, problem: Problem } | null} refused Why the last change came to nothing.
+ * @property {Schemas["Finding"] | null} finding What the detection of the dialect has seen.
+ */
+
+/** @type {SetUp} */
+export const NO_SET_UP = { kept: null, draft: null, asked: 0, check: { type: "unknown" }, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
+
+/** @typedef {{ type: "policy_text", text: string }
+ * | { type: "policy_typed", text: string }
+ * | { type: "policy_checked", asked: number, check: DraftCheck }
+ * | { type: "policy_kept", text: string }
+ * | { type: "policy_forgotten" }
+ * | { type: "tokens", tokens: readonly Schemas["TokenView"][] }
+ * | { type: "token_made", token: Schemas["NewToken"] | null }
+ * | { type: "faults", faults: readonly string[] }
+ * | { type: "set_up_refused", place: Place, problem: Problem | null }
+ * | { type: "finding", finding: Schemas["Finding"] | null }} SetUpMessage */
+
+/** Whether there is a draft that differs from what holds. @param {SetUp} setUp */
+export const isChanged = ({ draft, kept }) => draft !== null && draft !== kept;
+
+/** @param {SetUp} setUp @param {import("./message.js").Message} message @returns {SetUp} */
+export function reduceSetUp(setUp, message) {
+  switch (message.type) {
+    case "policy_text":
+      if (isChanged(setUp)) return { ...setUp, kept: message.text, overtaken: setUp.kept !== message.text };
+      return { ...setUp, kept: message.text, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" } };
+    case "policy_typed":
+      return { ...setUp, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" } };
+    case "policy_checked":
+      return message.asked === setUp.asked ? { ...setUp, check: message.check } : setUp;
+    case "policy_kept":
+      return { ...setUp, kept: message.text, overtaken: false, refused: null };
+    case "policy_forgotten":
+      return { ...setUp, draft: setUp.kept, asked: setUp.asked + 1, check: { type: "unknown" }, overtaken: false, refused: null };
+    case "tokens":
+      return { ...setUp, tokens: message.tokens };
+    case "token_made":
+      return { ...setUp, made: message.token };
+    case "faults":
+      return { ...setUp, faults: message.faults, refused: null };
+    case "set_up_refused":
+      return { ...setUp, refused: message.problem && { place: message.place, problem: message.problem } };
+    case "finding":
+      return { ...setUp, finding: message.finding };
+    case "tab":
+      return { ...setUp, made: null, refused: null };
+    default:
+      return setUp;
+  }
+}

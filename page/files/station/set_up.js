@@ -1,0 +1,93 @@
+// What "Set up" reads from the station and changes there.
+
+import { isChanged } from "../state/set_up.js";
+
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {ReturnType<typeof createSetUp>} SetUpRequests */
+
+const CHECK_MS = 150;
+
+/** @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket */
+export function createSetUp(store, http, socket) {
+  const { send } = store;
+  /** @type {number | undefined} */ let timer;
+  let checked = store.page.set_up.asked;
+
+  async function read() {
+    const text = await http.get("api/v1/policy/text");
+    if (text?.ok) send({ type: "policy_text", text: await text.text() });
+    if (store.page.role === "admin") {
+      /** @type {Schemas["TokenView"][] | undefined} */
+      const tokens = await http.json("api/v1/tokens");
+      if (tokens) send({ type: "tokens", tokens });
+    }
+    if (store.page.station?.link.address !== "virtual:") return;
+    /** @type {string[] | undefined} */
+    const faults = await http.json("api/v1/faults");
+    if (faults) send({ type: "faults", faults });
+  }
+
+  async function check() {
+    const { asked, draft } = store.page.set_up;
+    const { problem, value } = await http.ask("PUT", "api/v1/policy", { text: draft, check: true });
+    send({ type: "policy_checked", asked, check: problem ? { type: "bad", problem } : { type: "good", policy: /** @type {Schemas["Policy"]} */ (value) } });
+  }
+
+  store.listen((page, message) => {
+    const opened = message.type === "tab" && message.tab === "set_up";
+    const again = page.tab === "set_up" && (message.type === "hello" || (message.type === "notice" && message.notice.type === "policy_changed"));
+    if (opened || again) void read();
+    if (page.set_up.asked === checked) return;
+    checked = page.set_up.asked;
+    clearTimeout(timer);
+    if (page.set_up.draft !== null) timer = setTimeout(() => void check(), CHECK_MS);
+  });
+
+  /** Asks for a change, and keeps what is said against it. @template T @param {import("../state/set_up.js").Place} place @param {"POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<T | undefined>} */
+  async function change(place, method, path, body) {
+    const { problem, value } = await http.ask(method, path, body);
+    send({ type: "set_up_refused", place, problem: problem ?? null });
+    return /** @type {T | undefined} */ (value);
+  }
+
+  return {
+    async keepPolicy() {
+      const text = store.page.set_up.draft;
+      if (text === null || !isChanged(store.page.set_up)) return;
+      if (await change("policy", "PUT", "api/v1/policy", { text, check: false })) send({ type: "policy_kept", text });
+    },
+    /** @param {string} name @param {Schemas["Role"]} role */
+    async makeToken(name, role) {
+      /** @type {Schemas["NewToken"] | undefined} */
+      const token = await change("tokens", "POST", "api/v1/tokens", { name, role });
+      if (token) send({ type: "token_made", token });
+      await read();
+    },
+    /** @param {string} name */
+    async removeToken(name) {
+      await change("tokens", "DELETE", `api/v1/tokens/${encodeURIComponent(name)}`);
+      send({ type: "token_made", token: null });
+      await read();
+    },
+    /** @param {readonly string[]} faults */
+    async setFaults(faults) {
+      const set = await change("faults", "PUT", "api/v1/faults", { faults, seed: 0 });
+      if (set) send({ type: "faults", faults: /** @type {string[]} */ (set) });
+    },
+    /** @param {string} scene */
+    setWorld: (scene) => change("world", "PUT", "api/v1/world", { scene }),
+    /** The arm moves a little. */
+    async detect() {
+      send({ type: "finding", finding: null });
+      const { problem, reply } = await socket.ask({ type: "detect" });
+      send({ type: "set_up_refused", place: "arm", problem: problem ?? null });
+      if (reply?.type === "found") send({ type: "finding", finding: reply.finding });
+    },
+    /** @param {Schemas["Dialect"]} dialect */
+    async useDialect(dialect) {
+      const { problem } = await socket.ask({ type: "set_dialect", dialect });
+      send({ type: "set_up_refused", place: "arm", problem: problem ?? null });
+    },
+  };
+}

@@ -1,0 +1,144 @@
+// What a person sets up on the page, judged on what the station then does.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { open, takeControl } from "./bench.mjs";
+
+let real, virtual;
+
+before(async () => {
+  real = await open();
+  virtual = await open({ virtual: true });
+  await takeControl(real.page);
+});
+after(async () => {
+  await real.end();
+  await virtual.end();
+});
+afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
+
+const says = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
+const type = async (page, place) => {
+  for (const [name, value] of Object.entries(place)) await page.fill(`#target-${name}`, String(value));
+};
+const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
+
+test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
+  const { page, told } = real;
+  await type(page, THERE);
+  await says(page, "target-told", "The whole way is free");
+  await page.click("#tab-set_up");
+  await page.click("[data-new-zone=box]");
+  await page.fill("[data-zone=zone_1] label:nth-of-type(6) input", "60");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => !document.querySelector("#policy-keep").disabled);
+  // Nothing holds before it is put in force.
+  assert.deepEqual((await real.ask("api/v1/policy")).keep_out, {});
+  await page.click("#policy-keep");
+  await says(page, "policy-told", "This is what holds");
+  const policy = await real.ask("api/v1/policy");
+  assert.deepEqual(policy.keep_out.zone_1, { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 60] } });
+  await page.click("#tab-move");
+  const from = told.packets.length;
+  await type(page, { z_mm: 1 });
+  await says(page, "target-told", "keep_out.zone_1");
+  assert.equal(await page.isDisabled("#target-go"), true);
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#tab-set_up");
+  await page.click("[data-zone=zone_1] button");
+  await page.click("#policy-keep");
+  await page.waitForFunction(async () => Object.keys((await (await fetch("api/v1/policy")).json()).keep_out).length === 0);
+  await page.click("#tab-move");
+  await type(page, THERE);
+  await says(page, "target-told", "The whole way is free");
+  await page.click("#target-clear");
+});
+
+test("a text that is no policy is told with its line, cannot be put in force, and the old one stays", async () => {
+  const { page } = real;
+  await page.click("#tab-set_up");
+  await page.click("#policy-text-part summary");
+  const text = await page.inputValue("#policy-text");
+  const before = await real.ask("api/v1/policy");
+  await page.fill("#policy-text", text.replace(/line_mm_s = 200/, "line_mm_s = fast"));
+  await page.waitForFunction(() => document.querySelector("#policy-told").dataset.tone === "bad");
+  assert.match(await page.textContent("#policy-told"), /Line \d+/);
+  assert.equal(await page.isDisabled("#policy-keep"), true);
+  await page.click("#policy-forget");
+  await says(page, "policy-told", "This is what holds");
+  assert.equal(await page.inputValue("#policy-text"), text);
+  assert.deepEqual(await real.ask("api/v1/policy"), before);
+});
+
+test("a token that is made lets its holder in, is shown as a code for a phone, and its removal ends it", async () => {
+  const { page, url } = real;
+  await page.click("#tab-set_up");
+  await page.fill("#token-new [name=name]", "phone");
+  await page.click("#token-new button");
+  await page.waitForSelector("#token-made .qr");
+  const secret = await page.textContent("#token-secret");
+  const status = async () => (await fetch(new URL("api/v1/state", url), { headers: { authorization: `Bearer ${secret}` } })).status;
+  assert.equal(await status(), 200);
+  await page.click("[aria-label='Remove phone']");
+  await page.click("#sure-yes");
+  await page.waitForFunction(() => !document.querySelector(".tokens").textContent.includes("phone"));
+  assert.equal(await status(), 401);
+});
+
+test("the detection asks before it moves the arm, then a little, and says what it saw and what that means", async () => {
+  const { page, told } = real;
+  await page.click("#tab-set_up");
+  const from = told.packets.length;
+  await page.click("#detect");
+  await page.waitForSelector("#sure-yes");
+  assert.deepEqual(told.targets(from), []);
+  await page.click("#sure-yes");
+  await says(page, "finding", "firmware-1.1");
+  assert.ok((await page.locator(".evidence li").count()) > 0);
+  const far = (axis) => Math.max(...told.targets(from).map((it) => it[axis])) - Math.min(...told.targets(from).map((it) => it[axis]));
+  assert.ok(Math.hypot(far(0), far(1), far(2)) < 20);
+});
+
+test("a fault that is set happens to the arm, and one that does not exist is told", async () => {
+  const { page } = virtual;
+  await page.click("#tab-set_up");
+  await page.click("#first-close");
+  await page.fill("#faults-text", "explode");
+  await page.click("#faults-set");
+  await page.waitForSelector(".refusal");
+  await page.fill("#faults-text", "");
+  await page.click("[data-fault='drop=1%']");
+  await page.fill("#faults-text", "withhold@0s..2s");
+  await page.click("#faults-set");
+  assert.deepEqual(await virtual.ask("api/v1/faults"), ["withhold@0s..2s"]);
+  await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
+  await page.click("#faults-none");
+  await says(page, "faults-now", "nothing goes wrong");
+  assert.deepEqual(await virtual.ask("api/v1/faults"), []);
+});
+
+test("a world that is put there is around the arm", async () => {
+  const { page } = virtual;
+  await page.click("#tab-set_up");
+  await page.click("[data-world='world.cubes']");
+  await page.click("#world-set");
+  await page.waitForFunction(async () => (await (await fetch("api/v1/world")).json()).objects.length === 2);
+  const { tool, objects } = await virtual.ask("api/v1/world");
+  assert.equal(tool.kind.type, "suction_cup");
+  assert.deepEqual(objects.map((it) => it.name), ["red cube", "blue cube"]);
+  await page.click("[data-world='world.pen']");
+  await page.click("#world-set");
+  await page.waitForFunction(async () => (await (await fetch("api/v1/world")).json()).tool.kind.type === "pen");
+});
+
+test("the language is changed at once, and kept for the next visit", async () => {
+  const { page } = virtual;
+  await page.click("#tab-set_up");
+  await page.check("[name=language][value=zh]", { force: true });
+  await page.waitForFunction(() => document.querySelector("#stop").textContent.includes("停止"));
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector("#stop")?.textContent.includes("停止"));
+  await page.click("#tab-set_up");
+  await page.check("[name=language][value=en]", { force: true });
+  await page.check("[name=theme][value=dark]", { force: true });
+  await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+});
