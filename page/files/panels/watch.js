@@ -1,12 +1,42 @@
 // What the link does, and what happened.
 
 import { html } from "../vendor/lit-html/lit-html.js";
+import { chart } from "../parts/chart.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */
-export const watch = (context) => html`${link(context)}${happened(context)}`;
+export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}`;
+
+/** What is drawn over time, by what is read together. @type {readonly (readonly [Word, readonly [number, number], readonly (readonly [keyof History, Word, string])[]])[]} */
+const CHARTS = [
+  ["chart.rate", [0, 15], [["rate", "watch.statuses", "--key"]]],
+  ["chart.latency", [0, 50], [["latency_ms", "watch.latency", "--key"]]],
+  ["chart.queue", [0, 5], [["queue", "watch.waiting", "--key"]]],
+  ["chart.joints", [-10, 90], [["base_deg", "pose.base", "--line-1"], ["rear_deg", "pose.rear", "--line-2"], ["fore_deg", "pose.fore", "--line-3"], ["servo_deg", "pose.servo", "--line-4"]]],
+];
+/** Lines are told apart by their dashes, too. */
+const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3]];
+
+/** @param {Context} context */
+function charts({ page, say }) {
+  const { history } = page;
+  const now_s = history.at_s.at(-1) ?? 0;
+  const times = history.at_s.map((it) => (it ?? 0) - now_s);
+  const theme = document.documentElement.dataset.theme;
+  return html`
+    <section class="card" aria-labelledby="charts-title">
+      <h2 id="charts-title">${say("charts")}</h2>
+      ${CHARTS.map(([title, seen, lines]) => html`
+        <figure class="chart" role="img" aria-label=${say(title)}>
+          <figcaption>${say(title)} ${lines.length > 1 ? lines.map(([, word], n) => html`<span class="line-${n + 1}">${say(word)}</span>`) : ""}</figcaption>
+          <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: say(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
+        </figure>`)}
+    </section>`;
+}
 
 /** @param {Context} context */
 function link({ page, say }) {
@@ -31,13 +61,15 @@ function link({ page, say }) {
 }
 
 /** @param {Context} context */
-function happened({ page, say }) {
+function happened({ page, say, act }) {
   const now_s = page.station?.at_s ?? 0;
-  const newest = page.notices.slice(-60).reverse();
+  const sought = page.sought.toLowerCase();
+  const newest = page.notices.filter(({ text }) => text.toLowerCase().includes(sought)).slice(-60).reverse();
   const time = (/** @type {number} */ at_s) => new Date(page.heard_ms - Math.max(0, now_s - at_s) * 1000).toLocaleTimeString(page.language);
   return html`
     <section class="card" aria-labelledby="notices-title">
       <h2 id="notices-title">${say("watch.happened")}</h2>
+      <input id="sought" type="text" placeholder=${say("watch.sought")} aria-label=${say("watch.sought")} .value=${page.sought} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       <ol id="notices" class="notices" aria-live="polite">
         ${repeat(newest, ({ number }) => number, ({ at_s, text }) => html`<li><time>${time(at_s)}</time> ${text}</li>`)}
       </ol>

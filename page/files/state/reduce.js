@@ -1,5 +1,6 @@
 // How a message changes the state. Pure: no clock, no document, no network.
 
+import { reduceHistory } from "./history.js";
 import { reduceJog } from "./jog.js";
 import { reduceSetUp } from "./set_up.js";
 import { reduceTarget } from "./target.js";
@@ -16,7 +17,9 @@ export function reduce(page, message) {
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
   const set_up = reduceSetUp(next.set_up, message);
-  return jog === next.jog && target === next.target && set_up === next.set_up ? next : { ...next, jog, target, set_up };
+  const history = reduceHistory(next.history, message);
+  const isSame = jog === next.jog && target === next.target && set_up === next.set_up && history === next.history;
+  return isSame ? next : { ...next, jog, target, set_up, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */
@@ -30,6 +33,8 @@ function reduceOwn(page, message) {
       return { ...page, notices: message.notices.slice(-NOTICES) };
     case "notice":
       return { ...page, notices: [...page.notices, message.notice].slice(-NOTICES) };
+    case "sought":
+      return { ...page, sought: message.text };
     case "connecting":
       return { ...page, connection: page.connection === "token" ? "connecting" : page.connection };
     case "closed":

@@ -1,5 +1,6 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_HISTORY } from "./history.js";
 import { NO_JOG } from "./jog.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
@@ -28,12 +29,14 @@ import { NO_TARGET } from "./target.js";
  * @property {number} heard_ms When it did, by the clock of this page.
  * @property {number} now_ms
  * @property {readonly Notice[]} notices The newest last.
+ * @property {string} sought What a notice has to contain to be shown.
  * @property {Problem | null} problem
  * @property {Question | null} question
  * @property {Policy | null} policy
  * @property {Around | null} around
  * @property {View["planned"]} planned The way of the job.
  * @property {number | null} dialed_percent The speed of the job while somebody turns it.
+ * @property {import("./history.js").History} history
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
  * @property {import("./set_up.js").SetUp} set_up
@@ -54,12 +57,14 @@ export const begin = ({ language, theme, greeted }) => ({
   heard_ms: 0,
   now_ms: 0,
   notices: [],
+  sought: "",
   problem: null,
   question: null,
   policy: null,
   around: null,
   planned: null,
   dialed_percent: null,
+  history: NO_HISTORY,
   jog: NO_JOG,
   target: NO_TARGET,
   set_up: NO_SET_UP,

@@ -282,4 +282,10 @@ export const en = {
   "world.pen": "pen and paper",
   "world.cubes": "cup and cubes",
   "world.set": "Put it there",
+  "charts": "The last three minutes",
+  "chart.rate": "Statuses in a second",
+  "chart.latency": "Latency in ms",
+  "chart.queue": "Commands that are not over",
+  "chart.joints": "Joints in degrees",
+  "watch.sought": "Show what contains…",
 };

@@ -283,4 +283,10 @@ export const zh = {
   "world.pen": "笔和纸",
   "world.cubes": "吸盘和方块",
   "world.set": "放好",
+  "charts": "最近三分钟",
+  "chart.rate": "每秒状态数",
+  "chart.latency": "延迟(毫秒)",
+  "chart.queue": "未完成的命令",
+  "chart.joints": "关节角度(度)",
+  "watch.sought": "只显示包含…",
 };
