@@ -286,8 +286,10 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
 
 /// The text of an MTEXT, which is in pieces where it is long.
 fn whole_text(it: &Entity<'_>) -> String {
-    let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
-    let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
+    let pieces = it
+        .pairs
+        .iter()
+        .filter(|pair| pair.code == 1 || pair.code == 3);
     pieces.map(Pair::whole_text).collect()
 }
 
@@ -317,5 +319,3 @@ const UPSIDE_DOWN: u32 = 4;
 const DESCENT: f64 = 7.0;
 /// From line to line, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
-/// What follows repeats the entity for newer programs.
-const EMBEDDED: i32 = 101;
