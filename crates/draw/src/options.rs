@@ -81,6 +81,9 @@ pub struct ContentOptions {
     /// Draw these layers only, by name
     #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
     pub only: Vec<String>,
+    /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
+    #[arg(long)]
+    pub no_crop: bool,
     /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
     #[arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto")]
     pub hatch: Option<Spacing>,
@@ -119,6 +122,7 @@ impl Default for ContentOptions {
             layers: None,
             layer: Vec::new(),
             only: Vec::new(),
+            no_crop: false,
             hatch: None,
             hatch_angle: 45.0,
             cross: false,

@@ -122,7 +122,9 @@ impl<'a> Planner<'a> {
     pub(super) fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
-        if let Some(ticker) = self.ticker.take() {
+        if let Some(mut ticker) = self.ticker.take() {
+            let limits = self.chain.iter().map(|it| it.limit_mm_s);
+            ticker.limit(round_down(limits.fold(0.0, f64::max)));
             self.plan_in_ticks(begin, &ticker);
         } else {
             let speeds = self.chain_speeds.plan(&mut self.chain);

@@ -85,6 +85,15 @@ pub enum SourceError {
 }
 
 impl SourceError {
+    /// Whether it has more line segments than fit, which a larger tolerance may mend.
+    #[must_use]
+    pub const fn is_too_fine(&self) -> bool {
+        matches!(
+            self,
+            Self::TooManySegments { .. } | Self::Svg(SvgError::TooManySegments { .. })
+        )
+    }
+
     /// Tells what was found at an offset of a text.
     pub(crate) fn found(
         text: &[u8],

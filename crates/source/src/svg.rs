@@ -41,15 +41,14 @@ use crate::warning::Warning;
 ///
 /// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
 /// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
-/// letters. What a clip path or the edge of the page hides is cut off. What a pen cannot show comes
+/// letters. What a clip path hides is cut off, and what lies beyond the page, if that is wanted. What a pen cannot show comes
 /// back as warnings.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let substitutes = Substitutes::default();
-    let (artwork, counts) = draw(text, options, &substitutes)?;
-    let mut warnings: Vec<Warning> = counts.into_iter().map(Warning::from).collect();
+    let (artwork, mut warnings) = draw(text, options, &substitutes)?;
     warnings.extend(substitutes.warnings());
     Ok((artwork, warnings))
 }
@@ -58,18 +57,20 @@ fn draw(
     text: &str,
     options: &ReadOptions,
     substitutes: &Substitutes,
-) -> Result<(Artwork, Vec<WarningCount>), SourceError> {
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
     let (tree, groups) = parse(text, options, &tree_warnings)?;
-    let mut page = SvgPage::new(renderer::page_mm(&tree), options.layers);
+    let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
+    let cut = page.cut();
     let (artwork, mut warnings) = page.finish();
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
-        return Err(nothing_to_draw(&warnings));
+        return Err(nothing_to_draw(&warnings, cut));
     }
-    Ok((artwork, warnings))
+    let told = warnings.into_iter().map(Warning::from).chain(cut);
+    Ok((artwork, told.collect()))
 }
 
 /// Counts what is lost while the tree is built.
@@ -204,15 +205,16 @@ fn unreadable(error: &usvg::Error) -> SourceError {
     }
 }
 
-fn nothing_to_draw(warnings: &[WarningCount]) -> SourceError {
-    if warnings.is_empty() {
+fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceError {
+    if warnings.is_empty() && cut.is_none() {
         return SourceError::nothing_to_draw(["no visible shape or text on the page".to_owned()]);
     }
     let only_text = |warning: &WarningCount| warning.kind == WarningKind::TextWithoutFont;
-    if warnings.iter().all(only_text) {
+    if cut.is_none() && warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
-    let texts = warnings.iter().map(|it| Warning::from(*it).to_string());
+    let told = warnings.iter().copied().map(Warning::from).chain(cut);
+    let texts = told.map(|it| it.to_string());
     SourceError::nothing_to_draw(texts)
 }
 

@@ -96,6 +96,7 @@ impl DrawingRequest {
             tools: layer_tools(&options.what, materials)?,
             hatch: hatch(&options.what, &material),
             shading: shading(&options),
+            crops: !options.what.no_crop,
             clips: options.place.clip,
             tries: (!options.way.keep_order).then_some(options.way.tries),
             seed: options.way.seed,

@@ -32,7 +32,7 @@ pub(super) fn check(
     })
 }
 
-/// Places have as many numbers as they need.
+/// Places have as many numbers as they need, and all are numbers.
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
         ("--at", &options.place.at, 2),
@@ -47,9 +47,16 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
                 allowed,
             });
         }
+        let mut numbers = numbers.iter().flatten();
+        if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
+            return Err(OptionsError::NoPlace { option, found });
+        }
     }
     Ok(())
 }
+
+/// No table is larger.
+const FARTHEST_MM: f64 = 10_000.0;
 
 /// Options that exclude each other, and those that need another one.
 fn together(options: &Options) -> Result<(), OptionsError> {
@@ -120,6 +127,7 @@ const AREAS: Purpose = Purpose(
     &[SourceKind::Lines, SourceKind::Text],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
+const FILES: Purpose = Purpose(&[SourceKind::Lines], "files of lines");
 const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
 const DRAWINGS: Purpose = Purpose(
     &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
@@ -127,7 +135,7 @@ const DRAWINGS: Purpose = Purpose(
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 16] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 17] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -141,6 +149,7 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 16] {
         ("--card-passes", what.card_passes.is_some(), CARDS),
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
+        ("--no-crop", what.no_crop, FILES),
         ("--fit", place.fit, DRAWINGS),
         ("--scale", place.scale.is_some(), DRAWINGS),
         ("--rotate", place.rotate != 0.0, DRAWINGS),
@@ -185,6 +194,14 @@ mod tests {
             (
                 r#"{"place": {"at": [200]}}"#,
                 "--at has 1 numbers; it takes 2",
+            ),
+            (
+                r#"{"place": {"at": [1e300, 0]}}"#,
+                "--at has 1e300; it takes numbers of millimetres from -10000 to 10000",
+            ),
+            (
+                r#"{"place": {"paper": [1, 2, 3, 4, -5e20, 6, 7, 8, 9]}}"#,
+                "--paper has -5e20; it takes numbers of millimetres from -10000 to 10000",
             ),
         ] {
             assert_eq!(refusal(json), told);

@@ -57,6 +57,14 @@ pub enum OptionsError {
         /// The one that is missing.
         needs: &'static str,
     },
+    /// A coordinate that is none.
+    #[error("{option} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
+    NoPlace {
+        /// The option.
+        option: &'static str,
+        /// What it has.
+        found: f64,
+    },
     /// Coordinates that are too few or too many.
     #[error("{option} has {found} numbers; it takes {allowed}")]
     Count {

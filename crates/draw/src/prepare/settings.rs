@@ -18,7 +18,7 @@ use crate::start::StartFrom;
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 up.
+    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
     pub tolerance_mm: f64,
     /// Where on the paper, and how large.
     pub placement: Placement,
@@ -37,6 +37,8 @@ pub struct Settings {
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, DrawingTool)>,
+    /// Whether what lies beyond the page of an SVG file is cut off.
+    pub crops: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
     /// How filled areas become lines; they stay empty if not given.
@@ -57,7 +59,7 @@ pub struct Settings {
 impl Settings {
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
-        if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
+        if !(LEAST_TOLERANCE_MM..=MOST_TOLERANCE_MM).contains(&tolerance_mm) {
             return Err(PrepareError::Tolerance(tolerance_mm));
         }
         // Told for a drawing without areas, too.
@@ -99,6 +101,7 @@ impl Default for Settings {
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),
+            crops: true,
             clips: false,
             hatch: None,
             shading: Shading::default(),
@@ -114,3 +117,5 @@ impl Default for Settings {
 pub(crate) const TRIES: u32 = 20_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
+/// With more, nothing of a drawing would be left.
+const MOST_TOLERANCE_MM: f64 = 10.0;
