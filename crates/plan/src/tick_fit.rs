@@ -111,7 +111,9 @@ impl TickTarget {
         }
         let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
         let creeps = !self.rests && cut.end_mm_s < LEAST_LEFT_MM_S;
-        if !cut.is_true() || cut.ticks() < self.least_ticks || creeps {
+        // The processor counts in sixteen bits, and takes what is more for something else (note N51).
+        let is_endless = 50.0 * self.length_mm >= f32::from(i16::MAX) * cut.top_mm_s;
+        if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
             return;
         }
         let cost = self.cost(stored_mm_s, &cut);

@@ -16,6 +16,7 @@
 
 mod arc;
 mod artwork;
+mod clip;
 mod dxf;
 mod error;
 mod fonts;
@@ -28,6 +29,7 @@ mod options;
 mod picture;
 mod place;
 mod points;
+mod polygon;
 mod sketch;
 mod source;
 mod svg;

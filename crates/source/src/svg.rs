@@ -1,7 +1,6 @@
 //! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
 
 mod check;
-mod clip;
 mod color;
 mod dash;
 mod entities;
@@ -11,7 +10,6 @@ mod groups;
 mod ink;
 mod layers;
 mod page;
-mod polygon;
 mod renderer;
 mod substitutes;
 mod warning_count;

@@ -5,17 +5,17 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::clip::{self, Region};
 use super::dash::dash;
 use super::ink::{FillPaint, Ink, InkColor};
 use super::layers::Layers;
-use super::polygon::Polygons;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
+use crate::clip::{self, Region};
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS};
 use crate::options::ReadOptions;
+use crate::polygon::Polygons;
 use crate::warning::Warning;
 
 /// Collects what shows on the page.
