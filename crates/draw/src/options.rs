@@ -78,8 +78,8 @@ pub struct ContentOptions {
     /// Draw a layer with a pen or material of its own
     #[arg(long, value_name = "NAME=PEN", requires = "layers")]
     pub layer: Vec<LayerTool>,
-    /// Draw these layers only, by name
-    #[arg(long, value_name = "NAME", requires = "layers", num_args = 1.., value_delimiter = ',')]
+    /// Draw these layers only, by name: several with commas between them
+    #[arg(long, value_name = "NAME", requires = "layers", value_delimiter = ',')]
     pub only: Vec<String>,
     /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
     #[arg(long)]

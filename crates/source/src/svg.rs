@@ -74,6 +74,7 @@ fn draw(
 /// Counts what is lost while the tree is built.
 struct TreeWarnings<'a> {
     images: AtomicUsize,
+    flowed: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     substitutes: &'a Substitutes,
@@ -83,6 +84,7 @@ impl<'a> TreeWarnings<'a> {
     const fn new(substitutes: &'a Substitutes) -> Self {
         Self {
             images: AtomicUsize::new(0),
+            flowed: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
             substitutes,
@@ -119,6 +121,7 @@ impl<'a> TreeWarnings<'a> {
     fn warn(&self, warnings: &mut Vec<WarningCount>) {
         let counts = [
             (WarningKind::Image, &self.images),
+            (WarningKind::FlowedText, &self.flowed),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -152,6 +155,12 @@ fn parse(
     };
     let doc = Document::parse_with_options(text, xml).map_err(|error| malformed(&error))?;
     check_root(&doc)?;
+    let flowed = doc
+        .descendants()
+        .filter(|it| it.has_tag_name("flowRoot") || it.has_tag_name((SVG_NAMESPACE, "flowRoot")));
+    tree_warnings
+        .flowed
+        .store(flowed.count(), Ordering::Relaxed);
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
     let usvg_options = usvg::Options {

@@ -12,6 +12,7 @@ pub(super) fn check(
     title: &str,
 ) -> Result<(), OptionsError> {
     counts(options)?;
+    ranges(options)?;
     together(options)?;
     let kind = SourceKind::of(source);
     let misfit = given(options)
@@ -50,6 +51,38 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
         let mut numbers = numbers.iter().flatten();
         if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
             return Err(OptionsError::NoPlace { option, found });
+        }
+    }
+    Ok(())
+}
+
+/// Numbers that no arm and no paper has.
+fn ranges(options: &Options) -> Result<(), OptionsError> {
+    let Options { place, tool, .. } = options;
+    let numbers = [
+        ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
+        ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
+        (
+            "--acceleration",
+            Some(tool.acceleration),
+            0.0,
+            10_000.0,
+            "mm/s2",
+        ),
+        ("--lift", tool.lift, 0.0, 200.0, "mm"),
+        ("--offset", Some(place.offset), -100.0, 100.0, "mm"),
+        ("--pen-down", place.pen_down, -500.0, 500.0, "mm"),
+    ];
+    for (option, found, least, most, unit) in numbers {
+        let is_refused = |it: &f64| !(least..=most).contains(it);
+        if let Some(found) = found.filter(is_refused) {
+            return Err(OptionsError::Range {
+                option,
+                found,
+                least,
+                most,
+                unit,
+            });
         }
     }
     Ok(())
@@ -198,6 +231,10 @@ mod tests {
             (
                 r#"{"place": {"at": [1e300, 0]}}"#,
                 "--at has 1e300; it takes numbers of millimetres from -10000 to 10000",
+            ),
+            (
+                r#"{"tool": {"speed": 1e9}}"#,
+                "--speed is 1000000000.0 mm/s; it takes 0 to 1000 mm/s",
             ),
             (
                 r#"{"place": {"paper": [1, 2, 3, 4, -5e20, 6, 7, 8, 9]}}"#,

@@ -65,6 +65,20 @@ pub enum OptionsError {
         /// What it has.
         found: f64,
     },
+    /// A number that no arm and no paper has.
+    #[error("{option} is {found:?} {unit}; it takes {least} to {most} {unit}")]
+    Range {
+        /// The option.
+        option: &'static str,
+        /// What it is.
+        found: f64,
+        /// The least that it takes.
+        least: f64,
+        /// The most.
+        most: f64,
+        /// Of what.
+        unit: &'static str,
+    },
     /// Coordinates that are too few or too many.
     #[error("{option} has {found} numbers; it takes {allowed}")]
     Count {

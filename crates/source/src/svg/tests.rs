@@ -149,6 +149,23 @@ fn a_filled_shape_has_the_edge_that_a_clip_path_gives_it() {
 }
 
 #[test]
+fn flowed_text_of_old_inkscape_files_is_told() {
+    let flowed = r#"<flowRoot><flowRegion><rect width="9" height="9"/></flowRegion><flowPara>a</flowPara></flowRoot>"#;
+    let (strokes, warnings) = draw(&format!(r#"<path d="M1 1H9" stroke="red"/>{flowed}"#));
+    assert_eq!((strokes.len(), warnings.len()), (1, 1));
+    assert!(
+        warnings[0]
+            .to_string()
+            .starts_with("1 flowed text: left out; in Inkscape")
+    );
+    assert!(
+        error(&page(flowed)).contains("1 flowed text"),
+        "{}",
+        error(&page(flowed))
+    );
+}
+
+#[test]
 fn a_filled_shape_that_is_open_is_drawn_closed() {
     let (strokes, _) = draw(r#"<path d="M5 5H25V25H5"/><path d="M5 5H25V25H5" stroke="red"/>"#);
     let lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
