@@ -202,6 +202,7 @@ impl<'a> Drawing<'a> {
             figures: &report.figures(),
             passes: report.passes(),
             area: dobot_draw::AREA,
+            sheet: self.settings.placement.sheet,
             plan: &self.prepared.plan,
             drawn: ink,
             colors: if results.errors {

@@ -10,12 +10,13 @@ use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
 use super::check::check;
-use super::{ContentOptions, Options, OptionsError, Spacing, ToolOptions};
+use super::{ContentOptions, Options, OptionsError, PlaceOptions, Spacing, ToolOptions};
 use crate::card::Card;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::place::{Placement, Size};
+use crate::place::{AREA, Placement, Size};
 use crate::prepare::{Prepared, Settings, prepare, prepare_passes};
+use crate::sheet::SheetPlace;
 
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
 /// arm.
@@ -89,7 +90,7 @@ impl DrawingRequest {
         let needs_fonts = source.as_ref().is_some_and(Source::needs_fonts);
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
-            placement: placement(&options, source.as_ref()),
+            placement: placement(&options, source.as_ref())?,
             tool,
             layers: options.what.layers,
             only: options.what.only.clone(),
@@ -246,9 +247,10 @@ fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError>
     Ok(card.to_passes()?)
 }
 
-fn placement(options: &Options, source: Option<&Source>) -> Placement {
+fn placement(options: &Options, source: Option<&Source>) -> Result<Placement, OptionsError> {
     let fills = source.is_some_and(|it| !it.has_size());
-    Placement {
+    let sheet = sheet(&options.place)?;
+    Ok(Placement {
         size: match (options.place.fit || fills, options.place.scale) {
             (_, Some(factor)) => Size::Scaled(factor),
             (true, None) => Size::Fit,
@@ -256,9 +258,39 @@ fn placement(options: &Options, source: Option<&Source>) -> Placement {
         },
         margin_mm: options.place.margin,
         rotate_deg: options.place.rotate,
-        center: center(options),
+        center: center(options).filter(|_| sheet.is_none()),
+        mirrors: options.place.mirror,
+        copies: options.place.grid.map(|it| (it, options.place.gap)),
+        sheet,
         ..Placement::default()
+    })
+}
+
+/// Where the sheet lies: through the touched points, at its corner or its middle, or as near before the
+/// arm as all of its lower edge can be reached.
+fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
+    let Some(size) = place.paper_size else {
+        return Ok(None);
+    };
+    let size = if place.landscape {
+        size.landscape()
+    } else {
+        size
+    };
+    if let Some(&[ax, ay, _, bx, by, ..]) = place.paper.as_deref() {
+        let [a, b] = [Point::new(ax, ay), Point::new(bx, by)];
+        let touched = SheetPlace::through(size, a, b);
+        return touched.map(Some).ok_or(OptionsError::SamePoint);
     }
+    if let Some(&[x_mm, y_mm]) = place.corner.as_deref() {
+        let corner = Point::new(x_mm, y_mm);
+        return Ok(Some(SheetPlace::from_lower_left(size, corner)));
+    }
+    let middle = match place.at.as_deref() {
+        Some(&[x_mm, y_mm]) => Point::new(x_mm, y_mm),
+        _ => Point::new((AREA.x0 + size.height_mm / 2.0).max(AREA.center().x), 0.0),
+    };
+    Ok(Some(SheetPlace::centered(size, middle)))
 }
 
 fn center(options: &Options) -> Option<Point> {

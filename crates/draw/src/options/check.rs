@@ -37,6 +37,7 @@ pub(super) fn check(
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
         ("--at", &options.place.at, 2),
+        ("--corner", &options.place.corner, 2),
         ("--paper", &options.place.paper, 9),
     ];
     for (option, numbers, allowed) in places {
@@ -70,6 +71,7 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
             "mm/s2",
         ),
         ("--lift", tool.lift, 0.0, 200.0, "mm"),
+        ("--gap", Some(place.gap), 0.0, 1000.0, "mm"),
         ("--offset", Some(place.offset), -100.0, 100.0, "mm"),
         ("--pen-down", place.pen_down, -500.0, 500.0, "mm"),
     ];
@@ -104,10 +106,13 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let by_laser = tool.laser.is_some();
     let tries = way.tries != defaults.way.tries;
     let touched = place.paper.is_some();
+    let cornered = place.corner.is_some();
     let exclusive = [
         ("--text", what.text.is_some(), "--card", what.card.is_some()),
         ("--fit", place.fit, "--scale", place.scale.is_some()),
         ("--pen-down", place.pen_down.is_some(), "--paper", touched),
+        ("--corner", cornered, "--at", place.at.is_some()),
+        ("--corner", cornered, "--paper", touched),
         ("--pen", by_pen, "--laser", by_laser),
         ("--keep-order", way.keep_order, "--tries", tries),
     ];
@@ -116,7 +121,12 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     }
     let turned = what.hatch_angle != defaults.what.hatch_angle;
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
+    let sheet = place.paper_size.is_some();
+    let apart = place.gap != defaults.place.gap;
     let dependent = [
+        ("--landscape", place.landscape, "--paper-size", sheet),
+        ("--corner", cornered, "--paper-size", sheet),
+        ("--gap", apart, "--grid", place.grid.is_some()),
         ("--layer", !what.layer.is_empty(), "--layers", layered),
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
@@ -168,7 +178,7 @@ const DRAWINGS: Purpose = Purpose(
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 17] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 20] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -184,6 +194,9 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 17] {
         ("--layers", what.layers.is_some(), LAYERS),
         ("--no-crop", what.no_crop, FILES),
         ("--fit", place.fit, DRAWINGS),
+        ("--paper-size", place.paper_size.is_some(), DRAWINGS),
+        ("--mirror", place.mirror, DRAWINGS),
+        ("--grid", place.grid.is_some(), DRAWINGS),
         ("--scale", place.scale.is_some(), DRAWINGS),
         ("--rotate", place.rotate != 0.0, DRAWINGS),
         ("--margin", place.margin != 0.0, DRAWINGS),

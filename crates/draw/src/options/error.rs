@@ -89,6 +89,11 @@ pub enum OptionsError {
         /// How many it takes.
         allowed: usize,
     },
+    /// A sheet of which one place was touched twice.
+    #[error(
+        "--paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
+    )]
+    SamePoint,
     /// Paper that does not lie so.
     #[error(transparent)]
     Paper(#[from] PaperError),
@@ -111,6 +116,9 @@ impl OptionsError {
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
                 Some("`--fit` makes it as large as the drawing area allows".into())
             }
+            Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
+                "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit`; `--clip`".into(),
+            ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
                 "`--clip` draws what is within reach; `--fit` without `--at` places it inside; `--pen-down` and `--lift` set the heights".into(),
             ),
