@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use dobot_geometry::{Stroke, Vec2};
+use dobot_geometry::{Stroke, Vec2, bounds};
 use dobot_source::{Artwork, Layer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -49,9 +49,12 @@ impl TryFrom<String> for Grid {
     }
 }
 
-/// A page that holds copies of another, so far apart.
-pub(crate) fn repeated(artwork: Artwork, grid: Grid, gap_mm: f64) -> Artwork {
-    let step = Vec2::new(artwork.width_mm + gap_mm, artwork.height_mm + gap_mm);
+/// A page that holds copies of the ink of another, so far apart.
+pub(crate) fn repeated(mut artwork: Artwork, grid: Grid, gap_mm: f64) -> Artwork {
+    let ink = bounds(artwork.points());
+    let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
+    points.for_each(|p| *p -= ink.origin().to_vec2());
+    let step = Vec2::new(ink.width() + gap_mm, ink.height() + gap_mm);
     let ways: Vec<Vec2> = (0..grid.rows)
         .flat_map(|row| (0..grid.columns).map(move |column| [column, row].map(f64::from)))
         .map(|[column, row]| Vec2::new(column * step.x, row * step.y))
@@ -89,18 +92,22 @@ mod tests {
     #[test]
     fn copies_stand_in_columns_and_rows_a_gap_apart() {
         let layer = Layer {
-            strokes: vec![Stroke::open(vec![Point::new(1.0, 2.0)])],
+            strokes: vec![Stroke::open(vec![
+                Point::new(1.0, 2.0),
+                Point::new(11.0, 22.0),
+            ])],
             ..Layer::default()
         };
         let page = Artwork {
-            width_mm: 10.0,
-            height_mm: 20.0,
+            width_mm: 100.0,
+            height_mm: 200.0,
             layers: vec![layer],
         };
         let all = repeated(page, "2x3".parse().unwrap(), 5.0);
         assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));
-        let places: Vec<_> = all.points().map(|p| (p.x, p.y)).collect();
-        assert_eq!(places[..3], [(1.0, 2.0), (16.0, 2.0), (1.0, 27.0)]);
+        let places = all.layers[0].strokes.iter().map(|it| it.points[0]);
+        let places: Vec<_> = places.map(|p| (p.x, p.y)).collect();
+        assert_eq!(places[..3], [(0.0, 0.0), (15.0, 0.0), (0.0, 25.0)]);
         assert_eq!(places.len(), 6);
         for wrong in ["2", "0x3", "x", "101x1", "2x-1"] {
             assert!(wrong.parse::<Grid>().is_err(), "{wrong}");

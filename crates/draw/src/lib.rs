@@ -35,6 +35,7 @@ mod calibrated;
 mod card;
 mod clip;
 mod copies;
+mod cutting;
 mod estimate;
 mod frame;
 mod hatch;
@@ -56,6 +57,7 @@ mod trace;
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
 pub use copies::Grid;
+pub use cutting::Cutting;
 pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
@@ -63,7 +65,7 @@ pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PathOptions,
+    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
     PlaceOptions, Spacing, Subject, ToolOptions,
 };
 pub use order::{Search, Travel, order};

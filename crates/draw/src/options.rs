@@ -73,6 +73,15 @@ pub struct ContentOptions {
     /// How often the lowest row of the test card is burned (default: 3)
     #[arg(long, value_name = "N")]
     pub card_passes: Option<u32>,
+    /// How wide and high the fields of the test card are, in mm (default: 6)
+    #[arg(long, value_name = "MM")]
+    pub card_size: Option<f64>,
+    /// How far the fields of the test card lie apart, in mm (default: 2)
+    #[arg(long, value_name = "MM")]
+    pub card_gap: Option<f64>,
+    /// What is burned below the test card (default: the name of the material, and the day)
+    #[arg(long, value_name = "TEXT")]
+    pub card_label: Option<String>,
     /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
     /// for itself, and the arm waits for its pen
     #[arg(long, value_name = "BY")]
@@ -103,7 +112,7 @@ pub struct ContentOptions {
     /// How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
     #[arg(long, value_name = "STYLE")]
     pub shade: Option<ShadingStyle>,
-    /// How far the lines or dots of a picture lie apart, in mm on the paper
+    /// How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
     #[arg(long, value_name = "MM")]
     pub spacing: Option<f64>,
     /// Draw the light parts of a picture instead of the dark ones
@@ -121,6 +130,9 @@ impl Default for ContentOptions {
             align: None,
             card: None,
             card_passes: None,
+            card_size: None,
+            card_gap: None,
+            card_label: None,
             layers: None,
             layer: Vec::new(),
             only: Vec::new(),
@@ -293,12 +305,54 @@ pub struct ToolOptions {
     /// Speed between the strokes, in mm/s
     #[arg(long, value_name = "MM/S")]
     pub travel_speed: Option<f64>,
-    /// Burn everything so often
-    #[arg(long, value_name = "N", requires = "laser")]
+    /// Draw or burn everything so often; a pen goes over each line so often before it is lifted
+    #[arg(long, value_name = "N")]
     pub passes: Option<u32>,
+    /// What the laser burns so often before it goes on: a shape, or all of the layer
+    #[arg(long, value_name = "WHAT", default_value = "layer", requires = "laser")]
+    pub passes_by: PassesBy,
+    /// How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
+    /// below 0 the other way round
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub kerf: f64,
+    /// Begin each cut so far beside the shape, in mm
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub lead_in: f64,
+    /// Go on so far behind where a cut began, in mm
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub overcut: f64,
+    /// Leave so many places of each shape uncut, so that it does not fall out
+    #[arg(long, value_name = "N", default_value_t = 0, requires = "laser")]
+    pub tabs: u32,
+    /// How wide these places are, in mm
+    #[arg(long, value_name = "MM", default_value_t = Self::default().tab_width, requires = "tabs")]
+    pub tab_width: f64,
     /// Acceleration, in mm/s²
     #[arg(long, value_name = "MM/S2", default_value_t = Self::default().acceleration)]
     pub acceleration: f64,
+}
+
+/// What a laser burns several times before it goes on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum PassesBy {
+    /// Each shape for itself.
+    Shape,
+    /// All shapes of a layer.
+    #[default]
+    Layer,
+}
+
+impl FromStr for PassesBy {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "shape" => Ok(Self::Shape),
+            "layer" => Ok(Self::Layer),
+            _ => Err("allowed are shape and layer"),
+        }
+    }
 }
 
 impl Default for ToolOptions {
@@ -311,6 +365,12 @@ impl Default for ToolOptions {
             speed: None,
             travel_speed: None,
             passes: None,
+            passes_by: PassesBy::Layer,
+            kerf: 0.0,
+            lead_in: 0.0,
+            overcut: 0.0,
+            tabs: 0,
+            tab_width: 1.0,
             acceleration: Machine::default().acceleration_mm_s2,
         }
     }

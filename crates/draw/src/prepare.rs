@@ -13,6 +13,7 @@ pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
 use crate::calibrated::{shortened, told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
+use crate::cutting::inner_first;
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
@@ -232,7 +233,7 @@ fn passes<E>(
         if strokes.is_empty() {
             continue;
         }
-        let strokes = ordered(strokes, here, tool, settings);
+        let strokes = finished(strokes, here, tool, settings, warnings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
         passes.push(Pass {
@@ -334,14 +335,71 @@ fn cut_off(clipped: &Clipped, what: &str) -> Option<Warning> {
     })
 }
 
-/// The strokes, those that meet joined, in a good order, for a tool that comes from `here`.
+/// The strokes as they are drawn, for a tool that comes from `here`: those that meet joined, in a good
+/// order, of a laser as it cuts them, of a pen as often as it goes over them.
+fn finished(
+    strokes: Vec<Stroke>,
+    here: Point,
+    tool: DrawingTool,
+    settings: &Settings,
+    warnings: &mut Vec<Warning>,
+) -> Vec<Stroke> {
+    let strokes = merge(strokes, settings.tolerance_mm);
+    let DrawingTool::Laser(laser) = tool else {
+        let strokes = ordered(strokes, here, tool, settings);
+        return strokes
+            .into_iter()
+            .map(|it| gone_over(it, settings.pen_passes))
+            .collect();
+    };
+    let (strokes, gone) = settings.cutting.offset(strokes, settings.flatten_mm());
+    let groups = if laser.cuts && settings.tries.is_some() {
+        inner_first(strokes)
+    } else {
+        vec![strokes]
+    };
+    let (mut all, mut here) = (Vec::new(), here);
+    for group in groups {
+        all.append(&mut ordered(group, here, tool, settings));
+        here = all.last().and_then(Stroke::last).unwrap_or(here);
+    }
+    let (all, small) = settings.cutting.finished(all);
+    let told = [
+        (gone, "hole narrower than the beam", "left out"),
+        (small, "shape too small for its tabs", "cut all around"),
+    ];
+    let told = told.into_iter().filter(|it| it.0 > 0);
+    warnings.extend(told.map(|(count, what, instead)| Warning {
+        place: None,
+        what: what.to_owned(),
+        instead: instead.to_owned(),
+        count,
+    }));
+    all
+}
+
+/// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back
+/// and forth.
+fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
+    let once = stroke.points.clone();
+    let is_loop = once.len() > 2 && once.first() == once.last();
+    for time in 1..times {
+        let mut again = once.clone();
+        if !is_loop && time % 2 == 1 {
+            again.reverse();
+        }
+        stroke.points.extend(again.into_iter().skip(1));
+    }
+    stroke
+}
+
+/// The strokes in a good order, for a tool that comes from `here`.
 fn ordered(
     strokes: Vec<Stroke>,
     here: Point,
     tool: DrawingTool,
     settings: &Settings,
 ) -> Vec<Stroke> {
-    let strokes = merge(strokes, settings.tolerance_mm);
     match settings.search(tool) {
         Some(search) => order(strokes, here, &search),
         None => strokes,
@@ -382,7 +440,7 @@ mod tests {
     use super::*;
     use crate::place::Size;
     use dobot_geometry::deviation;
-    use dobot_plan::MoveKind;
+    use dobot_plan::{Laser, MoveKind};
 
     const EXAMPLES: [&str; 3] = [
         include_str!("../../../examples/drawings/harbour.svg"),
@@ -463,6 +521,53 @@ mod tests {
         let corners: usize = prepared.wanted().iter().map(|it| it.points.len()).sum();
         // Of a circle of some 75 mm radius, 5 micrometres from it: 272 each.
         assert!((60 * 200..60 * 350).contains(&corners), "{corners}");
+    }
+
+    #[test]
+    fn a_material_that_is_cut_through_is_cut_inside_first() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
+            <g fill="none" stroke="red"><rect x="10" y="10" width="100" height="60"/><circle cx="30" cy="30" r="8"/>
+            <circle cx="80" cy="40" r="12"/><rect x="45" y="20" width="15" height="15"/></g></svg>"#;
+        let laser = |cuts| {
+            DrawingTool::Laser(Laser {
+                cuts,
+                ..Laser::default()
+            })
+        };
+        let lengths = |cuts| {
+            let settings = Settings {
+                tool: laser(cuts),
+                ..Settings::default()
+            };
+            let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
+            wanted
+                .iter()
+                .map(|it| it.length_mm().round())
+                .collect::<Vec<f64>>()
+        };
+        assert_eq!(lengths(true).last(), Some(&320.0));
+        // An engraving may go the shortest way.
+        assert_ne!(lengths(false).last(), Some(&320.0));
+    }
+
+    #[test]
+    fn a_pen_goes_over_each_line_as_often_as_asked_for() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+            <g fill="none" stroke="red"><path d="M5 5H25"/><rect x="5" y="20" width="10" height="10"/></g></svg>"#;
+        let settings = Settings {
+            pen_passes: 3,
+            ..Settings::default()
+        };
+        let summary = prepare(&svg.into(), &settings, anywhere)
+            .unwrap()
+            .plan
+            .summary();
+        assert_eq!(summary.strokes, 2);
+        assert!(
+            (summary.drawn_mm - 180.0).abs() < 0.01,
+            "{}",
+            summary.drawn_mm
+        );
     }
 
     #[test]

@@ -59,6 +59,9 @@ impl<'a> Planner<'a> {
         let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
         match &pass.tool {
             DrawingTool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
+            DrawingTool::Laser(laser) if laser.by_stroke => strokes
+                .flat_map(|it| (0..laser.times).map(move |_| it))
+                .for_each(|stroke| self.burn(stroke, laser)),
             DrawingTool::Laser(laser) => (0..laser.times)
                 .flat_map(|_| strokes.clone())
                 .for_each(|stroke| self.burn(stroke, laser)),

@@ -10,8 +10,9 @@ use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
 use super::check::check;
-use super::{ContentOptions, Options, OptionsError, PlaceOptions, Spacing, ToolOptions};
+use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::card::Card;
+use crate::cutting::Cutting;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::place::{AREA, Placement, Size};
@@ -99,6 +100,14 @@ impl DrawingRequest {
             shading: shading(&options),
             crops: !options.what.no_crop,
             clips: options.place.clip,
+            pen_passes: options.tool.passes.unwrap_or(1),
+            cutting: Cutting {
+                kerf_mm: options.tool.kerf,
+                lead_in_mm: options.tool.lead_in,
+                overcut_mm: options.tool.overcut,
+                tabs: options.tool.tabs,
+                tab_mm: options.tool.tab_width,
+            },
             tries: (!options.way.keep_order).then_some(options.way.tries),
             seed: options.way.seed,
             from: options.way.from.clone(),
@@ -211,9 +220,11 @@ fn with_options(tool: DrawingTool, options: &ToolOptions) -> Result<DrawingTool,
             ..pen
         })),
         (DrawingTool::Laser(laser), Some(_)) => Ok(DrawingTool::Laser(Laser {
+            by_stroke: options.passes_by == PassesBy::Shape,
             burn_speed_mm_s: options.speed.unwrap_or(laser.burn_speed_mm_s),
             travel_speed_mm_s: options.travel_speed.unwrap_or(laser.travel_speed_mm_s),
             times: options.passes.unwrap_or(laser.times),
+            ..laser
         })),
         (DrawingTool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
         (DrawingTool::Laser(_), None) => {
@@ -237,12 +248,18 @@ fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError>
     let DrawingTool::Laser(laser) = tool else {
         return Err(OptionsError::CardByPen);
     };
+    let (what, default) = (&options.what, Card::default());
+    let name = options.tool.laser.clone();
     let card = Card {
-        speeds_mm_s: options.what.card.clone().unwrap_or_default(),
-        most_passes: options.what.card_passes.unwrap_or(3),
+        speeds_mm_s: what.card.clone().unwrap_or_default(),
+        most_passes: what.card_passes.unwrap_or(default.most_passes),
         travel_speed_mm_s: laser.travel_speed_mm_s,
-        center: center(options).unwrap_or_else(|| Card::default().center),
-        ..Card::default()
+        cell_mm: what.card_size.unwrap_or(default.cell_mm),
+        gap_mm: what.card_gap.unwrap_or(default.gap_mm),
+        spacing_mm: what.spacing.unwrap_or(default.spacing_mm),
+        caption: what.card_label.clone().or(name).unwrap_or_default(),
+        center: center(options).unwrap_or(default.center),
+        ..default
     };
     Ok(card.to_passes()?)
 }

@@ -72,6 +72,12 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
         ),
         ("--lift", tool.lift, 0.0, 200.0, "mm"),
         ("--gap", Some(place.gap), 0.0, 1000.0, "mm"),
+        ("--passes", tool.passes.map(f64::from), 1.0, 100.0, "times"),
+        ("--kerf", Some(tool.kerf), -5.0, 5.0, "mm"),
+        ("--lead-in", Some(tool.lead_in), 0.0, 20.0, "mm"),
+        ("--overcut", Some(tool.overcut), 0.0, 20.0, "mm"),
+        ("--tabs", Some(tool.tabs.into()), 0.0, 100.0, "tabs"),
+        ("--tab-width", Some(tool.tab_width), 0.1, 20.0, "mm"),
         ("--offset", Some(place.offset), -100.0, 100.0, "mm"),
         ("--pen-down", place.pen_down, -500.0, 500.0, "mm"),
     ];
@@ -131,7 +137,22 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
         ("--cross", what.cross, "--hatch", hatched),
-        ("--passes", tool.passes.is_some(), "--laser", by_laser),
+        (
+            "--passes-by",
+            tool.passes_by != defaults.tool.passes_by,
+            "--laser",
+            by_laser,
+        ),
+        ("--kerf", tool.kerf != 0.0, "--laser", by_laser),
+        ("--lead-in", tool.lead_in != 0.0, "--laser", by_laser),
+        ("--overcut", tool.overcut != 0.0, "--laser", by_laser),
+        ("--tabs", tool.tabs != 0, "--laser", by_laser),
+        (
+            "--tab-width",
+            tool.tab_width != defaults.tool.tab_width,
+            "--tabs",
+            tool.tabs != 0,
+        ),
     ];
     match dependent.into_iter().find(|it| it.1 && !it.3) {
         Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
@@ -164,6 +185,10 @@ impl SourceKind {
 struct Purpose(&'static [SourceKind], &'static str);
 
 const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "PNG and JPEG pictures");
+const LINED: Purpose = Purpose(
+    &[SourceKind::Picture, SourceKind::Card],
+    "pictures and the test card",
+);
 const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
 const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
 const AREAS: Purpose = Purpose(
@@ -178,18 +203,21 @@ const DRAWINGS: Purpose = Purpose(
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 20] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
     let Options {
         what, place, tool, ..
     } = options;
     [
         ("--shade", what.shade.is_some(), PICTURES),
-        ("--spacing", what.spacing.is_some(), PICTURES),
+        ("--spacing", what.spacing.is_some(), LINED),
         ("--invert", what.invert, PICTURES),
         ("--font", what.font.is_some(), TEXTS),
         ("--height", what.height.is_some(), TEXTS),
         ("--align", what.align.is_some(), TEXTS),
         ("--card-passes", what.card_passes.is_some(), CARDS),
+        ("--card-size", what.card_size.is_some(), CARDS),
+        ("--card-gap", what.card_gap.is_some(), CARDS),
+        ("--card-label", what.card_label.is_some(), CARDS),
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
         ("--no-crop", what.no_crop, FILES),
@@ -203,6 +231,9 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 20] {
         ("--clip", place.clip, DRAWINGS),
         ("--speed", tool.speed.is_some(), DRAWINGS),
         ("--passes", tool.passes.is_some(), DRAWINGS),
+        ("--kerf", tool.kerf != 0.0, DRAWINGS),
+        ("--lead-in", tool.lead_in != 0.0, DRAWINGS),
+        ("--tabs", tool.tabs != 0, DRAWINGS),
     ]
 }
 

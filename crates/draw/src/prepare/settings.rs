@@ -9,6 +9,7 @@ use dobot_source::fontdb;
 use dobot_source::{LayersBy, Shading};
 
 use super::PrepareError;
+use crate::cutting::Cutting;
 use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
@@ -41,6 +42,10 @@ pub struct Settings {
     pub crops: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
+    /// How often a pen goes over each line, from 1 up.
+    pub pen_passes: u32,
+    /// How a laser cuts shapes out.
+    pub cutting: Cutting,
     /// How filled areas become lines; they stay empty if not given.
     pub hatch: Option<Hatch>,
     /// How a picture's tones become lines.
@@ -103,6 +108,8 @@ impl Default for Settings {
             tools: Vec::new(),
             crops: true,
             clips: false,
+            pen_passes: 1,
+            cutting: Cutting::default(),
             hatch: None,
             shading: Shading::default(),
             tries: Some(TRIES),

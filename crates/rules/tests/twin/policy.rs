@@ -45,7 +45,7 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
             DrawingTool::Laser(Laser {
                 burn_speed_mm_s: burn,
                 travel_speed_mm_s: travel,
-                times: 1,
+                ..Laser::default()
             })
         }),
     ]
