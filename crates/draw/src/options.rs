@@ -109,7 +109,7 @@ pub struct ContentOptions {
     /// Hatch crosswise
     #[arg(long, requires = "hatch")]
     pub cross: bool,
-    /// How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
+    /// How a picture becomes ink: outline, lines, stipple or hatch
     #[arg(long, value_name = "STYLE")]
     pub shade: Option<ShadingStyle>,
     /// How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper

@@ -67,7 +67,9 @@ impl LaserPath {
         path.push(off);
         let (off_to, mut on_to) = split(&path, lead.on_mm);
         let on = off_to.last().copied().unwrap_or(first);
-        let near = on_to.iter().take_while(|it| it.distance(on) < DOT_MM);
+        let near = on_to
+            .iter()
+            .take_while(|it| it.distance(on) < LEAST_BURN_MM);
         let near = near.count().min(on_to.len().saturating_sub(1));
         on_to.drain(..near);
         let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
@@ -84,20 +86,24 @@ impl LaserPath {
     }
 }
 
-/// The corners of a stroke as a laser can burn them: two or more, none nearer to the next than its spot
-/// is wide. The link takes as long for a vector within the spot as for any other, and burns a hole. What is
-/// shorter is a line as long as the spot, from its beginning on.
+/// The corners of a stroke as a laser can burn them: two or more, none nearer to the next than half of its
+/// spot. The link takes as long for a shorter vector as for any other, and burns a hole. What is shorter than
+/// the spot is a line as long as that, from its beginning on.
 pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
     let first = stroke.points[0];
     let mut points = vec![first];
     for &p in &stroke.points[1..] {
-        if p.distance(points[points.len() - 1]) >= DOT_MM {
+        if p.distance(points[points.len() - 1]) >= LEAST_BURN_MM {
             points.push(p);
         }
     }
     let last = stroke.points[stroke.points.len() - 1];
+    let is_dot = stroke.length_mm() < DOT_MM;
+    if is_dot {
+        points.truncate(1);
+    }
     if let [.., before, end] = points.as_mut_slice() {
-        if last.distance(*before) >= DOT_MM {
+        if last.distance(*before) >= LEAST_BURN_MM {
             *end = last;
         }
     } else {
@@ -146,6 +152,8 @@ fn unit(way: Vec2) -> Option<Vec2> {
 
 /// A laser burns a dot as a line, as long as its spot is wide.
 const DOT_MM: f64 = 0.2;
+/// No vector of a longer stroke is shorter: the link would have the laser burn a hole there.
+const LEAST_BURN_MM: f64 = 0.16;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

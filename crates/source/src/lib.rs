@@ -26,6 +26,7 @@ mod kind;
 mod limits;
 mod number;
 mod options;
+mod packed;
 mod picture;
 mod place;
 mod points;
