@@ -129,11 +129,17 @@ impl SheetPlace {
         self.corner + self.right * on_sheet.x + down(self.right) * on_sheet.y
     }
 
+    /// From the base frame to the sheet.
+    #[must_use]
+    pub fn on_sheet(&self, place: Point) -> Point {
+        let way = place - self.corner;
+        Point::new(way.dot(self.right), way.dot(down(self.right)))
+    }
+
     /// How far a place of the base frame lies beyond the edge, in mm; below 0 on the sheet.
     #[must_use]
     pub fn beyond_mm(&self, place: Point) -> f64 {
-        let way = place - self.corner;
-        let [x, y] = [way.dot(self.right), way.dot(down(self.right))];
+        let Point { x, y } = self.on_sheet(place);
         let PaperSize {
             width_mm,
             height_mm,

@@ -10,9 +10,10 @@ mod report;
 
 use std::path::Path;
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use dobot_draw::{
-    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
+    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, export, frame,
+    ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::StationClient;
@@ -20,6 +21,7 @@ use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;
+use self::args::export_format;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::input::asked;
 pub(crate) use self::input::materials;
@@ -31,7 +33,8 @@ use crate::failure::Failure;
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let files = [&args.result.picture, &args.result.timeline];
+    let results = &args.result;
+    let files = [&results.picture, &results.timeline, &results.export];
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
@@ -184,6 +187,14 @@ impl<'a> Drawing<'a> {
         let results = &self.args.result;
         let estimate = carried.map(|it| &it.estimate);
         let report = Report::new(&self.prepared, estimate, drawn, times);
+        if let Some(file) = &results.export {
+            let format = export_format(file).map_err(|error| anyhow!(error))?;
+            let sheet = self.settings.placement.sheet.as_ref();
+            write(
+                file,
+                export(&self.prepared.passes, sheet, format).as_bytes(),
+            )?;
+        }
         if let Some(file) = &results.picture {
             let ink = drawn.map_or(&[][..], |it| &it.ink);
             write(file, &self.picture(file, ink, &report)?)?;
@@ -232,6 +243,7 @@ fn print(args: &Args, report: &Report) -> Result<(), Failure> {
     let files = [
         ("picture", &args.result.picture),
         ("timeline", &args.result.timeline),
+        ("export", &args.result.export),
     ];
     for (what, file) in files {
         if let Some(file) = file {

@@ -1,9 +1,9 @@
 //! The options of `dobot draw`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dobot_draw::Options;
+use dobot_draw::{ExportFormat, Options};
 
 use crate::connect::To;
 use crate::verbs::jog::laser_seconds;
@@ -76,6 +76,9 @@ pub(crate) struct Results {
     /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = picture_file)]
     pub(crate) picture: Option<PathBuf>,
+    /// Write the strokes in their order for other programs, in a file that ends in .svg, .gcode, .plt or .json
+    #[arg(long, value_name = "FILE", value_parser = export_file, conflicts_with = "calibration")]
+    pub(crate) export: Option<PathBuf>,
     /// Colour the drawn path in the picture by how far it is from the wanted one
     #[arg(long, requires = "picture")]
     pub(crate) errors: bool,
@@ -88,6 +91,18 @@ pub(crate) struct Results {
     /// Print the report as JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+fn export_file(text: &str) -> Result<PathBuf, String> {
+    let file = PathBuf::from(text);
+    export_format(&file)?;
+    Ok(file)
+}
+
+/// The kind of file that its name asks for.
+pub(crate) fn export_format(file: &Path) -> Result<ExportFormat, &'static str> {
+    let ending = file.extension().and_then(|it| it.to_str());
+    ending.unwrap_or_default().parse()
 }
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {
