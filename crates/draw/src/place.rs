@@ -129,37 +129,45 @@ impl Placement {
     /// Where the middle goes: that of the area, or for what is larger the middle of where the arm
     /// reaches all of it.
     fn middle(&self, ink: Rect, scale: f64) -> Point {
-        let middle = self.center.unwrap_or(self.area.center());
-        let size = ink.size() * scale;
-        let is_larger = size.width > self.area.height() || size.height > self.area.width();
-        let (Some([near, far]), None, true) = (self.reach, self.center, is_larger) else {
-            return middle;
-        };
-        let margin_mm = 2.0 * self.margin_mm;
-        let half = (size.width + margin_mm) / 2.0;
-        let last = (far * far - half * half).max(0.0).sqrt();
-        Point::new(f64::midpoint(near, last), 0.0)
+        let size = ink.size().to_vec2() * scale;
+        let is_larger = size.x > self.area.height() || size.y > self.area.width();
+        let reached = self.reached(size).filter(|_| is_larger);
+        self.center.or(reached).unwrap_or(self.area.center())
     }
 
-    /// The largest scale at which all of it, margins included, lies between near and far.
+    /// The middle of where the arm reaches all of something so large, margins included. Its base may not turn
+    /// by more than a quarter of a circle, for the servo keeps the tool's direction.
     ///
     /// ```text
     ///        far       .-----.
-    ///                *---------*        (near + depth)2 + (width / 2)2 = far2
-    ///        near    '---   ---'
+    ///                *---------*        (begin + depth)2 + (width / 2)2 = far2
+    ///        near    '---   ---'        begin >= near, begin >= width / 2
     ///                    `-'
     /// ```
+    fn reached(&self, size: Vec2) -> Option<Point> {
+        let [near, far] = self.reach?;
+        let margin_mm = 2.0 * self.margin_mm;
+        let (half, deep) = ((size.x + margin_mm) / 2.0, size.y + margin_mm);
+        let first = near.max(half * QUARTER);
+        let last = (far * far - half * half).max(0.0).sqrt() - deep;
+        (first <= last).then(|| Point::new(f64::midpoint(first, last) + deep / 2.0, 0.0))
+    }
+
+    /// The largest scale at which the arm reaches all of it.
     fn reaching(&self, ink: Rect) -> f64 {
-        let Some([near, far]) = self.reach else {
+        let longer = ink.width().max(ink.height());
+        let Some([_, far]) = self.reach.filter(|_| longer > 0.0) else {
             return 0.0;
         };
-        let margin_mm = 2.0 * self.margin_mm;
-        let (half, deep) = (ink.width() / 2.0, ink.height());
-        let (half_margin, near) = (margin_mm / 2.0, near + margin_mm);
-        let a = half * half + deep * deep;
-        let b = half * half_margin + deep * near;
-        let c = half_margin * half_margin + near * near - far * far;
-        ((b * b - a * c).max(0.0).sqrt() - b) / a
+        let (mut fits, mut too_large) = (0.0, 2.0 * far / longer);
+        for _ in 0..HALVINGS {
+            let scale = f64::midpoint(fits, too_large);
+            match self.reached(ink.size().to_vec2() * scale) {
+                Some(_) => fits = scale,
+                None => too_large = scale,
+            }
+        }
+        fits
     }
 
     /// Where the drawing's right points on the page, where y points down.
@@ -341,6 +349,9 @@ pub fn check_reach<E: fmt::Display>(
 }
 
 const STEP_MM: f64 = 2.0;
+/// A little more than a quarter: places are rounded.
+const QUARTER: f64 = 1.01;
+const HALVINGS: u32 = 60;
 /// Ink that is so near to the edge of its page fills it.
 const SAME_MM: f64 = 0.01;
 /// How much larger than the sheet a page may be for its true size.

@@ -37,6 +37,8 @@ pub struct Prepared {
     pub scale: f64,
     /// What the pen does not show.
     pub warnings: Vec<Warning>,
+    /// How near and how far from its axis the arm reaches the paper, in mm, where it was asked.
+    pub reach_mm: Option<[f64; 2]>,
 }
 
 impl Prepared {
@@ -70,6 +72,7 @@ pub fn prepare<E: fmt::Display>(
     Ok(Prepared {
         scale,
         warnings,
+        reach_mm: settings.placement.reach,
         ..prepared
     })
 }
@@ -106,6 +109,7 @@ fn plan_passes<E: fmt::Display>(
         plan,
         scale: 1.0,
         warnings: Vec::new(),
+        reach_mm: None,
     })
 }
 

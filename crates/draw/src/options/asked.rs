@@ -283,6 +283,9 @@ fn placement(options: &Options, source: Option<&Source>) -> Result<Placement, Op
     })
 }
 
+/// How near before the arm the lower edge of a sheet lies.
+const NEAREST_MM: f64 = 140.0;
+
 /// Where the sheet lies: through the touched points, at its corner or its middle, or as near before the
 /// arm as all of its lower edge can be reached.
 fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
@@ -305,7 +308,10 @@ fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
     }
     let middle = match place.at.as_deref() {
         Some(&[x_mm, y_mm]) => Point::new(x_mm, y_mm),
-        _ => Point::new((AREA.x0 + size.height_mm / 2.0).max(AREA.center().x), 0.0),
+        _ => Point::new(
+            (NEAREST_MM + size.height_mm / 2.0).max(AREA.center().x),
+            0.0,
+        ),
     };
     Ok(Some(SheetPlace::centered(size, middle)))
 }
