@@ -102,30 +102,35 @@ impl std::fmt::Display for Thousandths {
 }
 
 fn svg(passes: &[Pass], page: &Page<'_>) -> String {
-    let [w, h] = [page.width_mm, page.height_mm].map(Thousandths);
+    let [width, height] = [page.width_mm, page.height_mm].map(Thousandths);
     let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" fill=\"none\" stroke-width=\"0.3\" stroke-linecap=\"round\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" fill=\"none\" stroke-width=\"0.3\" stroke-linecap=\"round\">\n"
     );
     for (number, pass) in (1..).zip(passes) {
-        let [r, g, b] = pass.color.unwrap_or_default();
-        let name = escaped(&pass.name);
-        text += &format!(
-            "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"#{r:02x}{g:02x}{b:02x}\">\n"
+        let (name, color) = (escaped(&pass.name), color(pass.color.unwrap_or_default()));
+        let _ = writeln!(
+            text,
+            "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{color}\">"
         );
         for stroke in &pass.strokes {
-            text += "<path d=\"";
-            for (i, &p) in stroke.points.iter().enumerate() {
-                let [x, y] = page.place(p);
-                let letter = ["M", "L"][usize::from(i > 0)];
-                let _ = write!(text, "{letter}{x} {y}");
-            }
-            // A dot is a line without length.
-            text += if stroke.points.len() == 1 { "h0" } else { "" };
-            text += "\"/>\n";
+            let _ = writeln!(text, "<path d=\"{}\"/>", path(stroke, page));
         }
         text += "</g>\n";
     }
     text + "</svg>\n"
+}
+
+/// A dot is a line without length.
+fn path(stroke: &Stroke, page: &Page<'_>) -> String {
+    let places = stroke.points.iter().map(|&p| page.place(p));
+    let corners = places.map(|[x, y]| format!("{x} {y}"));
+    let corners: Vec<String> = corners.collect();
+    let end = if corners.len() == 1 { "h0" } else { "" };
+    format!("M{}{end}", corners.join("L"))
+}
+
+fn color([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 fn escaped(text: &str) -> String {
@@ -193,9 +198,8 @@ fn json(passes: &[Pass], page: &Page<'_>) -> String {
     let mut strokes = Vec::new();
     for pass in passes {
         let name = serde_json::Value::from(pass.name.as_str());
-        let color = pass.color.map_or_else(String::new, |[r, g, b]| {
-            format!("\"color\":\"#{r:02x}{g:02x}{b:02x}\",")
-        });
+        let color = pass.color.map(|it| format!("\"color\":\"{}\",", color(it)));
+        let color = color.unwrap_or_default();
         for stroke in &pass.strokes {
             let points = stroke.points.iter().map(|&p| {
                 let [x, y] = page.place(p);

@@ -203,10 +203,14 @@ impl FromStr for Spacing {
 
 /// Where it goes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is an option of its own"
+)]
 #[command(next_help_heading = "Where on the paper")]
 #[serde(default, deny_unknown_fields)]
 pub struct PlaceOptions {
-    /// The sheet that it goes on: a3, a4, a5, a6, letter, legal, or WIDTHxHEIGHT in mm; the page of the file
+    /// The sheet that it goes on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
     /// keeps its upper left corner
     #[arg(long, value_name = "SIZE")]
     pub paper_size: Option<PaperSize>,

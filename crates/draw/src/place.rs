@@ -147,7 +147,7 @@ impl Placement {
     fn reached(&self, size: Vec2) -> Option<Point> {
         let [near, far] = self.reach?;
         let margin_mm = 2.0 * self.margin_mm;
-        let (half, deep) = ((size.x + margin_mm) / 2.0, size.y + margin_mm);
+        let (half, deep) = (f64::midpoint(size.x, margin_mm), size.y + margin_mm);
         let first = near.max(half * QUARTER);
         let last = (far * far - half * half).max(0.0).sqrt() - deep;
         (first <= last).then(|| Point::new(f64::midpoint(first, last) + deep / 2.0, 0.0))

@@ -10,13 +10,12 @@ use crate::sheet::SheetPlace;
 /// The ring that the arm reaches, its base, and the drawing area or the sheet.
 pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace>, unit: f64) {
     sheet.reach(REACH_MM, [-2.2, 4.2], unit);
-    match place {
-        Some(place) => drawn_on(sheet, place),
-        None => {
-            let area = area_on_picture(area);
-            let look = ShapeStyle::area(desk::PAPER).edged("#9fb3c2", 0.25);
-            sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
-        }
+    if let Some(place) = place {
+        drawn_on(sheet, place);
+    } else {
+        let area = area_on_picture(area);
+        let look = ShapeStyle::area(desk::PAPER).edged("#9fb3c2", 0.25);
+        sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
     }
     for (radius, color) in [(38.0, "#dfe6ea"), (22.0, "#f3f6f7")] {
         let look = ShapeStyle::area(color).edged("#7d8f9b", 0.5);

@@ -72,8 +72,7 @@ impl PatternLine {
         };
         #[expect(clippy::cast_precision_loss, reason = "a handful")]
         let count = (last - first + 1.0) * per_line * self.dashes.len().max(1) as f64;
-        // What is no number passes no comparison.
-        if !(count < MOST_DASHES) {
+        if count.is_nan() || count >= MOST_DASHES {
             return None;
         }
         let mut dashes = Vec::new();
@@ -127,13 +126,11 @@ impl EntityRenderer<'_, '_> {
         let around = bounds(area.rings.iter().flatten().copied());
         let mut all = Vec::new();
         for line in lines {
-            match line.dashes_in(frame, around) {
-                Some(mut dashes) => all.append(&mut dashes),
-                None => {
-                    self.left_out(it, "its pattern left out, for its lines are too many");
-                    return self.sketch.area(area);
-                }
-            }
+            let Some(mut dashes) = line.dashes_in(frame, around) else {
+                self.left_out(it, "its pattern left out, for its lines are too many");
+                return self.sketch.area(area);
+            };
+            all.append(&mut dashes);
         }
         self.sketch.lines_within(&area, all.into_iter())
     }

@@ -195,7 +195,7 @@ impl SvgPage {
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
         }
-        Ok(shown.filter(|it| *it != whole).map(|it| outlines_of(it)))
+        Ok(shown.filter(|it| *it != whole).map(outlines_of))
     }
 }
 
