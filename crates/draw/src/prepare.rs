@@ -502,15 +502,9 @@ mod tests {
     #[test]
     fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
         // Arcs of 100 m whose corners at 5 micrometres would be 70,000, sixty times over.
-        let arcs: String = (0..60)
-            .map(|i| {
-                let pairs = format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359");
-                pairs
-                    .split(' ')
-                    .map(|it| format!("{it}\n"))
-                    .collect::<String>()
-            })
-            .collect();
+        let arcs = (0..60).map(|i| format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359 "));
+        let arcs: Vec<String> = arcs.collect();
+        let arcs = arcs.concat().replace(' ', "\n");
         let dxf = format!(
             "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n\
              0\nSECTION\n2\nENTITIES\n{arcs}0\nENDSEC\n0\nEOF\n"

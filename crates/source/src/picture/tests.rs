@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use dobot_geometry::{Point, Stroke, bounds, bounds_of_strokes, steps};
+use image::ImageFormat::{Bmp, Gif, Tiff, WebP};
 use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder};
 use png::{BitDepth, ColorType};
 use proptest::prelude::*;
@@ -419,7 +420,6 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
     drop(writer);
     let wanted = read(&encoded, &options).unwrap().0;
     assert!(!wanted.layers[0].strokes.is_empty());
-    use image::ImageFormat::{Bmp, Gif, Tiff, WebP};
     for format in [Bmp, Gif, Tiff, WebP] {
         let bytes = file(format);
         assert!(matches!(

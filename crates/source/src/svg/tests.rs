@@ -239,7 +239,7 @@ fn what_a_pen_cannot_show_is_counted() {
         <image href="cat.png" width="5" height="5"/>
         <image href="data:image/png;base64,AAAA" width="5" height="5"/>"#,
     );
-    let texts: Vec<String> = warnings.iter().map(|it| it.to_string()).collect();
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         texts,
         [

@@ -72,14 +72,14 @@ fn every_copy_of_a_block_has_its_attributes() {
         .collect();
     assert_eq!([dots.len(), letters.len()], [6, 6]);
     // Each letter lies as far from its dot as the first from its own.
-    let ways: Vec<[i64; 2]> = dots
+    let ways: Vec<[f64; 2]> = dots
         .iter()
         .map(|dot| {
             let nearest = letters
                 .iter()
                 .min_by(|a, b| a.distance(*dot).total_cmp(&b.distance(*dot)));
             let way = *nearest.unwrap() - *dot;
-            [way.x, way.y].map(|mm| (mm * 1e3).round() as i64)
+            [way.x, way.y].map(|mm| (mm * 1e3).round())
         })
         .collect();
     assert!(ways.iter().all(|it| *it == ways[0]), "{ways:?}");
