@@ -36,6 +36,7 @@ mod card;
 mod clip;
 mod copies;
 mod cutting;
+mod doubles;
 mod estimate;
 mod export;
 mod frame;

@@ -388,6 +388,12 @@ pub struct PathOptions {
     /// How far the drawn path may leave the wanted one, in mm
     #[arg(long, value_name = "MM", default_value_t = Self::default().tolerance)]
     pub tolerance: f64,
+    /// Join strokes whose ends lie so near to each other, in mm (default: the tolerance)
+    #[arg(long, value_name = "MM")]
+    pub join: Option<f64>,
+    /// Leave out lines that lie on others from end to end
+    #[arg(long)]
+    pub drop_doubles: bool,
     /// Draw in the order of the file
     #[arg(long)]
     pub keep_order: bool,
@@ -413,6 +419,8 @@ impl Default for PathOptions {
         let settings = Settings::default();
         Self {
             tolerance: settings.tolerance_mm,
+            join: None,
+            drop_doubles: false,
             keep_order: false,
             tries: TRIES,
             seed: settings.seed,

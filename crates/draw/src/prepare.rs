@@ -14,6 +14,7 @@ pub(crate) use self::settings::TRIES;
 use crate::calibrated::{shortened, told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::inner_first;
+use crate::doubles::without_doubles;
 use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
@@ -348,7 +349,13 @@ fn finished(
     settings: &Settings,
     warnings: &mut Vec<Warning>,
 ) -> Vec<Stroke> {
-    let strokes = merge(strokes, settings.tolerance_mm);
+    let (strokes, doubles) = if settings.drops_doubles {
+        without_doubles(strokes, settings.tolerance_mm)
+    } else {
+        (strokes, 0)
+    };
+    warnings.extend(counted(doubles, "double line", "drawn once"));
+    let strokes = merge(strokes, settings.join_mm.unwrap_or(settings.tolerance_mm));
     let DrawingTool::Laser(laser) = tool else {
         let strokes = ordered(strokes, here, tool, settings);
         return strokes
@@ -368,18 +375,22 @@ fn finished(
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
     let (all, small) = settings.cutting.finished(all);
-    let told = [
-        (gone, "hole narrower than the beam", "left out"),
-        (small, "shape too small for its tabs", "cut all around"),
-    ];
-    let told = told.into_iter().filter(|it| it.0 > 0);
-    warnings.extend(told.map(|(count, what, instead)| Warning {
+    warnings.extend(counted(gone, "hole narrower than the beam", "left out"));
+    warnings.extend(counted(
+        small,
+        "shape without room for its tabs",
+        "cut all around",
+    ));
+    all
+}
+
+fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {
+    (count > 0).then(|| Warning {
         place: None,
         what: what.to_owned(),
         instead: instead.to_owned(),
         count,
-    }));
-    all
+    })
 }
 
 /// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back

@@ -100,6 +100,8 @@ impl DrawingRequest {
             shading: shading(&options),
             crops: !options.what.no_crop,
             clips: options.place.clip,
+            join_mm: options.way.join,
+            drops_doubles: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),
             cutting: Cutting {
                 kerf_mm: options.tool.kerf,

@@ -59,7 +59,9 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
 
 /// Numbers that no arm and no paper has.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
-    let Options { place, tool, .. } = options;
+    let Options {
+        place, tool, way, ..
+    } = options;
     let numbers = [
         ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
         ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
@@ -71,6 +73,7 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
             "mm/s2",
         ),
         ("--lift", tool.lift, 0.0, 200.0, "mm"),
+        ("--join", way.join, 0.0, 20.0, "mm"),
         ("--gap", Some(place.gap), 0.0, 1000.0, "mm"),
         ("--passes", tool.passes.map(f64::from), 1.0, 100.0, "times"),
         ("--kerf", Some(tool.kerf), -5.0, 5.0, "mm"),

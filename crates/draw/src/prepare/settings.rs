@@ -42,6 +42,10 @@ pub struct Settings {
     pub crops: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
+    /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
+    pub join_mm: Option<f64>,
+    /// Whether lines that lie on others are left out.
+    pub drops_doubles: bool,
     /// How often a pen goes over each line, from 1 up.
     pub pen_passes: u32,
     /// How a laser cuts shapes out.
@@ -108,6 +112,8 @@ impl Default for Settings {
             tools: Vec::new(),
             crops: true,
             clips: false,
+            join_mm: None,
+            drops_doubles: false,
             pen_passes: 1,
             cutting: Cutting::default(),
             hatch: None,
