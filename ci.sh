@@ -81,6 +81,7 @@ BSD-2-Clause
 BSD-2-Clause OR Apache-2.0 OR MIT
 BSD-2-Clause OR MIT OR Apache-2.0
 BSD-3-Clause
+BSD-3-Clause OR Apache-2.0
 ISC
 MIT
 MIT / Apache-2.0

@@ -152,7 +152,9 @@ pub fn read(source: &dobot_source::Source) -> Option<dobot_source::Artwork> {
 /// If it does not.
 pub fn lies_on(artwork: &dobot_source::Artwork, [width_mm, height_mm]: [f64; 2]) {
     assert!(artwork.width_mm.is_finite() && artwork.height_mm.is_finite());
-    let within = |at: f64, most: f64| (-ON_EDGE_MM..=most + ON_EDGE_MM).contains(&at);
+    // Half a percent beyond the edge is on a page.
+    let slack_mm = ON_EDGE_MM + 0.005 * width_mm.min(height_mm);
+    let within = |at: f64, most: f64| (-slack_mm..=most + slack_mm).contains(&at);
     for p in artwork.points() {
         let is_on = within(p.x, width_mm) && within(p.y, height_mm);
         assert!(

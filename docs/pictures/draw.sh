@@ -17,4 +17,6 @@ draw still-life-stipple.svg $STILL_LIFE --shade stipple --spacing 1.5
 draw still-life-outline.svg $STILL_LIFE --shade outline
 draw sailing.svg examples/drawings/sailing.svg --layers color --hatch 1
 draw text.svg --text 'Hello, arm' --font script --height 40
-draw card.svg --card 2,5,10,20 --laser cardboard-engrave
+draw card.svg --card 2,5,10,20 --laser cardboard-engrave --card-label cardboard-engrave
+draw sheet-a4.svg examples/drawings/harbour.svg --paper-size a4 --landscape --margin 10 --fit --clip
+draw cutting.svg examples/drawings/gear.plt --laser cardboard-cut --kerf 0.2 --lead-in 3 --overcut 1

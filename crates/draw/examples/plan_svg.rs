@@ -45,6 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ],
         passes: &[],
         area: settings.placement.area,
+        sheet: None,
         plan: &prepared.plan,
         drawn: &InkLine::measured(drawn, &prepared.wanted()),
         colors: Colors::Error {

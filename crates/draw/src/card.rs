@@ -20,7 +20,7 @@ use thiserror::Error;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Card {
-    /// A column for each speed, in mm/s; from 0.1 to 500, each above the one before, at most 20.
+    /// A column for each speed, in mm/s; from 0.1 to 100, each above the one before, at most 20.
     pub speeds_mm_s: Vec<f64>,
     /// A row for each number of passes, from 1 to this; at most 20.
     pub most_passes: u32,
@@ -32,8 +32,10 @@ pub struct Card {
     pub spacing_mm: f64,
     /// Between the strokes, in mm/s; from 0.1 to 500.
     pub travel_speed_mm_s: f64,
-    /// At which speed the labels are burned, once, in mm/s; from 0.1 to 500.
+    /// At which speed the labels are burned, once, in mm/s; from 0.1 to 100.
     pub label_speed_mm_s: f64,
+    /// What stands below the squares: the material, the day.
+    pub caption: String,
     /// Where its middle goes, in the base frame.
     pub center: Point,
 }
@@ -53,10 +55,15 @@ impl Card {
         let dose = |&(times, column): &(u32, usize)| f64::from(times) / self.speeds_mm_s[column];
         cells.sort_by(|a, b| dose(a).total_cmp(&dose(b)));
         let labels = self.pass("labels".to_owned(), self.label_speed_mm_s, 1, self.labels());
-        let cells = cells.into_iter().map(|(times, column)| {
+        let count = cells.len();
+        let cells = (0..).zip(cells).map(|(number, (times, column))| {
             let speed_mm_s = self.speeds_mm_s[column];
             let name = format!("{speed_mm_s} mm/s, {times} times");
-            self.pass(name, speed_mm_s, times, self.cell(column, times))
+            let cell = self.cell(column, times);
+            Pass {
+                color: Some(shade(number, count)),
+                ..self.pass(name, speed_mm_s, times, cell)
+            }
         });
         Ok([labels].into_iter().chain(cells).collect())
     }
@@ -66,6 +73,7 @@ impl Card {
             burn_speed_mm_s: speed_mm_s,
             travel_speed_mm_s: self.travel_speed_mm_s,
             times,
+            ..Laser::default()
         };
         let strokes = strokes.into_iter().map(|it| self.placed(it)).collect();
         Pass {
@@ -79,7 +87,7 @@ impl Card {
         within("number of speeds", speeds.len(), 1..=20, "")?;
         within("number of passes", self.most_passes, 1..=20, "")?;
         for &speed in speeds {
-            within("speed", speed, SPEED, " mm/s")?;
+            within("speed", speed, BURN_SPEED, " mm/s")?;
         }
         if let Some([a, b]) = speeds.windows(2).find(|it| it[0] >= it[1]) {
             return Err(CardError {
@@ -92,7 +100,7 @@ impl Card {
         within("gap", self.gap_mm, 1.0..=50.0, " mm")?;
         within("spacing", self.spacing_mm, 0.05..=5.0, " mm")?;
         within("travel speed", self.travel_speed_mm_s, SPEED, " mm/s")?;
-        within("label speed", self.label_speed_mm_s, SPEED, " mm/s")
+        within("label speed", self.label_speed_mm_s, BURN_SPEED, " mm/s")
     }
 
     /// A square of lines back and forth, and the line below it, on the page.
@@ -152,6 +160,8 @@ impl Card {
             let (label, at) = (format!("{times}\u{d7}"), Point::new(LEFT_MM - 2.0, y));
             words.extend(strokes(&label, Anchor::Right, at, LABEL_MM));
         }
+        let below = Point::new(0.0, self.page().y + 1.5 * LABEL_MM);
+        words.extend(strokes(&self.caption, Anchor::Left, below, LABEL_MM));
         words.into_iter().map(Stroke::open).collect()
     }
 
@@ -183,9 +193,24 @@ impl Default for Card {
             spacing_mm: 0.25,
             travel_speed_mm_s: Laser::default().travel_speed_mm_s,
             label_speed_mm_s: 8.0,
+            caption: String::new(),
             center: crate::place::AREA.center(),
         }
     }
+}
+
+/// The colour of a square in pictures: from blue, which is burned least, over green to red.
+fn shade(number: usize, count: usize) -> [u8; 3] {
+    #[expect(clippy::cast_precision_loss, reason = "at most 400")]
+    let share = number as f64 / (count - 1).max(1) as f64;
+    let hue = 4.0 * (1.0 - share);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 0 to 200"
+    )]
+    let level = |distance: f64| (200.0 * (2.0 - distance.abs()).clamp(0.0, 1.0)) as u8;
+    [level(hue), level(hue - 2.0), level(hue - 4.0)]
 }
 
 /// A setting that a test card cannot have.
@@ -217,6 +242,8 @@ fn within<T: Copy + PartialOrd + Display>(
     })
 }
 
+/// A faster laser gets to its speed outside of the arm's reach.
+const BURN_SPEED: RangeInclusive<f64> = 0.1..=100.0;
 const SPEED: RangeInclusive<f64> = 0.1..=500.0;
 /// From a square to the line below it.
 const BELOW_MM: f64 = 1.5;

@@ -34,7 +34,11 @@
 mod calibrated;
 mod card;
 mod clip;
+mod copies;
+mod cutting;
+mod doubles;
 mod estimate;
+mod export;
 mod frame;
 mod hatch;
 mod ink;
@@ -45,6 +49,7 @@ mod order;
 mod picture;
 mod place;
 mod prepare;
+mod sheet;
 mod simplify;
 mod start;
 mod step;
@@ -53,20 +58,24 @@ mod trace;
 
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
+pub use copies::Grid;
+pub use cutting::Cutting;
 pub use estimate::{Estimate, PassFigures, ToolKind};
+pub use export::{ExportFormat, export};
 pub use frame::{FrameShape, frame};
 pub use hatch::{Hatch, HatchError, hatch};
 pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PathOptions,
+    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
     PlaceOptions, Spacing, Subject, ToolOptions,
 };
 pub use order::{Search, Travel, order};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
+pub use sheet::{PaperSize, SheetPlace};
 pub use simplify::{MIN_VECTOR_MM, simplify};
 pub use start::{StartError, StartFrom};
 pub use step::draw_step;

@@ -45,6 +45,7 @@ pub struct Material {
 /// | `travel_speed_mm_s` | both | mm/s | 0.1 | 500 | 80 |
 /// | `spacing_mm` | both | mm | 0.05 | 20 | 0.5 |
 /// | `passes` | laser | | 1 | 100 | 1 |
+/// | `cuts` | laser | | `false` | `true` | `false` |
 /// | `lift_mm` | pen | mm | 0.1 | 100 | as [`Pen`](dobot_plan::Pen) |
 /// | `lift_speed_mm_s` | pen | mm/s | 0.1 | 500 | as [`Pen`](dobot_plan::Pen) |
 /// | `touch_mm` | pen | mm | 0 | 20 | as [`Pen`](dobot_plan::Pen) |

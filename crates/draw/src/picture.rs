@@ -13,6 +13,7 @@ use self::lines::{area_on_picture, by_class, on_picture, seen};
 use self::page::{frame, workspace};
 use crate::estimate::PassFigures;
 use crate::ink::InkLine;
+use crate::sheet::SheetPlace;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_lettering::{ShapeStyle, Sheet};
 use dobot_plan::{MoveKind, Plan};
@@ -28,6 +29,8 @@ pub struct Picture<'a> {
     pub passes: &'a [PassFigures],
     /// The drawing area, in the base frame.
     pub area: Rect,
+    /// The sheet that is drawn on, instead of the area.
+    pub sheet: Option<SheetPlace>,
     /// The plan, for what was to be drawn and the travel moves.
     pub plan: &'a Plan,
     /// The ink: what was to be drawn shows through where it is missing.
@@ -75,7 +78,7 @@ impl Picture<'_> {
         );
         let mut sheet = Sheet::desk(frame(page));
         sheet.paper(&frame(paper), 3.0, |sheet| {
-            workspace(sheet, self.area, unit);
+            workspace(sheet, self.area, self.sheet.as_ref(), unit);
             self.lines(sheet);
             let corner = [paper.x1 - 6.0 * unit, paper.y1 - 5.5 * unit];
             sheet.scale_bar(corner, 50.0, unit);
@@ -117,10 +120,16 @@ impl Picture<'_> {
             .map_err(|error| render(error.to_string()))
     }
 
+    /// The sheet or the area, on the picture.
+    fn ground(&self) -> Rect {
+        let corners = self.sheet.map(|it| bounds(it.corners().map(on_picture)));
+        corners.unwrap_or(area_on_picture(self.area))
+    }
+
     /// What is shown, on the picture.
     fn paper(&self) -> Rect {
         let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
-        let shown = bounds(lines.map(on_picture)).union(area_on_picture(self.area));
+        let shown = bounds(lines.map(on_picture)).union(self.ground());
         match self.view {
             View::Paper => {
                 // Both arcs of reach, straight ahead.
@@ -194,6 +203,7 @@ mod tests {
             figures: Box::leak(Box::new([("strokes".to_owned(), "2".to_owned())])),
             passes: &[],
             area: crate::place::AREA,
+            sheet: None,
             plan: Box::leak(Box::new(plan)),
             drawn: drawn.leak(),
             colors: Colors::Error { tolerance_mm: 0.05 },

@@ -8,7 +8,10 @@ use dobot_plan::{Paper, Plan};
 use dobot_source::{Artwork, Layer};
 use thiserror::Error;
 
-/// Where drawings go unless told otherwise: 120 mm deep and 200 mm wide, all of it inside reach.
+use crate::copies::{Grid, repeated};
+use crate::sheet::SheetPlace;
+
+/// Where drawings go unless told otherwise or larger: 120 mm deep and 200 mm wide, all of it inside reach.
 pub const AREA: Rect = Rect::new(150.0, -100.0, 270.0, 100.0);
 
 /// Where on the paper a drawing goes, and how large.
@@ -22,8 +25,18 @@ pub struct Placement {
     pub size: Size,
     /// Turns the drawing on the paper, counterclockwise, in degrees.
     pub rotate_deg: f64,
-    /// Where its middle goes, in the base frame; the middle of the area if not given.
+    /// Where its middle goes, in the base frame; the middle of the area if not given. A sheet has its
+    /// own place.
     pub center: Option<Point>,
+    /// How near and how far from its axis the arm reaches the paper, in mm: what is larger than the area
+    /// may go anywhere between.
+    pub reach: Option<[f64; 2]>,
+    /// Whether left and right change sides.
+    pub mirrors: bool,
+    /// Copies side by side, and how far apart on the page, in mm.
+    pub copies: Option<(Grid, f64)>,
+    /// The sheet that it goes on, instead of the area.
+    pub sheet: Option<SheetPlace>,
 }
 
 impl Placement {
@@ -38,10 +51,25 @@ impl Placement {
     /// the area and neither fitted into it nor sent to a place of its own.
     pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
         let turn = self.turn()?;
-        let turned = |p: Point| p.to_vec2().rotate_scale(turn).to_point();
+        let artwork = match self.copies {
+            Some((grid, gap_mm)) => repeated(artwork, grid, gap_mm),
+            None => artwork,
+        };
+        let side = if self.mirrors { -1.0 } else { 1.0 };
+        let turned = |p: Point| Vec2::new(side * p.x, p.y).rotate_scale(turn).to_point();
         let ink = bounds(artwork.points().map(turned));
+        if let Some(sheet) = &self.sheet {
+            let Artwork {
+                width_mm: w,
+                height_mm: h,
+                ..
+            } = artwork;
+            let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)];
+            let page = bounds(corners.map(|it| turned(it.into())));
+            return self.place_on(sheet, artwork, page, ink, turned);
+        }
         let scale = self.scale(ink)?;
-        let (from, to) = (ink.center(), self.center.unwrap_or(self.area.center()));
+        let (from, to) = (ink.center(), self.middle(ink, scale));
         let place = |p: &mut Point| {
             let way = (turned(*p) - from) * scale;
             *p = Point::new(to.x - way.y, to.y - way.x);
@@ -54,6 +82,94 @@ impl Placement {
         Ok(Placed { layers, scale })
     }
 
+    /// On a sheet the page of a file keeps its upper left corner, unless it is to be as large as fits; what
+    /// knows no page, and so has its ink as one, goes to the middle.
+    fn place_on(
+        &self,
+        sheet: &SheetPlace,
+        artwork: Artwork,
+        page: Rect,
+        ink: Rect,
+        turned: impl Fn(Point) -> Point,
+    ) -> Result<Placed, PlaceError> {
+        let room = self.sheet_room(sheet)?;
+        let is_page = page.inflate(-SAME_MM, -SAME_MM).union(ink) != ink;
+        let fits = self.size == Size::Fit;
+        let frame = if is_page && !fits { page } else { ink };
+        let fitting = (room.width() / frame.width()).min(room.height() / frame.height());
+        let scale = match self.size {
+            Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
+            Size::Scaled(factor) => return Err(PlaceError::Scale(factor)),
+            Size::Fit if fitting.is_finite() => fitting,
+            // Inches are rounded.
+            Size::Within if fitting < 1.0 - SAME_SCALE => fitting,
+            Size::Fit | Size::Within | Size::True => 1.0,
+        };
+        let (from, to) = if is_page && !fits {
+            (frame.origin(), room.origin())
+        } else {
+            (frame.center(), room.center())
+        };
+        let mut layers = artwork.layers;
+        for p in layers.iter_mut().flat_map(Layer::points_mut) {
+            *p = sheet.place(to + (turned(*p) - from) * scale);
+        }
+        Ok(Placed { layers, scale })
+    }
+
+    fn sheet_room(&self, sheet: &SheetPlace) -> Result<Rect, PlaceError> {
+        let margin_mm = self.margin_mm;
+        let most_mm = sheet.size.width_mm.min(sheet.size.height_mm) / 2.0;
+        if !(0.0..most_mm).contains(&margin_mm) {
+            return Err(PlaceError::Margin { margin_mm, most_mm });
+        }
+        Ok(sheet.room(margin_mm))
+    }
+
+    /// Where the middle goes: that of the area, or for what is larger the middle of where the arm
+    /// reaches all of it.
+    fn middle(&self, ink: Rect, scale: f64) -> Point {
+        let size = ink.size().to_vec2() * scale;
+        let is_larger = size.x > self.area.height() || size.y > self.area.width();
+        let reached = self.reached(size).filter(|_| is_larger);
+        self.center.or(reached).unwrap_or(self.area.center())
+    }
+
+    /// The middle of where the arm reaches all of something so large, margins included. Its base may not turn
+    /// by more than a quarter of a circle, for the servo keeps the tool's direction.
+    ///
+    /// ```text
+    ///        far       .-----.
+    ///                *---------*        (begin + depth)2 + (width / 2)2 = far2
+    ///        near    '---   ---'        begin >= near, begin >= width / 2
+    ///                    `-'
+    /// ```
+    fn reached(&self, size: Vec2) -> Option<Point> {
+        let [near, far] = self.reach?;
+        let margin_mm = 2.0 * self.margin_mm;
+        let (half, deep) = (f64::midpoint(size.x, margin_mm), size.y + margin_mm);
+        let first = near.max(half * QUARTER);
+        let last = (far * far - half * half).max(0.0).sqrt() - deep;
+        (first <= last).then(|| Point::new(f64::midpoint(first, last) + deep / 2.0, 0.0))
+    }
+
+    /// The largest scale at which the arm reaches all of it.
+    fn reaching(&self, ink: Rect) -> f64 {
+        let longer = ink.width().max(ink.height());
+        let Some([_, far]) = self.reach.filter(|_| longer > 0.0) else {
+            return 0.0;
+        };
+        let (mut fits, mut too_large) = (0.0, 2.0 * far / longer);
+        for _ in 0..HALVINGS {
+            let scale = f64::midpoint(fits, too_large);
+            match self.reached(ink.size().to_vec2() * scale) {
+                Some(_) => fits = scale,
+                None => too_large = scale,
+            }
+        }
+        fits
+    }
+
     /// Where the drawing's right points on the page, where y points down.
     fn turn(&self) -> Result<Vec2, PlaceError> {
         if !self.rotate_deg.is_finite() {
@@ -64,7 +180,12 @@ impl Placement {
 
     fn scale(&self, ink: Rect) -> Result<f64, PlaceError> {
         let [wide, deep] = self.room()?;
-        let fitting = (wide / ink.width()).min(deep / ink.height());
+        let in_area = (wide / ink.width()).min(deep / ink.height());
+        let fitting = if self.size == Size::Fit {
+            in_area
+        } else {
+            in_area.max(self.reaching(ink))
+        };
         let scale = match self.size {
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
             Size::Scaled(factor) => return Err(PlaceError::Scale(factor)),
@@ -77,8 +198,8 @@ impl Placement {
             return Err(PlaceError::TooLarge {
                 width_mm: ink.width() * scale,
                 height_mm: ink.height() * scale,
-                area_width_mm: wide,
-                area_height_mm: deep,
+                area_width_mm: fitting.max(0.0) * ink.width(),
+                area_height_mm: fitting.max(0.0) * ink.height(),
             });
         }
         Ok(scale)
@@ -105,6 +226,10 @@ impl Default for Placement {
             size: Size::True,
             rotate_deg: 0.0,
             center: None,
+            reach: None,
+            mirrors: false,
+            copies: None,
+            sheet: None,
         }
     }
 }
@@ -151,17 +276,29 @@ pub enum PlaceError {
     },
     /// The drawing is larger than the area.
     #[error(
-        "the drawing is {width_mm:.1} x {height_mm:.1} mm and the drawing area {area_width_mm:.1} x {area_height_mm:.1} mm; shrink it into the area with --fit"
+        "the drawing is {width_mm:.1} x {height_mm:.1} mm, and the arm reaches all of {area_width_mm:.1} x {area_height_mm:.1} mm; shrink it with --fit"
     )]
     TooLarge {
         /// The drawing, left to right.
         width_mm: f64,
         /// The drawing, top to bottom.
         height_mm: f64,
-        /// The area, left to right (along Y).
+        /// As wide as it may be.
         area_width_mm: f64,
-        /// The area, top to bottom (along X).
+        /// As high as it may be.
         area_height_mm: f64,
+    },
+    /// The drawing does not fit on the sheet.
+    #[error(
+        "the drawing goes {by_mm:.1} mm beyond the edge of the sheet, at x {x_mm:.1}, y {y_mm:.1}; shrink it with --fit, or cut it there with --clip"
+    )]
+    BeyondSheet {
+        /// How far beyond.
+        by_mm: f64,
+        /// Forward, in the base frame.
+        x_mm: f64,
+        /// To the left.
+        y_mm: f64,
     },
     /// A point where the arm does not get.
     #[error(
@@ -212,155 +349,13 @@ pub fn check_reach<E: fmt::Display>(
 }
 
 const STEP_MM: f64 = 2.0;
+/// A little more than a quarter: places are rounded.
+const QUARTER: f64 = 1.01;
+const HALVINGS: u32 = 60;
+/// Ink that is so near to the edge of its page fills it.
+const SAME_MM: f64 = 0.01;
+/// How much larger than the sheet a page may be for its true size.
+const SAME_SCALE: f64 = 0.002;
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
-mod tests {
-    use super::*;
-    use dobot_geometry::{Stroke, bounds_of_strokes};
-    use dobot_plan::{DrawingTool, Machine, Pass};
-
-    fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
-        let layer = Layer {
-            strokes: vec![stroke],
-            ..Layer::default()
-        };
-        let artwork = Artwork {
-            layers: vec![layer],
-            ..Artwork::default()
-        };
-        let placed = placement.place(artwork)?;
-        Ok((placed.layers[0].strokes.clone(), placed.scale))
-    }
-
-    fn line(points: &[(f64, f64)]) -> Stroke {
-        Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
-    }
-
-    #[test]
-    fn right_on_the_sheet_is_to_the_right_of_the_arm_and_down_is_towards_it() {
-        let sheet = line(&[(0.0, 0.0), (20.0, 0.0), (20.0, 10.0)]);
-        let placed = place(&Placement::default(), sheet).unwrap();
-        // The middle of the area is x 210, y 0.
-        let expected = line(&[(215.0, 10.0), (215.0, -10.0), (205.0, -10.0)]);
-        assert_eq!(placed, (vec![expected], 1.0));
-    }
-
-    #[test]
-    fn fitting_scales_up_and_down_and_keeps_the_aspect() {
-        let fit = Placement {
-            size: Size::Fit,
-            ..Placement::default()
-        };
-        let wide = place(&fit, line(&[(0.0, 0.0), (400.0, 10.0)])).unwrap();
-        assert_eq!(wide.1, 0.5);
-        let small = place(&fit, line(&[(0.0, 0.0), (10.0, 10.0)])).unwrap();
-        assert_eq!(small.1, 12.0);
-        assert_eq!(
-            bounds_of_strokes(&small.0).origin(),
-            Point::new(150.0, -60.0)
-        );
-        let dot = place(&fit, line(&[(7.0, 7.0)])).unwrap();
-        assert_eq!(dot.0, [line(&[(210.0, 0.0)])]);
-    }
-
-    #[test]
-    fn what_is_to_stay_within_the_area_shrinks_but_never_grows() {
-        let within = Placement {
-            size: Size::Within,
-            ..Placement::default()
-        };
-        for (width, scale) in [(400.0, 0.5), (100.0, 1.0)] {
-            let placed = place(&within, line(&[(0.0, 0.0), (width, 10.0)])).unwrap();
-            assert_eq!(placed.1, scale);
-        }
-    }
-
-    #[test]
-    fn a_drawing_larger_than_the_area_is_refused_with_both_sizes() {
-        let wide = line(&[(0.0, 0.0), (400.0, 10.0)]);
-        let error = place(&Placement::default(), wide).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the drawing is 400.0 x 10.0 mm and the drawing area 200.0 x 120.0 mm; \
-             shrink it into the area with --fit"
-        );
-    }
-
-    #[test]
-    fn a_quarter_turn_counterclockwise_makes_right_up() {
-        let turned = Placement {
-            rotate_deg: 90.0,
-            ..Placement::default()
-        };
-        // Up on the paper is away from the arm: +X.
-        let (strokes, _) = place(&turned, line(&[(0.0, 0.0), (20.0, 0.0)])).unwrap();
-        assert_eq!(strokes, [line(&[(200.0, 0.0), (220.0, 0.0)])]);
-        let endless = Placement {
-            rotate_deg: f64::INFINITY,
-            ..Placement::default()
-        };
-        let error = place(&endless, line(&[(0.0, 0.0), (20.0, 0.0)])).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the drawing is turned by inf degrees; it must be a number"
-        );
-    }
-
-    #[test]
-    fn a_margin_stays_empty_and_must_leave_room() {
-        let within = |margin_mm| Placement {
-            margin_mm,
-            size: Size::Fit,
-            ..Placement::default()
-        };
-        let square = || line(&[(0.0, 0.0), (10.0, 10.0)]);
-        let (strokes, scale) = place(&within(10.0), square()).unwrap();
-        assert_eq!(scale, 10.0);
-        assert_eq!(
-            bounds_of_strokes(&strokes).origin(),
-            Point::new(160.0, -50.0)
-        );
-        for margin_mm in [-1.0, 60.0, f64::NAN] {
-            let error = place(&within(margin_mm), square()).unwrap_err();
-            let told = format!("the margin is {margin_mm} mm; it must be from 0 to below 60 mm");
-            assert_eq!(error.to_string(), told);
-        }
-    }
-
-    #[test]
-    fn a_scale_must_be_a_number_above_0() {
-        for factor in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let placement = Placement {
-                size: Size::Scaled(factor),
-                ..Placement::default()
-            };
-            let error = place(&placement, line(&[(0.0, 0.0), (4.0, 1.0)])).unwrap_err();
-            assert!(error.to_string().starts_with("the scale is "));
-        }
-    }
-
-    #[test]
-    fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
-        let paper = Paper::default();
-        let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
-        let pass = Pass::new(DrawingTool::default(), ends_fine.to_vec());
-        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
-        let reachable = |p: Position| {
-            if p.reach().0 < 129.0 {
-                Err("too near")
-            } else {
-                Ok(())
-            }
-        };
-        let error = check_reach(&plan, &paper, reachable).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .starts_with("the pen would have to go to x 0.0, y 1"),
-            "{error}"
-        );
-        assert!(error.to_string().contains("mm: too near; fit the drawing"));
-        check_reach(&plan, &paper, |_| Ok::<(), String>(())).unwrap();
-    }
-}
+mod tests;

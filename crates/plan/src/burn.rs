@@ -1,10 +1,10 @@
 //! Strokes that a laser burns.
 
-use dobot_geometry::Stroke;
+use dobot_geometry::{Point, Stroke};
 use dobot_motion::Cut;
 
 use crate::commands::write;
-use crate::laser_path::{LaserPath, SwitchLead};
+use crate::laser_path::{LaserPath, SwitchLead, burn_speed_mm_s, burnable};
 use crate::planner::Planner;
 use crate::tick::TICK_S;
 use crate::ticker::Ticker;
@@ -19,12 +19,17 @@ impl Planner<'_> {
     /// How far the last ticks before the switching go is known only when they are planned: then the
     /// places of switching are moved, and the stroke is planned again.
     pub(super) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
+        let points = burnable(stroke, self.here);
+        let laser = &Laser {
+            burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.machine),
+            ..*laser
+        };
         let mut lead = SwitchLead::at_speed(laser, self.machine);
         let begin = self.moves.len();
         let before = (self.here, self.chain_speeds.clone(), self.ticker.clone());
         let mut best = (f64::INFINITY, lead);
         for left in (0..BURN_ROUNDS).rev() {
-            self.burn_once(stroke, laser, lead);
+            self.burn_once(&points, laser, lead);
             let Some(ticker) = &before.2 else {
                 break;
             };
@@ -48,13 +53,13 @@ impl Planner<'_> {
         self.stroke += 1;
     }
 
-    fn burn_once(&mut self, stroke: &Stroke, laser: &Laser, lead: SwitchLead) {
+    fn burn_once(&mut self, points: &[Point], laser: &Laser, lead: SwitchLead) {
         let Laser {
             burn_speed_mm_s: speed,
             travel_speed_mm_s: travel,
             ..
         } = *laser;
-        let path = LaserPath::of(stroke, self.here, speed, lead, self.machine);
+        let path = LaserPath::of(points, speed, lead, self.machine);
         self.go(MoveKind::Travel, path.run_up, 0.0, travel);
         self.rest();
         for p in path.off_to {

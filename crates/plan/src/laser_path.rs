@@ -54,34 +54,24 @@ impl SwitchLead {
 
 impl LaserPath {
     pub(super) fn of(
-        stroke: &Stroke,
-        here: [f64; 3],
+        points: &[Point],
         speed_mm_s: f64,
         lead: SwitchLead,
         machine: &Machine,
     ) -> Self {
-        let points = &stroke.points;
         let (first, last) = (points[0], points[points.len() - 1]);
-        let come = first - Point::new(here[0], here[1]);
-        let into = way_of(stroke.segments()).or_else(|| unit(come));
-        let into = into.unwrap_or(Vec2::new(1.0, 0.0));
-        let out = way_of(
-            stroke
-                .points
-                .windows(2)
-                .rev()
-                .map(|pair| (pair[0], pair[1])),
-        )
-        .unwrap_or(into);
-        let end = if points.len() == 1 {
-            first + into * DOT_MM
-        } else {
-            last
-        };
-        let off = end + out * lead.off_mm;
-        let mut path = points[..points.len().max(2) - 1].to_vec();
+        let into = unit(points[1] - first).expect("burnable points lie apart");
+        let out = unit(last - points[points.len() - 2]).expect("burnable points lie apart");
+        let off = last + out * lead.off_mm;
+        let mut path = points[..points.len() - 1].to_vec();
         path.push(off);
-        let (off_to, on_to) = split(&path, lead.on_mm);
+        let (off_to, mut on_to) = split(&path, lead.on_mm);
+        let on = off_to.last().copied().unwrap_or(first);
+        let near = on_to
+            .iter()
+            .take_while(|it| it.distance(on) < LEAST_BURN_MM);
+        let near = near.count().min(on_to.len().saturating_sub(1));
+        on_to.drain(..near);
         let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
         let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
         let gain_mm = gain_mm.max(packet_mm);
@@ -93,6 +83,45 @@ impl LaserPath {
             run_out,
             brake: run_out + out * gain_mm,
         }
+    }
+}
+
+/// The corners of a stroke as a laser can burn them: two or more, none nearer to the next than half of its
+/// spot. The link takes as long for a shorter vector as for any other, and burns a hole. What is shorter than
+/// the spot is a line as long as that, from its beginning on.
+pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
+    let first = stroke.points[0];
+    let mut points = vec![first];
+    for &p in &stroke.points[1..] {
+        if p.distance(points[points.len() - 1]) >= LEAST_BURN_MM {
+            points.push(p);
+        }
+    }
+    let last = stroke.points[stroke.points.len() - 1];
+    let is_dot = stroke.length_mm() < DOT_MM;
+    if is_dot {
+        points.truncate(1);
+    }
+    if let [.., before, end] = points.as_mut_slice() {
+        if last.distance(*before) >= LEAST_BURN_MM {
+            *end = last;
+        }
+    } else {
+        let come = first - Point::new(here[0], here[1]);
+        let into = way_of(stroke.segments()).or_else(|| unit(come));
+        points.push(first + into.unwrap_or(Vec2::new(1.0, 0.0)) * DOT_MM);
+    }
+    points
+}
+
+/// The speed at which a laser burns a path: a stock arm switches it between ticks, so that what is
+/// shorter than a tick at its own speed is burned for a whole one.
+pub(super) fn burn_speed_mm_s(points: &[Point], laser: &Laser, machine: &Machine) -> f64 {
+    let length_mm: f64 = points.windows(2).map(|it| it[0].distance(it[1])).sum();
+    if machine.has_ticks {
+        laser.burn_speed_mm_s.min(length_mm / f64::from(TICK_S))
+    } else {
+        laser.burn_speed_mm_s
     }
 }
 
@@ -122,7 +151,9 @@ fn unit(way: Vec2) -> Option<Vec2> {
 }
 
 /// A laser burns a dot as a line, as long as its spot is wide.
-const DOT_MM: f64 = 0.1;
+const DOT_MM: f64 = 0.2;
+/// No vector of a longer stroke is shorter: the link would have the laser burn a hole there.
+const LEAST_BURN_MM: f64 = 0.16;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

@@ -59,6 +59,9 @@ impl<'a> Planner<'a> {
         let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
         match &pass.tool {
             DrawingTool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
+            DrawingTool::Laser(laser) if laser.by_stroke => strokes
+                .flat_map(|it| (0..laser.times).map(move |_| it))
+                .for_each(|stroke| self.burn(stroke, laser)),
             DrawingTool::Laser(laser) => (0..laser.times)
                 .flat_map(|_| strokes.clone())
                 .for_each(|stroke| self.burn(stroke, laser)),
@@ -122,7 +125,9 @@ impl<'a> Planner<'a> {
     pub(super) fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
-        if let Some(ticker) = self.ticker.take() {
+        if let Some(mut ticker) = self.ticker.take() {
+            let limits = self.chain.iter().map(|it| it.limit_mm_s);
+            ticker.limit(round_down(limits.fold(0.0, f64::max)));
             self.plan_in_ticks(begin, &ticker);
         } else {
             let speeds = self.chain_speeds.plan(&mut self.chain);

@@ -91,6 +91,10 @@ impl Respeeding<'_> {
         } else {
             slower(chain, self.share)
         };
+        if let Some(ticker) = &mut self.ticker {
+            let most = targets.iter().map(|it| it[1]).fold(0.0, f64::max);
+            ticker.limit(round_down(most).max(self.speed_mm_s));
+        }
         let pairs = chain.iter().zip(targets);
         pairs
             .map(|(vector, targets)| self.vector(vector, targets))

@@ -28,6 +28,8 @@ pub(super) struct TickTarget {
     /// The arm is to rest behind it.
     pub rests: bool,
     pub acceleration_mm_s2: f32,
+    /// No packet may tell a larger speed, in mm/s.
+    pub most_mm_s: f32,
     /// How much an end speed above the one wanted counts.
     pub over: f64,
 }
@@ -98,6 +100,7 @@ impl TickTarget {
     }
 
     fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<TickFit>) {
+        let max_mm_s = max_mm_s.min(self.most_mm_s);
         let end_mm_s = if self.rests {
             0.0
         } else {
@@ -107,7 +110,10 @@ impl TickTarget {
             return;
         }
         let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
-        if !cut.is_true() || cut.ticks() < self.least_ticks {
+        let creeps = !self.rests && cut.end_mm_s < LEAST_LEFT_MM_S;
+        // The processor counts in sixteen bits, and takes what is more for something else (note N51).
+        let is_endless = 50.0 * self.length_mm >= f32::from(i16::MAX) * cut.top_mm_s;
+        if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
             return;
         }
         let cost = self.cost(stored_mm_s, &cut);
@@ -135,7 +141,8 @@ impl TickTarget {
         late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
-    /// The fastest even speed with which the vector gets its full length: no other speeds gave that.
+    /// The fastest even speed with which the vector gets its full length, or as far up and down as the
+    /// arm makes of the largest speed: no other speeds gave the full length.
     fn crawl(&self, stored_mm_s: f32) -> TickFit {
         let change = self.acceleration_mm_s2 * TICK_S;
         let mut best = None;
@@ -151,7 +158,7 @@ impl TickTarget {
                 return fit;
             }
         }
-        let max_mm_s = single(self.speeds.limit_mm_s);
+        let max_mm_s = single(self.speeds.limit_mm_s).min(self.most_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
@@ -182,6 +189,8 @@ const UNDER: f64 = 0.5;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
+/// Nor does it leave less to the next one: behind a laser that would creep (note N48).
+const LEAST_LEFT_MM_S: f32 = 0.1;
 
 #[cfg(test)]
 mod tests {
@@ -199,6 +208,7 @@ mod tests {
             least_ticks: 1,
             rests,
             acceleration_mm_s2: 100.0,
+            most_mm_s: single(max),
             over: OVER,
         }
     }
@@ -216,7 +226,7 @@ mod tests {
             let fit = target(length_mm, [stored.into(), end, max], rests).fit(stored);
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
-            prop_assert!(fit.max_mm_s > 0.0);
+            prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= single(max), "{fit:?}");
         }
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct Ticker {
     acceleration_mm_s2: f32,
     /// The end speed that the arm has stored, in mm/s.
     stored_mm_s: f32,
+    /// The largest speed that the next packets may tell, in mm/s.
+    most_mm_s: f32,
     /// How many ticks the vectors so far were too short, in ticks.
     early: f64,
     credit: Credit,
@@ -27,6 +29,7 @@ impl Ticker {
         Self {
             acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
             stored_mm_s,
+            most_mm_s: f32::MAX,
             early: 0.0,
             credit: Credit::new(machine.link),
         }
@@ -35,6 +38,12 @@ impl Ticker {
     /// The ticks of a machine that has some.
     pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
         machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
+    }
+
+    /// No packet of the next chain may tell a larger speed, in mm/s. Speeds are whole ticks: the arm
+    /// would not begin to accelerate to less than one and a half.
+    pub(super) fn limit(&mut self, most_mm_s: f32) {
+        self.most_mm_s = most_mm_s.max(1.5 * self.step_mm_s());
     }
 
     /// Gives a vector the speeds with which a stock arm comes nearest to these, and tells how it runs
@@ -111,6 +120,7 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
+            most_mm_s: self.most_mm_s,
             over,
         }
         .fit(self.stored_mm_s);

@@ -159,6 +159,11 @@ pub struct Laser {
     pub travel_speed_mm_s: f64,
     /// How often everything is burned, one time after the other; from 1 up.
     pub times: u32,
+    /// Whether a stroke is burned so often before the next one is, and not all of them once before all
+    /// of them again.
+    pub by_stroke: bool,
+    /// Whether it burns through: what is cut out moves, so that what lies inside has to come first.
+    pub cuts: bool,
 }
 
 impl Default for Laser {
@@ -168,6 +173,8 @@ impl Default for Laser {
             burn_speed_mm_s: 10.0,
             travel_speed_mm_s: 80.0,
             times: 1,
+            by_stroke: false,
+            cuts: false,
         }
     }
 }

@@ -8,10 +8,12 @@ mod file;
 mod frame;
 mod hatch;
 mod pairs;
+mod pattern;
 mod renderer;
 mod shapes;
 mod spline;
 mod text;
+mod xclip;
 
 use self::file::File;
 use self::renderer::EntityRenderer;

@@ -17,11 +17,25 @@ use crate::place::{Place, excerpt, place};
 pub enum SourceError {
     /// Neither name nor contents tell what it is.
     #[error(
-        "{name:?} is of no kind that can be drawn; known are .svg, .png, .jpg, .gcode, .plt, .dxf, .csv and .json files"
+        "{name:?} is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .csv and .json files"
     )]
     UnknownKind {
         /// The file's name.
         name: String,
+    },
+    /// A packed file that cannot be unpacked.
+    #[error("the packed file (gzip) cannot be read: {problem}")]
+    Packed {
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A file that other programs make a drawing of.
+    #[error("{what} is not drawn; {way}")]
+    Foreign {
+        /// What it is.
+        what: &'static str,
+        /// What makes a drawing of it.
+        way: &'static str,
     },
     /// A text file that holds something else.
     #[error("line {line}: not UTF-8 text; save the file as UTF-8")]
@@ -85,6 +99,15 @@ pub enum SourceError {
 }
 
 impl SourceError {
+    /// Whether it has more line segments than fit, which a larger tolerance may mend.
+    #[must_use]
+    pub const fn is_too_fine(&self) -> bool {
+        matches!(
+            self,
+            Self::TooManySegments { .. } | Self::Svg(SvgError::TooManySegments { .. })
+        )
+    }
+
     /// Tells what was found at an offset of a text.
     pub(crate) fn found(
         text: &[u8],

@@ -11,7 +11,7 @@ mod ink_rule;
 mod machine;
 
 use self::ink::Inker;
-use self::ink_rule::MoveStatistics;
+use self::ink_rule::{MoveStatistics, told_full};
 use self::machine::{Machine, Move};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -34,7 +34,7 @@ pub(crate) fn read(
         statistics.count(it);
         Ok(())
     })?;
-    let rule = statistics.rule();
+    let rule = statistics.rule(told_full(text));
     if let Some((what, instead)) = rule.assumed() {
         sketch.warn(None, what, &instead);
     }

@@ -46,6 +46,52 @@ impl TextKind {
     }
 }
 
+/// Whether it is an SVG file, whatever its name says.
+pub(super) fn is_svg(bytes: &[u8]) -> bool {
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
+    let start = start.trim_start_matches('\u{FEFF}').trim_start();
+    start.starts_with("<svg") || (start.starts_with("<?xml") && start.contains("<svg"))
+}
+
+/// Refuses what other programs make a drawing of, and says which.
+pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
+    let start = &bytes[..bytes.len().min(1000)];
+    let has = |mark: &[u8]| start.windows(mark.len()).any(|it| it == mark);
+    let converted =
+        "Inkscape opens it and saves it as SVG, and so does `pdftocairo -svg in.pdf out.svg`";
+    let kinds = [
+        (has(b"%PDF-"), "a PDF file", converted),
+        (
+            start.starts_with(b"%!PS") || start.starts_with(&[0xc5, 0xd0, 0xd3, 0xc6]),
+            "a PostScript or EPS file",
+            "Inkscape opens it and saves it as SVG, and so do `ps2pdf in.eps in.pdf` and `pdftocairo -svg in.pdf out.svg`",
+        ),
+        (
+            start.starts_with(b"8BPS") || start.starts_with(b"gimp xcf"),
+            "a file of a picture program",
+            "export it as PNG there",
+        ),
+        (
+            start.get(4..12).is_some_and(|it| {
+                it.starts_with(b"ftyphei")
+                    || it.starts_with(b"ftypmif1")
+                    || it.starts_with(b"ftypavif")
+            }),
+            "an HEIC or AVIF picture",
+            "save it as JPEG or PNG: phones can be told to take JPEG",
+        ),
+        (
+            start.starts_with(b"PK\x03\x04"),
+            "a packed folder (zip)",
+            "unpack it, and give the drawing in it",
+        ),
+    ];
+    match kinds.into_iter().find(|it| it.0) {
+        Some((_, what, way)) => Err(SourceError::Foreign { what, way }),
+        None => Ok(()),
+    }
+}
+
 /// Pairs of lines: a section or a comment comes first.
 fn is_dxf(start: &str) -> bool {
     let mut lines = start.lines().map(str::trim);

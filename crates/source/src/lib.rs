@@ -16,6 +16,7 @@
 
 mod arc;
 mod artwork;
+mod clip;
 mod dxf;
 mod error;
 mod fonts;
@@ -25,9 +26,11 @@ mod kind;
 mod limits;
 mod number;
 mod options;
+mod packed;
 mod picture;
 mod place;
 mod points;
+mod polygon;
 mod sketch;
 mod source;
 mod svg;

@@ -20,6 +20,8 @@ pub struct ReadOptions {
     pub scale: f64,
     /// What makes a layer of an SVG file.
     pub layers: LayersBy,
+    /// Whether what lies beyond the page of an SVG file is cut off.
+    pub crops: bool,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// How the tones of a picture become lines or dots.
@@ -27,12 +29,13 @@ pub struct ReadOptions {
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, no fonts, pictures hatched.
+    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
             scale: 1.0,
             layers: LayersBy::default(),
+            crops: true,
             fonts: Arc::default(),
             shading: Shading::default(),
         }

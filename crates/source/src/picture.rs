@@ -10,6 +10,7 @@ mod decode;
 mod exif;
 mod hatch;
 mod levels;
+mod others;
 mod outline;
 mod resample;
 mod rows;

@@ -1,15 +1,18 @@
 //! The drawing that a reader builds up: ink in layers, and warnings.
 
 use std::collections::{HashMap, HashSet};
+use std::iter::repeat;
 
-use dobot_geometry::{Area, CubicBez, ParamCurve, Point, Stroke, bounds, chords};
+use dobot_geometry::{Area, CubicBez, FillRule, ParamCurve, Point, Stroke, bounds, chords};
 
 use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
+use crate::clip::{ClipArea, Region};
 use crate::error::SourceError;
 use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::ReadOptions;
 use crate::place::place;
+use crate::polygon::Polygons;
 use crate::warning::{Warning, Warnings};
 
 /// The drawing of a text file while it is being read. Places in the text are offsets in bytes, `at`.
@@ -194,6 +197,76 @@ impl<'a> Sketch<'a> {
         &mut self.warnings
     }
 
+    /// Where the drawing is now: all that comes next can be [cut](Self::cut_since).
+    pub(super) fn mark(&self) -> SketchMark {
+        let counts = |it: &Layer| [it.strokes.len(), it.areas.len()];
+        SketchMark {
+            layers: self.layers.iter().map(counts).collect(),
+            borders: self.borders.len(),
+        }
+    }
+
+    /// Cuts all that came since there at the edge of a ring; what lies outside is gone.
+    pub(super) fn cut_since(
+        &mut self,
+        mark: &SketchMark,
+        ring: Vec<Point>,
+    ) -> Result<(), SourceError> {
+        self.goes_on = false;
+        let outline = Stroke::open(ring);
+        let inside = ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
+        let inside = Region::new(vec![inside]);
+        let from = mark.layers.iter().copied().chain(repeat([0, 0]));
+        for (layer, [strokes, areas]) in self.layers.iter_mut().zip(from) {
+            for stroke in layer.strokes.split_off(strokes) {
+                layer
+                    .strokes
+                    .append(&mut inside.cut(stroke, &mut self.budget)?);
+            }
+            for area in layer.areas.split_off(areas) {
+                let cut = Polygons::new(&area.rings, area.rule)
+                    .and_then(|it| it.and(inside.polygons()?))
+                    .map(Polygons::into_area);
+                match cut {
+                    Some(cut) if cut.rings.is_empty() => {}
+                    Some(cut) => layer.areas.push(cut),
+                    None => self.warnings.add(
+                        None,
+                        "filled shape",
+                        "not hatched, it crosses itself too often to be clipped",
+                    ),
+                }
+            }
+        }
+        for (layer, points) in self.borders.split_off(mark.borders) {
+            let pieces = inside.cut(Stroke::open(points), &mut self.budget)?;
+            self.borders
+                .extend(pieces.into_iter().map(|it| (layer, it.points)));
+        }
+        Ok(())
+    }
+
+    /// The parts of lines that lie in an area, each a stroke.
+    pub(super) fn lines_within(
+        &mut self,
+        area: &Area,
+        lines: impl Iterator<Item = [Point; 2]>,
+    ) -> Result<(), SourceError> {
+        let rings: Vec<Stroke> = area.rings.iter().cloned().map(Stroke::open).collect();
+        let inside = Region::new(vec![ClipArea::new(&rings, area.rule, Vec::new())]);
+        for [from, to] in lines {
+            let line = if from == to {
+                vec![from]
+            } else {
+                vec![from, to]
+            };
+            for piece in inside.cut(Stroke::open(line), &mut self.budget)? {
+                self.stroke(piece.points)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Refuses points beyond any table, and those that are no numbers.
     pub(super) fn check(&self, at: usize, p: Point) -> Result<Point, SourceError> {
         checked(self.text, at, p)
@@ -252,6 +325,14 @@ impl<'a> Sketch<'a> {
         [artwork.width_mm, artwork.height_mm] = [ink.width(), ink.height()];
         Ok((artwork, self.warnings.into_list()))
     }
+}
+
+/// How much a sketch holds.
+#[derive(Debug)]
+pub(super) struct SketchMark {
+    /// Strokes and areas of each layer.
+    layers: Vec<[usize; 2]>,
+    borders: usize,
 }
 
 /// Where y points in a file.

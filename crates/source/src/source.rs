@@ -7,14 +7,14 @@ use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
-use crate::{dxf, gcode, hpgl, kind, picture, points, svg};
+use crate::{dxf, gcode, hpgl, kind, packed, picture, points, svg};
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// An SVG file.
     Svg(String),
-    /// A PNG or JPEG file.
+    /// A PNG, JPEG, GIF, WebP, BMP or TIFF file.
     Picture(Vec<u8>),
     /// G-code: of a laser, a plotter or a mill. Bytes, for its comments may hold anything.
     Gcode(Vec<u8>),
@@ -31,17 +31,26 @@ pub enum Source {
 }
 
 impl Source {
-    /// Takes the contents of a file for what its name says, or else its first bytes.
+    /// Takes the contents of a file, which may be packed with gzip, for what its name says or its first
+    /// bytes: SVG files and pictures are known by these whatever they are called.
     ///
     /// # Errors
     ///
     /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
-    /// holds no text.
+    /// holds no text, [`SourceError::Foreign`] for what other programs make a drawing of, and
+    /// [`SourceError::Packed`].
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        let bytes = packed::unpacked(bytes)?;
+        kind::refuse_foreign(&bytes)?;
+        let unpacked = name.strip_suffix(".gz").unwrap_or(name);
+        let ending = unpacked.rsplit_once('.').map_or("", |(_, ending)| ending);
         match ending.to_ascii_lowercase().as_str() {
-            "svg" => Ok(Self::Svg(kind::text(bytes)?)),
-            "png" | "jpg" | "jpeg" => Ok(Self::Picture(bytes)),
+            _ if kind::is_svg(&bytes) => Ok(Self::Svg(kind::text(bytes)?)),
+            _ if picture::is_picture(&bytes) => Ok(Self::Picture(bytes)),
+            "svg" | "svgz" => Ok(Self::Svg(kind::text(bytes)?)),
+            "png" | "jpg" | "jpeg" | "gif" | "webp" | "bmp" | "tif" | "tiff" => {
+                Ok(Self::Picture(bytes))
+            }
             "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
             "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
             "dxf" => Ok(Self::Dxf(bytes)),
@@ -68,9 +77,6 @@ impl Source {
     }
 
     fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        if picture::is_picture(&bytes) {
-            return Ok(Self::Picture(bytes));
-        }
         match kind::TextKind::of_start(&bytes) {
             Some(kind) => kind.source(bytes),
             None => Err(SourceError::UnknownKind {

@@ -1,7 +1,6 @@
 //! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
 
 mod check;
-mod clip;
 mod color;
 mod dash;
 mod entities;
@@ -11,7 +10,6 @@ mod groups;
 mod ink;
 mod layers;
 mod page;
-mod polygon;
 mod renderer;
 mod substitutes;
 mod warning_count;
@@ -41,15 +39,14 @@ use crate::warning::Warning;
 ///
 /// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
 /// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
-/// letters. What a clip path or the edge of the page hides is cut off. What a pen cannot show comes
+/// letters. What a clip path hides is cut off, and what lies beyond the page, if that is wanted. What a pen cannot show comes
 /// back as warnings.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let substitutes = Substitutes::default();
-    let (artwork, counts) = draw(text, options, &substitutes)?;
-    let mut warnings: Vec<Warning> = counts.into_iter().map(Warning::from).collect();
+    let (artwork, mut warnings) = draw(text, options, &substitutes)?;
     warnings.extend(substitutes.warnings());
     Ok((artwork, warnings))
 }
@@ -58,23 +55,26 @@ fn draw(
     text: &str,
     options: &ReadOptions,
     substitutes: &Substitutes,
-) -> Result<(Artwork, Vec<WarningCount>), SourceError> {
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
     let (tree, groups) = parse(text, options, &tree_warnings)?;
-    let mut page = SvgPage::new(renderer::page_mm(&tree), options.layers);
+    let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
+    let cut = page.cut();
     let (artwork, mut warnings) = page.finish();
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
-        return Err(nothing_to_draw(&warnings));
+        return Err(nothing_to_draw(&warnings, cut));
     }
-    Ok((artwork, warnings))
+    let told = warnings.into_iter().map(Warning::from).chain(cut);
+    Ok((artwork, told.collect()))
 }
 
 /// Counts what is lost while the tree is built.
 struct TreeWarnings<'a> {
     images: AtomicUsize,
+    flowed: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     substitutes: &'a Substitutes,
@@ -84,6 +84,7 @@ impl<'a> TreeWarnings<'a> {
     const fn new(substitutes: &'a Substitutes) -> Self {
         Self {
             images: AtomicUsize::new(0),
+            flowed: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
             substitutes,
@@ -120,6 +121,7 @@ impl<'a> TreeWarnings<'a> {
     fn warn(&self, warnings: &mut Vec<WarningCount>) {
         let counts = [
             (WarningKind::Image, &self.images),
+            (WarningKind::FlowedText, &self.flowed),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -153,6 +155,12 @@ fn parse(
     };
     let doc = Document::parse_with_options(text, xml).map_err(|error| malformed(&error))?;
     check_root(&doc)?;
+    let flowed = doc
+        .descendants()
+        .filter(|it| it.has_tag_name("flowRoot") || it.has_tag_name((SVG_NAMESPACE, "flowRoot")));
+    tree_warnings
+        .flowed
+        .store(flowed.count(), Ordering::Relaxed);
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
     let usvg_options = usvg::Options {
@@ -204,15 +212,16 @@ fn unreadable(error: &usvg::Error) -> SourceError {
     }
 }
 
-fn nothing_to_draw(warnings: &[WarningCount]) -> SourceError {
-    if warnings.is_empty() {
+fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceError {
+    if warnings.is_empty() && cut.is_none() {
         return SourceError::nothing_to_draw(["no visible shape or text on the page".to_owned()]);
     }
     let only_text = |warning: &WarningCount| warning.kind == WarningKind::TextWithoutFont;
-    if warnings.iter().all(only_text) {
+    if cut.is_none() && warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
-    let texts = warnings.iter().map(|it| Warning::from(*it).to_string());
+    let told = warnings.iter().copied().map(Warning::from).chain(cut);
+    let texts = told.map(|it| it.to_string());
     SourceError::nothing_to_draw(texts)
 }
 

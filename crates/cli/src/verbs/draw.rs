@@ -10,16 +10,19 @@ mod report;
 
 use std::path::Path;
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use dobot_draw::{
-    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, frame, ink_seen,
+    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, export, frame,
+    ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
+use dobot_plan::MoveKind;
 use dobot_rules::StationClient;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;
+use self::args::export_format;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::input::asked;
 pub(crate) use self::input::materials;
@@ -31,7 +34,8 @@ use crate::failure::Failure;
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let files = [&args.result.picture, &args.result.timeline];
+    let results = &args.result;
+    let files = [&results.picture, &results.timeline, &results.export];
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
@@ -40,6 +44,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut drawing = Drawing::new(&args, &asked, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
     for warning in &drawing.prepared.warnings {
         eprintln!("warning: {warning}");
+    }
+    let hours = drawing.prepared.plan.duration_s() / 3600.0;
+    if hours > LONG_HOURS {
+        eprintln!("warning: this takes about {hours:.0} hours");
     }
     if args.dry_run {
         return drawing.estimate().await;
@@ -108,6 +116,14 @@ impl<'a> Drawing<'a> {
 
     /// Tells what it would be; nothing moves.
     async fn estimate(&self) -> Result<(), Failure> {
+        if self.is_long() {
+            let report = self.write_files(
+                None,
+                Some(&Drawn::planned(&self.prepared)),
+                Times::default(),
+            )?;
+            return print(self.args, &report);
+        }
         let Rehearsed {
             time,
             planned_s,
@@ -121,6 +137,13 @@ impl<'a> Drawing<'a> {
         let drawn = carried.as_ref().map(Drawn::carried);
         let report = self.write_files(carried.as_ref(), drawn.as_ref(), times)?;
         print(self.args, &report)
+    }
+
+    /// Whether it takes so long that a rehearsal would keep a person waiting: what is planned is as good, but
+    /// for what happens when.
+    fn is_long(&self) -> bool {
+        let hours = self.prepared.plan.duration_s() / 3600.0;
+        hours > LONG_HOURS && self.args.result.timeline.is_none()
     }
 
     async fn rehearse(&self) -> Result<Rehearsed, Failure> {
@@ -145,13 +168,13 @@ impl<'a> Drawing<'a> {
         let is_virtual = station.virtual_arm().is_some();
         // What a virtual arm in this process does is not estimated, it is seen. Where another policy
         // holds than here, the estimate may be refused: then there is none.
-        let rehearsed = match self.dialect.filter(|_| !is_virtual) {
+        let rehearsed = match self.dialect.filter(|_| !is_virtual && !self.is_long()) {
             Some(_) => self.rehearse().await.ok(),
             None => None,
         };
         let (estimated, estimate) =
             rehearsed.map_or((None, None), |it| (Some(it.time), it.carried));
-        if let Some(arm) = station.virtual_arm_mut() {
+        if let Some(arm) = station.virtual_arm_mut().filter(|_| !self.is_long()) {
             arm.record(RECORDING_PERIOD);
         }
         let armed_for = self.args.arm_laser;
@@ -162,8 +185,12 @@ impl<'a> Drawing<'a> {
             took: executed.outcome.as_ref().ok().copied(),
         };
         let arm = station.virtual_arm();
-        let carried = arm.and_then(|it| Carried::of(it, &self.prepared, &self.settings));
-        let drawn = if is_virtual {
+        let carried = arm
+            .filter(|_| !self.is_long())
+            .and_then(|it| Carried::of(it, &self.prepared, &self.settings));
+        let drawn = if is_virtual && self.is_long() {
+            Some(Drawn::planned(&self.prepared))
+        } else if is_virtual {
             carried.as_ref().map(Drawn::carried)
         } else {
             Some(Drawn::seen(&executed, &self.prepared, &self.settings))
@@ -183,7 +210,16 @@ impl<'a> Drawing<'a> {
     ) -> Result<Report, Failure> {
         let results = &self.args.result;
         let estimate = carried.map(|it| &it.estimate);
-        let report = Report::new(&self.prepared, estimate, drawn, times);
+        let sheet = self.settings.placement.sheet.as_ref();
+        let report = Report::new(&self.prepared, sheet, estimate, drawn, times);
+        if let Some(file) = &results.export {
+            let format = export_format(file).map_err(|error| anyhow!(error))?;
+            let sheet = self.settings.placement.sheet.as_ref();
+            write(
+                file,
+                export(&self.prepared.passes, sheet, format).as_bytes(),
+            )?;
+        }
         if let Some(file) = &results.picture {
             let ink = drawn.map_or(&[][..], |it| &it.ink);
             write(file, &self.picture(file, ink, &report)?)?;
@@ -202,6 +238,7 @@ impl<'a> Drawing<'a> {
             figures: &report.figures(),
             passes: report.passes(),
             area: dobot_draw::AREA,
+            sheet: self.settings.placement.sheet,
             plan: &self.prepared.plan,
             drawn: ink,
             colors: if results.errors {
@@ -231,6 +268,7 @@ fn print(args: &Args, report: &Report) -> Result<(), Failure> {
     let files = [
         ("picture", &args.result.picture),
         ("timeline", &args.result.timeline),
+        ("export", &args.result.export),
     ];
     for (what, file) in files {
         if let Some(file) = file {
@@ -244,8 +282,18 @@ fn print(args: &Args, report: &Report) -> Result<(), Failure> {
 struct Drawn {
     ink: Vec<InkLine>,
     deviation: Deviation,
-    /// The true position was recorded; otherwise only the statuses tell.
-    true_position: bool,
+    from: MeasuredFrom,
+}
+
+/// Where it is known from what became ink.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum MeasuredFrom {
+    /// The true position was recorded.
+    TruePosition,
+    /// Only the statuses tell.
+    Statuses,
+    /// It is what was planned.
+    Plan,
 }
 
 impl Drawn {
@@ -253,7 +301,18 @@ impl Drawn {
         Self {
             ink: carried.ink.clone(),
             deviation: carried.deviation,
-            true_position: true,
+            from: MeasuredFrom::TruePosition,
+        }
+    }
+
+    fn planned(prepared: &Prepared) -> Self {
+        let wanted = prepared.wanted();
+        let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| prepared.plan.paths(kind));
+        let planned = planned.concat();
+        Self {
+            deviation: deviation(&wanted, &planned),
+            ink: InkLine::measured(planned, &wanted),
+            from: MeasuredFrom::Plan,
         }
     }
 
@@ -264,19 +323,19 @@ impl Drawn {
         Self {
             deviation: deviation(&wanted, &dots),
             ink: InkLine::measured(dots, &wanted),
-            true_position: false,
+            from: MeasuredFrom::Statuses,
         }
     }
 
     /// Whether there is anything of which to tell how far it is astray.
     fn is_measured(&self) -> bool {
-        self.true_position || !self.ink.is_empty()
+        self.from == MeasuredFrom::TruePosition || !self.ink.is_empty()
     }
 
     /// What the statuses do not show is not missing.
     fn worst(&self) -> WorstPoint {
         let Deviation { astray, missed } = self.deviation;
-        if self.true_position && missed.distance_mm > astray.distance_mm {
+        if self.from != MeasuredFrom::Statuses && missed.distance_mm > astray.distance_mm {
             missed
         } else {
             astray
@@ -289,6 +348,8 @@ fn is_png(file: &Path) -> bool {
         .is_some_and(|it| it.eq_ignore_ascii_case("png"))
 }
 
+/// What takes longer is told before it begins.
+const LONG_HOURS: f64 = 3.0;
 const PNG_WIDTH_PX: u32 = 2000;
 /// Where the paper of a virtual arm lies.
 const VIRTUAL_PAPER_Z_MM: f64 = -40.0;

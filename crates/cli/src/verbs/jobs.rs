@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_api::{JobView, NewJob, Reply, Request};
+use dobot_api::{JobPhase, JobView, NewJob, Reply, Request};
 use dobot_rules::StationClient;
 
 use crate::connect::To;
@@ -55,8 +55,8 @@ enum Action {
     },
     /// Start a queued job or go on with a paused one, and follow it; Ctrl-C pauses it
     Start {
-        /// Its number
-        job: u64,
+        /// Its number (default: the one job that waits)
+        job: Option<u64>,
         /// Let the laser be switched on for so many seconds: everybody's goggles are on
         #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
         arm_laser: Option<Duration>,
@@ -153,9 +153,13 @@ async fn show(station: &mut StationClient, job: u64, as_json: bool) -> Result<()
 async fn start(
     station: &mut StationClient,
     args: &Args,
-    job: u64,
+    job: Option<u64>,
     laser: Option<Duration>,
 ) -> Result<(), Failure> {
+    let job = match job {
+        Some(job) => job,
+        None => waiting(station).await?,
+    };
     check_pose(station, args.to.pose_confirmed).await?;
     take_control(station).await?;
     arm_laser(station, laser).await?;
@@ -169,6 +173,24 @@ async fn start(
         format!(", in {}", clock(time.as_secs_f64()))
     };
     Ok(output::line(&format!("job {job} is done{took}"))?)
+}
+
+/// The job that waits to be started, where there is one and no other.
+async fn waiting(station: &mut StationClient) -> Result<u64, Failure> {
+    let jobs = station.jobs().await?;
+    let waits = |it: &&JobView| matches!(it.phase, JobPhase::Queued | JobPhase::Paused);
+    let waiting: Vec<u64> = jobs.iter().filter(waits).map(|it| it.job).collect();
+    match waiting[..] {
+        [job] => Ok(job),
+        [] => Err(Failure::new(
+            anyhow!("no job waits to be started"),
+            "`dobot draw` and `dobot play` make jobs; `dobot jobs` lists them",
+        )),
+        _ => Err(Failure::new(
+            anyhow!("{} jobs wait to be started: {waiting:?}", waiting.len()),
+            "say which one: `dobot jobs start NUMBER`",
+        )),
+    }
 }
 
 async fn step(station: &mut StationClient, args: &Args, job: u64) -> Result<(), Failure> {

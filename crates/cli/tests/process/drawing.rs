@@ -308,8 +308,83 @@ fn what_is_larger_than_the_area_shrinks_unless_a_scale_insists() {
         <rect width="400" height="100" fill="none" stroke="black"/></svg>"#;
     let outcome = dobot_reading(&["draw", "-", "--json"], svg.as_bytes()).succeeds();
     let scale = number(&report(&outcome.stdout), "scale");
-    assert!((scale - 0.5).abs() < 1e-6, "{scale}");
+    // 344 x 86 mm: half of it is as far to the side as its near edge is before the arm.
+    assert!((scale - 0.86).abs() < 0.005, "{scale}");
     dobot_reading(&["draw", "-", "--scale", "1"], svg.as_bytes()).fails(1, &["--fit"]);
+}
+
+#[test]
+fn what_will_be_drawn_is_written_for_other_programs() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("plan.svg");
+    let name = file.to_str().expect("it is text");
+    let svg = page(
+        r#"<rect width="40" height="20" fill="none" stroke="red"/><path d="M5 5H200" stroke="red"/>"#,
+    );
+    let asked = [
+        "draw",
+        "-",
+        "--dry-run",
+        "--json",
+        "--paper-size",
+        "a5",
+        "--landscape",
+        "--export",
+        name,
+    ];
+    let told = dobot_reading(&asked, svg.as_bytes()).succeeds();
+    let told = report(&told.stdout);
+    assert_eq!(told["warnings"][0]["what"], "cut line");
+    assert_eq!(told["layers"][0]["strokes"], 2);
+    assert_eq!(told["sheet_mm"][0][1], 105.0);
+    let written = std::fs::read_to_string(&file).expect("it was written");
+    assert!(
+        written.contains("width=\"210mm\" height=\"148mm\""),
+        "{written}"
+    );
+    // What was written can be drawn, and is the same.
+    let again = dobot(&[
+        "draw",
+        name,
+        "--dry-run",
+        "--json",
+        "--paper-size",
+        "210x148",
+    ])
+    .succeeds();
+    let again = number(&report(&again.stdout), "drawn_mm");
+    assert!((again - number(&told, "drawn_mm")).abs() < 0.01, "{again}");
+    dobot(&["draw", name, "--dry-run", "--export", "plan.png"]).fails(2, &[".gcode"]);
+}
+
+#[test]
+fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
+    // 500 lines, back and forth over 180 mm and 200 times around each: 18 km.
+    let lines = (0..500).map(|i| format!("M0 {}H180", f64::from(i) * 0.2));
+    let lines: Vec<String> = lines.collect();
+    let lines = lines.concat();
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="180mm" height="100mm" viewBox="0 0 180 100"><path d="{lines}" stroke="red"/></svg>"#
+    );
+    let long = [
+        "draw",
+        "-",
+        "--dry-run",
+        "--json",
+        "--passes",
+        "100",
+        "--speed",
+        "20",
+    ];
+    let outcome = dobot_reading(&long, svg.as_bytes()).succeeds();
+    assert!(
+        outcome.stderr.contains("this takes about 1"),
+        "{}",
+        outcome.stderr
+    );
+    let report = report(&outcome.stdout);
+    assert_eq!(report["measured_from"], "the plan");
+    assert!(number(&report, "planned_s") > 400_000.0);
 }
 
 #[test]

@@ -79,6 +79,7 @@ fn laser(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
         "travel_speed_mm_s",
         "spacing_mm",
         "passes",
+        "cuts",
     ])?;
     let laser = Laser::default();
     Ok(DrawingTool::Laser(Laser {
@@ -87,6 +88,8 @@ fn laser(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
             .number("travel_speed_mm_s", SPEED)?
             .unwrap_or(laser.travel_speed_mm_s),
         times: table.passes()?.unwrap_or(laser.times),
+        cuts: table.flag("cuts")?.unwrap_or(laser.cuts),
+        ..laser
     }))
 }
 
@@ -166,6 +169,14 @@ impl<'a> Table<'a> {
         match passes {
             Some(1..=MOST_PASSES) => Ok(passes),
             _ => Err(self.kind("passes", &format!("a whole number from 1 to {MOST_PASSES}"))),
+        }
+    }
+
+    fn flag(&self, key: &str) -> Result<Option<bool>, MaterialError> {
+        match self.value(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::Boolean(found)) => Ok(Some(*found)),
+            Some(_) => Err(self.kind(key, "true or false")),
         }
     }
 
@@ -279,7 +290,7 @@ mod tests {
         assert_eq!(
             error("[materials.oak]\ntool = 'laser'\nsped_mm_s = 4\n"),
             "line 3: materials.oak.sped_mm_s is unknown; did you mean speed_mm_s? allowed are: \
-             tool, speed_mm_s, travel_speed_mm_s, spacing_mm, passes"
+             tool, speed_mm_s, travel_speed_mm_s, spacing_mm, passes, cuts"
         );
         let pen_only = error("[materials.oak]\ntool = 'laser'\nspeed_mm_s = 4\nlift_mm = 5\n");
         assert!(

@@ -10,12 +10,14 @@ use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
 use dobot_wire::Dialect;
 
 use super::check::check;
-use super::{ContentOptions, Options, OptionsError, Spacing, ToolOptions};
+use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::card::Card;
+use crate::cutting::Cutting;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::place::{Placement, Size};
+use crate::place::{AREA, Placement, Size};
 use crate::prepare::{Prepared, Settings, prepare, prepare_passes};
+use crate::sheet::SheetPlace;
 
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
 /// arm.
@@ -89,14 +91,25 @@ impl DrawingRequest {
         let needs_fonts = source.as_ref().is_some_and(Source::needs_fonts);
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
-            placement: placement(&options, source.as_ref()),
+            placement: placement(&options, source.as_ref())?,
             tool,
             layers: options.what.layers,
             only: options.what.only.clone(),
             tools: layer_tools(&options.what, materials)?,
             hatch: hatch(&options.what, &material),
             shading: shading(&options),
+            crops: !options.what.no_crop,
             clips: options.place.clip,
+            join_mm: options.way.join,
+            drops_doubles: options.way.drop_doubles,
+            pen_passes: options.tool.passes.unwrap_or(1),
+            cutting: Cutting {
+                kerf_mm: options.tool.kerf,
+                lead_in_mm: options.tool.lead_in,
+                overcut_mm: options.tool.overcut,
+                tabs: options.tool.tabs,
+                tab_mm: options.tool.tab_width,
+            },
             tries: (!options.way.keep_order).then_some(options.way.tries),
             seed: options.way.seed,
             from: options.way.from.clone(),
@@ -209,9 +222,11 @@ fn with_options(tool: DrawingTool, options: &ToolOptions) -> Result<DrawingTool,
             ..pen
         })),
         (DrawingTool::Laser(laser), Some(_)) => Ok(DrawingTool::Laser(Laser {
+            by_stroke: options.passes_by == PassesBy::Shape,
             burn_speed_mm_s: options.speed.unwrap_or(laser.burn_speed_mm_s),
             travel_speed_mm_s: options.travel_speed.unwrap_or(laser.travel_speed_mm_s),
             times: options.passes.unwrap_or(laser.times),
+            ..laser
         })),
         (DrawingTool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
         (DrawingTool::Laser(_), None) => {
@@ -235,19 +250,26 @@ fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError>
     let DrawingTool::Laser(laser) = tool else {
         return Err(OptionsError::CardByPen);
     };
+    let (what, default) = (&options.what, Card::default());
+    let name = options.tool.laser.clone();
     let card = Card {
-        speeds_mm_s: options.what.card.clone().unwrap_or_default(),
-        most_passes: options.what.card_passes.unwrap_or(3),
+        speeds_mm_s: what.card.clone().unwrap_or_default(),
+        most_passes: what.card_passes.unwrap_or(default.most_passes),
         travel_speed_mm_s: laser.travel_speed_mm_s,
-        center: center(options).unwrap_or_else(|| Card::default().center),
-        ..Card::default()
+        cell_mm: what.card_size.unwrap_or(default.cell_mm),
+        gap_mm: what.card_gap.unwrap_or(default.gap_mm),
+        spacing_mm: what.spacing.unwrap_or(default.spacing_mm),
+        caption: what.card_label.clone().or(name).unwrap_or_default(),
+        center: center(options).unwrap_or(default.center),
+        ..default
     };
     Ok(card.to_passes()?)
 }
 
-fn placement(options: &Options, source: Option<&Source>) -> Placement {
+fn placement(options: &Options, source: Option<&Source>) -> Result<Placement, OptionsError> {
     let fills = source.is_some_and(|it| !it.has_size());
-    Placement {
+    let sheet = sheet(&options.place)?;
+    Ok(Placement {
         size: match (options.place.fit || fills, options.place.scale) {
             (_, Some(factor)) => Size::Scaled(factor),
             (true, None) => Size::Fit,
@@ -255,9 +277,45 @@ fn placement(options: &Options, source: Option<&Source>) -> Placement {
         },
         margin_mm: options.place.margin,
         rotate_deg: options.place.rotate,
-        center: center(options),
+        center: center(options).filter(|_| sheet.is_none()),
+        mirrors: options.place.mirror,
+        copies: options.place.grid.map(|it| (it, options.place.gap)),
+        sheet,
         ..Placement::default()
+    })
+}
+
+/// How near before the arm the lower edge of a sheet lies.
+const NEAREST_MM: f64 = 140.0;
+
+/// Where the sheet lies: through the touched points, at its corner or its middle, or as near before the
+/// arm as all of its lower edge can be reached.
+fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
+    let Some(size) = place.paper_size else {
+        return Ok(None);
+    };
+    let size = if place.landscape {
+        size.landscape()
+    } else {
+        size
+    };
+    if let Some(&[ax, ay, _, bx, by, ..]) = place.paper.as_deref() {
+        let [a, b] = [Point::new(ax, ay), Point::new(bx, by)];
+        let touched = SheetPlace::through(size, a, b);
+        return touched.map(Some).ok_or(OptionsError::SamePoint);
     }
+    if let Some(&[x_mm, y_mm]) = place.corner.as_deref() {
+        let corner = Point::new(x_mm, y_mm);
+        return Ok(Some(SheetPlace::from_lower_left(size, corner)));
+    }
+    let middle = match place.at.as_deref() {
+        Some(&[x_mm, y_mm]) => Point::new(x_mm, y_mm),
+        _ => Point::new(
+            (NEAREST_MM + size.height_mm / 2.0).max(AREA.center().x),
+            0.0,
+        ),
+    };
+    Ok(Some(SheetPlace::centered(size, middle)))
 }
 
 fn center(options: &Options) -> Option<Point> {

@@ -12,6 +12,7 @@ pub(super) fn check(
     title: &str,
 ) -> Result<(), OptionsError> {
     counts(options)?;
+    ranges(options)?;
     together(options)?;
     let kind = SourceKind::of(source);
     let misfit = given(options)
@@ -32,10 +33,11 @@ pub(super) fn check(
     })
 }
 
-/// Places have as many numbers as they need.
+/// Places have as many numbers as they need, and all are numbers.
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
         ("--at", &options.place.at, 2),
+        ("--corner", &options.place.corner, 2),
         ("--paper", &options.place.paper, 9),
     ];
     for (option, numbers, allowed) in places {
@@ -47,9 +49,58 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
                 allowed,
             });
         }
+        let mut numbers = numbers.iter().flatten();
+        if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
+            return Err(OptionsError::NoPlace { option, found });
+        }
     }
     Ok(())
 }
+
+/// Numbers that no arm and no paper has.
+fn ranges(options: &Options) -> Result<(), OptionsError> {
+    let Options {
+        place, tool, way, ..
+    } = options;
+    let numbers = [
+        ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
+        ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
+        (
+            "--acceleration",
+            Some(tool.acceleration),
+            0.0,
+            10_000.0,
+            "mm/s2",
+        ),
+        ("--lift", tool.lift, 0.0, 200.0, "mm"),
+        ("--join", way.join, 0.0, 20.0, "mm"),
+        ("--gap", Some(place.gap), 0.0, 1000.0, "mm"),
+        ("--passes", tool.passes.map(f64::from), 1.0, 100.0, "times"),
+        ("--kerf", Some(tool.kerf), -5.0, 5.0, "mm"),
+        ("--lead-in", Some(tool.lead_in), 0.0, 20.0, "mm"),
+        ("--overcut", Some(tool.overcut), 0.0, 20.0, "mm"),
+        ("--tabs", Some(tool.tabs.into()), 0.0, 100.0, "tabs"),
+        ("--tab-width", Some(tool.tab_width), 0.1, 20.0, "mm"),
+        ("--offset", Some(place.offset), -100.0, 100.0, "mm"),
+        ("--pen-down", place.pen_down, -500.0, 500.0, "mm"),
+    ];
+    for (option, found, least, most, unit) in numbers {
+        let is_refused = |it: &f64| !(least..=most).contains(it);
+        if let Some(found) = found.filter(is_refused) {
+            return Err(OptionsError::Range {
+                option,
+                found,
+                least,
+                most,
+                unit,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// No table is larger.
+const FARTHEST_MM: f64 = 10_000.0;
 
 /// Options that exclude each other, and those that need another one.
 fn together(options: &Options) -> Result<(), OptionsError> {
@@ -64,10 +115,13 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let by_laser = tool.laser.is_some();
     let tries = way.tries != defaults.way.tries;
     let touched = place.paper.is_some();
+    let cornered = place.corner.is_some();
     let exclusive = [
         ("--text", what.text.is_some(), "--card", what.card.is_some()),
         ("--fit", place.fit, "--scale", place.scale.is_some()),
         ("--pen-down", place.pen_down.is_some(), "--paper", touched),
+        ("--corner", cornered, "--at", place.at.is_some()),
+        ("--corner", cornered, "--paper", touched),
         ("--pen", by_pen, "--laser", by_laser),
         ("--keep-order", way.keep_order, "--tries", tries),
     ];
@@ -76,12 +130,32 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     }
     let turned = what.hatch_angle != defaults.what.hatch_angle;
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
+    let sheet = place.paper_size.is_some();
+    let apart = place.gap != defaults.place.gap;
     let dependent = [
+        ("--landscape", place.landscape, "--paper-size", sheet),
+        ("--corner", cornered, "--paper-size", sheet),
+        ("--gap", apart, "--grid", place.grid.is_some()),
         ("--layer", !what.layer.is_empty(), "--layers", layered),
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
         ("--cross", what.cross, "--hatch", hatched),
-        ("--passes", tool.passes.is_some(), "--laser", by_laser),
+        (
+            "--passes-by",
+            tool.passes_by != defaults.tool.passes_by,
+            "--laser",
+            by_laser,
+        ),
+        ("--kerf", tool.kerf != 0.0, "--laser", by_laser),
+        ("--lead-in", tool.lead_in != 0.0, "--laser", by_laser),
+        ("--overcut", tool.overcut != 0.0, "--laser", by_laser),
+        ("--tabs", tool.tabs != 0, "--laser", by_laser),
+        (
+            "--tab-width",
+            tool.tab_width != defaults.tool.tab_width,
+            "--tabs",
+            tool.tabs != 0,
+        ),
     ];
     match dependent.into_iter().find(|it| it.1 && !it.3) {
         Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
@@ -114,12 +188,17 @@ impl SourceKind {
 struct Purpose(&'static [SourceKind], &'static str);
 
 const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "PNG and JPEG pictures");
+const LINED: Purpose = Purpose(
+    &[SourceKind::Picture, SourceKind::Card],
+    "pictures and the test card",
+);
 const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
 const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
 const AREAS: Purpose = Purpose(
     &[SourceKind::Lines, SourceKind::Text],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
+const FILES: Purpose = Purpose(&[SourceKind::Lines], "files of lines");
 const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
 const DRAWINGS: Purpose = Purpose(
     &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
@@ -127,27 +206,37 @@ const DRAWINGS: Purpose = Purpose(
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 16] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
     let Options {
         what, place, tool, ..
     } = options;
     [
         ("--shade", what.shade.is_some(), PICTURES),
-        ("--spacing", what.spacing.is_some(), PICTURES),
+        ("--spacing", what.spacing.is_some(), LINED),
         ("--invert", what.invert, PICTURES),
         ("--font", what.font.is_some(), TEXTS),
         ("--height", what.height.is_some(), TEXTS),
         ("--align", what.align.is_some(), TEXTS),
         ("--card-passes", what.card_passes.is_some(), CARDS),
+        ("--card-size", what.card_size.is_some(), CARDS),
+        ("--card-gap", what.card_gap.is_some(), CARDS),
+        ("--card-label", what.card_label.is_some(), CARDS),
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
+        ("--no-crop", what.no_crop, FILES),
         ("--fit", place.fit, DRAWINGS),
+        ("--paper-size", place.paper_size.is_some(), DRAWINGS),
+        ("--mirror", place.mirror, DRAWINGS),
+        ("--grid", place.grid.is_some(), DRAWINGS),
         ("--scale", place.scale.is_some(), DRAWINGS),
         ("--rotate", place.rotate != 0.0, DRAWINGS),
         ("--margin", place.margin != 0.0, DRAWINGS),
         ("--clip", place.clip, DRAWINGS),
         ("--speed", tool.speed.is_some(), DRAWINGS),
         ("--passes", tool.passes.is_some(), DRAWINGS),
+        ("--kerf", tool.kerf != 0.0, DRAWINGS),
+        ("--lead-in", tool.lead_in != 0.0, DRAWINGS),
+        ("--tabs", tool.tabs != 0, DRAWINGS),
     ]
 }
 
@@ -185,6 +274,18 @@ mod tests {
             (
                 r#"{"place": {"at": [200]}}"#,
                 "--at has 1 numbers; it takes 2",
+            ),
+            (
+                r#"{"place": {"at": [1e300, 0]}}"#,
+                "--at has 1e300; it takes numbers of millimetres from -10000 to 10000",
+            ),
+            (
+                r#"{"tool": {"speed": 1e9}}"#,
+                "--speed is 1000000000.0 mm/s; it takes 0 to 1000 mm/s",
+            ),
+            (
+                r#"{"place": {"paper": [1, 2, 3, 4, -5e20, 6, 7, 8, 9]}}"#,
+                "--paper has -5e20; it takes numbers of millimetres from -10000 to 10000",
             ),
         ] {
             assert_eq!(refusal(json), told);

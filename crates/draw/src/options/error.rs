@@ -57,6 +57,28 @@ pub enum OptionsError {
         /// The one that is missing.
         needs: &'static str,
     },
+    /// A coordinate that is none.
+    #[error("{option} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
+    NoPlace {
+        /// The option.
+        option: &'static str,
+        /// What it has.
+        found: f64,
+    },
+    /// A number that no arm and no paper has.
+    #[error("{option} is {found:?} {unit}; it takes {least} to {most} {unit}")]
+    Range {
+        /// The option.
+        option: &'static str,
+        /// What it is.
+        found: f64,
+        /// The least that it takes.
+        least: f64,
+        /// The most.
+        most: f64,
+        /// Of what.
+        unit: &'static str,
+    },
     /// Coordinates that are too few or too many.
     #[error("{option} has {found} numbers; it takes {allowed}")]
     Count {
@@ -67,6 +89,11 @@ pub enum OptionsError {
         /// How many it takes.
         allowed: usize,
     },
+    /// A sheet of which one place was touched twice.
+    #[error(
+        "--paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
+    )]
+    SamePoint,
     /// Paper that does not lie so.
     #[error(transparent)]
     Paper(#[from] PaperError),
@@ -89,6 +116,9 @@ impl OptionsError {
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
                 Some("`--fit` makes it as large as the drawing area allows".into())
             }
+            Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
+                "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit`; `--clip`".into(),
+            ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
                 "`--clip` draws what is within reach; `--fit` without `--at` places it inside; `--pen-down` and `--lift` set the heights".into(),
             ),

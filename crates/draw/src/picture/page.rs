@@ -1,23 +1,56 @@
 //! The page under the lines: what the arm reaches, its base, and the drawing area.
 
-use dobot_geometry::Rect;
+use dobot_geometry::{Point, Rect, steps};
 use dobot_lettering::{Rectangle, ShapeStyle, Sheet, desk};
 
 use super::REACH_MM;
-use super::lines::area_on_picture;
+use super::lines::{area_on_picture, seen};
+use crate::sheet::SheetPlace;
 
-/// The ring that the arm reaches, its base, and the drawing area.
-pub(super) fn workspace(sheet: &mut Sheet, area: Rect, unit: f64) {
+/// The ring that the arm reaches, its base, and the drawing area or the sheet.
+pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace>, unit: f64) {
     sheet.reach(REACH_MM, [-2.2, 4.2], unit);
-    let area = area_on_picture(area);
-    let look = ShapeStyle::area(desk::PAPER).edged("#9fb3c2", 0.25);
-    sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
+    if let Some(place) = place {
+        drawn_on(sheet, place);
+    } else {
+        let area = area_on_picture(area);
+        let look = ShapeStyle::area(desk::PAPER).edged("#9fb3c2", 0.25);
+        sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
+    }
     for (radius, color) in [(38.0, "#dfe6ea"), (22.0, "#f3f6f7")] {
         let look = ShapeStyle::area(color).edged("#7d8f9b", 0.5);
         sheet.circle([0.0, 0.0], radius, &look);
     }
     sheet.path("M-5 0H5M0 -5V5", &ShapeStyle::line("#7d8f9b", 0.5));
 }
+
+/// The sheet, striped where the arm does not reach it.
+fn drawn_on(sheet: &mut Sheet, place: &SheetPlace) {
+    let corners = place.corners();
+    let edges: Vec<[f64; 2]> = seen(&corners).collect();
+    sheet.area(&edges, &ShapeStyle::area("#ffffff").edged("#7d8f9b", 0.4));
+    let stripes = stripes(place);
+    let stripes = stripes.iter().map(|it| seen(it));
+    sheet.curves(stripes, &ShapeStyle::line("#d98880", 0.35));
+}
+
+/// Lines across a sheet, where the arm does not reach it.
+fn stripes(place: &SheetPlace) -> Vec<Vec<Point>> {
+    let [near, far] = REACH_MM;
+    let reached = |p: &Point| (near..=far).contains(&p.to_vec2().length());
+    let mut stripes = Vec::new();
+    let mut down_mm = STRIPES_MM / 2.0;
+    while down_mm < place.size.height_mm {
+        let [from, to] = [0.0, place.size.width_mm].map(|x| place.place(Point::new(x, down_mm)));
+        let places: Vec<Point> = steps(from, to, 0.5).collect();
+        let pieces = places.split(reached).filter(|it| it.len() > 1);
+        stripes.extend(pieces.map(|it| vec![it[0], it[it.len() - 1]]));
+        down_mm += STRIPES_MM;
+    }
+    stripes
+}
+
+const STRIPES_MM: f64 = 3.0;
 
 pub(super) fn frame(bounds: Rect) -> Rectangle {
     let Rect { x0, y0, x1, y1 } = bounds;

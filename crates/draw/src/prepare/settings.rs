@@ -9,6 +9,7 @@ use dobot_source::fontdb;
 use dobot_source::{LayersBy, Shading};
 
 use super::PrepareError;
+use crate::cutting::Cutting;
 use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
@@ -18,7 +19,7 @@ use crate::start::StartFrom;
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 up.
+    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
     pub tolerance_mm: f64,
     /// Where on the paper, and how large.
     pub placement: Placement,
@@ -37,8 +38,18 @@ pub struct Settings {
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, DrawingTool)>,
+    /// Whether what lies beyond the page of an SVG file is cut off.
+    pub crops: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
+    /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
+    pub join_mm: Option<f64>,
+    /// Whether lines that lie on others are left out.
+    pub drops_doubles: bool,
+    /// How often a pen goes over each line, from 1 up.
+    pub pen_passes: u32,
+    /// How a laser cuts shapes out.
+    pub cutting: Cutting,
     /// How filled areas become lines; they stay empty if not given.
     pub hatch: Option<Hatch>,
     /// How a picture's tones become lines.
@@ -57,7 +68,7 @@ pub struct Settings {
 impl Settings {
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
-        if !(tolerance_mm >= LEAST_TOLERANCE_MM && tolerance_mm.is_finite()) {
+        if !(LEAST_TOLERANCE_MM..=MOST_TOLERANCE_MM).contains(&tolerance_mm) {
             return Err(PrepareError::Tolerance(tolerance_mm));
         }
         // Told for a drawing without areas, too.
@@ -99,7 +110,12 @@ impl Default for Settings {
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),
+            crops: true,
             clips: false,
+            join_mm: None,
+            drops_doubles: false,
+            pen_passes: 1,
+            cutting: Cutting::default(),
             hatch: None,
             shading: Shading::default(),
             tries: Some(TRIES),
@@ -114,3 +130,5 @@ impl Default for Settings {
 pub(crate) const TRIES: u32 = 20_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
+/// With more, nothing of a drawing would be left.
+const MOST_TOLERANCE_MM: f64 = 10.0;

@@ -6,4 +6,5 @@ mod bench;
 mod breaks;
 mod calibrated;
 mod lasers;
+mod policy;
 mod traces;

@@ -6,7 +6,7 @@ use super::file::Span;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 
-/// The groups of an entity.
+/// The groups of an entity, without those that repeat it for newer programs.
 #[derive(Debug)]
 pub(super) struct Entity<'a> {
     pub(super) text: &'a [u8],
@@ -22,7 +22,7 @@ impl<'a> Entity<'a> {
             text,
             kind: span.kind,
             at: span.at,
-            pairs: pairs(within, span.begin).collect::<Result<_, _>>()?,
+            pairs: own_pairs(within, span.begin)?,
         })
     }
 
@@ -88,3 +88,11 @@ impl<'a> Entity<'a> {
         SourceError::found(self.text, self.at, found, expected)
     }
 }
+
+fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
+    let is_own = |it: &Result<Pair<'_>, _>| it.as_ref().map_or(true, |it| it.code != EMBEDDED);
+    pairs(text, from).take_while(is_own).collect()
+}
+
+/// What follows repeats the entity for newer programs.
+const EMBEDDED: i32 = 101;

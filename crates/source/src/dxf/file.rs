@@ -17,6 +17,8 @@ pub(super) struct File<'a> {
     pub(super) layers: HashMap<String, LayerInfo>,
     pub(super) blocks: HashMap<&'a [u8], Block<'a>>,
     pub(super) entities: Vec<Span<'a>>,
+    /// Dictionaries and filters, by their handles.
+    pub(super) objects: HashMap<&'a [u8], Span<'a>>,
 }
 
 /// A layer in the table of layers.
@@ -106,6 +108,8 @@ struct SectionReader<'a> {
     variable: &'a [u8],
     /// The entity in hand, its end not known.
     entity: Option<Span<'a>>,
+    /// The handle of the object in hand.
+    handle: Option<&'a [u8]>,
     /// The block in hand, with its name.
     block: Option<(&'a [u8], Block<'a>)>,
     /// The layer in hand, with its name.
@@ -121,10 +125,12 @@ impl<'a> SectionReader<'a> {
                 layers: HashMap::new(),
                 blocks: HashMap::new(),
                 entities: Vec::new(),
+                objects: HashMap::new(),
             },
             section: b"",
             variable: b"",
             entity: None,
+            handle: None,
             block: None,
             layer: None,
         }
@@ -151,6 +157,10 @@ impl<'a> SectionReader<'a> {
             b"BLOCKS" => self.block(pair),
             b"ENTITIES" => {
                 self.entity_pair(pair);
+                Ok(())
+            }
+            b"OBJECTS" => {
+                self.object_pair(pair);
                 Ok(())
             }
             _ => Ok(()),
@@ -238,7 +248,17 @@ impl<'a> SectionReader<'a> {
         }
     }
 
+    fn object_pair(&mut self, pair: Pair<'a>) {
+        if pair.code == 5 && self.handle.is_none() {
+            self.handle = Some(pair.value);
+        }
+        if matches!(pair.value, b"DICTIONARY" | b"SPATIAL_FILTER") {
+            self.entity_pair(pair);
+        }
+    }
+
     fn end_entity(&mut self, end: usize) {
+        let handle = self.handle.take();
         if let Some(mut span) = self.entity.take() {
             span.end = end;
             // Behind the line with its name.
@@ -247,9 +267,10 @@ impl<'a> SectionReader<'a> {
                 .iter()
                 .position(|&it| it == b'\n')
                 .map_or(rest.len(), |it| it + 1);
-            match &mut self.block {
-                Some((_, block)) => block.entities.push(span),
-                None => self.file.entities.push(span),
+            match (&mut self.block, handle) {
+                (Some((_, block)), _) => block.entities.push(span),
+                (None, Some(handle)) => _ = self.file.objects.insert(handle, span),
+                (None, None) => self.file.entities.push(span),
             }
         }
     }

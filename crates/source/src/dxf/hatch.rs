@@ -1,10 +1,11 @@
-//! HATCH: areas by their boundaries.
+//! HATCH: areas by their boundaries, and the lines that fill them.
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
 use super::frame::way;
 use super::pairs::Pair;
+use super::pattern::PatternLine;
 use super::renderer::EntityRenderer;
 use super::shapes::{Corner, span_rad};
 use crate::arc::Arc;
@@ -12,8 +13,8 @@ use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 
 impl EntityRenderer<'_, '_> {
-    /// Its boundaries as rings of an area, whatever pattern fills it. A hatch with ellipses or splines
-    /// is left out with a warning.
+    /// Its boundaries as rings of an area. Where lines fill it, these are drawn, and the area is theirs;
+    /// where nobody knows them or all of it is filled, the area is for hatching.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let pairs = it.pairs.iter().enumerate();
         let starts = pairs.filter(|(_, pair)| pair.code == 92);
@@ -23,13 +24,24 @@ impl EntityRenderer<'_, '_> {
             let end = starts.get(i + 1).copied().unwrap_or(it.pairs.len());
             let path = &it.pairs[start..end];
             let Some(ring) = self.ring(it, path, frame)? else {
-                self.left_out(it, "a boundary by ellipses or splines, left out");
+                self.left_out(it, "a boundary of an unknown kind, left out");
                 return Ok(());
             };
             rings.push(ring);
         }
+        rings.retain(|ring| ring.len() > 2);
         let rule = FillRule::EvenOdd;
-        self.sketch.area(Area { rings, rule })
+        let area = Area { rings, rule };
+        let is_solid = it.flags(70)? & SOLID != 0;
+        let lines = if is_solid {
+            Vec::new()
+        } else {
+            PatternLine::all(it)?
+        };
+        if lines.is_empty() || area.rings.is_empty() {
+            return self.sketch.area(area);
+        }
+        self.pattern(it, frame, area, &lines)
     }
 
     fn ring(
@@ -72,25 +84,58 @@ impl EntityRenderer<'_, '_> {
             let ends = [at, point(11, 21)?].map(|p| self.place(it, frame, p));
             return Ok(Some(ends.into_iter().collect::<Result<_, _>>()?));
         }
-        if kind != ARC {
-            return Ok(None);
+        if kind == SPLINE {
+            return self.edge_spline(it, edge, frame).map(Some);
         }
-        let (radius, is_left) = (number(40)?, number(73)? != 0.0);
-        let (from_deg, to_deg) = (number(50)?, number(51)?);
         // Of one that goes clockwise the angles are counted clockwise too.
-        let side = if is_left { 1.0 } else { -1.0 };
-        let across = way(frame, Vec2::new(radius, 0.0));
-        let along = way(frame, Vec2::new(0.0, radius * side));
+        let side = if number(73)? == 0.0 { -1.0 } else { 1.0 };
+        let (across, along) = if kind == ARC {
+            let radius = number(40)?;
+            (Vec2::new(radius, 0.0), Vec2::new(0.0, radius * side))
+        } else if kind == ELLIPSE {
+            let across = point(11, 21)?.to_vec2();
+            (across, across.turn_90() * (number(40)? * side))
+        } else {
+            return Ok(None);
+        };
         let center = self.place(it, frame, at)?;
-        let [from_rad, sweep_rad] = span_rad(from_deg, to_deg);
-        let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
+        let [from_rad, sweep_rad] = span_rad(number(50)?, number(51)?);
+        let arc = Arc::ellipse(
+            center,
+            way(frame, across),
+            way(frame, along),
+            from_rad,
+            sweep_rad,
+        );
         Ok(Some(self.sketch.arc_points(it.at, &arc)?))
+    }
+
+    fn edge_spline(
+        &mut self,
+        it: &Entity<'_>,
+        edge: &[Pair<'_>],
+        frame: Affine,
+    ) -> Result<Vec<Point>, SourceError> {
+        // What follows is told by points that it passes, again.
+        let end = edge.iter().position(|it| it.code == 97);
+        let own = Entity {
+            pairs: edge[..end.unwrap_or(edge.len())].to_vec(),
+            ..*it
+        };
+        let degree = usize::try_from(own.flags(94)?).unwrap_or(usize::MAX);
+        let places = own
+            .points(10)?
+            .into_iter()
+            .map(|p| self.place(it, frame, p));
+        let places: Vec<Point> = places.collect::<Result<_, _>>()?;
+        self.curve(it, degree, own.numbers(40)?, &places, &own.numbers(42)?)
     }
 }
 
 /// The edges of a boundary that is no polyline: each begins with its kind.
 fn edges<'p, 't>(path: &'p [Pair<'t>]) -> impl Iterator<Item = &'p [Pair<'t>]> {
-    let path = before_sources(path);
+    let end = path.iter().position(|it| it.code == 75);
+    let path = &path[..end.unwrap_or(path.len())];
     let first = path.iter().position(|it| it.code == 72);
     let mut rest = &path[first.unwrap_or(path.len())..];
     std::iter::from_fn(move || {
@@ -119,6 +164,10 @@ fn before_sources<'p, 't>(path: &'p [Pair<'t>]) -> &'p [Pair<'t>] {
 }
 
 const POLYLINE: i64 = 2;
-/// Kinds of edges; others are 3, ellipses, and 4, splines.
+/// Kinds of edges.
 const LINE: f64 = 1.0;
 const ARC: f64 = 2.0;
+const ELLIPSE: f64 = 3.0;
+const SPLINE: f64 = 4.0;
+/// Flag of a hatch that is filled.
+const SOLID: u32 = 1;

@@ -4,6 +4,7 @@ use dobot_geometry::{Affine, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::{Block, File, LayerInfo, Span};
+use super::frame::way;
 use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::error::SourceError;
@@ -15,7 +16,7 @@ use crate::text::Lettering;
 #[derive(Debug)]
 pub(super) struct EntityRenderer<'s, 'a> {
     pub(super) sketch: &'s mut Sketch<'a>,
-    file: &'s File<'a>,
+    pub(super) file: &'s File<'a>,
     /// How many bytes of copied entities may still be read.
     copies_left: usize,
     /// The layer that the sketch uses.
@@ -59,22 +60,23 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             if copy.depth > 0 {
                 self.spend(span)?;
             }
-            let mut vertices = Vec::new();
+            let part = match span.kind {
+                b"POLYLINE" => &b"VERTEX"[..],
+                b"INSERT" => b"ATTRIB",
+                _ => b"",
+            };
+            let rest = spans.as_slice();
+            let count = rest.iter().take_while(|it| it.kind == part).count();
             if span.kind == b"POLYLINE" {
-                let parts = spans
-                    .as_slice()
-                    .iter()
-                    .take_while(|it| it.kind == b"VERTEX");
-                vertices = parts.copied().collect();
-                spans = spans.as_slice()[vertices.len()..].iter();
+                spans = rest[count..].iter();
             }
-            self.entity(span, &vertices, copy)?;
+            self.entity(span, &rest[..count], copy)?;
         }
         Ok(())
     }
 
     /// Copies of copies may be many, although the file is small.
-    fn spend(&mut self, span: Span<'_>) -> Result<(), SourceError> {
+    pub(super) fn spend(&mut self, span: Span<'_>) -> Result<(), SourceError> {
         if let Some(left) = self.copies_left.checked_sub(span.end - span.at) {
             self.copies_left = left;
             return Ok(());
@@ -86,7 +88,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     fn entity(
         &mut self,
         span: Span<'a>,
-        vertices: &[Span<'a>],
+        parts: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         let it = Entity::read(self.file.text, span)?;
@@ -96,8 +98,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             return Ok(());
         }
         match it.kind {
-            b"INSERT" => return self.insert(&it, Copy { layer, ..copy }),
-            b"DIMENSION" => return self.dimension(&it, Copy { layer, ..copy }),
+            b"INSERT" => return self.insert(&it, parts, Copy { layer, ..copy }),
+            b"ACAD_TABLE" => return self.table(&it, Copy { layer, ..copy }),
+            b"DIMENSION" | b"ARC_DIMENSION" | b"LARGE_RADIAL_DIMENSION" => {
+                return self.dimension(&it, Copy { layer, ..copy });
+            }
             _ => {}
         }
         let Some(frame) = self.seen(&it, copy.frame)? else {
@@ -111,9 +116,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"CIRCLE" | b"ARC" => self.circle(&it, frame),
             b"ELLIPSE" => self.ellipse(&it, copy.frame),
             b"LWPOLYLINE" => self.light_polyline(&it, frame),
-            b"POLYLINE" => self.polyline(&it, vertices, frame),
+            b"POLYLINE" => self.polyline(&it, parts, frame),
             b"SPLINE" => self.spline(&it, copy.frame),
             b"SOLID" | b"TRACE" => self.solid(&it, frame),
+            b"3DFACE" => self.face(&it, copy.frame),
+            b"LEADER" => self.leader(&it, copy.frame),
             b"HATCH" => self.hatch(&it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
@@ -172,7 +179,12 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 
     /// A block, drawn once or in rows and columns.
-    fn insert(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+    fn insert(
+        &mut self,
+        it: &Entity<'a>,
+        attributes: &[Span<'a>],
+        copy: Copy<'_>,
+    ) -> Result<(), SourceError> {
         let name = it.find(2).map_or(&b""[..], |it| it.value);
         let Some(block) = self.file.blocks.get(name) else {
             let found = format!("INSERT of block {:?}", String::from_utf8_lossy(name));
@@ -181,16 +193,48 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         let Some(frame) = self.seen(it, copy.frame)? else {
             return Ok(());
         };
+        let clip = self.clip(it)?;
+        let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
         let (columns, rows) = (it.flags(70)?.max(1), it.flags(71)?.max(1));
         let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let shift = Vec2::new(f64::from(column) * wide, f64::from(row) * high);
-            let frame = frame * placed(it, block.base, shift)?;
-            let copy = Copy { frame, ..copy };
-            self.block(it, block, copy)?;
+            let placed = frame * placed(it, block.base, shift)?;
+            let mark = self.sketch.mark();
+            self.block(
+                it,
+                block,
+                Copy {
+                    frame: placed,
+                    ..copy
+                },
+            )?;
+            if let Some(ring) = &clip {
+                let ring = ring.iter().map(|&p| placed * p).collect();
+                self.sketch.cut_since(&mark, ring)?;
+            }
+            // Those of the first are entities of their own.
+            for &span in attributes.iter().filter(|_| row + column > 0) {
+                let frame = copy.frame * Affine::translate(way(turn, shift));
+                self.spend(span)?;
+                self.entity(span, &[], Copy { frame, ..copy })?;
+            }
         }
         Ok(())
+    }
+
+    /// A table, whose picture is a block.
+    fn table(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+        let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
+            self.left_out(it, "left out, for its picture is not in the file");
+            return Ok(());
+        };
+        let right = Vec2::new(it.number_or(11, 1.0)?, it.number_or(21, 0.0)?);
+        let turn = Affine::rotate(right.atan2());
+        let at = Affine::translate(it.point(10)?.to_vec2());
+        let frame = copy.frame * at * turn * Affine::translate(-block.base.to_vec2());
+        self.block(it, block, Copy { frame, ..copy })
     }
 
     /// The picture of a dimension, which is a block that lies where it belongs.

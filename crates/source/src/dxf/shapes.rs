@@ -163,13 +163,25 @@ impl EntityRenderer<'_, '_> {
         }
         let placed = self.places(it, frame, &controls)?;
         let degree = usize::try_from(it.flags(71)?).unwrap_or(usize::MAX);
-        let spline = Spline::new(degree, it.numbers(40)?, &placed, &it.numbers(41)?);
+        let points = self.curve(it, degree, it.numbers(40)?, &placed, &it.numbers(41)?)?;
+        self.sketch.stroke(points)
+    }
+
+    /// The corners of a spline.
+    pub(super) fn curve(
+        &mut self,
+        it: &Entity<'_>,
+        degree: usize,
+        knots: Vec<f64>,
+        placed: &[Point],
+        weights: &[f64],
+    ) -> Result<Vec<Point>, SourceError> {
+        let spline = Spline::new(degree, knots, placed, weights);
         let expected = "degree 1 to 15, knots for each control point and degree + 1 more";
         let spline = spline.map_err(|found| it.refused(found, expected))?;
         let points = spline.points(self.sketch.tolerance_mm(), MAX_SEGMENTS);
         let limit = MAX_SEGMENTS;
-        self.sketch
-            .stroke(points.ok_or(SourceError::TooManySegments { limit })?)
+        points.ok_or(SourceError::TooManySegments { limit })
     }
 
     /// Four corners, the last two crossed over.
@@ -181,6 +193,32 @@ impl EntityRenderer<'_, '_> {
             rings: vec![ring],
             rule: FillRule::NonZero,
         })
+    }
+
+    /// Three or four corners, some of its edges hidden.
+    pub(super) fn face(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let fourth = if it.find(13).is_some() { 13 } else { 12 };
+        let corners = [10, 11, 12, fourth].map(|code| self.place(it, frame, it.point(code)?));
+        let corners: Vec<Point> = corners.into_iter().collect::<Result<_, _>>()?;
+        let hidden = it.flags(70)?;
+        for (i, &from) in corners.iter().enumerate() {
+            let to = corners[(i + 1) % corners.len()];
+            if hidden & (1 << i) != 0 {
+                self.sketch.lift();
+            } else if from != to {
+                self.sketch.line(from, to)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The line that leads from a note to what it is about; its arrow is not drawn.
+    pub(super) fn leader(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        if it.flags(71)? != 0 {
+            self.left_out(it, "drawn without its arrow");
+        }
+        let points = self.places(it, frame, &it.points(10)?)?;
+        self.sketch.stroke(points)
     }
 
     fn places(

@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod blocks;
+mod patterns;
 mod text;
 
 use std::f64::consts::PI;
@@ -285,8 +287,8 @@ fn what_is_left_out_is_named_with_its_count() {
     let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
         0 TEXT 10 0 20 0 40 1 1 %%u漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
         0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
-        0 DIMENSION 2 *D1 10 0 20 0 0 LEADER 76 2
-        0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 3 10 0 20 0 11 1 21 0 40 1
+        0 DIMENSION 2 *D1 10 0 20 0 0 RAY 10 0 20 0 11 1 21 0
+        0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0 0 HATCH 91 1 92 1 93 1 72 5 10 0 20 0 11 1 21 0 40 1
         0 POLYLINE 70 64 0 VERTEX 10 0 20 0 0 SEQEND 0 SPLINE 71 3 11 0 21 0 11 5 21 5 0 VIEWPORT 10 0";
     let (_, warnings) = draw(entities);
     let texts: Vec<&str> = warnings
@@ -302,9 +304,9 @@ fn what_is_left_out_is_named_with_its_count() {
             "2 TEXTs: left out, for its letters have no size",
             "1 MTEXT: left out, for its letters have no size",
             "1 DIMENSION: left out, for its picture is not in the file",
-            "1 LEADER: not known, left out",
+            "1 RAY: not known, left out",
             "1 tilted object: left out, for only what lies in the plane XY is drawn",
-            "1 HATCH: a boundary by ellipses or splines, left out",
+            "1 HATCH: a boundary of an unknown kind, left out",
             "1 POLYLINE: left out, for its faces are no lines",
             "1 SPLINE: by points alone: drawn as straight lines between them",
         ]

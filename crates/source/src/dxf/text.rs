@@ -91,16 +91,25 @@ impl EntityRenderer<'_, '_> {
             return Ok(());
         }
         let (column, row) = attachment(it)?;
-        let lines = self.wrapped(&content.text, it.number_or(41, 0.0)? / unit);
+        let room = it.number_or(41, 0.0)? / unit;
+        let lines = self.wrapped(&content.text, room / NARROW);
         let spacing = it.number_or(44, 1.0)? * LINE * CAPITAL;
         #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
         let below = spacing * (lines.len() - 1) as f64;
         let mut y = (CAPITAL + below) * row - CAPITAL;
         for line in lines {
             let extent = LineExtent::of(&line, &mut self.lettering);
+            // As wide as the letters that the file was made with.
+            let share = room / extent.width();
+            let across = pose.across
+                * if (NARROW..1.0).contains(&share) {
+                    share
+                } else {
+                    1.0
+                };
             let x = -extent.width() * column - extent.begin;
-            let at = pose.at + pose.across * x + pose.up * y;
-            self.write(it, world, &line, Pose { at, ..pose })?;
+            let at = pose.at + across * x + pose.up * y;
+            self.write(it, world, &line, Pose { at, across, ..pose })?;
             y -= spacing;
         }
         Ok(())
@@ -286,8 +295,10 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
 
 /// The text of an MTEXT, which is in pieces where it is long.
 fn whole_text(it: &Entity<'_>) -> String {
-    let own = it.pairs.iter().take_while(|pair| pair.code != EMBEDDED);
-    let pieces = own.filter(|pair| pair.code == 1 || pair.code == 3);
+    let pieces = it
+        .pairs
+        .iter()
+        .filter(|pair| pair.code == 1 || pair.code == 3);
     pieces.map(Pair::whole_text).collect()
 }
 
@@ -315,7 +326,7 @@ const BACKWARD: u32 = 2;
 const UPSIDE_DOWN: u32 = 4;
 /// How far letters reach below the base line, on their grid.
 const DESCENT: f64 = 7.0;
+/// How much narrower than ours the letters of other programs are.
+const NARROW: f64 = 0.8;
 /// From line to line, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
-/// What follows repeats the entity for newer programs.
-const EMBEDDED: i32 = 101;

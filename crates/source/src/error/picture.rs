@@ -7,17 +7,17 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum ImageError {
     /// No bytes at all.
-    #[error("the file is empty; a picture is a PNG or JPEG file")]
+    #[error("the file is empty; a picture is a PNG, JPEG, GIF, WebP, BMP or TIFF file")]
     EmptyFile,
     /// Another format, whatever its name says.
     #[error(
-        "the file begins neither as PNG nor as JPEG does; save the picture anew as PNG or JPEG"
+        "the file begins as no PNG, JPEG, GIF, WebP, BMP or TIFF does; save the picture anew as PNG or JPEG"
     )]
     UnknownFormat,
     /// The file breaks off, or is not what its first bytes say.
     #[error("the {format} picture cannot be read: {problem}; save it anew as PNG or JPEG")]
     Damaged {
-        /// PNG or JPEG.
+        /// Which one.
         format: &'static str,
         /// What the decoder says.
         problem: String,

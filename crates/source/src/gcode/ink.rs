@@ -16,8 +16,8 @@ pub(super) struct Inker<'s, 'a> {
     tool: Option<ToolState>,
     /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
-    /// Where layers below full power begin.
-    dim: Vec<usize>,
+    /// What is told of layers below full power.
+    dim: Vec<DimLayer>,
 }
 
 impl<'s, 'a> Inker<'s, 'a> {
@@ -56,10 +56,29 @@ impl<'s, 'a> Inker<'s, 'a> {
         if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
             self.dot(waits)?;
         }
-        for at in self.dim {
-            let instead =
-                "burned at full power, for this laser is on or off; draw it faster instead";
-            self.sketch.warn(at, "weaker layer", instead);
+        let strong = self
+            .dim
+            .iter()
+            .filter(|it| it.speed_mm_s.is_none_or(|it| it > FASTEST_MM_S));
+        let too_strong = strong.min_by(|a, b| a.share.total_cmp(&b.share));
+        if let Some(first) = self.dim.first() {
+            let instead = "burned faster instead, for this laser is on or off";
+            self.sketch.warn(first.at, "weaker layer", instead);
+        }
+        if let Some(it) = too_strong {
+            let InkRule::Laser { full } = self.rule else {
+                return Ok(());
+            };
+            let percent = 100.0 * it.share;
+            let times = it
+                .speed_mm_s
+                .map_or(1.0 / it.share, |mm_s| mm_s / FASTEST_MM_S);
+            let instead = format!(
+                "S{} is {percent:.3} % of full power ({full}), and the arm is not fast enough to burn as little: it burns {times:.1} times as much; leave the layer out with --only",
+                it.share * full
+            );
+            self.sketch
+                .warn(it.at, "layer burned too strongly", &instead);
         }
         Ok(())
     }
@@ -116,8 +135,15 @@ impl<'s, 'a> Inker<'s, 'a> {
             return self.take_pen(it, before);
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];
-        if self.use_layer(&name, tool)? && tool.power.is_some_and(|it| it < full) {
-            self.dim.push(it.at);
+        let share = tool.power.map_or(1.0, |it| it / full);
+        let speed_mm_s = tool.speed_mm_s.map(|it| it / share);
+        let is_new = self.use_layer(&name, speed_mm_s.map(|it| it.min(FASTEST_MM_S)))?;
+        if is_new && share < FULL {
+            self.dim.push(DimLayer {
+                at: it.at,
+                share,
+                speed_mm_s,
+            });
         }
         Ok(())
     }
@@ -125,7 +151,7 @@ impl<'s, 'a> Inker<'s, 'a> {
     fn take_pen(&mut self, it: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
         let tool = it.tool;
         if before.is_none_or(|before| before.number != tool.number) {
-            self.use_layer(&[("T", tool.number)], tool)?;
+            self.use_layer(&[("T", tool.number)], tool.speed_mm_s)?;
         }
         let layer = self.sketch.layer();
         let first = layer.speed_mm_s;
@@ -141,7 +167,7 @@ impl<'s, 'a> Inker<'s, 'a> {
     fn use_layer(
         &mut self,
         name: &[(&str, Option<f64>)],
-        tool: ToolState,
+        speed_mm_s: Option<f64>,
     ) -> Result<bool, SourceError> {
         let words = name
             .iter()
@@ -149,9 +175,23 @@ impl<'s, 'a> Inker<'s, 'a> {
         let words: Vec<String> = words.collect();
         self.sketch.use_layer(Layer {
             name: words.join(" "),
-            speed_mm_s: tool.speed_mm_s,
+            speed_mm_s,
             ..Layer::default()
         })?;
         Ok(self.sketch.layer().is_empty())
     }
 }
+
+/// A layer that is to be burned below full power.
+#[derive(Debug)]
+struct DimLayer {
+    at: usize,
+    share: f64,
+    /// The speed at which full power burns as much, in mm/s, where the file tells one.
+    speed_mm_s: Option<f64>,
+}
+
+/// The largest speed of the arm while it writes, in mm/s.
+const FASTEST_MM_S: f64 = 200.0;
+/// What is above is full power.
+const FULL: f64 = 0.999;

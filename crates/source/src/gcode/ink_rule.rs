@@ -6,7 +6,7 @@ use super::machine::{Move, MoveKind};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum InkRule {
     /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
-    /// is the largest S.
+    /// is the S of full power.
     Laser { full: f64 },
     /// A pen or a mill: every move that ends below a height.
     Height { below_mm: f64, source: HeightSource },
@@ -107,12 +107,16 @@ impl MoveStatistics {
         }
     }
 
-    pub(super) fn rule(&self) -> InkRule {
+    /// `told` is the S of full power, where the file tells it.
+    pub(super) fn rule(&self, told: Option<f64>) -> InkRule {
         let height = self.height();
         match (self.full, self.first_servo) {
             // A mill turns its spindle all the time, and travels above its work.
-            (Some(full), _) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
-                InkRule::Laser { full }
+            (Some(most), _) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
+                let full = told.unwrap_or_else(|| scale(most));
+                InkRule::Laser {
+                    full: full.max(most),
+                }
             }
             (None, Some(up)) if self.other_servo => InkRule::Servo { up },
             _ => height.unwrap_or(InkRule::Plain),
@@ -158,6 +162,43 @@ impl Default for Heights {
             highest: f64::NEG_INFINITY,
         }
     }
+}
+
+/// The S of full power, where only the largest one is known: that, unless it is next to nothing in any
+/// scale that controllers have, of which 255 is the least that is not 1.
+fn scale(most: f64) -> f64 {
+    if most > 1.0 && most < 26.0 {
+        255.0
+    } else {
+        most
+    }
+}
+
+/// The S of full power, as comments tell it: `; Cut @ 600 mm/min, 20% power` before S200.
+pub(super) fn told_full(text: &[u8]) -> Option<f64> {
+    let mut percent = None;
+    for line in text.split(|&byte| byte == b'\n') {
+        let line = String::from_utf8_lossy(line);
+        if line.starts_with(';') {
+            let before = line
+                .split("% power")
+                .next()
+                .filter(|it| it.len() < line.len());
+            let number = before.and_then(|it| it.rsplit([' ', ',']).next());
+            percent = number.and_then(|it| it.parse::<f64>().ok()).or(percent);
+            continue;
+        }
+        let power = line.split_once('S').map(|(_, rest)| rest.trim_end());
+        let digits =
+            power.and_then(|it| it.split(|c: char| c != '.' && !c.is_ascii_digit()).next());
+        let power = digits
+            .and_then(|it| it.parse::<f64>().ok())
+            .filter(|it| *it > 0.0);
+        if let (Some(percent), Some(power)) = (percent.filter(|it| *it > 0.0), power) {
+            return Some((100.0 * power / percent).round());
+        }
+    }
+    None
 }
 
 /// A sheet is no flatter.

@@ -65,10 +65,36 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
     assert_eq!(strokes, [2, 1, 1]);
     assert_eq!(
         warnings,
-        [
-            "4:1: 1 weaker layer: burned at full power, for this laser is on or off; draw it faster instead"
-        ]
+        ["4:1: 1 weaker layer: burned faster instead, for this laser is on or off"]
     );
+    let speeds: Vec<_> = artwork.layers.iter().map(|it| it.speed_mm_s).collect();
+    assert_eq!(speeds, [Some(10.0), Some(10.0 / 0.3), Some(1.0)]);
+}
+
+#[test]
+fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
+    let job = |percent: u32, s: u32| {
+        format!(
+            "; LightBurn 1.4\n; GRBL device profile\nG21\nM4\n; Line @ 600 mm/min, {percent}% power\nG0 X1 Y1\n; Layer C00\nG1 X9 S{s} F600\nG1 Y9\nM5\n"
+        )
+    };
+    let (artwork, warnings) = draw(&job(20, 200));
+    assert_eq!(artwork.layers[0].speed_mm_s, Some(50.0));
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    let (artwork, warnings) = draw(&job(100, 255));
+    assert_eq!(artwork.layers[0].speed_mm_s, Some(10.0));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    for text in [job(1, 10), job(1, 10).replace("1% power", "faint")] {
+        let (artwork, warnings) = draw(&text);
+        assert_eq!(
+            artwork.layers[0].speed_mm_s.map(|it| it > 199.0),
+            Some(true)
+        );
+        assert!(
+            warnings[1].contains("times as much; leave the layer out"),
+            "{warnings:?}"
+        );
+    }
 }
 
 #[test]

@@ -24,6 +24,8 @@ pub(super) struct Plotter<'a> {
     pub(super) is_down: bool,
     is_relative: bool,
     pen: PenChoice,
+    /// The colours that pens have been given (PC), by their numbers.
+    colors: Vec<(f64, [u8; 3])>,
     speed_mm_s: Option<f64>,
     /// The pen was lowered and has drawn nothing yet.
     pub(super) is_dot: bool,
@@ -57,6 +59,7 @@ impl<'a> Plotter<'a> {
             is_down: false,
             is_relative: false,
             pen: PenChoice::Any,
+            colors: Vec::new(),
             speed_mm_s: None,
             is_dot: false,
             is_selected: false,
@@ -96,6 +99,10 @@ impl<'a> Plotter<'a> {
             }
             b"PE" => self.go_encoded(it),
             b"SP" => self.take_pen(it, it.number(0)),
+            b"PC" => {
+                self.color_pen(it);
+                Ok(())
+            }
             b"VS" => self.set_speed(it),
             b"IP" => self.set_corners(it),
             b"SC" => self.set_scale(it),
@@ -271,6 +278,7 @@ impl<'a> Plotter<'a> {
         };
         self.sketch.use_layer(Layer {
             name,
+            color: self.color(),
             speed_mm_s: self.speed_mm_s,
             ..Layer::default()
         })?;
@@ -284,9 +292,40 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
+    /// Red, green and blue, each from 0 to 255.
+    fn color_pen(&mut self, it: &Command<'_>) {
+        let [Some(pen), Some(red), Some(green), Some(blue)] = [0, 1, 2, 3].map(|i| it.number(i))
+        else {
+            return;
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a shade; saturates"
+        )]
+        let color = [red, green, blue].map(|it| it as u8);
+        self.colors.retain(|it| it.0 != pen);
+        if self.colors.len() < MOST_PENS {
+            self.colors.push((pen, color));
+        }
+    }
+
+    fn color_of(&self, pen: f64) -> Option<[u8; 3]> {
+        self.colors.iter().find(|it| it.0 == pen).map(|it| it.1)
+    }
+
+    fn color(&self) -> Option<[u8; 3]> {
+        match self.pen {
+            PenChoice::Number(number) => self.color_of(number),
+            PenChoice::Any | PenChoice::None => None,
+        }
+    }
+
     fn take_pen(&mut self, it: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
         self.lift(it)?;
         self.pen = match number {
+            // Pen 0 is white, and draws nothing, unless it has a colour of its own.
+            Some(0.0) if self.color_of(0.0).is_some_and(|it| it != WHITE) => PenChoice::Number(0.0),
             None | Some(0.0) => PenChoice::None,
             Some(number) => PenChoice::Number(number),
         };
@@ -372,3 +411,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 }
+
+/// No plotter has more pens.
+const MOST_PENS: usize = 256;
+const WHITE: [u8; 3] = [255; 3];

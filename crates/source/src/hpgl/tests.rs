@@ -116,6 +116,23 @@ fn each_pen_is_a_layer_with_its_speed() {
 }
 
 #[test]
+fn pens_have_the_colours_that_they_are_given_and_pen_0_draws_with_one() {
+    let (artwork, warnings) = draw(
+        "IN;PC1,255,0,0;PC0,128,128,128;SP1;PD40,0;PU;SP0;PD40,40;PU;PC0,255,255,255;SP0;PD0,0;",
+    );
+    let found: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|it| (it.name.as_str(), it.color))
+        .collect();
+    assert_eq!(
+        found,
+        [("pen 1", Some([255, 0, 0])), ("pen 0", Some([128; 3]))]
+    );
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+}
+
+#[test]
 fn a_pen_that_only_touches_leaves_a_dot() {
     assert_eq!(
         corners("PU40,40;PD;PU;PA80,40;PD80,40;PU120,40"),

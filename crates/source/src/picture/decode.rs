@@ -1,8 +1,9 @@
-//! PNG and JPEG files to grey pixels.
+//! Pictures to grey pixels: PNG and JPEG here, the rest in `others`.
 
 use std::io::Cursor;
 
 use dobot_geometry::Point;
+use image::ImageFormat;
 use png::{ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
@@ -10,6 +11,7 @@ use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::exif::Orientation;
+use super::others;
 use crate::error::ImageError;
 
 /// The header of a picture.
@@ -40,22 +42,23 @@ impl Header {
         stored
     }
 
-    fn check(self) -> Result<Self, ImageError> {
+    /// Refuses pictures of more pixels than that.
+    pub(super) fn check(self, most: usize) -> Result<Self, ImageError> {
         let (width, height) = (self.width, self.height);
-        if width.saturating_mul(height) <= MOST_PIXELS {
+        if width.saturating_mul(height) <= most {
             return Ok(self);
         }
         Err(ImageError::TooManyPixels {
             width,
             height,
-            limit: MOST_PIXELS / 1_000_000,
+            limit: most / 1_000_000,
         })
     }
 }
 
-/// Whether it begins as a PNG or JPEG file does.
+/// Whether it begins as a file of a known format does.
 pub(crate) fn is_picture(bytes: &[u8]) -> bool {
-    bytes.starts_with(PNG) || bytes.starts_with(JPEG)
+    bytes.starts_with(PNG) || bytes.starts_with(JPEG) || others::format(bytes).is_some()
 }
 
 /// Reads the header alone.
@@ -63,6 +66,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     match Format::of(bytes)? {
         Format::Png => png(bytes).map(|it| it.header),
         Format::Jpeg => jpeg(bytes).map(|it| it.header),
+        Format::Other(format) => others::header(bytes, format),
     }
 }
 
@@ -71,6 +75,7 @@ pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), Image
     match Format::of(bytes)? {
         Format::Png => png_pixels(bytes, paper),
         Format::Jpeg => jpeg_pixels(bytes),
+        Format::Other(format) => others::pixels(bytes, format, paper),
     }
 }
 
@@ -78,6 +83,7 @@ pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), Image
 enum Format {
     Png,
     Jpeg,
+    Other(ImageFormat),
 }
 
 impl Format {
@@ -87,7 +93,9 @@ impl Format {
             [] => Err(ImageError::EmptyFile),
             _ if bytes.starts_with(PNG) => Ok(Self::Png),
             _ if bytes.starts_with(JPEG) => Ok(Self::Jpeg),
-            _ => Err(ImageError::UnknownFormat),
+            _ => others::format(bytes)
+                .map(Self::Other)
+                .ok_or(ImageError::UnknownFormat),
         }
     }
 }
@@ -111,7 +119,7 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
         orientation: Orientation::default(),
         animated: false,
     }
-    .check()?;
+    .check(MOST_PIXELS)?;
     let reader = decoder.read_info().map_err(bad_png)?;
     let info = reader.info();
     header.animated = info.is_animated();
@@ -148,11 +156,14 @@ fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> 
     Err(bad_png("it has too few pixels"))
 }
 
+/// A pixel that lets some of the paper through.
+pub(super) fn on_paper(grey: u8, alpha: u8, paper: u8) -> u8 {
+    let [grey, alpha, paper] = [grey, alpha, paper].map(u32::from);
+    byte((grey * alpha + paper * (255 - alpha) + 127) / 255)
+}
+
 fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
-    let on_paper = |grey: u8, alpha: u8| {
-        let [grey, alpha, paper] = [grey, alpha, paper].map(u32::from);
-        byte((grey * alpha + paper * (255 - alpha) + 127) / 255)
-    };
+    let on_paper = |grey: u8, alpha: u8| on_paper(grey, alpha, paper);
     match color {
         ColorType::Grayscale | ColorType::Indexed => grey.extend_from_slice(row),
         ColorType::GrayscaleAlpha => {
@@ -189,7 +200,7 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
         orientation: Orientation::of_exif(exif),
         animated: false,
     };
-    let header = header.check()?;
+    let header = header.check(MOST_PIXELS)?;
     Ok(JpegFile { decoder, header })
 }
 
@@ -248,7 +259,7 @@ fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
 }
 
 /// 96 to the inch, as browsers take pixels.
-const PIXEL_MM: f64 = 25.4 / 96.0;
+pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
 const MOST_PIXELS: usize = 100_000_000;
 /// The PNG decoder may allocate so much beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;

@@ -19,7 +19,7 @@ impl Orientation {
     }
 
     /// The eight ways of the Exif standard: where the picture's upper left corner is stored.
-    const fn numbered(number: u16) -> Self {
+    pub(super) const fn numbered(number: u16) -> Self {
         let (transpose, mirror_x, mirror_y) = match number {
             2 => (false, true, false),
             3 => (false, true, true),

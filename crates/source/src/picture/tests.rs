@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use dobot_geometry::{Point, Stroke, bounds, bounds_of_strokes, steps};
+use image::ImageFormat::{Bmp, Gif, Tiff, WebP};
 use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder};
 use png::{BitDepth, ColorType};
 use proptest::prelude::*;
@@ -394,6 +395,50 @@ fn a_file_that_breaks_off_is_refused() {
 }
 
 #[test]
+fn pictures_of_other_formats_are_drawn_as_the_same_png() {
+    // The left half black, the right one white and half of that transparent.
+    let picture = image::RgbaImage::from_fn(64, 32, |x, _| match x {
+        0..32 => image::Rgba([0, 0, 0, 255]),
+        32..48 => image::Rgba([255; 4]),
+        _ => image::Rgba([0; 4]),
+    });
+    let file = |format| {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let picture = image::DynamicImage::from(picture.clone());
+        picture.write_to(&mut bytes, format).unwrap();
+        bytes.into_inner()
+    };
+    let options = ReadOptions {
+        shading: Shading::new(ShadingStyle::Lines),
+        ..ReadOptions::default()
+    };
+    let mut encoded = Vec::new();
+    let mut encoder = png::Encoder::new(&mut encoded, 64, 32);
+    encoder.set_color(png::ColorType::Rgba);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&picture).unwrap();
+    drop(writer);
+    let wanted = read(&encoded, &options).unwrap().0;
+    assert!(!wanted.layers[0].strokes.is_empty());
+    for format in [Bmp, Gif, Tiff, WebP] {
+        let bytes = file(format);
+        assert!(matches!(
+            Source::of_file("-", bytes.clone()),
+            Ok(Source::Picture(_))
+        ));
+        let (found, _) = read(&bytes, &options).unwrap();
+        assert_eq!(found, wanted, "{format:?}");
+        for cut in [bytes.len() / 2, 20, 12] {
+            let error = read(&bytes[..cut], &options).unwrap_err().to_string();
+            assert!(
+                error.contains("picture cannot be read"),
+                "{format:?}, {cut}: {error}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
     for name in ["a.jpg", "a.png"] {
         let told = |bytes: &[u8]| {
@@ -402,11 +447,11 @@ fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
         };
         assert_eq!(
             told(b""),
-            "the file is empty; a picture is a PNG or JPEG file"
+            "the file is empty; a picture is a PNG, JPEG, GIF, WebP, BMP or TIFF file"
         );
         assert_eq!(
-            told(b"GIF89a"),
-            "the file begins neither as PNG nor as JPEG does; save the picture anew as PNG or JPEG"
+            told(b"FORM89a"),
+            "the file begins as no PNG, JPEG, GIF, WebP, BMP or TIFF does; save the picture anew as PNG or JPEG"
         );
         assert!(told(b"\xff\xd8\xff").starts_with("the JPEG picture cannot be read: "));
     }

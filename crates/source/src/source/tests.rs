@@ -123,7 +123,7 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .png, .jpg, .gcode, .plt, .dxf, .csv and .json files"
+        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .csv and .json files"
     );
     let endings = ["gcode", "gco", "g", "nc", "ngc", "tap", "cnc", "NC"];
     for ending in endings {
@@ -133,6 +133,57 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
     for ending in ["hpgl", "hpg", "plt", "hgl"] {
         let source = Source::of_file(&format!("a.{ending}"), Vec::new()).unwrap();
         assert_eq!(source, Source::Hpgl(Vec::new()), "{ending}");
+    }
+}
+
+#[test]
+fn a_drawing_is_known_by_its_contents_where_its_name_is_wrong_or_it_is_packed() {
+    use std::io::Write;
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+    let expected = Source::Svg(svg.to_owned());
+    let mut packer = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    packer.write_all(svg.as_bytes()).unwrap();
+    let packed = packer.finish().unwrap();
+    for name in ["a.svgz", "a.svg.gz", "a.svg", "-"] {
+        assert_eq!(
+            Source::of_file(name, packed.clone()).unwrap(),
+            expected,
+            "{name}"
+        );
+    }
+    for name in ["a.gcode", "a.dxf", "a.jpg"] {
+        assert_eq!(
+            Source::of_file(name, svg.into()).unwrap(),
+            expected,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn what_other_programs_make_a_drawing_of_is_told_with_the_way() {
+    for (bytes, told) in [
+        (
+            &b"%PDF-1.7\n4 0 obj"[..],
+            "a PDF file is not drawn; Inkscape opens it",
+        ),
+        (
+            b"%!PS-Adobe-3.0 EPSF-3.0",
+            "a PostScript or EPS file is not drawn; Inkscape",
+        ),
+        (
+            b"\x00\x00\x00\x18ftypheic",
+            "an HEIC or AVIF picture is not drawn; save it as JPEG",
+        ),
+        (
+            b"PK\x03\x04\x14\x00",
+            "a packed folder (zip) is not drawn; unpack it",
+        ),
+    ] {
+        let error = Source::of_file("a.gcode", bytes.to_vec())
+            .unwrap_err()
+            .to_string();
+        assert!(error.starts_with(told), "{error}");
     }
 }
 

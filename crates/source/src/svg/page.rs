@@ -5,23 +5,27 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::clip::{self, Region};
 use super::dash::dash;
 use super::ink::{FillPaint, Ink, InkColor};
 use super::layers::Layers;
-use super::polygon::Polygons;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
+use crate::clip::{self, Region};
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS};
-use crate::options::LayersBy;
+use crate::options::ReadOptions;
+use crate::polygon::Polygons;
+use crate::warning::Warning;
 
 /// Collects what shows on the page.
 pub(crate) struct SvgPage {
     size_mm: [f64; 2],
-    page: Region,
-    page_bounds: Rect,
+    /// What is cut at; where nothing is cut, `None`.
+    edge: Option<PageEdge>,
+    /// What of lines the edge has cut off, and how many of them.
+    cut_mm: f64,
+    cut_lines: usize,
     /// How many segments may still come.
     pub(crate) budget: Budget,
     pub(crate) layers: Layers,
@@ -29,19 +33,27 @@ pub(crate) struct SvgPage {
 }
 
 impl SvgPage {
-    pub(crate) fn new(size_mm: [f64; 2], by: LayersBy) -> Self {
-        let [w, h] = size_mm;
-        let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| Point::new(x, y));
-        let outline = Stroke::open(corners.to_vec());
-        let area = clip::ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
+    pub(crate) fn new(size_mm: [f64; 2], options: &ReadOptions) -> Self {
+        let by = options.layers;
         Self {
             size_mm,
-            page: Region::new(vec![area]),
-            page_bounds: bounds(corners),
+            edge: options.crops.then(|| PageEdge::new(size_mm)),
+            cut_mm: 0.0,
+            cut_lines: 0,
             budget: Budget::new(MAX_SEGMENTS),
             layers: Layers::new(by),
             warnings: BTreeMap::new(),
         }
+    }
+
+    /// What the edge of the page has cut off.
+    pub(crate) fn cut(&self) -> Option<Warning> {
+        let instead = format!(
+            "{:.1} mm beyond the edge of the page left out; --no-crop draws them",
+            self.cut_mm.max(0.1)
+        );
+        let count = self.cut_lines;
+        (count > 0).then(|| Warning::new("cut line", &instead, count))
     }
 
     pub(crate) fn finish(self) -> (Artwork, Vec<WarningCount>) {
@@ -65,17 +77,24 @@ impl SvgPage {
     /// Draws a shape: its fill first, its line upon it. The outlines lie in the shape's own units.
     pub(crate) fn shape(
         &mut self,
-        outlines: Vec<Stroke>,
+        mut outlines: Vec<Stroke>,
         transform: Affine,
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        if let Some(fill) = ink.area() {
-            self.fill(&outlines, transform, fill, clips)?;
-        }
         let Some(color) = ink.outline() else {
             return Ok(());
         };
+        let mut edges = None;
+        if let Some(fill) = ink.area() {
+            edges = self.fill(&outlines, transform, fill, clips)?;
+        }
+        if ink.line.is_none() {
+            if let Some(edges) = edges {
+                return edges.into_iter().try_for_each(|it| self.on_page(it, color));
+            }
+            outlines.iter_mut().for_each(close);
+        }
         for outline in outlines {
             for piece in self.dashes(outline, ink)? {
                 if ink.has_ends() || has_length(&piece) {
@@ -104,12 +123,8 @@ impl SvgPage {
         if !has_length(&stroke) {
             stroke = Stroke::open(vec![stroke.points[0]]);
         }
-        let ink = place(&mut stroke.points, transform)?;
-        if self.is_on_page(ink) && clips.is_empty() {
-            self.layers.stroke(stroke, color);
-            return Ok(());
-        }
-        let mut pieces = self.page.cut(stroke, &mut self.budget)?;
+        place(&mut stroke.points, transform)?;
+        let mut pieces = vec![stroke];
         for clip in clips {
             let mut shown = Vec::new();
             for piece in pieces {
@@ -117,20 +132,37 @@ impl SvgPage {
             }
             pieces = shown;
         }
+        pieces
+            .into_iter()
+            .try_for_each(|it| self.on_page(it, color))
+    }
+
+    /// Puts a stroke on the page whose place there is known, cut at the edge.
+    fn on_page(&mut self, stroke: Stroke, color: InkColor) -> Result<(), SvgError> {
+        let ink = bounds(stroke.points.iter().copied());
+        let Some(edge) = self.edge.as_ref().filter(|it| !it.holds(ink)) else {
+            self.layers.stroke(stroke, color);
+            return Ok(());
+        };
+        let whole_mm = stroke.length_mm();
+        let pieces = edge.region.cut(stroke, &mut self.budget)?;
+        self.cut_mm += whole_mm - pieces.iter().map(Stroke::length_mm).sum::<f64>();
+        self.cut_lines += 1;
         for piece in pieces {
             self.layers.stroke(piece, color);
         }
         Ok(())
     }
 
-    /// Puts a filled area on the page, as far as it shows.
+    /// Puts a filled area on the page, as far as it shows. Gives its edges where clip paths make other
+    /// ones of them.
     fn fill(
         &mut self,
         outlines: &[Stroke],
         transform: Affine,
         fill: FillPaint,
         clips: &[Rc<Region>],
-    ) -> Result<(), SvgError> {
+    ) -> Result<Option<Vec<Stroke>>, SvgError> {
         let mut around = bounds([]);
         let mut rings = Vec::with_capacity(outlines.len());
         for outline in outlines {
@@ -145,38 +177,89 @@ impl SvgPage {
             }
         }
         if rings.is_empty() || around.width() <= 0.0 || around.height() <= 0.0 {
-            return Ok(());
+            return Ok(None);
         }
-        let area = Area {
+        let whole = Area {
             rings,
             rule: fill.rule,
         };
-        match self.shown(area, around, clips) {
+        let shown = shown(&whole, around, clips.iter().map(Rc::as_ref));
+        let edge = self.edge.as_ref().filter(|it| !it.holds(around));
+        let area = match (&shown, edge) {
+            (_, None) | (None, _) => shown.clone(),
+            (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
+            (Some(whole), Some(edge)) => self::shown(whole, around, [&edge.region]),
+        };
+        match area {
             Some(area) if !area.rings.is_empty() => self.layers.area(area, fill.color),
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
         }
-        Ok(())
+        Ok(shown.filter(|it| *it != whole).map(outlines_of))
     }
+}
 
-    /// The part of an area that shows; `None` where it is too entangled to tell.
-    fn shown(&self, area: Area, bounds: Rect, clips: &[Rc<Region>]) -> Option<Area> {
-        let page = (!self.is_on_page(bounds)).then_some(&self.page);
-        let mut edges = page
-            .into_iter()
-            .chain(clips.iter().map(Rc::as_ref))
-            .filter(|region| region.has_edge_in(bounds) || !region.shows(area.rings[0][0]))
-            .peekable();
-        if edges.peek().is_none() {
-            return Some(area);
+/// The edge of a page, and a little beyond: numbers in files are rounded, and half of a line on the edge shows.
+struct PageEdge {
+    region: Region,
+    bounds: Rect,
+}
+
+impl PageEdge {
+    fn new([w, h]: [f64; 2]) -> Self {
+        let slack_mm = PAGE_SLACK * w.min(h);
+        let bounds = Rect::new(0.0, 0.0, w, h).inflate(slack_mm, slack_mm);
+        let Rect { x0, y0, x1, y1 } = bounds;
+        let corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Point::new(x, y));
+        let outline = Stroke::open(corners.to_vec());
+        let area = clip::ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
+        Self {
+            region: Region::new(vec![area]),
+            bounds,
         }
-        let whole = Polygons::new(&area.rings, area.rule);
-        let shown = edges.try_fold(whole?, |shown, region| shown.and(region.polygons()?));
-        Some(shown?.into_area())
     }
 
-    fn is_on_page(&self, ink: Rect) -> bool {
-        self.page_bounds.contains_rect(ink)
+    fn holds(&self, ink: Rect) -> bool {
+        self.bounds.contains_rect(ink)
+    }
+}
+
+/// The part of an area that shows; `None` where it is too entangled to tell.
+fn shown<'r>(
+    area: &Area,
+    bounds: Rect,
+    regions: impl IntoIterator<Item = &'r Region>,
+) -> Option<Area> {
+    let mut edges = regions
+        .into_iter()
+        .filter(|region| region.has_edge_in(bounds) || !region.shows(area.rings[0][0]))
+        .peekable();
+    if edges.peek().is_none() {
+        return Some(area.clone());
+    }
+    let whole = Polygons::new(&area.rings, area.rule);
+    let shown = edges.try_fold(whole?, |shown, region| shown.and(region.polygons()?));
+    Some(shown?.into_area())
+}
+
+/// The edges of an area, each closed.
+fn outlines_of(area: Area) -> Vec<Stroke> {
+    let closed = |points| {
+        let mut outline = Stroke::open(points);
+        close(&mut outline);
+        outline
+    };
+    area.rings.into_iter().map(closed).collect()
+}
+
+/// Closes a line as filling does.
+fn close(line: &mut Stroke) {
+    let first = line.points[0];
+    if line.points.len() > 2 && !line.closed {
+        if line.last() != Some(first) {
+            line.points.push(first);
+        }
+        line.closed = true;
     }
 }
 
@@ -201,3 +284,6 @@ pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, Svg
     }
     Ok(around)
 }
+
+/// How much beyond its edge a page goes, as a share of its smaller side.
+const PAGE_SLACK: f64 = 0.005;

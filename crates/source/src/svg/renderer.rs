@@ -6,11 +6,11 @@ use std::rc::Rc;
 use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
 
-use super::clip::{ClipArea, Region};
 use super::flatten::flatten;
 use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
 use super::page::{SvgPage, place};
 use super::warning_count::WarningKind;
+use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 
 /// Goes through a tree and draws on a page what it meets.

@@ -16,10 +16,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn from_svg(
-        text: &str,
-        options: &ReadOptions,
-    ) -> Result<(Self, Vec<WarningCount>), SourceError> {
+    fn from_svg(text: &str, options: &ReadOptions) -> Result<(Self, Vec<Warning>), SourceError> {
         let (artwork, warnings) = super::draw(text, options, &super::Substitutes::default())?;
         let drawing = Self {
             width_mm: artwork.width_mm,
@@ -43,7 +40,7 @@ fn page(content: &str) -> String {
     )
 }
 
-fn draw(content: &str) -> (Vec<Stroke>, Vec<WarningCount>) {
+fn draw(content: &str) -> (Vec<Stroke>, Vec<Warning>) {
     let (drawing, warnings) = Drawing::from_svg(&page(content), &options()).unwrap();
     (drawing.strokes, warnings)
 }
@@ -98,15 +95,82 @@ fn what_does_not_show_is_not_drawn() {
         <rect x="1" y="1" width="5" height="5" fill-opacity="0"/>
         <rect x="1" y="70" width="5" height="5"/>"#,
     );
-    assert_eq!((strokes.len(), warnings.len()), (1, 0));
+    assert_eq!((strokes.len(), warnings.len()), (1, 1));
     assert!(strokes[0].closed);
 }
 
 #[test]
-fn the_edge_of_the_page_cuts() {
-    let (strokes, _) = draw(r#"<path d="M-10 25H200" stroke="red"/>"#);
-    assert!(close(strokes[0].points[0], 0.0, 25.0));
-    assert!(close(strokes[0].last().unwrap(), 100.0, 25.0));
+fn the_edge_of_the_page_cuts_and_what_it_cuts_is_told() {
+    let beyond = r#"<path d="M-10 25H200" stroke="red"/><path d="M-9 60H9" stroke="red"/>"#;
+    let (strokes, warnings) = draw(beyond);
+    assert_eq!(strokes.len(), 1);
+    // Half a percent of the page lies beyond its edge.
+    assert!(close(strokes[0].points[0], -0.25, 25.0));
+    assert!(close(strokes[0].last().unwrap(), 100.25, 25.0));
+    assert_eq!(
+        warnings[0].to_string(),
+        "2 cut lines: 127.5 mm beyond the edge of the page left out; --no-crop draws them"
+    );
+    let whole = ReadOptions {
+        crops: false,
+        ..options()
+    };
+    let (drawing, warnings) = Drawing::from_svg(&page(beyond), &whole).unwrap();
+    assert!(close(drawing.strokes[0].points[0], -10.0, 25.0));
+    assert_eq!((drawing.strokes.len(), warnings), (2, vec![]));
+}
+
+#[test]
+fn a_line_that_rounding_put_beyond_the_page_is_drawn_whole() {
+    let (strokes, warnings) =
+        draw(r#"<path d="M1 45H99V50.1H1Z" stroke="red" fill="none"/><path d="M0 -.1H100"/>"#);
+    assert_eq!((strokes.len(), warnings), (2, vec![]));
+    assert!(strokes[0].closed && strokes[0].points.len() == 5);
+}
+
+#[test]
+fn a_filled_shape_has_the_edge_that_a_clip_path_gives_it() {
+    let (strokes, warnings) = draw(
+        r#"<clipPath id="c"><circle cx="50" cy="25" r="5"/></clipPath>
+        <rect width="100" height="50" clip-path="url(#c)"/>
+        <rect x="40" y="25" width="20" height="10" clip-path="url(#c)" stroke="red"/>"#,
+    );
+    assert_eq!(warnings, []);
+    // The circle, and of the line what lies in it.
+    assert!(strokes[0].closed && !strokes[1].closed);
+    let length_mm = strokes[0].length_mm();
+    assert!((length_mm - 31.4).abs() < 0.1, "{length_mm} mm");
+    assert!((strokes[1].length_mm() - 10.0).abs() < 1e-3);
+    let (strokes, _) = draw(
+        r#"<clipPath id="c"><rect width="9" height="9"/></clipPath>
+        <path d="M1 1H5V5H1Z" clip-path="url(#c)"/>"#,
+    );
+    assert_eq!((strokes.len(), strokes[0].points.len()), (1, 5));
+}
+
+#[test]
+fn flowed_text_of_old_inkscape_files_is_told() {
+    let flowed = r#"<flowRoot><flowRegion><rect width="9" height="9"/></flowRegion><flowPara>a</flowPara></flowRoot>"#;
+    let (strokes, warnings) = draw(&format!(r#"<path d="M1 1H9" stroke="red"/>{flowed}"#));
+    assert_eq!((strokes.len(), warnings.len()), (1, 1));
+    assert!(
+        warnings[0]
+            .to_string()
+            .starts_with("1 flowed text: left out; in Inkscape")
+    );
+    assert!(
+        error(&page(flowed)).contains("1 flowed text"),
+        "{}",
+        error(&page(flowed))
+    );
+}
+
+#[test]
+fn a_filled_shape_that_is_open_is_drawn_closed() {
+    let (strokes, _) = draw(r#"<path d="M5 5H25V25H5"/><path d="M5 5H25V25H5" stroke="red"/>"#);
+    let lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    assert_eq!(lengths, [80.0, 60.0]);
+    assert!(strokes[0].closed);
 }
 
 #[test]
@@ -175,10 +239,7 @@ fn what_a_pen_cannot_show_is_counted() {
         <image href="cat.png" width="5" height="5"/>
         <image href="data:image/png;base64,AAAA" width="5" height="5"/>"#,
     );
-    let texts: Vec<String> = warnings
-        .iter()
-        .map(|it| Warning::from(*it).to_string())
-        .collect();
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         texts,
         [
@@ -195,7 +256,7 @@ fn text_without_any_font_is_left_out_with_a_warning() {
     let (strokes, warnings) =
         draw(r#"<text x="5" y="20">Hi</text><path d="M0 0L9 9" stroke="red"/>"#);
     assert_eq!(strokes.len(), 1);
-    assert_eq!(warnings[0].kind, WarningKind::TextWithoutFont);
+    assert_eq!(warnings[0].what, "text");
 }
 
 #[test]

@@ -35,6 +35,8 @@ pub(crate) enum WarningKind {
     Paper,
     /// A fill that crosses itself too often to be clipped.
     Entangled,
+    /// Text that flows into a shape, as Inkscape wrote it before SVG 2.
+    FlowedText,
     /// A piece of text and no font at all.
     TextWithoutFont,
     /// A character that no font has.
@@ -53,6 +55,10 @@ impl WarningKind {
             Self::Entangled => (
                 "filled shape",
                 "not hatched, it crosses itself too often to be clipped",
+            ),
+            Self::FlowedText => (
+                "flowed text",
+                "left out; in Inkscape, Text > Convert to Text makes letters of it",
             ),
             Self::TextWithoutFont => (
                 "text",

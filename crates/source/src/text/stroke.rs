@@ -103,7 +103,9 @@ impl Writer {
     fn warning(&self) -> Option<Warning> {
         let named: String = self.missing.iter().collect();
         let font = self.font.name();
-        let instead = format!("not in the {font} letters, left out: {named:?}");
+        let instead = format!(
+            "not in the {font} letters, left out: {named:?}; --font takes any installed font"
+        );
         (self.missed > 0).then(|| Warning::new("character", &instead, self.missed))
     }
 }

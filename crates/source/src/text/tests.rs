@@ -95,7 +95,9 @@ fn what_cannot_be_written_is_named() {
     let (_, warnings) = read(&Text::new("a漢b字漢"));
     assert_eq!(
         warnings,
-        ["3 characters: not in the sans letters, left out: \"漢字\""]
+        [
+            "3 characters: not in the sans letters, left out: \"漢字\"; --font takes any installed font"
+        ]
     );
 }
 
@@ -109,7 +111,7 @@ fn text_without_ink_is_refused() {
     }
     assert_eq!(
         error(&Text::new("\u{7}")),
-        "nothing to draw: 1 character: not in the sans letters, left out: \"\\u{7}\""
+        "nothing to draw: 1 character: not in the sans letters, left out: \"\\u{7}\"; --font takes any installed font"
     );
 }
 

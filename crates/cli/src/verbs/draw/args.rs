@@ -1,9 +1,9 @@
 //! The options of `dobot draw`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dobot_draw::Options;
+use dobot_draw::{ExportFormat, Options};
 
 use crate::connect::To;
 use crate::verbs::jog::laser_seconds;
@@ -23,10 +23,14 @@ Examples:
   dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
   dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
   dobot draw sign.svg --laser plywood-engrave --frame    go around it with the laser off, then burn
+  dobot draw page.svg --paper-size a5 --landscape        the page where it is on the sheet
+  dobot draw parts.svg --laser cardboard-cut --kerf 0.2 --tabs 3
+                                                         cut out, inside first, held by tabs
   dobot draw long.svg --from 40%                         the rest of a drawing
 
-It draws SVG, G-code, HPGL (.plt), DXF, PNG and JPEG files, and points as CSV or JSON; - reads standard
-input. What is larger than the drawing area is made to fit, and a PNG or JPEG fills it; --scale insists.
+It draws SVG, G-code, HPGL (.plt), DXF and pictures (PNG, JPEG, GIF, WebP, BMP, TIFF), and points as CSV or
+JSON; - reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
+the arm reaches all of it, or is made to fit; --scale insists. --paper-size puts the page of the file on a sheet.
 
 The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
 arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down or
@@ -76,6 +80,9 @@ pub(crate) struct Results {
     /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = picture_file)]
     pub(crate) picture: Option<PathBuf>,
+    /// Write the strokes in their order for other programs, in a file that ends in .svg, .gcode, .plt or .json
+    #[arg(long, value_name = "FILE", value_parser = export_file, conflicts_with = "calibration")]
+    pub(crate) export: Option<PathBuf>,
     /// Colour the drawn path in the picture by how far it is from the wanted one
     #[arg(long, requires = "picture")]
     pub(crate) errors: bool,
@@ -88,6 +95,18 @@ pub(crate) struct Results {
     /// Print the report as JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+fn export_file(text: &str) -> Result<PathBuf, String> {
+    let file = PathBuf::from(text);
+    export_format(&file)?;
+    Ok(file)
+}
+
+/// The kind of file that its name asks for.
+pub(crate) fn export_format(file: &Path) -> Result<ExportFormat, &'static str> {
+    let ending = file.extension().and_then(|it| it.to_str());
+    ending.unwrap_or_default().parse()
 }
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, anyhow};
 
-use dobot_draw::{DrawingRequest, Materials, Subject};
+use dobot_draw::{DrawingRequest, Materials, Options, Subject};
 use dobot_source::{Source, SourceError};
 
 use super::args::Args;
@@ -21,8 +21,20 @@ pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
         None => of_file(args.file.as_deref().expect("the options ask for one"))?,
     };
     let calibration = args.calibration.as_deref().map(calibrate::read);
-    let asked = DrawingRequest::new(args.options.clone(), subject, &materials)?;
+    let asked = DrawingRequest::new(dated(&args.options), subject, &materials)?;
     Ok(asked.calibrated(calibration.transpose()?))
+}
+
+/// A test card has the day on it, unless something else is to stand there.
+fn dated(options: &Options) -> Options {
+    let mut options = options.clone();
+    let what = &mut options.what;
+    if what.card.is_some() && what.card_label.is_none() {
+        let name = options.tool.laser.as_deref().unwrap_or_default();
+        let day = jiff::Zoned::now().date();
+        what.card_label = Some(format!("{name} {day}"));
+    }
+    options
 }
 
 /// The materials that are known, and those of a file.

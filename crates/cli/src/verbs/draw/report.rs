@@ -2,10 +2,13 @@
 
 use std::time::Duration;
 
-use dobot_draw::{Estimate, PassFigures, Prepared, ToolKind};
+use dobot_draw::{Estimate, PassFigures, Prepared, SheetPlace, ToolKind};
+use dobot_geometry::{Stroke, bounds};
+use dobot_plan::Pass;
+use dobot_source::Warning;
 use serde::Serialize;
 
-use super::Drawn;
+use super::{Drawn, MeasuredFrom};
 use crate::output::{self, clock};
 
 /// The closing report.
@@ -34,11 +37,69 @@ pub(super) struct Report {
     measured_from: &'static str,
     /// What each pass is, where there is more than one.
     passes: Vec<PassFigures>,
+    /// What is drawn otherwise than the file says.
+    warnings: Vec<WarningLine>,
+    /// The ink in the base frame: the least x and y, and the largest.
+    ink_mm: [f64; 4],
+    /// The corners of the sheet, from the upper left one on; absent where none was told.
+    sheet_mm: Option<[[f64; 2]; 4]>,
+    /// How near and how far from its axis the arm reaches the paper; absent where it was not asked.
+    reach_mm: Option<[f64; 2]>,
+    layers: Vec<LayerLine>,
+}
+
+/// A warning.
+#[derive(Debug, Serialize)]
+struct WarningLine {
+    /// Line and column in the file, where that is known.
+    place: Option<String>,
+    what: String,
+    instead: String,
+    count: usize,
+}
+
+impl WarningLine {
+    fn of(it: &Warning) -> Self {
+        Self {
+            place: it.place.map(|it| it.to_string()),
+            what: it.what.clone(),
+            instead: it.instead.clone(),
+            count: it.count,
+        }
+    }
+}
+
+/// A layer as it is drawn.
+#[derive(Debug, Serialize)]
+struct LayerLine {
+    name: String,
+    color: Option<[u8; 3]>,
+    strokes: usize,
+    /// Of the wanted path, drawn or burned once.
+    length_mm: f64,
+}
+
+impl LayerLine {
+    fn of(it: &Pass) -> Self {
+        Self {
+            name: it.name.clone(),
+            color: it.color,
+            strokes: it.strokes.len(),
+            length_mm: it.strokes.iter().map(Stroke::length_mm).sum(),
+        }
+    }
+}
+
+fn ink_mm(prepared: &Prepared) -> [f64; 4] {
+    let strokes = prepared.passes.iter().flat_map(|it| &it.strokes);
+    let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
+    [ink.x0, ink.y0, ink.x1, ink.y1]
 }
 
 impl Report {
     pub(super) fn new(
         prepared: &Prepared,
+        sheet: Option<&SheetPlace>,
         estimate: Option<&Estimate>,
         drawn: Option<&Drawn>,
         times: Times,
@@ -60,10 +121,18 @@ impl Report {
             deviation_mm: worst.map(|it| it.distance_mm),
             deviation_at_mm: worst.map(|it| [it.at.x, it.at.y]),
             measured_from: match measured {
-                Some(drawn) if drawn.true_position => "the arm's true position",
-                Some(_) => "the statuses",
+                Some(drawn) => match drawn.from {
+                    MeasuredFrom::TruePosition => "the arm's true position",
+                    MeasuredFrom::Statuses => "the statuses",
+                    MeasuredFrom::Plan => "the plan",
+                },
                 None => "nothing",
             },
+            warnings: prepared.warnings.iter().map(WarningLine::of).collect(),
+            ink_mm: ink_mm(prepared),
+            sheet_mm: sheet.map(|it| it.corners().map(|p| [p.x, p.y])),
+            reach_mm: prepared.reach_mm,
+            layers: prepared.passes.iter().map(LayerLine::of).collect(),
             passes,
         }
     }
@@ -151,10 +220,13 @@ pub(super) struct Times {
 }
 
 impl Times {
+    /// How far the estimate was off; nothing where it took less than half of that: then the time of the
+    /// arm does not pass as it does for a real one.
     pub(super) fn error_percent(self) -> Option<f64> {
         let estimated_s = self.estimated?.as_secs_f64();
         let took_s = self.took?.as_secs_f64();
-        (estimated_s > 0.0).then(|| (took_s / estimated_s - 1.0) * 100.0)
+        (estimated_s > 0.0 && took_s > 0.5 * estimated_s)
+            .then(|| (took_s / estimated_s - 1.0) * 100.0)
     }
 }
 

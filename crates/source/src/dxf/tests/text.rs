@@ -47,8 +47,12 @@ fn a_text_stands_on_its_base_line_where_it_is_justified() {
         let text = format!("0 TEXT 10 100 20 200 40 21 {groups}");
         assert_eq!(written("", &text), wanted, "{groups}");
     }
-    let attribute = "0 ATTRIB 10 100 20 200 40 21 1 H 74 2 11 300 21 400";
-    assert_eq!(written("", attribute), [300.0, 389.5, 314.0, 410.5]);
+    for attribute in [
+        "0 ATTRIB 10 100 20 200 40 21 1 H 74 2 11 300 21 400",
+        "0 ATTRIB 10 100 20 200 40 21 1 H 74 2 11 300 21 400 101 Embedded 11 9 21 9 70 1",
+    ] {
+        assert_eq!(written("", attribute), [300.0, 389.5, 314.0, 410.5]);
+    }
     let block = "0 BLOCK 2 a 0 TEXT 10 5 20 5 40 21 1 H 0 ENDBLK";
     let inserted = "0 INSERT 2 a 10 100 20 200 41 2 42 3";
     assert_eq!(written(block, inserted), [110.0, 215.0, 138.0, 278.0]);
@@ -84,9 +88,17 @@ fn paragraphs_lie_about_their_point() {
         ("1 H_H_H", [100.0, 179.0, 190.0, 200.0]),
         ("1 H_H_H 41 60", [100.0, 144.0, 152.0, 200.0]),
         ("1 H_H_H 41 40", [100.0, 109.0, 114.0, 200.0]),
+        // 90 wide: as narrow as other letters, it needs no second line.
+        ("1 H_H_H 41 81", [100.0, 179.0, 181.0, 200.0]),
+        ("1 H_H_H 41 70", [100.0, 144.0, 152.0, 200.0]),
         ("1 HH_H 41 1", [100.0, 144.0, 136.0, 200.0]),
         ("3 H_ 1 H", [100.0, 179.0, 152.0, 200.0]),
         ("1 H 101 Embedded 1 H", [100.0, 179.0, 114.0, 200.0]),
+        // Newer programs repeat the point there, where a direction would stand.
+        (
+            "1 H 71 7 50 90 101 Embedded 70 1 10 1 20 0 11 100 21 200 40 0 71 9",
+            [79.0, 200.0, 100.0, 214.0],
+        ),
     ] {
         let text = format!("0 MTEXT 10 100 20 200 40 21 {groups}");
         assert_eq!(written("", &text), wanted, "{groups}");

@@ -7,9 +7,8 @@ use dobot_geometry::{
     FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, bounds,
 };
 
-use super::polygon::Polygons;
-use crate::error::SvgError;
-use crate::limits::Budget;
+use crate::limits::{Budget, OverBudget};
+use crate::polygon::Polygons;
 
 /// The visible part of a clip path: the union of some areas.
 #[derive(Debug, Default)]
@@ -38,7 +37,11 @@ impl Region {
 
     /// The parts of a stroke that show. A line along an edge shows, as half of its ink does in
     /// a browser.
-    pub(crate) fn cut(&self, stroke: Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
+    pub(crate) fn cut(
+        &self,
+        stroke: Stroke,
+        budget: &mut Budget,
+    ) -> Result<Vec<Stroke>, OverBudget> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
         if stroke.points.len() == 1 || !self.has_edge_in(bounds) {
             let shows = self.shows(stroke.points[0]);
@@ -53,7 +56,7 @@ impl Region {
         Ok(pieces)
     }
 
-    fn pieces(&self, stroke: &Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, SvgError> {
+    fn pieces(&self, stroke: &Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, OverBudget> {
         let mut pieces: Vec<Stroke> = Vec::new();
         let mut open = false;
         let mut cuts = Vec::new();

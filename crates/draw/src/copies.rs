@@ -1,0 +1,116 @@
+//! Several copies of a drawing side by side.
+
+use std::str::FromStr;
+
+use dobot_geometry::{Stroke, Vec2, bounds};
+use dobot_source::{Artwork, Layer};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Copies in columns and rows, as in `3x2`: three beside each other, two below each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "String", into = "String")]
+#[schemars(with = "String")]
+pub struct Grid {
+    /// How many stand beside each other.
+    pub columns: u32,
+    /// How many stand below each other.
+    pub rows: u32,
+}
+
+impl FromStr for Grid {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let counts = text.split_once(['x', 'X']);
+        let number = |it: &str| it.trim().parse().ok().filter(|it| (1..=100).contains(it));
+        counts
+            .and_then(|(columns, rows)| {
+                Some(Self {
+                    columns: number(columns)?,
+                    rows: number(rows)?,
+                })
+            })
+            .ok_or("expected COLUMNSxROWS from 1x1 to 100x100, as in 3x2")
+    }
+}
+
+impl From<Grid> for String {
+    fn from(Grid { columns, rows }: Grid) -> Self {
+        format!("{columns}x{rows}")
+    }
+}
+
+impl TryFrom<String> for Grid {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        text.parse()
+    }
+}
+
+/// A page that holds copies of the ink of another, so far apart.
+pub(crate) fn repeated(mut artwork: Artwork, grid: Grid, gap_mm: f64) -> Artwork {
+    let ink = bounds(artwork.points());
+    let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
+    points.for_each(|p| *p -= ink.origin().to_vec2());
+    let step = Vec2::new(ink.width() + gap_mm, ink.height() + gap_mm);
+    let ways: Vec<Vec2> = (0..grid.rows)
+        .flat_map(|row| (0..grid.columns).map(move |column| [column, row].map(f64::from)))
+        .map(|[column, row]| Vec2::new(column * step.x, row * step.y))
+        .collect();
+    let layers = artwork.layers.iter().map(|it| copied(it, &ways));
+    Artwork {
+        width_mm: step.x * f64::from(grid.columns) - gap_mm,
+        height_mm: step.y * f64::from(grid.rows) - gap_mm,
+        layers: layers.collect(),
+    }
+}
+
+fn copied(layer: &Layer, ways: &[Vec2]) -> Layer {
+    let mut all = Layer {
+        strokes: Vec::<Stroke>::new(),
+        areas: Vec::new(),
+        ..layer.clone()
+    };
+    for way in ways {
+        let mut copy = layer.clone();
+        copy.points_mut().for_each(|p| *p += *way);
+        all.strokes.append(&mut copy.strokes);
+        all.areas.append(&mut copy.areas);
+    }
+    all
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_geometry::Point;
+
+    use super::*;
+
+    #[test]
+    fn copies_stand_in_columns_and_rows_a_gap_apart() {
+        let layer = Layer {
+            strokes: vec![Stroke::open(vec![
+                Point::new(1.0, 2.0),
+                Point::new(11.0, 22.0),
+            ])],
+            ..Layer::default()
+        };
+        let page = Artwork {
+            width_mm: 100.0,
+            height_mm: 200.0,
+            layers: vec![layer],
+        };
+        let all = repeated(page, "2x3".parse().unwrap(), 5.0);
+        assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));
+        let places = all.layers[0].strokes.iter().map(|it| it.points[0]);
+        let places: Vec<_> = places.map(|p| (p.x, p.y)).collect();
+        assert_eq!(places[..3], [(0.0, 0.0), (15.0, 0.0), (0.0, 25.0)]);
+        assert_eq!(places.len(), 6);
+        for wrong in ["2", "0x3", "x", "101x1", "2x-1"] {
+            assert!(wrong.parse::<Grid>().is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! Cutting through with a laser: what lies inside comes first, the beam has a width, parts are held by tabs.
+
+use dobot_geometry::{Point, Rect, SegmentIndex, Stroke, Vec2, bounds};
+use i_overlay::mesh::float::outline::offset::OutlineOffset;
+use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+
+/// How shapes are cut out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cutting {
+    /// How wide the beam burns, in mm: parts are cut larger by half of it all around, and holes smaller;
+    /// below 0 the other way round.
+    pub kerf_mm: f64,
+    /// How far beside the edge, in the waste, each cut begins, in mm.
+    pub lead_in_mm: f64,
+    /// How far each cut goes on behind where it began, in mm.
+    pub overcut_mm: f64,
+    /// How many places of each shape stay uncut, so that it does not fall out.
+    pub tabs: u32,
+    /// How wide these are, in mm.
+    pub tab_mm: f64,
+}
+
+impl Cutting {
+    /// Closed shapes as much larger or smaller as the beam takes: parts and holes in turn, the outermost a
+    /// part. What vanishes is counted.
+    pub(crate) fn offset(&self, strokes: Vec<Stroke>, tolerance_mm: f64) -> (Vec<Stroke>, usize) {
+        if self.kerf_mm == 0.0 {
+            return (strokes, 0);
+        }
+        let depths = depths(&strokes);
+        let (mut all, mut gone) = (Vec::new(), 0);
+        for (stroke, depth) in strokes.into_iter().zip(depths) {
+            if !is_loop(&stroke) {
+                all.push(stroke);
+                continue;
+            }
+            let side = if depth % 2 == 0 { 0.5 } else { -0.5 };
+            let mut moved = moved(&stroke, side * self.kerf_mm, tolerance_mm);
+            gone += usize::from(moved.is_empty());
+            all.append(&mut moved);
+        }
+        (all, gone)
+    }
+
+    /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs. Shapes too
+    /// small for tabs are counted: they have none.
+    pub(crate) fn finished(&self, strokes: Vec<Stroke>) -> (Vec<Stroke>, usize) {
+        let depths = if self.lead_in_mm > 0.0 {
+            depths(&strokes)
+        } else {
+            vec![0; strokes.len()]
+        };
+        let (mut all, mut small) = (Vec::new(), 0);
+        for (stroke, depth) in strokes.into_iter().zip(depths) {
+            if !is_loop(&stroke) {
+                all.push(stroke);
+            } else if self.tabs > 0 && stroke.length_mm() > 3.0 * self.tab_mm * f64::from(self.tabs)
+            {
+                all.extend(self.between_tabs(&stroke));
+            } else {
+                small += usize::from(self.tabs > 0);
+                all.push(self.led(stroke, depth % 2 == 0));
+            }
+        }
+        (all, small)
+    }
+
+    /// ```text
+    ///        .---->----.
+    ///        |         |          lead-in from the waste, once around, and on over the beginning
+    ///   ---> *=>-------'
+    /// ```
+    fn led(&self, stroke: Stroke, is_part: bool) -> Stroke {
+        if self.lead_in_mm <= 0.0 && self.overcut_mm <= 0.0 {
+            return stroke;
+        }
+        // In a corner half way between both sides: straight behind one it would lie on the other.
+        let unit = |way: Vec2| way / way.length().max(f64::MIN_POSITIVE);
+        let last = stroke.points.len() - 1;
+        let into = unit(stroke.points[last] - stroke.points[last - 1]);
+        let ways = into + unit(stroke.points[1] - stroke.points[0]);
+        let left = unit(ways).turn_90();
+        // Of a ring that goes counterclockwise the inside is on the left.
+        let inside = left * area(&stroke.points).signum();
+        let waste = if is_part { -inside } else { inside };
+        let mut points = Vec::with_capacity(stroke.points.len() + 2);
+        if self.lead_in_mm > 0.0 {
+            points.push(stroke.points[0] + waste * self.lead_in_mm);
+        }
+        points.extend(&stroke.points);
+        points.extend(
+            along(&stroke.points, 0.0, self.overcut_mm)
+                .into_iter()
+                .skip(1),
+        );
+        Stroke::open(points)
+    }
+
+    /// The parts between the tabs, which lie evenly around.
+    fn between_tabs(&self, stroke: &Stroke) -> Vec<Stroke> {
+        let each_mm = stroke.length_mm() / f64::from(self.tabs);
+        let twice = [&stroke.points[..], &stroke.points[1..]].concat();
+        let piece = |i: u32| {
+            let tab_mm = each_mm * (f64::from(i) + 0.5);
+            let half_mm = 0.5 * self.tab_mm;
+            Stroke::open(along(&twice, tab_mm + half_mm, tab_mm + each_mm - half_mm))
+        };
+        (0..self.tabs).map(piece).collect()
+    }
+}
+
+/// The strokes in groups, those that lie in the most others first: what lies inside is cut before what
+/// encloses it.
+pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
+    let depths = depths(&strokes);
+    let deepest = depths.iter().copied().max().unwrap_or(0);
+    let mut groups = vec![Vec::new(); deepest + 1];
+    for (stroke, depth) in strokes.into_iter().zip(depths) {
+        groups[deepest - depth].push(stroke);
+    }
+    groups.retain(|it: &Vec<Stroke>| !it.is_empty());
+    groups
+}
+
+/// In how many closed strokes each lies.
+fn depths(strokes: &[Stroke]) -> Vec<usize> {
+    let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
+    let edges = loops.flat_map(|(number, it)| {
+        let points = it.points.windows(2);
+        points.map(move |pair| (number, (pair[0], pair[1])))
+    });
+    let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = edges.unzip();
+    let index = SegmentIndex::new(edges);
+    let mut crossed = Vec::new();
+    let depth = |(number, it): (usize, &Stroke)| {
+        let at = match it.points.as_slice() {
+            [] => return 0,
+            [only] => *only,
+            [a, b, ..] => a.midpoint(*b),
+        };
+        crossed.clear();
+        index.touching(Rect::new(at.x, at.y, f64::INFINITY, at.y), &mut |edge| {
+            let (a, b) = index.segment(edge);
+            let is_ahead = || a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x;
+            if owners[edge as usize] != number && (a.y <= at.y) != (b.y <= at.y) && is_ahead() {
+                crossed.push(owners[edge as usize]);
+            }
+        });
+        crossed.sort_unstable();
+        crossed
+            .chunk_by(|a, b| a == b)
+            .filter(|it| it.len() % 2 == 1)
+            .count()
+    };
+    strokes.iter().enumerate().map(depth).collect()
+}
+
+/// A closed stroke with its edge moved outwards, or inwards where below 0: in several parts, or gone.
+fn moved(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Vec<Stroke> {
+    let mut ring: Vec<[f64; 2]> = stroke.points.iter().map(|p| [p.x, p.y]).collect();
+    ring.pop();
+    if area(&stroke.points) < 0.0 {
+        ring.reverse();
+    }
+    let share = (2.0 * tolerance_mm / by_mm.abs()).sqrt().clamp(0.02, 1.0);
+    let style = OutlineStyle::new(by_mm).line_join(LineJoin::Round(share));
+    let shapes = vec![ring].outline(&style);
+    let closed = |ring: &Vec<[f64; 2]>| {
+        let points = ring
+            .iter()
+            .chain(ring.first())
+            .map(|&[x, y]| Point::new(x, y));
+        Stroke {
+            points: points.collect(),
+            closed: true,
+        }
+    };
+    shapes.iter().flatten().map(closed).collect()
+}
+
+/// The part of a path from one length to another, both in mm.
+fn along(points: &[Point], from_mm: f64, to_mm: f64) -> Vec<Point> {
+    let (mut part, mut here_mm) = (Vec::new(), 0.0);
+    for pair in points.windows(2) {
+        let length_mm = pair[0].distance(pair[1]);
+        let at = |mm: f64| pair[0].lerp(pair[1], ((mm - here_mm) / length_mm).clamp(0.0, 1.0));
+        if length_mm > 0.0 && here_mm + length_mm > from_mm && here_mm < to_mm {
+            if part.is_empty() {
+                part.push(at(from_mm));
+            }
+            part.push(at(to_mm));
+        }
+        here_mm += length_mm;
+    }
+    part
+}
+
+/// Above 0 for a ring that goes counterclockwise, x to the right and y up.
+fn area(ring: &[Point]) -> f64 {
+    let ends = ring.windows(2);
+    let first = bounds(ring.iter().copied()).origin();
+    let part = |it: &[Point]| Vec2::cross(it[0] - first, it[1] - first);
+    ends.map(part).sum::<f64>() / 2.0
+}
+
+fn is_loop(stroke: &Stroke) -> bool {
+    stroke.points.len() > 3 && stroke.points.first() == stroke.points.last()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f64, y: f64, side: f64) -> Stroke {
+        let corners = [
+            (x, y),
+            (x + side, y),
+            (x + side, y + side),
+            (x, y + side),
+            (x, y),
+        ];
+        Stroke {
+            points: corners.map(Point::from).to_vec(),
+            closed: true,
+        }
+    }
+
+    fn width(stroke: &Stroke) -> f64 {
+        let width = bounds(stroke.points.iter().copied()).width();
+        (width * 1e3).round() / 1e3
+    }
+
+    /// A part with two holes, an island in one of them, and a part beside it.
+    fn nest() -> Vec<Stroke> {
+        vec![
+            square(0.0, 0.0, 60.0),
+            square(5.0, 5.0, 20.0),
+            square(35.0, 35.0, 20.0),
+            square(10.0, 10.0, 8.0),
+            square(70.0, 0.0, 10.0),
+        ]
+    }
+
+    #[test]
+    fn what_lies_inside_comes_before_what_encloses_it() {
+        let groups = inner_first(nest());
+        let widths: Vec<Vec<f64>> = groups
+            .iter()
+            .map(|it| it.iter().map(width).collect())
+            .collect();
+        assert_eq!(widths, [vec![8.0], vec![20.0, 20.0], vec![60.0, 10.0]]);
+        assert_eq!(inner_first(Vec::new()), Vec::<Vec<Stroke>>::new());
+    }
+
+    #[test]
+    fn parts_become_larger_and_holes_smaller_by_the_width_of_the_beam() {
+        let cutting = Cutting {
+            kerf_mm: 0.2,
+            ..Cutting::default()
+        };
+        let mut shapes = nest();
+        shapes[1].points.reverse();
+        let (offset, gone) = cutting.offset(shapes, 0.005);
+        let widths: Vec<f64> = offset.iter().map(width).collect();
+        assert_eq!((widths, gone), (vec![60.2, 19.8, 19.8, 8.2, 10.2], 0));
+        // A hole narrower than the beam is none.
+        let (left, gone) =
+            cutting.offset(vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)], 0.005);
+        assert_eq!((left.len(), gone), (1, 1));
+    }
+
+    #[test]
+    fn a_cut_begins_in_the_waste_and_goes_on_over_its_beginning() {
+        let cutting = Cutting {
+            lead_in_mm: 2.0,
+            overcut_mm: 1.0,
+            ..Cutting::default()
+        };
+        let (cut, _) = cutting.finished(nest());
+        let first = |i: usize| (cut[i].points[0].x, cut[i].points[0].y);
+        // Outside of the part, inside of the hole.
+        let diagonal = 2.0_f64.sqrt();
+        let near = |found: (f64, f64), mm: f64| (found.0 - mm).hypot(found.1 - mm) < 1e-9;
+        assert!(near(first(0), -diagonal) && near(first(1), 5.0 + diagonal));
+        assert_eq!(cut[0].points.last(), Some(&Point::new(1.0, 0.0)));
+        assert!((cut[0].length_mm() - 243.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn tabs_stay_uncut_and_lie_evenly_around() {
+        let cutting = Cutting {
+            tabs: 4,
+            tab_mm: 1.0,
+            ..Cutting::default()
+        };
+        let line = Stroke::open(vec![Point::ORIGIN, Point::new(9.0, 0.0)]);
+        let (cut, small) =
+            cutting.finished(vec![square(0.0, 0.0, 20.0), square(5.0, 5.0, 2.0), line]);
+        assert_eq!((cut.len(), small), (6, 1));
+        for piece in &cut[..4] {
+            assert!((piece.length_mm() - 19.0).abs() < 1e-9, "{piece:?}");
+        }
+        // The middle of each side is a tab.
+        let middle = Point::new(10.0, 0.0);
+        let near = cut[..4]
+            .iter()
+            .flat_map(Stroke::segments)
+            .flat_map(|(a, b)| [a, b]);
+        let nearest = near.map(|p| p.distance(middle)).fold(f64::MAX, f64::min);
+        assert!((nearest - 0.5).abs() < 1e-9, "{nearest}");
+    }
+}

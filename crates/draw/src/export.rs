@@ -1,0 +1,297 @@
+//! What will be drawn as a file for other programs: the strokes in their order, in true millimetres.
+
+use std::fmt::Write as _;
+use std::str::FromStr;
+
+use dobot_geometry::{Point, Rect, Stroke, bounds};
+use dobot_plan::{DrawingTool, Pass};
+
+use crate::sheet::SheetPlace;
+
+/// The kinds of files that a drawing can be written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExportFormat {
+    /// A path for each stroke, a layer for each pass, as Inkscape and vpype read them.
+    Svg,
+    /// Moves of a pen by Z, or of a laser by M4.
+    Gcode,
+    /// HP-GL: a pen for each pass.
+    Hpgl,
+    /// Points, as `dobot draw` reads them.
+    Json,
+}
+
+impl FromStr for ExportFormat {
+    type Err = &'static str;
+
+    /// By the ending of a file's name.
+    fn from_str(ending: &str) -> Result<Self, Self::Err> {
+        match ending.to_ascii_lowercase().as_str() {
+            "svg" => Ok(Self::Svg),
+            "gcode" | "nc" => Ok(Self::Gcode),
+            "plt" | "hpgl" => Ok(Self::Hpgl),
+            "json" => Ok(Self::Json),
+            _ => Err("allowed are names that end in .svg, .gcode, .plt or .json"),
+        }
+    }
+}
+
+/// Writes passes as a file. The page is the sheet, or the ink where there is none; seen from behind the arm
+/// the picture lies upright.
+#[must_use]
+pub fn export(passes: &[Pass], sheet: Option<&SheetPlace>, format: ExportFormat) -> String {
+    let page = Page::of(passes, sheet);
+    match format {
+        ExportFormat::Svg => svg(passes, &page),
+        ExportFormat::Gcode => gcode(passes, &page),
+        ExportFormat::Hpgl => hpgl(passes, &page),
+        ExportFormat::Json => json(passes, &page),
+    }
+}
+
+/// A page, x to the right and y down from its upper left corner, in mm.
+struct Page<'a> {
+    sheet: Option<&'a SheetPlace>,
+    /// The ink in the base frame.
+    ink: Rect,
+    width_mm: f64,
+    height_mm: f64,
+}
+
+impl<'a> Page<'a> {
+    fn of(passes: &[Pass], sheet: Option<&'a SheetPlace>) -> Self {
+        let strokes = passes.iter().flat_map(|it| &it.strokes);
+        let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
+        let [width_mm, height_mm] = match sheet {
+            Some(sheet) => [sheet.size.width_mm, sheet.size.height_mm],
+            None => [ink.height(), ink.width()],
+        };
+        Self {
+            sheet,
+            ink,
+            width_mm,
+            height_mm,
+        }
+    }
+
+    fn place(&self, p: Point) -> [Thousandths; 2] {
+        let p = match self.sheet {
+            Some(sheet) => sheet.on_sheet(p),
+            None => Point::new(self.ink.y1 - p.y, self.ink.x1 - p.x),
+        };
+        [p.x, p.y].map(Thousandths)
+    }
+
+    /// The same with y up from the lower edge.
+    fn upright(&self, p: Point) -> [Thousandths; 2] {
+        let [x, Thousandths(y)] = self.place(p);
+        [x, Thousandths(self.height_mm - y)]
+    }
+}
+
+/// A number of millimetres with three decimals at most.
+#[derive(Clone, Copy)]
+struct Thousandths(f64);
+
+impl std::fmt::Display for Thousandths {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let rounded = (self.0 * 1000.0).round() / 1000.0;
+        // Without a minus before nothing.
+        write!(f, "{}", rounded + 0.0)
+    }
+}
+
+fn svg(passes: &[Pass], page: &Page<'_>) -> String {
+    let [width, height] = [page.width_mm, page.height_mm].map(Thousandths);
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" fill=\"none\" stroke-width=\"0.3\" stroke-linecap=\"round\">\n"
+    );
+    for (number, pass) in (1..).zip(passes) {
+        let (name, color) = (escaped(&pass.name), color(pass.color.unwrap_or_default()));
+        let _ = writeln!(
+            text,
+            "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{color}\">"
+        );
+        for stroke in &pass.strokes {
+            let _ = writeln!(text, "<path d=\"{}\"/>", path(stroke, page));
+        }
+        text += "</g>\n";
+    }
+    text + "</svg>\n"
+}
+
+/// A dot is a line without length.
+fn path(stroke: &Stroke, page: &Page<'_>) -> String {
+    let places = stroke.points.iter().map(|&p| page.place(p));
+    let corners = places.map(|[x, y]| format!("{x} {y}"));
+    let corners: Vec<String> = corners.collect();
+    let end = if corners.len() == 1 { "h0" } else { "" };
+    format!("M{}{end}", corners.join("L"))
+}
+
+fn color([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;");
+    text.replace('"', "&quot;")
+}
+
+fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
+    let mut text = "G21\nG90\n".to_owned();
+    for pass in passes {
+        let name: String = pass.name.chars().filter(|it| !it.is_control()).collect();
+        let _ = writeln!(text, "; {name}");
+        let (times, speed_mm_s, on, off) = match pass.tool {
+            DrawingTool::Pen(pen) => {
+                let off = format!("G0 Z{}", Thousandths(pen.lift_mm));
+                (1, pen.draw_speed_mm_s, "G1 Z-0.1 F600".to_owned(), off)
+            }
+            DrawingTool::Laser(laser) => {
+                let off = "M5".to_owned();
+                (
+                    laser.times,
+                    laser.burn_speed_mm_s,
+                    "M4 S1000".to_owned(),
+                    off,
+                )
+            }
+        };
+        let feed = Thousandths(speed_mm_s * 60.0);
+        let _ = writeln!(text, "{off}");
+        for stroke in (0..times).flat_map(|_| &pass.strokes) {
+            let mut points = stroke.points.iter().map(|&p| page.upright(p));
+            let Some([x, y]) = points.next() else {
+                continue;
+            };
+            let _ = writeln!(text, "G0 X{x} Y{y}\n{on}");
+            for [x, y] in points {
+                let _ = writeln!(text, "G1 X{x} Y{y} F{feed}");
+            }
+            let _ = writeln!(text, "{off}");
+        }
+    }
+    text + "M2\n"
+}
+
+fn hpgl(passes: &[Pass], page: &Page<'_>) -> String {
+    let units = |p: Point| {
+        let [x, y] = page.upright(p).map(|it| (it.0 * UNITS_A_MM).round() + 0.0);
+        format!("{x},{y}")
+    };
+    let mut text = "IN;\n".to_owned();
+    for (number, pass) in (1..).zip(passes) {
+        let _ = writeln!(text, "SP{number};");
+        for Stroke { points, .. } in &pass.strokes {
+            let Some((&first, rest)) = points.split_first() else {
+                continue;
+            };
+            let rest: Vec<String> = rest.iter().map(|&p| units(p)).collect();
+            let _ = writeln!(text, "PU{};PD{};PU;", units(first), rest.join(","));
+        }
+    }
+    text + "SP0;\n"
+}
+
+fn json(passes: &[Pass], page: &Page<'_>) -> String {
+    let mut strokes = Vec::new();
+    for pass in passes {
+        let name = serde_json::Value::from(pass.name.as_str());
+        let color = pass.color.map(|it| format!("\"color\":\"{}\",", color(it)));
+        let color = color.unwrap_or_default();
+        for stroke in &pass.strokes {
+            let points = stroke.points.iter().map(|&p| {
+                let [x, y] = page.place(p);
+                format!("[{x},{y}]")
+            });
+            let points: Vec<String> = points.collect();
+            let points = points.join(",");
+            strokes.push(format!("{{\"layer\":{name},{color}\"points\":[{points}]}}"));
+        }
+    }
+    format!("{{\"strokes\":[\n{}\n]}}\n", strokes.join(",\n"))
+}
+
+/// HP-GL counts in fortieths of a millimetre.
+const UNITS_A_MM: f64 = 40.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use dobot_plan::Laser;
+    use dobot_source::{ReadOptions, Source};
+
+    /// A corner, a line and a dot, 60 mm wide and 40 mm high.
+    fn passes() -> Vec<Pass> {
+        let line = |points: &[(f64, f64)]| {
+            Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
+        };
+        let corner = line(&[(200.0, 30.0), (240.0, 30.0), (240.0, -30.0)]);
+        let others = vec![line(&[(210.0, 0.0), (220.0, 0.0)]), line(&[(205.0, -10.0)])];
+        let mut red = Pass::new(DrawingTool::default(), vec![corner]);
+        (red.name, red.color) = ("red & \"thin\"".to_owned(), Some([255, 0, 0]));
+        let blue = Pass {
+            name: "blue".to_owned(),
+            ..Pass::new(DrawingTool::default(), others)
+        };
+        vec![red, blue]
+    }
+
+    /// The strokes of a file, from the corner of their ink.
+    fn read(name: &str, text: String) -> Vec<Vec<(f64, f64)>> {
+        let source = Source::of_file(name, text.into_bytes()).unwrap();
+        let (artwork, warnings) = source.read(&ReadOptions::default()).unwrap();
+        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        let round = |mm: f64| (mm * 1e3).round() / 1e3 + 0.0;
+        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+        let points = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+        strokes.map(points).collect()
+    }
+
+    #[test]
+    fn every_kind_of_file_is_read_again_as_the_strokes_that_it_was_made_of() {
+        let wanted = vec![
+            vec![(0.0, 40.0), (0.0, 0.0), (60.0, 0.0)],
+            vec![(30.0, 30.0), (30.0, 20.0)],
+            vec![(40.0, 35.0)],
+        ];
+        for (name, format) in [
+            ("a.svg", ExportFormat::Svg),
+            ("a.gcode", ExportFormat::Gcode),
+            ("a.plt", ExportFormat::Hpgl),
+            ("a.json", ExportFormat::Json),
+        ] {
+            assert_eq!(name[2..].parse(), Ok(format));
+            let text = export(&passes(), None, format);
+            assert_eq!(read(name, text), wanted, "{name}");
+        }
+        assert!("png".parse::<ExportFormat>().is_err());
+    }
+
+    #[test]
+    fn on_a_sheet_the_page_is_the_sheet() {
+        let size = "210x148".parse().unwrap();
+        let sheet = SheetPlace::centered(size, Point::new(225.0, 0.0));
+        let text = export(&passes(), Some(&sheet), ExportFormat::Svg);
+        assert!(text.contains("width=\"210mm\" height=\"148mm\" viewBox=\"0 0 210 148\""));
+        assert!(text.contains("inkscape:label=\"red &amp; &quot;thin&quot;\" stroke=\"#ff0000\""));
+        assert_eq!(read("a.svg", text)[0][0], (75.0, 99.0));
+    }
+
+    #[test]
+    fn a_laser_burns_as_often_as_it_would() {
+        let laser = Laser {
+            times: 3,
+            ..Laser::default()
+        };
+        let pass = Pass {
+            tool: DrawingTool::Laser(laser),
+            ..passes().remove(0)
+        };
+        let text = export(&[pass], None, ExportFormat::Gcode);
+        assert_eq!(text.matches("M4 S1000").count(), 3);
+        assert!(text.contains("G1 X60 Y40 F600\nM5"));
+    }
+}

@@ -1,0 +1,235 @@
+//! The sheet of paper that a drawing goes on: how large it is and where it lies.
+
+use std::fmt;
+use std::str::FromStr;
+
+use dobot_geometry::{Point, Rect, Vec2};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How large a sheet is: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "String", into = "String")]
+#[schemars(with = "String")]
+pub struct PaperSize {
+    /// Left to right, in mm.
+    pub width_mm: f64,
+    /// Top to bottom, in mm.
+    pub height_mm: f64,
+}
+
+impl PaperSize {
+    /// The same sheet with its longer side left to right.
+    #[must_use]
+    pub fn landscape(self) -> Self {
+        Self {
+            width_mm: self.width_mm.max(self.height_mm),
+            height_mm: self.width_mm.min(self.height_mm),
+        }
+    }
+}
+
+impl FromStr for PaperSize {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let size = |width_mm, height_mm| Self {
+            width_mm,
+            height_mm,
+        };
+        let name = text.to_ascii_lowercase();
+        if let Some(known) = NAMED.iter().find(|it| it.0 == name) {
+            return Ok(size(known.1, known.2));
+        }
+        let sides = name.split_once('x');
+        let number = |it: &str| it.trim().parse().ok().filter(|it| SIDE_MM.contains(it));
+        sides
+            .and_then(|(width, height)| Some(size(number(width)?, number(height)?)))
+            .ok_or("allowed are a3, a4, a5, a6, letter, legal, and WIDTHxHEIGHT from 10 to 2000 mm")
+    }
+}
+
+impl fmt::Display for PaperSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width_mm, self.height_mm)
+    }
+}
+
+impl From<PaperSize> for String {
+    fn from(size: PaperSize) -> Self {
+        size.to_string()
+    }
+}
+
+impl TryFrom<String> for PaperSize {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        text.parse()
+    }
+}
+
+/// A sheet in the base frame.
+///
+/// ```text
+///   corner *-------> right         x forward (up here), y to the left: the sheet as a person behind
+///          |                       the arm sees it
+///     down v
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetPlace {
+    /// How large it is.
+    pub size: PaperSize,
+    /// Its upper left corner, in mm.
+    pub corner: Point,
+    /// Where its right is, of length 1.
+    right: Vec2,
+}
+
+impl SheetPlace {
+    /// A sheet that lies straight before the arm, its middle there.
+    #[must_use]
+    pub fn centered(size: PaperSize, middle: Point) -> Self {
+        let half = Vec2::new(size.height_mm, size.width_mm) / 2.0;
+        Self {
+            size,
+            corner: middle + half,
+            right: Vec2::new(0.0, -1.0),
+        }
+    }
+
+    /// A sheet that lies straight before the arm, its lower left corner there: the one that is nearest to a
+    /// person behind the arm, on the left.
+    #[must_use]
+    pub fn from_lower_left(size: PaperSize, lower_left: Point) -> Self {
+        Self::along(size, lower_left, Vec2::new(0.0, -1.0))
+    }
+
+    /// A sheet of which the lower left corner and another place on its lower edge were touched.
+    /// `None` where both are the same.
+    #[must_use]
+    pub fn through(size: PaperSize, lower_left: Point, on_lower_edge: Point) -> Option<Self> {
+        let way = on_lower_edge - lower_left;
+        let length_mm = way.length();
+        (length_mm > 0.0).then(|| Self::along(size, lower_left, way / length_mm))
+    }
+
+    fn along(size: PaperSize, lower_left: Point, right: Vec2) -> Self {
+        let corner = lower_left - down(right) * size.height_mm;
+        Self {
+            size,
+            corner,
+            right,
+        }
+    }
+
+    /// From the sheet, from its upper left corner to the right and down, to the base frame.
+    #[must_use]
+    pub fn place(&self, on_sheet: Point) -> Point {
+        self.corner + self.right * on_sheet.x + down(self.right) * on_sheet.y
+    }
+
+    /// From the base frame to the sheet.
+    #[must_use]
+    pub fn on_sheet(&self, place: Point) -> Point {
+        let way = place - self.corner;
+        Point::new(way.dot(self.right), way.dot(down(self.right)))
+    }
+
+    /// How far a place of the base frame lies beyond the edge, in mm; below 0 on the sheet.
+    #[must_use]
+    pub fn beyond_mm(&self, place: Point) -> f64 {
+        let Point { x, y } = self.on_sheet(place);
+        let PaperSize {
+            width_mm,
+            height_mm,
+        } = self.size;
+        [-x, x - width_mm, -y, y - height_mm]
+            .into_iter()
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Its corners in the base frame, all around from the upper left one.
+    #[must_use]
+    pub fn corners(&self) -> [Point; 4] {
+        let PaperSize {
+            width_mm: w,
+            height_mm: h,
+        } = self.size;
+        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|it| self.place(it.into()))
+    }
+
+    /// Its sides without a margin, on the sheet.
+    pub(crate) fn room(&self, margin_mm: f64) -> Rect {
+        let PaperSize {
+            width_mm,
+            height_mm,
+        } = self.size;
+        Rect::new(0.0, 0.0, width_mm, height_mm).inflate(-margin_mm, -margin_mm)
+    }
+}
+
+/// A quarter turn clockwise, seen from above.
+const fn down(right: Vec2) -> Vec2 {
+    Vec2::new(right.y, -right.x)
+}
+
+/// Names with width and height.
+const NAMED: [(&str, f64, f64); 6] = [
+    ("a3", 297.0, 420.0),
+    ("a4", 210.0, 297.0),
+    ("a5", 148.0, 210.0),
+    ("a6", 105.0, 148.0),
+    ("letter", 215.9, 279.4),
+    ("legal", 215.9, 355.6),
+];
+const SIDE_MM: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn near(a: Point, b: (f64, f64)) -> bool {
+        a.distance(b.into()) < 1e-9
+    }
+
+    #[test]
+    fn sizes_are_names_or_two_numbers() {
+        let a5: PaperSize = "A5".parse().unwrap();
+        assert_eq!((a5.width_mm, a5.height_mm), (148.0, 210.0));
+        assert_eq!(a5.landscape().to_string(), "210x148");
+        assert_eq!(
+            "85.5x54".parse::<PaperSize>().unwrap().to_string(),
+            "85.5x54"
+        );
+        for wrong in ["", "a7", "10", "5x5", "nanx100", "100x1e9"] {
+            assert!(wrong.parse::<PaperSize>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_sheet_lies_upright_to_a_person_behind_the_arm() {
+        let size: PaperSize = "200x100".parse().unwrap();
+        let sheet = SheetPlace::centered(size, Point::new(210.0, 0.0));
+        assert!(near(sheet.place(Point::ORIGIN), (260.0, 100.0)));
+        assert!(near(sheet.place(Point::new(200.0, 100.0)), (160.0, -100.0)));
+        assert_eq!(
+            SheetPlace::from_lower_left(size, Point::new(160.0, 100.0)),
+            sheet
+        );
+        assert_eq!(sheet.beyond_mm(Point::new(265.0, 0.0)), 5.0);
+        assert_eq!(sheet.beyond_mm(Point::new(165.0, 0.0)), -5.0);
+    }
+
+    #[test]
+    fn a_sheet_that_was_touched_lies_as_it_was_touched() {
+        let size: PaperSize = "200x100".parse().unwrap();
+        // Its lower edge leads away from the arm: up is to the left.
+        let [a, b] = [Point::new(100.0, 50.0), Point::new(150.0, 50.0)];
+        let sheet = SheetPlace::through(size, a, b).unwrap();
+        assert!(near(sheet.place(Point::ORIGIN), (100.0, 150.0)));
+        assert!(near(sheet.place(Point::new(200.0, 100.0)), (300.0, 50.0)));
+        assert!(SheetPlace::through(size, a, a).is_none());
+    }
+}

@@ -1,0 +1,147 @@
+//! The lines that fill a hatch.
+
+use dobot_geometry::{Affine, Area, Point, Rect, Vec2, bounds};
+
+use super::entity::Entity;
+use super::frame::way;
+use super::renderer::EntityRenderer;
+use crate::error::SourceError;
+
+/// A family of parallel lines: each is as far from the one before as the shift says, and dashed alike.
+///
+/// ```text
+///                 / /  --- dashes: a length that is drawn, one that is not (below 0), 0 a dot
+///       shift -> / /
+///      base ->  x /     at an angle
+/// ```
+#[derive(Debug)]
+pub(super) struct PatternLine {
+    angle_deg: f64,
+    base: Vec2,
+    shift: Vec2,
+    dashes: Vec<f64>,
+}
+
+impl PatternLine {
+    /// Those of a hatch: angle and scale of the pattern are in them already.
+    pub(super) fn all(it: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
+        let begin = it.pairs.iter().position(|pair| pair.code == 78);
+        let mut lines: Vec<Self> = Vec::new();
+        for pair in &it.pairs[begin.unwrap_or(it.pairs.len())..] {
+            match (pair.code, lines.last_mut()) {
+                (53, _) => lines.push(Self {
+                    angle_deg: pair.number()?,
+                    base: Vec2::ZERO,
+                    shift: Vec2::ZERO,
+                    dashes: Vec::new(),
+                }),
+                (43, Some(last)) => last.base.x = pair.number()?,
+                (44, Some(last)) => last.base.y = pair.number()?,
+                (45, Some(last)) => last.shift.x = pair.number()?,
+                (46, Some(last)) => last.shift.y = pair.number()?,
+                (49, Some(last)) => last.dashes.push(pair.number()?),
+                // The seeds, the colours.
+                (98 | 450, _) => break,
+                _ => {}
+            }
+        }
+        Ok(lines)
+    }
+
+    /// Its dashes that may lie in these bounds; `None` where they are too many or have no distance.
+    fn dashes_in(&self, frame: Affine, bounds: Rect) -> Option<Vec<[Point; 2]>> {
+        let along = way(frame, Vec2::from_angle(self.angle_deg.to_radians()));
+        let unit_mm = along.length();
+        let along = along / unit_mm;
+        let (base, shift) = (frame * self.base.to_point(), way(frame, self.shift));
+        let apart_mm = along.cross(shift);
+        let corners = [
+            Point::new(bounds.x0, bounds.y0),
+            Point::new(bounds.x1, bounds.y0),
+            Point::new(bounds.x1, bounds.y1),
+            Point::new(bounds.x0, bounds.y1),
+        ];
+        let [first, last] = extent(corners.map(|p| along.cross(p - base) / apart_mm));
+        let [begin_mm, end_mm] = extent(corners.map(|p| along.dot(p - base)));
+        let period_mm: f64 = self.dashes.iter().map(|it| it.abs() * unit_mm).sum();
+        let is_dashed = period_mm > 0.0;
+        let per_line = if is_dashed {
+            (end_mm - begin_mm) / period_mm + 2.0
+        } else {
+            1.0
+        };
+        #[expect(clippy::cast_precision_loss, reason = "a handful")]
+        let count = (last - first + 1.0) * per_line * self.dashes.len().max(1) as f64;
+        if count.is_nan() || count >= MOST_DASHES {
+            return None;
+        }
+        let mut dashes = Vec::new();
+        let mut line = first.ceil();
+        while line <= last {
+            let from = base + shift * line;
+            // Where the bounds begin and end on this line, from where its dashes begin.
+            let before_mm = along.dot(shift) * line;
+            let [begin, end] = [begin_mm - before_mm, end_mm - before_mm];
+            if is_dashed {
+                self.dash(from, along, unit_mm, [begin, end], period_mm, &mut dashes);
+            } else {
+                dashes.push([begin, end].map(|mm| from + along * mm));
+            }
+            line += 1.0;
+        }
+        Some(dashes)
+    }
+
+    fn dash(
+        &self,
+        from: Point,
+        along: Vec2,
+        unit_mm: f64,
+        [begin_mm, end_mm]: [f64; 2],
+        period_mm: f64,
+        dashes: &mut Vec<[Point; 2]>,
+    ) {
+        let mut at_mm = (begin_mm / period_mm).floor() * period_mm;
+        while at_mm <= end_mm {
+            for dash in &self.dashes {
+                let to_mm = at_mm + dash.abs() * unit_mm;
+                if *dash >= 0.0 && to_mm >= begin_mm && at_mm <= end_mm {
+                    dashes.push([at_mm, to_mm].map(|mm| from + along * mm));
+                }
+                at_mm = to_mm;
+            }
+        }
+    }
+}
+
+impl EntityRenderer<'_, '_> {
+    /// Draws the lines that fill an area; too many of them are left to hatching.
+    pub(super) fn pattern(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Affine,
+        area: Area,
+        lines: &[PatternLine],
+    ) -> Result<(), SourceError> {
+        let around = bounds(area.rings.iter().flatten().copied());
+        let mut all = Vec::new();
+        for line in lines {
+            let Some(mut dashes) = line.dashes_in(frame, around) else {
+                self.left_out(it, "its pattern left out, for its lines are too many");
+                return self.sketch.area(area);
+            };
+            all.append(&mut dashes);
+        }
+        self.sketch.lines_within(&area, all.into_iter())
+    }
+}
+
+/// The least and the largest.
+fn extent(numbers: [f64; 4]) -> [f64; 2] {
+    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    [least, most]
+}
+
+/// The lines of one family in one hatch: nobody draws more.
+const MOST_DASHES: f64 = 20_000.0;

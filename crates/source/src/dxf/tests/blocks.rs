@@ -1,0 +1,117 @@
+use super::*;
+
+/// A file with objects: an INSERT names the dictionary D1.
+fn with_objects(blocks: &str, entities: &str, objects: &str) -> String {
+    let objects = format!("0 SECTION 2 OBJECTS {objects} 0 ENDSEC 0 EOF");
+    let objects: String = objects
+        .split_whitespace()
+        .map(|it| it.to_owned() + "\n")
+        .collect();
+    file("", blocks, entities).replace("0\nEOF\n", &objects)
+}
+
+/// To the block from where it was clipped: moved by 100 and 0.
+const MATRICES: &str = "40 1 40 0 40 0 40 -100 40 0 40 1 40 0 40 0 40 0 40 0 40 1 40 0
+    40 1 40 0 40 0 40 0 40 0 40 1 40 0 40 0 40 0 40 0 40 1 40 0";
+
+#[test]
+fn a_clipped_block_shows_only_what_lies_in_its_clip() {
+    let blocks =
+        "0 BLOCK 2 a 0 LINE 10 0 20 0 11 40 21 0 0 SOLID 10 0 20 5 11 40 21 5 12 0 22 9 13 40 23 9
+        0 POINT 10 90 20 0 0 ENDBLK";
+    let entities = "0 INSERT 5 1F 102 {ACAD_XDICTIONARY 360 D1 102 } 2 a 10 100 20 0 0 LINE 10 0 20 0 11 9 21 0";
+    let objects = |corners: &str| {
+        format!(
+            "0 DICTIONARY 5 D1 3 OTHER 360 D9 3 ACAD_FILTER 360 D2 0 DICTIONARY 5 D2 3 SPATIAL 360 F1
+            0 XRECORD 5 D9 0 SPATIAL_FILTER 5 F1 330 D2 {corners} 71 1 72 0 73 0 {MATRICES}"
+        )
+    };
+    let text = with_objects(blocks, entities, &objects("70 2 10 110 20 -1 10 120 20 7"));
+    let (artwork, warnings) = draw_text(&text);
+    assert_eq!(warnings, [""; 0]);
+    let layer = &artwork.layers[0];
+    let mut lengths: Vec<f64> = layer
+        .strokes
+        .iter()
+        .map(|it| it.length_mm().round())
+        .collect();
+    lengths.sort_by(f64::total_cmp);
+    // The line outside of the block is whole; of the block 10 mm show, and two edges of the solid.
+    assert_eq!(lengths[..2], [9.0, 10.0], "{lengths:?}");
+    let area = bounds_of_strokes(&[Stroke::open(layer.areas[0].rings[0].clone())]);
+    assert_eq!([area.width(), area.height()].map(f64::round), [10.0, 2.0]);
+    // A clip with other corners than two is the polygon through them.
+    let triangle = objects("70 3 10 110 20 -1 10 120 20 -1 10 120 20 9");
+    let (artwork, _) = draw_text(&with_objects(blocks, entities, &triangle));
+    let lengths: Vec<f64> = artwork.layers[0]
+        .strokes
+        .iter()
+        .map(Stroke::length_mm)
+        .collect();
+    assert!(
+        lengths.iter().any(|it| (it - 9.0).abs() < 1e-6),
+        "{lengths:?}"
+    );
+}
+
+#[test]
+fn every_copy_of_a_block_has_its_attributes() {
+    let blocks = "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK";
+    let entities = "0 INSERT 66 1 2 a 10 0 20 0 50 90 70 3 71 2 44 10 45 20 0 ATTRIB 10 1 20 0 40 2 1 I 0 SEQEND";
+    let (artwork, _) = draw_text(&file("", blocks, entities));
+    let strokes = &artwork.layers[0].strokes;
+    let dots: Vec<Point> = strokes
+        .iter()
+        .filter(|it| it.points.len() == 1)
+        .map(|it| it.points[0])
+        .collect();
+    let letters: Vec<Point> = strokes
+        .iter()
+        .filter(|it| it.points.len() > 1)
+        .map(|it| it.points[0])
+        .collect();
+    assert_eq!([dots.len(), letters.len()], [6, 6]);
+    // Each letter lies as far from its dot as the first from its own.
+    let ways: Vec<[f64; 2]> = dots
+        .iter()
+        .map(|dot| {
+            let nearest = letters
+                .iter()
+                .min_by(|a, b| a.distance(*dot).total_cmp(&b.distance(*dot)));
+            let way = *nearest.unwrap() - *dot;
+            [way.x, way.y].map(|mm| (mm * 1e3).round())
+        })
+        .collect();
+    assert!(ways.iter().all(|it| *it == ways[0]), "{ways:?}");
+}
+
+#[test]
+fn faces_tables_and_leaders_are_drawn() {
+    let face = |hidden: u32| {
+        let it = format!(
+            "0 3DFACE 10 0 20 0 30 5 11 9 21 0 31 5 12 9 22 9 32 0 13 0 23 9 33 0 70 {hidden}"
+        );
+        let (artwork, warnings) = draw(&it);
+        assert_eq!(warnings, [""; 0]);
+        let strokes = artwork.layers[0].strokes.iter();
+        strokes.map(Stroke::length_mm).sum::<f64>()
+    };
+    assert_eq!([face(0), face(1), face(10)], [36.0, 27.0, 18.0]);
+    let (artwork, _) = draw("0 3DFACE 10 0 20 0 11 3 21 0 12 3 22 4 13 3 23 4");
+    assert_eq!(artwork.layers[0].strokes[0].length_mm(), 12.0);
+    let table = "0 BLOCK 2 *T1 0 LINE 10 0 20 0 11 40 21 0 0 ENDBLK";
+    let (artwork, _) = draw_text(&file(
+        "",
+        table,
+        "0 POINT 10 0 20 0 0 ACAD_TABLE 2 *T1 10 100 20 0 11 0 21 1",
+    ));
+    let ends = &artwork.layers[0].strokes[1].points;
+    assert!(
+        (ends[1] - ends[0]).y < -39.9 && ends[0].x > 99.9,
+        "{ends:?}"
+    );
+    let (artwork, warnings) =
+        draw("0 LEADER 3 STANDARD 71 1 72 0 76 3 10 0 20 0 10 5 20 5 10 9 20 5");
+    assert_eq!(artwork.layers[0].strokes[0].points.len(), 3);
+    assert_eq!(warnings, ["27:1: 1 LEADER: drawn without its arrow"]);
+}

@@ -1,0 +1,80 @@
+//! Blocks that are clipped: INSERTs with a spatial filter.
+
+use dobot_geometry::{Affine, Point, Rect, bounds};
+
+use super::entity::Entity;
+use super::pairs::Pair;
+use super::renderer::EntityRenderer;
+use crate::error::SourceError;
+
+impl<'a> EntityRenderer<'_, 'a> {
+    /// The ring in which the block of an INSERT shows, in the block's own units; `None` where all of it
+    /// shows.
+    ///
+    /// ```text
+    ///   INSERT -- 102 {ACAD_XDICTIONARY 360 --> DICTIONARY -- 3 ACAD_FILTER 360 -->
+    ///   DICTIONARY -- 3 SPATIAL 360 --> SPATIAL_FILTER
+    /// ```
+    pub(super) fn clip(&mut self, it: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
+        let mut own = it.pairs.iter();
+        own.find(|it| it.is(102, b"{ACAD_XDICTIONARY"));
+        let Some(own) = own.find(|it| it.code == 360) else {
+            return Ok(None);
+        };
+        let Some(filters) = self.entry(own, b"ACAD_FILTER")? else {
+            return Ok(None);
+        };
+        let Some(filter) = self.entry(&filters, b"SPATIAL")? else {
+            return Ok(None);
+        };
+        match self.object(&filter)? {
+            Some(it) if it.kind == b"SPATIAL_FILTER" => ring(&it).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// What a dictionary has under a name.
+    fn entry(
+        &mut self,
+        dictionary: &Pair<'a>,
+        name: &[u8],
+    ) -> Result<Option<Pair<'a>>, SourceError> {
+        let Some(it) = self.object(dictionary)? else {
+            return Ok(None);
+        };
+        let mut entries = it.pairs.iter();
+        entries.find(|it| it.is(3, name));
+        Ok(entries.find(|it| matches!(it.code, 350 | 360)).copied())
+    }
+
+    fn object(&mut self, handle: &Pair<'a>) -> Result<Option<Entity<'a>>, SourceError> {
+        let Some(&span) = self.file.objects.get(handle.value) else {
+            return Ok(None);
+        };
+        // Many blocks may name the same one.
+        self.spend(span)?;
+        Entity::read(self.file.text, span).map(Some)
+    }
+}
+
+/// The corners of a filter.
+fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
+    let corners = it.points(10)?;
+    let numbers = it.numbers(40)?;
+    // Two matrices of twelve numbers are the last: the first is from the world to the block.
+    let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
+        numbers.len().checked_sub(24).map(|it| &numbers[it..])
+    else {
+        let found = format!("a clip with {} numbers (40)", numbers.len());
+        return Err(it.refused(found, "two matrices of 12 numbers"));
+    };
+    let to_block = Affine::new([xx, yx, xy, yy, x, y]);
+    let corners: Vec<Point> = corners.into_iter().map(|p| to_block * p).collect();
+    if corners.len() != 2 {
+        return Ok(corners);
+    }
+    let Rect { x0, y0, x1, y1 } = bounds(corners);
+    Ok([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        .map(Point::from)
+        .to_vec())
+}

@@ -1,0 +1,68 @@
+//! Files that are packed: `.svgz`, and anything that went through gzip.
+
+use std::io::Read;
+
+use flate2::read::MultiGzDecoder;
+
+use crate::error::SourceError;
+
+/// Unpacks a file that begins as gzip does; any other stays as it is.
+pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
+    if !bytes.starts_with(GZIP) {
+        return Ok(bytes);
+    }
+    let mut unpacked = Vec::new();
+    let mut reader = MultiGzDecoder::new(bytes.as_slice()).take(MOST_BYTES + 1);
+    let read = reader.read_to_end(&mut unpacked);
+    read.map_err(|error| SourceError::Packed {
+        problem: error.to_string(),
+    })?;
+    if unpacked.len() as u64 > MOST_BYTES {
+        return Err(SourceError::Packed {
+            problem: format!("it holds more than {} MB", MOST_BYTES / 1_000_000),
+        });
+    }
+    Ok(unpacked)
+}
+
+const GZIP: &[u8] = &[0x1f, 0x8b];
+/// A drawing of more would take days; some small files hold terabytes.
+const MOST_BYTES: u64 = 64_000_000;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::io::Write;
+
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+
+    use super::*;
+
+    fn packed(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    }
+
+    #[test]
+    fn what_was_packed_is_unpacked_and_the_rest_stays() {
+        assert_eq!(unpacked(packed(b"<svg/>")).unwrap(), b"<svg/>");
+        assert_eq!(unpacked(b"<svg/>".to_vec()).unwrap(), b"<svg/>");
+        assert_eq!(unpacked(Vec::new()).unwrap(), b"");
+    }
+
+    #[test]
+    fn a_file_that_is_cut_off_or_holds_too_much_is_refused() {
+        let whole = packed(b"<svg></svg>");
+        let error = unpacked(whole[..whole.len() - 9].to_vec()).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("the packed file (gzip) cannot be read: ")
+        );
+        let bomb = packed(&vec![b' '; 64_000_001]);
+        let error = unpacked(bomb).unwrap_err();
+        assert!(error.to_string().contains("more than 64 MB"), "{error}");
+    }
+}

@@ -1,0 +1,86 @@
+//! GIF, WebP, BMP and TIFF files to grey pixels.
+
+use std::io::Cursor;
+
+use dobot_geometry::Point;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+
+use super::decode::{Header, PIXEL_MM, on_paper};
+use super::exif::Orientation;
+use crate::error::ImageError;
+
+/// The format that a file of one of these kinds begins with.
+pub(super) fn format(bytes: &[u8]) -> Option<ImageFormat> {
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let kinds = [
+        (ImageFormat::Gif, bytes.starts_with(b"GIF8")),
+        (ImageFormat::WebP, is_webp),
+        (
+            ImageFormat::Bmp,
+            bytes.starts_with(b"BM") && bytes.get(6..10) == Some(&[0; 4]),
+        ),
+        (
+            ImageFormat::Tiff,
+            bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
+        ),
+    ];
+    kinds.into_iter().find(|it| it.1).map(|it| it.0)
+}
+
+/// Reads the header alone.
+pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
+    decoder(bytes, format).map(|it| it.1)
+}
+
+/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`. Of an
+/// animation the first picture counts.
+pub(super) fn pixels(
+    bytes: &[u8],
+    format: ImageFormat,
+    paper: u8,
+) -> Result<(Header, Vec<u8>), ImageError> {
+    let (decoder, header) = decoder(bytes, format)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
+    let image = image.into_luma_alpha8();
+    let grey = image.pixels().map(|it| on_paper(it.0[0], it.0[1], paper));
+    Ok((header, grey.collect()))
+}
+
+fn decoder(
+    bytes: &[u8],
+    format: ImageFormat,
+) -> Result<(impl ImageDecoder + '_, Header), ImageError> {
+    let bad = |error| damaged(format, &error);
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MOST_BYTES);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(bad)?;
+    let (width, height) = decoder.dimensions();
+    let turned = decoder.orientation().map_err(bad)?;
+    let header = Header {
+        width: width as usize,
+        height: height as usize,
+        pixel: Point::new(PIXEL_MM, PIXEL_MM),
+        orientation: Orientation::numbered(turned.to_exif().into()),
+        animated: false,
+    };
+    Ok((decoder, header.check(MOST_PIXELS)?))
+}
+
+fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
+    let problem = error.to_string();
+    ImageError::Damaged {
+        format: match format {
+            ImageFormat::Gif => "GIF",
+            ImageFormat::WebP => "WebP",
+            ImageFormat::Bmp => "BMP",
+            _ => "TIFF",
+        },
+        problem: problem.lines().next().unwrap_or_default().to_owned(),
+    }
+}
+
+/// The pixels of these come all at once, with their colours.
+const MOST_PIXELS: usize = 25_000_000;
+const MOST_BYTES: u64 = 128_000_000;
