@@ -105,7 +105,7 @@ impl Trace<'_> {
 }
 
 impl PassFigures {
-    fn of(pass: &PlannedPass) -> Self {
+    pub(crate) fn of(pass: &PlannedPass) -> Self {
         Self {
             name: pass.name.clone(),
             color: pass.color,

@@ -60,6 +60,7 @@ pub fn prepare<E: fmt::Display>(
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
     let (Placed { layers, scale }, mut warnings) = read(source, settings)?;
+    settings.give_up.check()?;
     let layers = layers::chosen(layers, settings)?;
     let passes = passes(layers, settings, &reachable, &mut warnings)?;
     let prepared = plan_passes(passes, settings, reachable)?;
@@ -94,7 +95,9 @@ fn plan_passes<E: fmt::Display>(
         Some(from) => from.rest_of(passes)?,
         None => passes,
     };
-    let simple: Vec<Pass> = passes.iter().map(|it| simplified(it, settings)).collect();
+    let simple: Result<Vec<Pass>, PrepareError> =
+        passes.iter().map(|it| simplified(it, settings)).collect();
+    let simple = simple?;
     let plan = Plan::new(&simple, &settings.paper, &settings.machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
@@ -109,6 +112,9 @@ fn plan_passes<E: fmt::Display>(
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PrepareError {
+    /// Nobody wants it any more.
+    #[error("the plan was given up before it was done")]
+    GivenUp,
     /// Vectors this short would not be vectors any more.
     #[error("the tolerance is {0} mm; it must be a number from 0.02 mm up")]
     Tolerance(f64),
@@ -210,6 +216,7 @@ fn passes<E>(
         if strokes.is_empty() {
             continue;
         }
+        settings.give_up.check()?;
         let strokes = ordered(strokes, here, tool, settings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
@@ -229,6 +236,7 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
     let mut lines = std::mem::take(&mut layer.strokes);
     if let Some(hatching) = &settings.hatch {
         for area in &layer.areas {
+            settings.give_up.check()?;
             lines.append(&mut hatch(area, hatching)?);
         }
     }
@@ -277,19 +285,21 @@ fn ordered(
 }
 
 /// The same pass with the fewest vectors.
-fn simplified(pass: &Pass, settings: &Settings) -> Pass {
+fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let strokes = pass.strokes.iter().map(|it| {
+        settings.give_up.check()?;
         let simple = simplify(it, tolerance_mm);
-        shortened(simple, &settings.paper)
+        Ok(shortened(simple, &settings.paper))
     });
-    Pass {
+    let strokes: Result<_, PrepareError> = strokes.collect();
+    Ok(Pass {
         name: pass.name.clone(),
         color: pass.color,
         tool: pass.tool,
-        strokes: strokes.collect(),
+        strokes: strokes?,
         message: pass.message.clone(),
-    }
+    })
 }
 
 /// How much larger than its page says the ink of a picture may become for its lines to stay.
