@@ -9,6 +9,7 @@ mod app;
 mod auth;
 mod calls;
 mod document;
+mod drawings;
 #[cfg(test)]
 mod fake;
 mod http_leases;
