@@ -28,7 +28,8 @@
  * | { type: "language", language: import("./state.js").Language }
  * | { type: "theme", theme: import("./state.js").Theme }
  * | import("./jog.js").JogMessage
- * | import("./target.js").TargetMessage} Message
+ * | import("./target.js").TargetMessage
+ * | import("./draw.js").DrawMessage} Message
  */
 
 export {};

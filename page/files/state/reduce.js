@@ -1,5 +1,6 @@
 // How a message changes the state. Pure: no clock, no document, no network.
 
+import { reduceDraw } from "./draw.js";
 import { reduceJog } from "./jog.js";
 import { reduceTarget } from "./target.js";
 
@@ -14,7 +15,8 @@ export function reduce(page, message) {
   const next = reduceOwn(page, message);
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
-  return jog === next.jog && target === next.target ? next : { ...next, jog, target };
+  const draw = reduceDraw(next.draw, message);
+  return jog === next.jog && target === next.target && draw === next.draw ? next : { ...next, jog, target, draw };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

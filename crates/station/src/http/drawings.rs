@@ -208,11 +208,10 @@ impl Drawings {
         let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
         // Whatever it is by then is told.
         drop(tokio::time::timeout(LONGEST_WAIT, over).await);
-        let view = self.find(number, |it| match &*it.progress.borrow() {
-            Progress::Planned(planned) => Ok(planned.view.clone()),
-            _ => Err(it.view(number)),
-        })?;
-        Ok(view.unwrap_or_else(|view| json(&view)))
+        self.find(number, |it| match &*it.progress.borrow() {
+            Progress::Planned(planned) => planned.view.clone(),
+            _ => json(&it.view(number)),
+        })
     }
 
     /// Forgets a drawing; a plan under way is given up.
